@@ -1,0 +1,63 @@
+#pragma once
+/// Benchmarks: a case runs scenes and emits one record per solve.
+
+#include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/scene.hpp"
+
+namespace rollcon::bench {
+
+struct Record {
+  std::string case_name{}, method{}, model{}, mesh{};
+  std::string quantity{}, against{};  ///< what `error` is of, and what it is against
+  double value = 0, error = 0;        ///< error relative unless `quantity` says otherwise
+  std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
+  std::int32_t status = 0;
+  double seconds = 0;                 ///< wall, from arrays to results
+  std::vector<std::pair<std::string, double>> phase_seconds{};
+  std::int64_t peak_bytes = 0;        ///< the library's own count
+  std::int64_t resident_bytes = 0;    ///< VmHWM of the process during the solve
+  std::int64_t iterations = 0, linear_iterations = 0;
+  int threads = 1;
+  std::vector<std::pair<std::string, double>> extra{};
+};
+
+class Runner {
+ public:
+  bool quick = false;
+  int threads = 1;
+
+  void emit(const Record& record);
+  bool open_json(const std::string& path);
+  ~Runner();
+
+ private:
+  std::FILE* json_ = nullptr;
+};
+
+struct Case {
+  std::string name, summary;
+  std::function<void(Runner&)> run;
+};
+
+/// Cases of each family; main.cpp strings them together.
+std::vector<Case> hertz_cases();
+std::vector<Case> carter_cases();
+std::vector<Case> kalker_cases();
+std::vector<Case> steady_rolling_cases();
+std::vector<Case> example3_cases();
+std::vector<Case> kernel_cases();
+std::vector<Case> linear_solver_cases();
+
+double now();  ///< seconds, monotonic
+
+/// Solves, times the solve, and fills status, sizes, phases, memory and iterations of the record.
+/// `began`: now() before the caller built the scene; the record's seconds count from there.
+scenes::Solution timed_solve(scenes::RollingPair& pair, Record& record, double began);
+
+}  // namespace rollcon::bench

@@ -1,0 +1,50 @@
+#pragma once
+/// One JSON object on one line: enough for benchmark records.
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+namespace rollcon::bench {
+
+class JsonObject {
+ public:
+  JsonObject& add(const std::string& key, const std::string& value) {
+    return raw(key, quoted(value));
+  }
+  JsonObject& add(const std::string& key, const char* value) {
+    return add(key, std::string(value));
+  }
+  JsonObject& add(const std::string& key, double value) {
+    if (!std::isfinite(value)) return raw(key, "null");
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return raw(key, text);
+  }
+  JsonObject& add(const std::string& key, std::int64_t value) {
+    return raw(key, std::to_string(value));
+  }
+  JsonObject& add(const std::string& key, const JsonObject& value) {
+    return raw(key, value.text());
+  }
+  std::string text() const { return "{" + body_ + "}"; }
+
+ private:
+  JsonObject& raw(const std::string& key, const std::string& value) {
+    if (!body_.empty()) body_ += ", ";
+    body_ += quoted(key) + ": " + value;
+    return *this;
+  }
+  static std::string quoted(const std::string& s) {
+    std::string out = "\"";
+    for (char c : s) {
+      if (c == '"' || c == '\\') out += '\\';
+      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+    return out + '"';
+  }
+  std::string body_;
+};
+
+}  // namespace rollcon::bench

@@ -1,0 +1,84 @@
+// rollcon-bench: error against run time and memory.
+//   rollcon-bench list
+//   rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N]
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "bench.hpp"
+
+namespace {
+
+using rollcon::bench::Case;
+
+std::vector<Case> all_cases() {
+  using namespace rollcon::bench;
+  std::vector<Case> cases;
+  for (auto family : {hertz_cases, carter_cases, kalker_cases, steady_rolling_cases, example3_cases,
+                      kernel_cases, linear_solver_cases})
+    for (Case& c : family()) cases.push_back(std::move(c));
+  return cases;
+}
+
+int usage() {
+  std::fprintf(stderr,
+               "usage: rollcon-bench list\n"
+               "       rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N]\n");
+  return 2;
+}
+
+int run(const std::vector<Case>& cases, int argc, char** argv) {
+  rollcon::bench::Runner runner;
+  std::vector<std::string> wanted;
+  for (int i = 2; i < argc; ++i) {
+    const std::string argument = argv[i];
+    if (argument == "--quick") {
+      runner.quick = true;
+    } else if (argument == "--json" && i + 1 < argc) {
+      if (!runner.open_json(argv[++i])) {
+        std::fprintf(stderr, "cannot write %s\n", argv[i]);
+        return 1;
+      }
+    } else if (argument == "--threads" && i + 1 < argc) {
+      runner.threads = std::atoi(argv[++i]);
+    } else if (argument.starts_with("--")) {
+      return usage();
+    } else {
+      wanted.push_back(argument);
+    }
+  }
+  if (wanted.empty()) return usage();
+  const bool everything = std::find(wanted.begin(), wanted.end(), "all") != wanted.end();
+  for (const std::string& name : wanted)
+    if (name != "all" && std::none_of(cases.begin(), cases.end(),
+                                      [&](const Case& c) { return c.name == name; })) {
+      std::fprintf(stderr, "no case %s; see rollcon-bench list\n", name.c_str());
+      return 2;
+    }
+  int failed = 0;
+  for (const Case& c : cases) {
+    if (!everything && std::find(wanted.begin(), wanted.end(), c.name) == wanted.end()) continue;
+    try {
+      c.run(runner);
+    } catch (const std::exception& e) {
+      std::fprintf(stderr, "%s: %s\n", c.name.c_str(), e.what());
+      ++failed;
+    }
+  }
+  return failed ? 1 : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<Case> cases = all_cases();
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (command == "list") {
+    for (const Case& c : cases) std::printf("%-14s %s\n", c.name.c_str(), c.summary.c_str());
+    return 0;
+  }
+  return command == "run" ? run(cases, argc, argv) : usage();
+}

@@ -1,0 +1,248 @@
+#!/usr/bin/env python3
+"""Tables and plots from the records of rollcon-bench.
+
+usage: report.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
+
+Writes DOCS_DIR/accuracy.md and DOCS_DIR/accuracy_*.png (gnuplot).
+"""
+
+import json
+import os
+import platform
+import subprocess
+import sys
+from collections import defaultdict
+
+
+def load(path):
+    with open(path, encoding="utf-8") as lines:
+        return [json.loads(line) for line in lines if line.strip()]
+
+
+def of_case(records, *names):
+    return [r for r in records if r["case"] in names]
+
+
+def percent(x, digits=2):
+    return "-" if x is None else f"{100 * x:+.{digits}f} %"
+
+
+def seconds(x):
+    if x is None:
+        return "-"
+    return f"{1000 * x:.1f} ms" if x < 1 else f"{x:.2f} s"
+
+
+def table(heading, rows):
+    lines = ["| " + " | ".join(heading) + " |", "|" + " --- |" * len(heading)]
+    lines += ["| " + " | ".join(str(c) for c in row) + " |" for row in rows]
+    return "\n".join(lines) + "\n"
+
+
+def plot(path, title, xlabel, ylabel, series, options=""):
+    """Log-log lines; series: name -> [(x, y)]."""
+    names = [n for n in series if series[n]]
+    if not names:
+        return None
+    script = [
+        "set terminal pngcairo size 800,520 font 'Sans,11'",
+        f"set output '{path}'",
+        f"set title '{title}'",
+        f"set xlabel '{xlabel}'",
+        f"set ylabel '{ylabel}'",
+        "set logscale xy",
+        "set format y '10^{%L}'",
+        "set grid",
+        "set key outside right",
+        options,
+        "plot " + ", ".join(f"'-' with linespoints pt {5 + i} title '{n}'"
+                            for i, n in enumerate(names)),
+    ]
+    for name in names:
+        script += [f"{x} {y}" for x, y in sorted(series[name]) if x and y]
+        script.append("e")
+    subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
+    return os.path.basename(path)
+
+
+def hertz(records, docs):
+    rows, series = [], defaultdict(list)
+    for r in of_case(records, "hertz"):
+        e = r["extra"]
+        rows.append([r["mesh"], r["nodes"], r["pairs"], percent(r["error"], 3), percent(e["error_p0"]),
+                     percent(e["error_a"]), percent(e["error_b"]), seconds(r["seconds"]["wall"])])
+        if "a/b" not in r["mesh"]:
+            kind = "rings" if r["mesh"].startswith("rings") else r["mesh"].split()[0] + " grid"
+            series[kind].append((r["pairs"], abs(r["error"])))
+    if not rows:
+        return ""
+    image = plot(f"{docs}/accuracy_hertz.png", "Hertz, circle: force at given approach",
+                 "nodes in contact", "relative error", series)
+    return ("## Hertz: force at given approach, peak pressure and semi-axes\n\n"
+            "Peak pressure and semi-axes come from a least-squares fit of p^2 to Hertz's form.\n\n"
+            + table(["frame", "nodes", "in contact", "force", "p0", "a", "b", "cold"], rows)
+            + f"\n![Hertz]({image})\n")
+
+
+def carter(records, docs):
+    rows, series = [], defaultdict(list)
+    for r in of_case(records, "carter"):
+        rows.append([r["mesh"], r["method"], percent(r["error"], 3),
+                     percent(r["extra"]["error_traction_l2"]), r["iterations"],
+                     seconds(r["seconds"]["wall"])])
+        series[r["mesh"].split()[0] + ", " + r["method"].replace("_", " ")].append(
+            (r["extra"]["across"], abs(r["error"])))
+    if not rows:
+        return ""
+    image = plot(f"{docs}/accuracy_carter.png", "Carter: F/(mu P) at given creepage",
+                 "nodes across the contact", "relative error", series)
+    return ("## Carter: long strip, frames aligned with the flow\n\n"
+            "Middle section of a strip 40 half-widths long. CONTACT with 50 strips: force +1.25 %, "
+            "traction 1.54 %.\n\n"
+            + table(["nodes across", "scheme", "force", "traction L2", "iterations", "cold"], rows)
+            + f"\n![Carter]({image})\n")
+
+
+def kalker(records, _docs):
+    grouped = defaultdict(dict)
+    for r in of_case(records, "kalker"):
+        grouped[(r["extra"]["a_over_b"], r["extra"]["nu"])][r["quantity"]] = r
+    if not grouped:
+        return ""
+    names = ["C11", "C22", "C23", "C33"]
+    rows = [[f"{ratio:g}", f"{nu:g}"] + [f"{g[n]['value']:.4g} ({percent(g[n]['error'], 1)})"
+                                         if n in g else "-" for n in names]
+            for (ratio, nu), g in sorted(grouped.items())]
+    return ("## Kalker's creepage coefficients\n\n"
+            "In brackets: difference from Kalker's table, which has three digits.\n\n"
+            + table(["a/b", "nu"] + names, rows))
+
+
+def creep_curve(records, _docs):
+    rows = [[f"{r['extra']['xi']:.1e}", f"{r['value']:.5f}", f"{r['extra']['contact']:.5f}",
+             f"{100 * r['error']:+.2f} %", r["iterations"], seconds(r["seconds"]["wall"])]
+            for r in of_case(records, "creep_curve")]
+    if not rows:
+        return ""
+    return ("## Creep-force curve\n\nDifference in per cent of mu P.\n\n"
+            + table(["creepage", "F/(mu P)", "CONTACT 44 x 48", "difference", "iterations", "time"],
+                    rows))
+
+
+def steady_rolling(records, docs):
+    text = ""
+    for which in ("a", "b"):
+        rows, by_nodes, by_time = [], defaultdict(list), defaultdict(list)
+        contact_nodes, contact_time = [], []
+        for r in of_case(records, "case_" + which):
+            e = r["extra"]
+            ratio = e.get("error_over_contact")
+            time_ratio = e.get("warm_seconds_over_contact")
+            rows.append([r["mesh"], r["method"], r["pairs"], percent(r["error"]),
+                         percent(e.get("contact_error")), "-" if ratio is None else f"{ratio:.2f}",
+                         r["iterations"], seconds(r["seconds"]["wall"]), seconds(e["warm_seconds"]),
+                         seconds(e.get("contact_seconds")),
+                         "-" if time_ratio is None else f"{time_ratio:.2g}"])
+            name = r["mesh"].split()[0] + ", " + r["method"].replace("_", " ")
+            by_nodes[name].append((r["pairs"], abs(r["error"])))
+            by_time[name].append((e["warm_seconds"], abs(r["error"])))
+            if "contact_seconds" in e and r["method"] == "least_squares":
+                contact_nodes.append((r["pairs"], e["contact_error"]))
+                contact_time.append((e["contact_seconds"], e["contact_error"]))
+        if not rows:
+            continue
+        by_nodes["CONTACT"], by_time["CONTACT"] = contact_nodes, contact_time
+        first = plot(f"{docs}/accuracy_case_{which}_nodes.png", f"Case ({which}): error of Fx",
+                     "nodes in contact", "relative error", by_nodes)
+        second = plot(f"{docs}/accuracy_case_{which}_time.png",
+                      f"Case ({which}): error of Fx against time of a warm solve", "seconds",
+                      "relative error", by_time)
+        text += (f"## Case ({which}) beside CONTACT\n\n"
+                 "Circle, identical bodies, longitudinal creepage"
+                 + (" and spin" if which == "b" else "")
+                 + "; grids of N x N nodes, 90 % filled, and rings of triangles fitted to the "
+                 "contact. Warm: solved again after 1 % of change in creepage. CONTACT's error and "
+                 "warm time were measured on a machine of the same kind.\n\n"
+                 + table(["frame", "scheme", "in contact", "Fx", "CONTACT", "ratio", "iterations",
+                          "cold", "warm", "CONTACT warm", "time ratio"], rows)
+                 + f"\n![nodes]({first})\n\n![time]({second})\n\n")
+    return text
+
+
+def example3(records, _docs):
+    rows = [[r["mesh"], r["method"], f"{r['value']:.5e}", percent(r["error"]),
+             f"{r['extra']['p0']:.1f}", r["iterations"], seconds(r["seconds"]["wall"]),
+             seconds(r["seconds"]["compliance"]),
+             f"{r['resident_bytes'] / 1e6:.0f} MB", seconds(r["extra"]["warm_seconds"]),
+             f"{r['extra']['warm_iterations']:.0f}",
+             f"{r['extra']['warm_heap_allocations']:.0f}"]
+            for r in of_case(records, "example3")]
+    if not rows:
+        return ""
+    return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
+            "Error of the creepage against a fine frame fitted to the contact. Cold: from arrays to "
+            "tractions. Warm: creepage given, changed by 1 %.\n\n"
+            + table(["frame", "scheme", "creepage", "error", "p0, MPa", "iterations", "cold",
+                     "of it compliance", "memory", "warm", "iterations", "allocations"], rows))
+
+
+def kernel(records, _docs):
+    rows = [[r["mesh"], f"{r['extra']['kernel_evaluations']:.3g}",
+             seconds(r["extra"]["seconds_compliance"]), f"{r['value']:.2e}"]
+            for r in of_case(records, "kernel")]
+    if not rows:
+        return ""
+    return ("## Half-space kernel\n\n"
+            + table(["frame", "point evaluations", "time", "per second"], rows))
+
+
+def linear_solver(records, docs):
+    rows, series = [], defaultdict(list)
+    for r in of_case(records, "linear_solver"):
+        rows.append([r["mesh"], r["model"], r["method"], r["pairs"], r["unknowns"], r["iterations"],
+                     r["linear_iterations"], seconds(r["value"])])
+        series[r["method"] + ", " + r["model"]].append((r["pairs"], r["value"]))
+    if not rows:
+        return ""
+    image = plot(f"{docs}/accuracy_linear_solver.png", "Dense LU against GMRES",
+                 "nodes in contact", "seconds outside the compliance", series)
+    return ("## Dense LU against GMRES\n\n"
+            + table(["frame", "bodies", "solver", "in contact", "unknowns", "Newton", "Krylov",
+                     "time"], rows)
+            + f"\n![LU and GMRES]({image})\n")
+
+
+def processor():
+    try:
+        with open("/proc/cpuinfo", encoding="utf-8") as info:
+            for line in info:
+                if line.startswith("model name"):
+                    return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.processor() or "unknown processor"
+
+
+def main():
+    if len(sys.argv) != 4:
+        sys.exit(__doc__)
+    records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
+    threads = sorted({r["threads"] for r in records})
+    text = ["# Accuracy, time and memory\n",
+            f"Made by `{command}` on {processor()}, {'/'.join(map(str, threads))} thread(s); "
+            "times of single runs, on a shared machine good to a few ten per cent. "
+            "Errors are signed and relative unless said otherwise.\n"]
+    unfinished = [r for r in records if r["status"] != 0]
+    if unfinished:
+        text.append(f"{len(unfinished)} of {len(records)} solves did not end with status OK: "
+                    + "; ".join(f"{r['case']} {r['mesh']} {r['method']}" for r in unfinished)
+                    + ".\n")
+    for section in (example3, steady_rolling, hertz, carter, kalker, creep_curve, linear_solver,
+                    kernel):
+        text.append(section(records, docs))
+    with open(f"{docs}/accuracy.md", "w", encoding="utf-8") as out:
+        out.write("\n".join(part.rstrip() + "\n" for part in text if part))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Writers of everything that follows from the API table, one module per output language."""

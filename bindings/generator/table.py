@@ -1,0 +1,152 @@
+"""Reads bindings/api.toml into plain objects and checks it."""
+
+import re
+import tomllib
+from dataclasses import dataclass
+
+SCALARS = {"int32", "int64", "real"}
+TEXTS = {"text", "char"}
+HANDLES = {"context", "body", "contact"}
+OPAQUE = HANDLES | {"event", "handle"}
+OTHERS = {"log_fn", "progress_fn", "user"}
+RETURNS = {"status", "int32", "text", "void"} | HANDLES
+THREADS = {
+    "any": "any thread at any time.",
+    "object": "one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.",
+}
+ARGUMENT = re.compile(r"(const |out )?(\w+)(\[.+\])?(\?)?$")
+
+
+@dataclass
+class Argument:
+    name: str
+    base: str
+    out: bool
+    const: bool
+    shape: str  # "[n][3]", or "" for a scalar
+    optional: bool
+    doc: str
+
+    @property
+    def array(self):
+        return bool(self.shape)
+
+
+@dataclass
+class Function:
+    name: str  # with the prefix rollcon_
+    returns: str
+    doc: str
+    args: list
+    errors: list
+    ownership: str
+    threads: str
+    source: str
+
+
+@dataclass
+class Callback:
+    name: str
+    returns: str
+    doc: str
+    args: list
+
+
+@dataclass
+class Enum:
+    name: str
+    doc: str
+    values: list  # (name with prefix, number, doc)
+
+
+@dataclass
+class Group:
+    title: str
+    doc: str
+    functions: list
+
+
+@dataclass
+class Table:
+    version: tuple
+    abi: int
+    features: list  # (name, built, doc)
+    enums: list
+    callbacks: list
+    groups: list
+
+    @property
+    def functions(self):
+        return [f for group in self.groups for f in group.functions]
+
+    @property
+    def version_text(self):
+        return ".".join(str(part) for part in self.version)
+
+
+def parse_argument(row, where):
+    match = ARGUMENT.match(row[1])
+    if not match:
+        raise ValueError(f"{where}: cannot read the type '{row[1]}'")
+    prefix, base, shape, optional = match.groups()
+    if base not in SCALARS | TEXTS | OPAQUE | OTHERS:
+        raise ValueError(f"{where}: unknown type '{base}'")
+    if base == "char" and not shape:
+        raise ValueError(f"{where}: char needs a shape")
+    return Argument(row[0], base, prefix == "out ", prefix == "const " or base == "handle",
+                    shape or "", bool(optional), row[2] if len(row) > 2 else "")
+
+
+def parse_arguments(rows, where):
+    args = [parse_argument(row, f"{where}, {row[0]}") for row in rows]
+    names = [a.name.lower() for a in args]
+    if len(set(names)) != len(names):
+        raise ValueError(f"{where}: repeated argument")
+    return args
+
+
+def parse_function(entry, statuses):
+    where = entry["name"]
+    unknown = set(entry) - {"name", "returns", "doc", "args", "errors", "ownership", "threads",
+                            "source"}
+    if unknown:
+        raise ValueError(f"{where}: unknown keys {sorted(unknown)}")
+    returns = entry.get("returns", "status")
+    errors = entry.get("errors", [])
+    if returns not in RETURNS:
+        raise ValueError(f"{where}: unknown return type '{returns}'")
+    if (returns == "status") != bool(errors):
+        raise ValueError(f"{where}: functions with a status, and only those, list their errors")
+    for name in errors:
+        if name not in statuses:
+            raise ValueError(f"{where}: unknown status {name}")
+    threads = THREADS[entry.get("threads", "object")]
+    return Function("rollcon_" + where, returns, entry["doc"],
+                    parse_arguments(entry.get("args", []), where), errors,
+                    entry.get("ownership", ""), threads, entry.get("source", ""))
+
+
+def parse_enum(entry):
+    values = [("ROLLCON_" + name, number, doc) for name, number, doc in entry["values"]]
+    numbers = [number for _, number, _ in values]
+    if len(set(numbers)) != len(numbers):
+        raise ValueError(f"enum {entry['name']}: repeated number")
+    return Enum(entry["name"], entry["doc"], values)
+
+
+def load(path):
+    with open(path, "rb") as stream:
+        raw = tomllib.load(stream)
+    enums = [parse_enum(entry) for entry in raw["enum"]]
+    statuses = {name.removeprefix("ROLLCON_") for name, _, _ in enums[0].values}
+    callbacks = [Callback("rollcon_" + c["name"], c["returns"], c["doc"],
+                          parse_arguments(c["args"], c["name"])) for c in raw["callback"]]
+    groups = [Group(g["title"], g["doc"], [parse_function(f, statuses) for f in g["function"]])
+              for g in raw["group"]]
+    features = [(f["name"], f["built"], f["doc"]) for f in raw["feature"]]
+    table = Table(tuple(raw["library"]["version"]), raw["library"]["abi"], features, enums,
+                  callbacks, groups)
+    names = [f.name for f in table.functions] + [v[0] for e in enums for v in e.values]
+    if len({name.lower() for name in names}) != len(names):
+        raise ValueError("two names differ by case only: Fortran cannot tell them apart")
+    return table

@@ -1,0 +1,21 @@
+"""rollcon for Python: frictional rolling contact by the C library librollcon.
+
+Context, Body and Contact wrap the handles of rollcon.h; each object releases its handle when it
+is closed, leaves a `with` block or is collected. Failures raise RollconError. Arrays are numpy
+arrays of float64, x[n, 3]; node numbers count from 0. Contiguous arrays are passed without a copy.
+"""
+
+from . import _api
+from ._api import *  # noqa: F401,F403 - the enumerators: BODY_RIGID, QUAD4, BY_FORCE, ...
+from ._library import (RollconError, build_info, has_feature, library_path, status_string, version,
+                       version_string)
+from .body import Body
+from .contact import Contact
+from .context import Context
+from .options import option_table, stat_names
+
+__version__ = ".".join(str(part) for part in _api.VERSION)
+__all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
+__all__ += ["Body", "Contact", "Context", "RollconError", "build_info", "has_feature",
+            "library_path", "option_table", "stat_names", "status_string", "version",
+            "version_string"]

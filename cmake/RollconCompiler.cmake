@@ -1,0 +1,31 @@
+# How rollcon's own code is compiled. Nothing here reaches a user of the library.
+
+# Instruction sets are chosen at run time: there is no -march here. A kernel compiled for one set
+# has it in its file name (*_avx2.cpp); RollconLibrary.cmake gives that file its flags.
+add_library(rollcon_flags INTERFACE)
+target_compile_features(rollcon_flags INTERFACE cxx_std_20)
+target_compile_options(rollcon_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:C,CXX>:-Wall;-Wextra>
+  $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor;-Woverloaded-virtual>)
+
+if(ROLLCON_WERROR)
+  # GCC 12 and 13 see overlapping copies in std::string's own code.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 14)
+    target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+  endif()
+  target_compile_options(rollcon_flags INTERFACE $<$<COMPILE_LANGUAGE:C,CXX,Fortran>:-Werror>)
+endif()
+
+# Instrumentation covers everything of the build, tests included.
+if(ROLLCON_SANITIZE)
+  list(JOIN ROLLCON_SANITIZE "," _sanitizers)
+  add_compile_options(-fsanitize=${_sanitizers} -fno-omit-frame-pointer -g)
+  add_link_options(-fsanitize=${_sanitizers})
+  if("undefined" IN_LIST ROLLCON_SANITIZE)
+    add_compile_options(-fno-sanitize-recover=undefined)
+  endif()
+endif()
+if(ROLLCON_COVERAGE)
+  add_compile_options(--coverage -fprofile-update=atomic)
+  add_link_options(--coverage)
+endif()

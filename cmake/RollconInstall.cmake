@@ -1,0 +1,66 @@
+# Installation: libraries, header, Fortran source, CMake package, pkg-config file. Shared and static
+# have an export set each, so that separate builds may be installed side by side.
+
+include(CMakePackageConfigHelpers)
+include(rollconFortranTarget)
+
+set(_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/rollcon")
+set(_fortran_dir "${CMAKE_INSTALL_DATADIR}/rollcon/fortran")
+
+foreach(_kind IN ITEMS shared static)
+  string(TOUPPER ${_kind} _option)
+  if(ROLLCON_${_option})
+    install(TARGETS rollcon_${_kind} EXPORT rollcon_${_kind}
+      LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+      ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+    install(EXPORT rollcon_${_kind} NAMESPACE rollcon:: FILE rollcon-${_kind}-targets.cmake
+      DESTINATION "${_package_dir}")
+  endif()
+endforeach()
+
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+  FILES_MATCHING PATTERN "*.h")
+list(TRANSFORM ROLLCON_FORTRAN_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/fortran/"
+  OUTPUT_VARIABLE _fortran_sources)
+install(FILES ${_fortran_sources} DESTINATION "${_fortran_dir}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+
+configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/rollconConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
+  INSTALL_DESTINATION "${_package_dir}" PATH_VARS _fortran_dir)
+# Before 1.0 a minor version may change the source interface.
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
+  "${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/rollconFortranTarget.cmake"
+  DESTINATION "${_package_dir}")
+
+# pkg-config: libraries by name, their folder only where the linker would not look by itself.
+set(_private "")
+foreach(_library IN LISTS LAPACK_LIBRARIES ROLLCON_RUNTIME)
+  if(IS_ABSOLUTE "${_library}")
+    get_filename_component(_folder "${_library}" DIRECTORY)
+    get_filename_component(_name "${_library}" NAME_WE)
+    if(NOT _folder IN_LIST CMAKE_C_IMPLICIT_LINK_DIRECTORIES)
+      list(APPEND _private "-L${_folder}")
+    endif()
+    string(REGEX REPLACE "^lib" "-l" _name "${_name}")
+    list(APPEND _private "${_name}")
+  elseif(_library MATCHES "^-")
+    list(APPEND _private "${_library}")
+  else()
+    list(APPEND _private "-l${_library}")
+  endif()
+endforeach()
+list(REMOVE_DUPLICATES _private)
+list(JOIN _private " " ROLLCON_PC_PRIVATE)
+set(ROLLCON_PC_LIBS "-lrollcon")
+if(NOT ROLLCON_SHARED)
+  string(APPEND ROLLCON_PC_LIBS " ${ROLLCON_PC_PRIVATE}")
+endif()
+list(JOIN ROLLCON_FORTRAN_SOURCES " " ROLLCON_PC_FORTRAN)
+file(RELATIVE_PATH ROLLCON_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" ROLLCON_PC_PREFIX "${ROLLCON_PC_PREFIX}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/rollcon.pc.in" "${PROJECT_BINARY_DIR}/rollcon.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/rollcon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")

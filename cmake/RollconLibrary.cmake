@@ -1,0 +1,111 @@
+# The library: one set of objects, from which the shared and the static library are made. The static
+# one also serves the unit tests, which reach inside.
+
+# Rooms in the order of docs: each may use only those before it.
+set(ROLLCON_ROOMS support linalg mesh io bodies contact capi)
+
+add_library(rollcon_objects OBJECT)
+foreach(_room IN LISTS ROLLCON_ROOMS)
+  file(GLOB_RECURSE _sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/${_room}/*.cpp")
+  target_sources(rollcon_objects PRIVATE ${_sources})
+endforeach()
+list(JOIN ROLLCON_LICENCES ", " ROLLCON_LICENCES_TEXT)
+set(ROLLCON_BUILD_OPENMP ${ROLLCON_OPENMP})
+configure_file("${PROJECT_SOURCE_DIR}/cmake/build_info.hpp.in"
+  "${PROJECT_BINARY_DIR}/generated/build_info.hpp")
+set_target_properties(rollcon_objects PROPERTIES
+  POSITION_INDEPENDENT_CODE ON
+  CXX_EXTENSIONS OFF
+  CXX_VISIBILITY_PRESET hidden
+  VISIBILITY_INLINES_HIDDEN ON)
+target_include_directories(rollcon_objects PRIVATE
+  "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/include" "${PROJECT_BINARY_DIR}/generated")
+target_link_libraries(rollcon_objects PRIVATE rollcon_flags)
+target_compile_definitions(rollcon_objects PRIVATE ROLLCON_BUILDING)
+if(ROLLCON_OPENMP)
+  target_link_libraries(rollcon_objects PRIVATE OpenMP::OpenMP_CXX)
+endif()
+
+# The C boundary carries debug information in a developer's build: the ABI dump is made from it.
+if(ROLLCON_TESTS)
+  file(GLOB_RECURSE _capi CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/capi/*.cpp")
+  set_source_files_properties(${_capi} PROPERTIES COMPILE_OPTIONS -g)
+endif()
+
+# Kernels for one instruction set.
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(_flags_avx2 -mavx2 -mfma)
+  set(_flags_avx512 -mavx512f -mavx512dq -mavx512vl -mavx512bw -mfma -mprefer-vector-width=512)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC's own AVX-512 header, inlined, draws this warning.
+    list(APPEND _flags_avx512 -Wno-maybe-uninitialized -Wno-uninitialized)
+  endif()
+  foreach(_set IN ITEMS avx2 avx512)
+    file(GLOB_RECURSE _kernels CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*_${_set}.cpp")
+    set_source_files_properties(${_kernels} PROPERTIES COMPILE_OPTIONS "${_flags_${_set}}")
+  endforeach()
+endif()
+
+function(rollcon_common_properties target)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME rollcon LINKER_LANGUAGE CXX)
+  target_include_directories(${target} PUBLIC
+    "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>"
+    "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>")
+endfunction()
+
+if(ROLLCON_SHARED)
+  add_library(rollcon_shared SHARED $<TARGET_OBJECTS:rollcon_objects>)
+  add_library(rollcon::shared ALIAS rollcon_shared)
+  rollcon_common_properties(rollcon_shared)
+  set_target_properties(rollcon_shared PROPERTIES
+    EXPORT_NAME shared VERSION ${PROJECT_VERSION} SOVERSION ${ROLLCON_ABI})
+  target_link_libraries(rollcon_shared PRIVATE LAPACK::LAPACK Threads::Threads)
+  if(ROLLCON_OPENMP)
+    target_link_libraries(rollcon_shared PRIVATE OpenMP::OpenMP_CXX)
+  endif()
+  # Hidden visibility still exports instantiations of the C++ library; the script leaves the API.
+  set(_map "${PROJECT_SOURCE_DIR}/cmake/rollcon.map")
+  if(EXISTS "${_map}")
+    target_link_options(rollcon_shared PRIVATE "LINKER:--version-script=${_map}")
+    set_property(TARGET rollcon_shared APPEND PROPERTY LINK_DEPENDS "${_map}")
+  endif()
+  target_link_options(rollcon_shared PRIVATE "LINKER:-z,noexecstack")
+  if(NOT ROLLCON_SANITIZE)
+    target_link_options(rollcon_shared PRIVATE "LINKER:-z,defs")
+  endif()
+endif()
+
+if(ROLLCON_STATIC OR ROLLCON_TESTS)
+  add_library(rollcon_static STATIC $<TARGET_OBJECTS:rollcon_objects>)
+  add_library(rollcon::static ALIAS rollcon_static)
+  rollcon_common_properties(rollcon_static)
+  set_target_properties(rollcon_static PROPERTIES EXPORT_NAME static)
+  target_link_libraries(rollcon_static PRIVATE LAPACK::LAPACK)
+  if(ROLLCON_OPENMP)
+    target_link_libraries(rollcon_static INTERFACE "$<BUILD_INTERFACE:${OpenMP_CXX_LIBRARIES}>")
+  endif()
+  # By name, as neither FindThreads nor FindOpenMP serves a project in Fortran alone.
+  target_link_libraries(rollcon_static INTERFACE "$<INSTALL_INTERFACE:${ROLLCON_RUNTIME}>"
+    "$<BUILD_INTERFACE:${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES};${CMAKE_THREAD_LIBS_INIT}>")
+endif()
+
+# rollcon::rollcon: the shared library where there is one.
+if(ROLLCON_SHARED)
+  add_library(rollcon ALIAS rollcon_shared)
+  add_library(rollcon::rollcon ALIAS rollcon_shared)
+else()
+  add_library(rollcon ALIAS rollcon_static)
+  add_library(rollcon::rollcon ALIAS rollcon_static)
+endif()
+
+# Inside view for unit tests and benchmarks.
+if(TARGET rollcon_static)
+  add_library(rollcon_inside INTERFACE)
+  target_include_directories(rollcon_inside INTERFACE "${PROJECT_SOURCE_DIR}/src"
+    "${PROJECT_BINARY_DIR}/generated")
+  target_compile_features(rollcon_inside INTERFACE cxx_std_20)
+  target_link_libraries(rollcon_inside INTERFACE rollcon_static rollcon_flags LAPACK::LAPACK)
+  if(ROLLCON_OPENMP)
+    target_link_libraries(rollcon_inside INTERFACE OpenMP::OpenMP_CXX)
+  endif()
+endif()

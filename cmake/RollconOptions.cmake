@@ -1,0 +1,41 @@
+# Options. What a developer wants is on when rollcon is the top project and off inside another one.
+
+include(CheckLanguage)
+
+set(_shared ON)
+set(_static ${PROJECT_IS_TOP_LEVEL})
+if(DEFINED BUILD_SHARED_LIBS)
+  set(_shared ${BUILD_SHARED_LIBS})
+  if(NOT BUILD_SHARED_LIBS)
+    set(_static ON)
+  endif()
+endif()
+
+set(_fortran OFF)
+if(PROJECT_IS_TOP_LEVEL)
+  check_language(Fortran)
+  if(CMAKE_Fortran_COMPILER)
+    set(_fortran ON)
+  endif()
+endif()
+
+option(ROLLCON_SHARED "Build the shared library" ${_shared})
+option(ROLLCON_STATIC "Build the static library" ${_static})
+option(ROLLCON_OPENMP "Use OpenMP" ON)
+option(ROLLCON_FORTRAN "Build the Fortran module and the FORTRAN 77 layer" ${_fortran})
+option(ROLLCON_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
+option(ROLLCON_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(ROLLCON_BENCH "Build rollcon-bench" OFF)
+option(ROLLCON_INSTALL "Install rollcon" ${PROJECT_IS_TOP_LEVEL})
+option(ROLLCON_WERROR "Treat warnings as errors" OFF)
+option(ROLLCON_COVERAGE "Instrument for coverage" OFF)
+set(ROLLCON_SANITIZE "" CACHE STRING "Sanitizers: address;undefined or thread")
+set(ROLLCON_TEST_TIMEOUT 120 CACHE STRING "Seconds that one test may take")
+
+if(NOT ROLLCON_SHARED AND NOT ROLLCON_STATIC)
+  message(FATAL_ERROR "ROLLCON_SHARED and ROLLCON_STATIC are both OFF: nothing to build")
+endif()
+
+if(PROJECT_IS_TOP_LEVEL AND NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()

@@ -1,0 +1,22 @@
+# What was configured, and under which licences the result stands.
+if(PROJECT_IS_TOP_LEVEL)
+  set(_kinds "")
+  if(ROLLCON_SHARED)
+    list(APPEND _kinds "shared (SONAME librollcon.so.${ROLLCON_ABI})")
+  endif()
+  if(ROLLCON_STATIC)
+    list(APPEND _kinds static)
+  endif()
+  list(JOIN _kinds ", " _kinds)
+  message(STATUS "rollcon ${PROJECT_VERSION}")
+  message(STATUS "  library     ${_kinds}; ${CMAKE_BUILD_TYPE}, "
+    "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
+  message(STATUS "  LAPACK      ${ROLLCON_LAPACK_NAME}; OpenMP ${ROLLCON_OPENMP}")
+  message(STATUS "  also        Fortran ${ROLLCON_FORTRAN}, examples ${ROLLCON_EXAMPLES}, "
+    "tests ${ROLLCON_TESTS}, bench ${ROLLCON_BENCH}")
+  if(ROLLCON_SANITIZE OR ROLLCON_COVERAGE)
+    message(STATUS "  instrument  sanitize '${ROLLCON_SANITIZE}', coverage ${ROLLCON_COVERAGE}")
+  endif()
+  list(JOIN ROLLCON_LICENCES ", " _licences)
+  message(STATUS "  licences    ${_licences}")
+endif()

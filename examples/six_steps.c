@@ -1,0 +1,115 @@
+/* The six steps in C: an elastic sphere rolls on a rigid plane and transmits 75 % of the force at
+   which it would slide. Units: mm, N, MPa. six_steps.f90, _77.f and .py print the same. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rollcon.h"
+
+enum { SIDE = 13, NODES = SIDE * SIDE, ELEMENTS = (SIDE - 1) * (SIDE - 1) };
+
+static rollcon_context* context;
+
+/* A status below zero ends the program with the library's own words. */
+static int32_t must(int32_t status) {
+  char text[1000] = "";
+  if (status >= 0) return status;
+  rollcon_context_get_error(context, (int64_t)sizeof text, text, NULL);
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), text);
+  exit(1);
+}
+
+/* Six digits; what is zero up to rounding is printed as zero. */
+static void print_numbers(const char* name, int n, const double* v) {
+  int i;
+  printf("%-14s", name);
+  for (i = 0; i < n; ++i) {
+    if (fabs(v[i]) < 5e-7) {
+      printf("     0.000000");
+    } else {
+      printf("%13.5E", v[i]);
+    }
+  }
+  printf("\n");
+}
+
+static void print_integers(const char* name, int n, const int32_t* v) {
+  int i;
+  printf("%-14s", name);
+  for (i = 0; i < n; ++i) printf("%13d", (int)v[i]);
+  printf("\n");
+}
+
+int main(void) {
+  const double radius = 50, young = 1e4, poisson = 0.3, mu = 0.1;
+  const double load = 298.6, traction_force = 0.75 * mu * load, speed = 10;
+  const double half_width = 1.3 * 1.0063; /* 1.3 times the radius of the contact */
+  rollcon_body *sphere, *plane;
+  rollcon_contact* contact;
+  double x[NODES][3], t[NODES][3], force[3], moment[3], approach, creep[3], most = 0;
+  int32_t elements[ELEMENTS][4], state[NODES], count[4] = {0, 0, 0, 0}, status;
+  int i, j, n = 0;
+
+  /* 1 bodies */
+  must(rollcon_context_create(ROLLCON_ABI, &context));
+  must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere));
+  must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane));
+
+  /* 2 frame: a square of 12 x 12 elements on the tangent plane, and the gap above it */
+  for (j = 0; j < SIDE; ++j) {
+    for (i = 0; i < SIDE; ++i) {
+      double* node = x[j * SIDE + i];
+      node[0] = -half_width + 2 * half_width * i / (SIDE - 1);
+      node[1] = -half_width + 2 * half_width * j / (SIDE - 1);
+      node[2] = 0;
+      if (i + 1 < SIDE && j + 1 < SIDE) {
+        int32_t* e = elements[n++];
+        e[0] = j * SIDE + i;
+        e[1] = e[0] + 1;
+        e[2] = e[1] + SIDE;
+        e[3] = e[0] + SIDE;
+      }
+    }
+  }
+  must(rollcon_contact_create(context, sphere, plane, &contact));
+  must(rollcon_contact_set_frame_nodes(contact, NODES, &x[0][0], 3, 1));
+  must(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, ELEMENTS, &elements[0][0], 0, 1));
+  must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
+
+  /* 3 materials */
+  must(rollcon_body_set_elastic(sphere, 0, young, poisson));
+  must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
+
+  /* 4 creepages and loads */
+  must(rollcon_contact_set_rolling(contact, speed));
+  must(rollcon_contact_set_creep(contact, 0, 0, 0));
+  must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
+  must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force));
+
+  /* 5 solve */
+  status = must(rollcon_contact_solve(contact));
+
+  /* 6 results */
+  must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment));
+  must(rollcon_contact_get_motion(contact, &approach, creep));
+  must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, NODES, &t[0][0]));
+  must(rollcon_contact_get_status(contact, NODES, state));
+  for (i = 0; i < NODES; ++i) {
+    if (-t[i][2] > most) most = -t[i][2];
+    ++count[state[i]];
+  }
+  print_integers("status", 1, &status);
+  print_numbers("force", 3, force);
+  print_numbers("moment", 3, moment);
+  print_numbers("approach", 1, &approach);
+  print_numbers("creepages", 3, creep);
+  print_numbers("max pressure", 1, &most);
+  print_integers("open stk slip", 3, count);
+  print_numbers("centre", 3, t[NODES / 2]);
+
+  rollcon_contact_release(contact);
+  rollcon_body_release(plane);
+  rollcon_body_release(sphere);
+  rollcon_context_release(context);
+  return 0;
+}

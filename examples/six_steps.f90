@@ -1,0 +1,95 @@
+!> The six steps in Fortran 2008: an elastic sphere rolls on a rigid plane and transmits 75 % of the force at which it
+!> would slide. Units: mm, N, MPa. six_steps.c, six_steps_77.f and six_steps.py print the same.
+program six_steps
+  use rollcon
+  implicit none
+  integer, parameter :: side = 13
+  real(rc_real), parameter :: radius = 50, young = 1e4_rc_real, poisson = 0.3_rc_real, mu = 0.1_rc_real
+  real(rc_real), parameter :: load = 298.6_rc_real, traction_force = 0.75_rc_real*mu*load, speed = 10
+  real(rc_real), parameter :: half_width = 1.3_rc_real*1.0063_rc_real  ! 1.3 times the radius of the contact
+  type(rc_context) :: context
+  type(rc_body) :: sphere, plane
+  type(rc_contact) :: contact
+  real(rc_real) :: x(3, side*side), force(3), moment(3), approach, creep(3)
+  real(rc_real), allocatable :: t(:, :)
+  integer(rc_int), allocatable :: state(:)
+  integer :: elements(4, (side - 1)**2), i, j, k, n, status
+
+  ! 1 bodies; without the argument stat a failure ends the program with the library's own words
+  call context%create()
+  call sphere%create(context, ROLLCON_BODY_HALFSPACE)
+  call plane%create(context, ROLLCON_BODY_RIGID)
+
+  ! 2 frame: a square of 12 x 12 elements on the tangent plane, and the gap above it
+  n = 0
+  do j = 0, side - 1
+    do i = 0, side - 1
+      k = j*side + i + 1
+      x(1, k) = -half_width + 2*half_width*i/(side - 1)
+      x(2, k) = -half_width + 2*half_width*j/(side - 1)
+      x(3, k) = 0
+      if (i + 1 < side .and. j + 1 < side) then
+        n = n + 1
+        elements(:, n) = [k, k + 1, k + 1 + side, k + side]
+      end if
+    end do
+  end do
+  call contact%create(context, sphere, plane)
+  call contact%set_frame_nodes(x)
+  call contact%add_frame_elements(ROLLCON_QUAD4, elements)
+  call contact%set_gap_quadratic(1/(2*radius), 1/(2*radius), 0.0_rc_real)
+
+  ! 3 materials
+  call sphere%set_elastic(young, poisson)
+  call contact%set_friction('coulomb', [mu])
+
+  ! 4 creepages and loads
+  call contact%set_rolling(speed)
+  call contact%set_creep(0.0_rc_real, 0.0_rc_real, 0.0_rc_real)
+  call contact%prescribe(ROLLCON_NORMAL, ROLLCON_BY_FORCE, load)
+  call contact%prescribe(ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force)
+
+  ! 5 solve
+  call contact%solve(stat=status)
+  if (status < 0) error stop 'no solution'
+
+  ! 6 results
+  call contact%get_resultant(force, moment)
+  call contact%get_motion(approach, creep)
+  call contact%get_tractions(t)
+  call contact%get_status(state)
+  call print_integers('status', [status])
+  call print_numbers('force', force)
+  call print_numbers('moment', moment)
+  call print_numbers('approach', [approach])
+  call print_numbers('creepages', creep)
+  call print_numbers('max pressure', [maxval(-t(3, :))])
+  call print_integers('open stk slip', [count(state == ROLLCON_OPEN), count(state == ROLLCON_STICK), &
+    count(state == ROLLCON_SLIP)])
+  call print_numbers('centre', t(:, (side*side + 1)/2))
+
+contains
+
+  !> Six digits; what is zero up to rounding is printed as zero.
+  subroutine print_numbers(name, v)
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(in) :: v(:)
+    character(len=13) :: field(3)
+    integer :: m
+    do m = 1, size(v)
+      if (abs(v(m)) < 5e-7_rc_real) then
+        field(m) = '     0.000000'
+      else
+        write (field(m), '(es13.5)') v(m)
+      end if
+    end do
+    write (*, '(a14, 3a13)') [character(len=14) :: name], field(1:size(v))
+  end subroutine
+
+  subroutine print_integers(name, v)
+    character(len=*), intent(in) :: name
+    integer, intent(in) :: v(:)
+    write (*, '(a14, 3i13)') [character(len=14) :: name], v
+  end subroutine
+
+end program six_steps

@@ -1,0 +1,125 @@
+C     THE SIX STEPS IN FORTRAN 77: AN ELASTIC SPHERE ROLLS ON A RIGID
+C     PLANE AND TRANSMITS 75 % OF THE FORCE AT WHICH IT WOULD SLIDE.
+C     UNITS: MM, N, MPA.  SIX_STEPS.C, .F90 AND .PY PRINT THE SAME.
+      PROGRAM SIXSTP
+      INTEGER NS, NN, NE
+      PARAMETER (NS = 13, NN = NS*NS, NE = (NS-1)*(NS-1))
+      DOUBLE PRECISION R, E, PR, FN, FT, V, B
+      PARAMETER (R = 50D0, E = 1D4, PR = 0.3D0)
+      PARAMETER (FN = 298.6D0, V = 10D0)
+      PARAMETER (B = 1.3D0*1.0063D0)
+      INTEGER ICTX, ISPH, IPLA, ICON, IERR, ISOL
+      INTEGER IC(4,NE), IST(NN), KNT(3), I, J, K, N
+      DOUBLE PRECISION X(3,NN), T(3,NN), F(3), XM(3), D(1), CR(3)
+      DOUBLE PRECISION XMU(1), PMAX(1)
+      DATA XMU /0.1D0/, KNT /3*0/
+
+C     1 BODIES (3 HALF-SPACE, 4 RIGID)
+      CALL RCINIT(ICTX, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCBODY(ICTX, 3, ISPH, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCBODY(ICTX, 4, IPLA, IERR)
+      CALL CHECK(ICTX, IERR)
+
+C     2 FRAME: A SQUARE OF 12 X 12 ELEMENTS (214 QUAD4), AND THE GAP
+      N = 0
+      DO 20 J = 0, NS - 1
+        DO 10 I = 0, NS - 1
+          K = J*NS + I + 1
+          X(1,K) = -B + 2*B*I/(NS - 1)
+          X(2,K) = -B + 2*B*J/(NS - 1)
+          X(3,K) = 0D0
+          IF (I + 1 .LT. NS .AND. J + 1 .LT. NS) THEN
+            N = N + 1
+            IC(1,N) = K
+            IC(2,N) = K + 1
+            IC(3,N) = K + 1 + NS
+            IC(4,N) = K + NS
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      CALL RCPAIR(ICTX, ISPH, IPLA, ICON, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCNODE(ICON, NN, X, 3, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCELEM(ICON, 214, NE, IC, 4, 1, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCGAPQ(ICON, 1/(2*R), 1/(2*R), 0D0, IERR)
+      CALL CHECK(ICTX, IERR)
+
+C     3 MATERIALS
+      CALL RCELAS(ISPH, 0, E, PR, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCFRIC(ICON, 'coulomb', 1, XMU, IERR)
+      CALL CHECK(ICTX, IERR)
+
+C     4 CREEPAGES AND LOADS (3 NORMAL, 1 LONGITUDINAL, 2 BY FORCE)
+      FT = 0.75D0*XMU(1)*FN
+      CALL RCROLL(ICON, V, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCCRP(ICON, 0D0, 0D0, 0D0, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCPRES(ICON, 3, 2, FN, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCPRES(ICON, 1, 2, FT, IERR)
+      CALL CHECK(ICTX, IERR)
+
+C     5 SOLVE
+      CALL RCSOLV(ICON, ISOL)
+      CALL CHECK(ICTX, ISOL)
+
+C     6 RESULTS
+      CALL RCRESU(ICON, 0, F, XM, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCMOTN(ICON, D(1), CR, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCTRAC(ICON, 0, NN, T, IERR)
+      CALL CHECK(ICTX, IERR)
+      CALL RCNSTA(ICON, NN, IST, IERR)
+      CALL CHECK(ICTX, IERR)
+      PMAX(1) = 0D0
+      DO 30 K = 1, NN
+        PMAX(1) = MAX(PMAX(1), -T(3,K))
+        IF (IST(K) .LE. 2) KNT(IST(K)+1) = KNT(IST(K)+1) + 1
+   30 CONTINUE
+      WRITE (*, '(A14, 3I13)') 'status        ', ISOL
+      CALL SHOW('force         ', 3, F)
+      CALL SHOW('moment        ', 3, XM)
+      CALL SHOW('approach      ', 1, D)
+      CALL SHOW('creepages     ', 3, CR)
+      CALL SHOW('max pressure  ', 1, PMAX)
+      WRITE (*, '(A14, 3I13)') 'open stk slip ', KNT
+      CALL SHOW('centre        ', 3, T(1,(NN+1)/2))
+
+      CALL RCFREE(ICON, IERR)
+      CALL RCFREE(IPLA, IERR)
+      CALL RCFREE(ISPH, IERR)
+      CALL RCFREE(ICTX, IERR)
+      END
+
+C     A STATUS BELOW ZERO ENDS THE PROGRAM WITH THE LIBRARY'S WORDS
+      SUBROUTINE CHECK(ICTX, ISTAT)
+      INTEGER ICTX, ISTAT, IERR
+      CHARACTER*400 TEXT
+      IF (ISTAT .GE. 0) RETURN
+      CALL RCEMSG(ICTX, TEXT, IERR)
+      WRITE (*, *) 'STATUS', ISTAT, ': ', TEXT
+      STOP 1
+      END
+
+C     SIX DIGITS; WHAT IS ZERO UP TO ROUNDING IS PRINTED AS ZERO
+      SUBROUTINE SHOW(NAME, N, V)
+      CHARACTER*14 NAME
+      CHARACTER*13 FIELD(3)
+      INTEGER N, I
+      DOUBLE PRECISION V(N)
+      DO 10 I = 1, N
+        IF (ABS(V(I)) .LT. 5D-7) THEN
+          FIELD(I) = '     0.000000'
+        ELSE
+          WRITE (FIELD(I), '(1PE13.5)') V(I)
+        END IF
+   10 CONTINUE
+      WRITE (*, '(A14, 3A13)') NAME, (FIELD(I), I = 1, N)
+      END

@@ -1,0 +1,718 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+! Copyright (c) the rollcon authors. BSD-3-Clause.
+!
+! The C functions of rollcon 0.1.0, argument by argument; rollcon.h documents them. Handles are
+! type(c_ptr), texts are arrays of characters ended by c_null_char. Callbacks must be bind(C)
+! module procedures, passed by c_funloc: a contained procedure would need an executable stack.
+module rollcon_c
+  use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+  implicit none
+  public
+
+  integer(c_int32_t), parameter :: rollcon_header_version = 100_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_header_abi = 1_c_int32_t
+
+  ! status
+  integer(c_int32_t), parameter :: rollcon_ok = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_not_converged = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_no_contact = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_cancelled = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_rim_contact = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_argument = -1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_handle = -2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_nonfinite = -3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_mesh = -4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_state = -5_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_option = -6_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_capacity = -7_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_singular = -8_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_memory = -9_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_unsupported = -10_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_busy = -11_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_load = -12_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_io = -13_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_err_internal = -99_c_int32_t
+
+  ! body kind
+  integer(c_int32_t), parameter :: rollcon_body_fem = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_bem = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_halfspace = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_body_rigid = 4_c_int32_t
+
+  ! element type
+  integer(c_int32_t), parameter :: rollcon_tri3 = 203_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_tri6 = 206_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_quad4 = 214_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_quad8 = 218_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_quad9 = 219_c_int32_t
+
+  ! direction
+  integer(c_int32_t), parameter :: rollcon_longitudinal = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_lateral = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_normal = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_spin = 4_c_int32_t
+
+  ! how
+  integer(c_int32_t), parameter :: rollcon_by_motion = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_by_force = 2_c_int32_t
+
+  ! axes
+  integer(c_int32_t), parameter :: rollcon_local = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_global = 1_c_int32_t
+
+  ! field
+  integer(c_int32_t), parameter :: rollcon_field_point = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_traction = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_gap = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_slip = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_displacement1 = 5_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_displacement2 = 6_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_area = 7_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_friction = 8_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_pressure = 9_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_rigid_slip = 10_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_friction_power = 11_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_weight = 12_c_int32_t
+
+  ! node status
+  integer(c_int32_t), parameter :: rollcon_open = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_stick = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_slip = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_excluded = 3_c_int32_t
+
+  ! log level
+  integer(c_int32_t), parameter :: rollcon_log_error = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_log_warning = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_log_info = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_log_debug = 4_c_int32_t
+
+  ! option type
+  integer(c_int32_t), parameter :: rollcon_type_int = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_type_real = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_type_str = 3_c_int32_t
+
+  ! event key
+  integer(c_int32_t), parameter :: rollcon_event_phase = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_event_iteration = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_event_residual = 101_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_event_seconds = 102_c_int32_t
+
+  ! phase
+  integer(c_int32_t), parameter :: rollcon_phase_compliance = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_phase_normal = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_phase_tangential = 3_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_phase_full = 4_c_int32_t
+
+  abstract interface
+
+    subroutine rollcon_log_fn(level, message, user) bind(C)
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: level
+      type(c_ptr), value :: message
+      type(c_ptr), value :: user
+    end subroutine rollcon_log_fn
+
+    function rollcon_progress_fn(event, user) result(rc) bind(C)
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: event
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: rc
+    end function rollcon_progress_fn
+
+  end interface
+
+  interface
+
+    function rollcon_version() result(rc) bind(C, name="rollcon_version")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_version
+
+    function rollcon_abi() result(rc) bind(C, name="rollcon_abi")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_abi
+
+    function rollcon_version_string() result(rc) bind(C, name="rollcon_version_string")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr) :: rc
+    end function rollcon_version_string
+
+    function rollcon_build_info() result(rc) bind(C, name="rollcon_build_info")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr) :: rc
+    end function rollcon_build_info
+
+    function rollcon_has_feature(name) result(rc) bind(C, name="rollcon_has_feature")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_has_feature
+
+    function rollcon_status_string(status) result(rc) bind(C, name="rollcon_status_string")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: status
+      type(c_ptr) :: rc
+    end function rollcon_status_string
+
+    function rollcon_context_create(header_abi, context) &
+        result(rc) bind(C, name="rollcon_context_create")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: header_abi
+      type(c_ptr), intent(out) :: context
+      integer(c_int32_t) :: rc
+    end function rollcon_context_create
+
+    function rollcon_context_retain(context) result(rc) bind(C, name="rollcon_context_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t) :: rc
+    end function rollcon_context_retain
+
+    subroutine rollcon_context_release(context) bind(C, name="rollcon_context_release")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+    end subroutine rollcon_context_release
+
+    function rollcon_context_set_log(context, max_level, fn, user) &
+        result(rc) bind(C, name="rollcon_context_set_log")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: max_level
+      type(c_funptr), value :: fn
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: rc
+    end function rollcon_context_set_log
+
+    function rollcon_context_set_threads(context, n) &
+        result(rc) bind(C, name="rollcon_context_set_threads")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: n
+      integer(c_int32_t) :: rc
+    end function rollcon_context_set_threads
+
+    function rollcon_context_get_error(context, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_context_get_error")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_context_get_error
+
+    function rollcon_body_create(context, kind, body) result(rc) bind(C, name="rollcon_body_create")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t), value :: kind
+      type(c_ptr), intent(out) :: body
+      integer(c_int32_t) :: rc
+    end function rollcon_body_create
+
+    function rollcon_body_retain(body) result(rc) bind(C, name="rollcon_body_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t) :: rc
+    end function rollcon_body_retain
+
+    subroutine rollcon_body_release(body) bind(C, name="rollcon_body_release")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+    end subroutine rollcon_body_release
+
+    function rollcon_body_set_elastic(body, tag, young, poisson) &
+        result(rc) bind(C, name="rollcon_body_set_elastic")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), value :: young
+      real(c_double), value :: poisson
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_elastic
+
+    function rollcon_body_prepare(body) result(rc) bind(C, name="rollcon_body_prepare")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t) :: rc
+    end function rollcon_body_prepare
+
+    function rollcon_body_get_kind(body, kind) result(rc) bind(C, name="rollcon_body_get_kind")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), intent(out) :: kind
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_kind
+
+    function rollcon_contact_create(context, body1, body2, contact) &
+        result(rc) bind(C, name="rollcon_contact_create")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      type(c_ptr), value :: body1
+      type(c_ptr), value :: body2
+      type(c_ptr), intent(out) :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_create
+
+    function rollcon_contact_retain(contact) result(rc) bind(C, name="rollcon_contact_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_retain
+
+    subroutine rollcon_contact_release(contact) bind(C, name="rollcon_contact_release")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+    end subroutine rollcon_contact_release
+
+    function rollcon_contact_set_frame_nodes(contact, n, x, node_stride, component_stride) &
+        result(rc) bind(C, name="rollcon_contact_set_frame_nodes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: x(*)
+      integer(c_int64_t), value :: node_stride
+      integer(c_int64_t), value :: component_stride
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_frame_nodes
+
+    function rollcon_contact_add_frame_elements(contact, type, n, connectivity, index_base, tag) &
+        result(rc) bind(C, name="rollcon_contact_add_frame_elements")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: type
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: connectivity(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_add_frame_elements
+
+    function rollcon_contact_set_axes(contact, origin, rolling, normal) &
+        result(rc) bind(C, name="rollcon_contact_set_axes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: rolling(*)
+      real(c_double), intent(in) :: normal(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_axes
+
+    function rollcon_contact_set_gap(contact, n, gap) &
+        result(rc) bind(C, name="rollcon_contact_set_gap")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: gap(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_gap
+
+    function rollcon_contact_set_gap_quadratic(contact, a, b, c) &
+        result(rc) bind(C, name="rollcon_contact_set_gap_quadratic")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: a
+      real(c_double), value :: b
+      real(c_double), value :: c
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_gap_quadratic
+
+    function rollcon_contact_set_rolling(contact, speed) &
+        result(rc) bind(C, name="rollcon_contact_set_rolling")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: speed
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_rolling
+
+    function rollcon_contact_set_creep(contact, longitudinal, lateral, spin) &
+        result(rc) bind(C, name="rollcon_contact_set_creep")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: longitudinal
+      real(c_double), value :: lateral
+      real(c_double), value :: spin
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_creep
+
+    function rollcon_contact_set_creep_field(contact, n, slip) &
+        result(rc) bind(C, name="rollcon_contact_set_creep_field")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: slip(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_creep_field
+
+    function rollcon_contact_prescribe(contact, direction, how, value) &
+        result(rc) bind(C, name="rollcon_contact_prescribe")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: direction
+      integer(c_int32_t), value :: how
+      real(c_double), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_prescribe
+
+    function rollcon_contact_set_friction(contact, law, n, parameters) &
+        result(rc) bind(C, name="rollcon_contact_set_friction")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_friction
+
+    function rollcon_contact_set_friction_field(contact, n, mu) &
+        result(rc) bind(C, name="rollcon_contact_set_friction_field")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: mu(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_friction_field
+
+    function rollcon_contact_set_int(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_set_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_int
+
+    function rollcon_contact_set_real(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_set_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_real
+
+    function rollcon_contact_set_str(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_set_str")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      character(kind=c_char), intent(in) :: value(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_str
+
+    function rollcon_contact_get_int(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_get_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_int
+
+    function rollcon_contact_get_real(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_get_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_real
+
+    function rollcon_contact_get_str(contact, name, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_contact_get_str")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_str
+
+    function rollcon_option_count() result(rc) bind(C, name="rollcon_option_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_option_count
+
+    function rollcon_option_info(i, capacity, name, type, low, high, standard) &
+        result(rc) bind(C, name="rollcon_option_info")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: name(*)
+      integer(c_int32_t), intent(out) :: type
+      real(c_double), intent(out) :: low
+      real(c_double), intent(out) :: high
+      real(c_double), intent(out) :: standard
+      integer(c_int32_t) :: rc
+    end function rollcon_option_info
+
+    function rollcon_option_doc(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_option_doc")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_option_doc
+
+    function rollcon_contact_set_progress(contact, fn, user) &
+        result(rc) bind(C, name="rollcon_contact_set_progress")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      type(c_funptr), value :: fn
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_progress
+
+    function rollcon_event_get_int(event, key, value) &
+        result(rc) bind(C, name="rollcon_event_get_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: event
+      integer(c_int32_t), value :: key
+      integer(c_int64_t), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_event_get_int
+
+    function rollcon_event_get_real(event, key, value) &
+        result(rc) bind(C, name="rollcon_event_get_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: event
+      integer(c_int32_t), value :: key
+      real(c_double), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_event_get_real
+
+    function rollcon_contact_request_cancel(contact) &
+        result(rc) bind(C, name="rollcon_contact_request_cancel")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_request_cancel
+
+    function rollcon_contact_solve(contact) result(rc) bind(C, name="rollcon_contact_solve")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_solve
+
+    function rollcon_contact_reset(contact) result(rc) bind(C, name="rollcon_contact_reset")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_reset
+
+    function rollcon_contact_get_size(contact, nodes, elements) &
+        result(rc) bind(C, name="rollcon_contact_get_size")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), intent(out) :: nodes
+      integer(c_int64_t), intent(out) :: elements
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_size
+
+    function rollcon_contact_get_tractions(contact, axes, capacity, t) &
+        result(rc) bind(C, name="rollcon_contact_get_tractions")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: axes
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: t(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_tractions
+
+    function rollcon_contact_get_field(contact, field, axes, capacity, v, n_values) &
+        result(rc) bind(C, name="rollcon_contact_get_field")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: field
+      integer(c_int32_t), value :: axes
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: v(*)
+      integer(c_int64_t), intent(out) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_field
+
+    function rollcon_contact_get_status(contact, capacity, status) &
+        result(rc) bind(C, name="rollcon_contact_get_status")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t), intent(out) :: status(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_status
+
+    function rollcon_contact_get_resultant(contact, axes, force, moment) &
+        result(rc) bind(C, name="rollcon_contact_get_resultant")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: axes
+      real(c_double), intent(out) :: force(*)
+      real(c_double), intent(out) :: moment(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_resultant
+
+    function rollcon_contact_get_motion(contact, approach, creep) &
+        result(rc) bind(C, name="rollcon_contact_get_motion")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), intent(out) :: approach
+      real(c_double), intent(out) :: creep(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_motion
+
+    function rollcon_contact_get_displacements_at(contact, body, n, xy, u) &
+        result(rc) bind(C, name="rollcon_contact_get_displacements_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xy(*)
+      real(c_double), intent(out) :: u(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_displacements_at
+
+    function rollcon_contact_get_stat(contact, name, value) &
+        result(rc) bind(C, name="rollcon_contact_get_stat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_stat
+
+    function rollcon_stat_count() result(rc) bind(C, name="rollcon_stat_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_stat_count
+
+    function rollcon_stat_name(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_stat_name")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_stat_name
+
+    function rollcon_contact_get_history(contact, capacity, rows, n_rows) &
+        result(rc) bind(C, name="rollcon_contact_get_history")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: rows(*)
+      integer(c_int64_t), intent(out) :: n_rows
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_history
+
+    function rollcon_contact_get_plan(contact, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_contact_get_plan")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_plan
+
+    function rollcon_contact_write(contact, path) result(rc) bind(C, name="rollcon_contact_write")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_write
+
+    function rollcon_id_of(handle) result(rc) bind(C, name="rollcon_id_of")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: handle
+      integer(c_int32_t) :: rc
+    end function rollcon_id_of
+
+    function rollcon_context_from_id(id) result(rc) bind(C, name="rollcon_context_from_id")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: id
+      type(c_ptr) :: rc
+    end function rollcon_context_from_id
+
+    function rollcon_body_from_id(id) result(rc) bind(C, name="rollcon_body_from_id")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: id
+      type(c_ptr) :: rc
+    end function rollcon_body_from_id
+
+    function rollcon_contact_from_id(id) result(rc) bind(C, name="rollcon_contact_from_id")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: id
+      type(c_ptr) :: rc
+    end function rollcon_contact_from_id
+
+  end interface
+end module rollcon_c

@@ -1,0 +1,132 @@
+!> What the FORTRAN 77 layer shares: integers to handles and back, blank-padded texts, and callbacks.
+module rollcon_f77_support
+  use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, c_loc, &
+    c_null_char, c_null_funptr, c_null_ptr, c_ptr
+  use rollcon_c
+  use rollcon_support, only: c_text, f_text, f_text_at, usual_text
+  implicit none
+  public
+
+  abstract interface
+    subroutine progress_77(phase, iteration, residual, seconds, cancel)
+      integer :: phase, iteration, cancel
+      double precision :: residual, seconds
+    end subroutine
+    subroutine log_77(level, text)
+      integer :: level
+      character(len=*) :: text
+    end subroutine
+  end interface
+
+  !> A caller's subroutine, found again by C through the address of this box. Boxes live as long as the program: an
+  !> object keeps the address for as long as it lives itself. One box per handle.
+  type :: box
+    integer(c_int32_t) :: id = 0
+    procedure(progress_77), pointer, nopass :: progress => null()
+    procedure(log_77), pointer, nopass :: log => null()
+    type(box), pointer :: next => null()
+  end type
+  type(box), pointer, save, private :: boxes => null()
+
+contains
+
+  !> Numbers that do not fit 32 bits name nothing: -1 does not either.
+  integer(c_int32_t) function narrow(i)
+    integer, intent(in) :: i
+    if (abs(real(i, c_double)) > real(huge(narrow), c_double)) then
+      narrow = -1_c_int32_t
+    else
+      narrow = int(i, c_int32_t)
+    end if
+  end function
+
+  type(c_ptr) function context_of(id)
+    integer, intent(in) :: id
+    context_of = rollcon_context_from_id(narrow(id))
+  end function
+
+  type(c_ptr) function body_of(id)
+    integer, intent(in) :: id
+    body_of = rollcon_body_from_id(narrow(id))
+  end function
+
+  type(c_ptr) function contact_of(id)
+    integer, intent(in) :: id
+    contact_of = rollcon_contact_from_id(narrow(id))
+  end function
+
+  !> Nodes of one element; 0 for types that the library does not know.
+  pure integer function nodes_77(type)
+    integer, intent(in) :: type
+    select case (type)
+    case (int(ROLLCON_TRI3))
+      nodes_77 = 3
+    case (int(ROLLCON_TRI6))
+      nodes_77 = 6
+    case (int(ROLLCON_QUAD4))
+      nodes_77 = 4
+    case (int(ROLLCON_QUAD8))
+      nodes_77 = 8
+    case (int(ROLLCON_QUAD9))
+      nodes_77 = 9
+    case default
+      nodes_77 = 0
+    end select
+  end function
+
+  !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
+  subroutine give_text(buffer, text, status)
+    character(kind=c_char), intent(in) :: buffer(:)
+    character(len=*), intent(out) :: text
+    integer, intent(inout) :: status
+    character(len=:), allocatable :: whole
+    whole = f_text(buffer)
+    text = whole
+    if (len(whole) > len(text) .and. status >= 0) status = ROLLCON_ERR_CAPACITY
+  end subroutine
+
+  function box_of(id) result(b)
+    integer, intent(in) :: id
+    type(box), pointer :: b
+    b => boxes
+    do while (associated(b))
+      if (b%id == narrow(id)) return
+      b => b%next
+    end do
+    allocate (b)
+    b%id = narrow(id)
+    b%next => boxes
+    boxes => b
+  end function
+
+  function call_progress(event, user) result(cancel) bind(c, name='rollcon_f77_progress')
+    type(c_ptr), value :: event, user
+    integer(c_int32_t) :: cancel
+    type(box), pointer :: b
+    integer(c_int64_t) :: phase, iteration
+    real(c_double) :: residual, seconds
+    integer :: stop_now
+    phase = 0
+    iteration = 0
+    residual = 0
+    seconds = 0
+    cancel = rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, phase)
+    cancel = rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, iteration)
+    cancel = rollcon_event_get_real(event, ROLLCON_EVENT_RESIDUAL, residual)
+    cancel = rollcon_event_get_real(event, ROLLCON_EVENT_SECONDS, seconds)
+    call c_f_pointer(user, b)
+    stop_now = 0
+    call b%progress(int(phase), int(iteration), residual, seconds, stop_now)
+    cancel = 0
+    if (stop_now /= 0) cancel = 1
+  end function
+
+  subroutine call_log(level, message, user) bind(c, name='rollcon_f77_log')
+    integer(c_int32_t), value :: level
+    type(c_ptr), value :: message, user
+    type(box), pointer :: b
+    call c_f_pointer(user, b)
+    call b%log(int(level), f_text_at(message))
+  end subroutine
+
+end module rollcon_f77_support

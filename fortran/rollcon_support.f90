@@ -1,0 +1,147 @@
+!> What the types of rollcon's Fortran layers share: texts to and from C, and one rule for failures.
+module rollcon_support
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int32_t, c_int64_t, c_null_char, &
+    c_null_ptr, c_ptr
+  use, intrinsic :: iso_fortran_env, only: error_unit
+  use rollcon_c
+  implicit none
+  private
+
+  integer, parameter, public :: rc_int = c_int32_t, rc_long = c_int64_t, rc_real = c_double
+
+  !> Room that holds nearly every text of the library; longer ones are asked for a second time.
+  integer(rc_long), parameter, public :: usual_text = 512_rc_long
+
+  public :: c_text, f_text, f_text_at, context_message, finish
+  public :: rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
+
+contains
+
+  !> A NUL-terminated copy, without trailing blanks.
+  pure function c_text(text) result(copy)
+    character(len=*), intent(in) :: text
+    character(kind=c_char) :: copy(len_trim(text) + 1)
+    integer :: i
+    do i = 1, len_trim(text)
+      copy(i) = text(i:i)
+    end do
+    copy(len_trim(text) + 1) = c_null_char
+  end function
+
+  !> The text in a buffer, up to its NUL.
+  pure function f_text(buffer) result(text)
+    character(kind=c_char), intent(in) :: buffer(:)
+    character(len=:), allocatable :: text
+    integer :: i, n
+    n = 0
+    do while (n < size(buffer))
+      if (buffer(n + 1) == c_null_char) exit
+      n = n + 1
+    end do
+    allocate (character(len=n) :: text)
+    do i = 1, n
+      text(i:i) = buffer(i)
+    end do
+  end function
+
+  !> A copy of a text that the library owns.
+  function f_text_at(address) result(text)
+    type(c_ptr), intent(in) :: address
+    character(len=:), allocatable :: text
+    integer, parameter :: longest = 65536
+    character(kind=c_char), pointer :: buffer(:)
+    integer :: i, n
+    n = 0
+    if (c_associated(address)) then
+      call c_f_pointer(address, buffer, [longest])
+      do while (n < longest)
+        if (buffer(n + 1) == c_null_char) exit
+        n = n + 1
+      end do
+    end if
+    allocate (character(len=n) :: text)
+    do i = 1, n
+      text(i:i) = buffer(i)
+    end do
+  end function
+
+  !> Text of the context's last failure; empty if there was none.
+  function context_message(context) result(text)
+    type(c_ptr), intent(in) :: context
+    character(len=:), allocatable :: text
+    character(kind=c_char), allocatable :: buffer(:)
+    integer(rc_long) :: needed
+    integer(rc_int) :: status
+    allocate (buffer(usual_text))
+    buffer(1) = c_null_char
+    needed = 0
+    status = rollcon_context_get_error(context, usual_text, buffer, needed)
+    if (status == ROLLCON_ERR_CAPACITY) then
+      deallocate (buffer)
+      allocate (buffer(needed))
+      status = rollcon_context_get_error(context, size(buffer, kind=rc_long), buffer, needed)
+    end if
+    if (status == ROLLCON_OK) then
+      text = f_text(buffer)
+    else
+      text = ''
+    end if
+  end function
+
+  !> The rule of every call: `stat`, if present, gets the status; if it is absent, a failure (status < 0) prints the
+  !> message and stops. `errmsg` gets the message of a failure, cut or padded to its length, and is left alone otherwise.
+  subroutine finish(status, context, what, stat, errmsg, message)
+    integer(rc_int), intent(in) :: status
+    type(c_ptr), intent(in) :: context
+    character(len=*), intent(in) :: what
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(len=*), intent(in), optional :: message
+    character(len=:), allocatable :: text
+    if (present(stat)) stat = int(status)
+    if (status >= 0 .or. (present(stat) .and. .not. present(errmsg))) return
+    text = ''
+    if (present(message)) then
+      text = what//': '//message
+    else if (c_associated(context) .and. status /= ROLLCON_ERR_HANDLE) then
+      text = context_message(context)
+    end if
+    if (len(text) == 0) text = what//': '//rc_status_string(int(status))
+    if (present(errmsg)) errmsg = text
+    if (present(stat)) return
+    write (error_unit, '(2a)') 'rollcon: ', text
+    error stop 1
+  end subroutine
+
+  !> major * 10000 + minor * 100 + patch of the library that runs.
+  integer function rc_version()
+    rc_version = int(rollcon_version())
+  end function
+
+  integer function rc_abi()
+    rc_abi = int(rollcon_abi())
+  end function
+
+  function rc_version_string() result(text)
+    character(len=:), allocatable :: text
+    text = f_text_at(rollcon_version_string())
+  end function
+
+  !> Licences and options of the library that runs.
+  function rc_build_info() result(text)
+    character(len=:), allocatable :: text
+    text = f_text_at(rollcon_build_info())
+  end function
+
+  logical function rc_has_feature(name)
+    character(len=*), intent(in) :: name
+    rc_has_feature = rollcon_has_feature(c_text(name)) /= 0
+  end function
+
+  function rc_status_string(status) result(text)
+    integer, intent(in) :: status
+    character(len=:), allocatable :: text
+    text = f_text_at(rollcon_status_string(int(status, rc_int)))
+  end function
+
+end module rollcon_support

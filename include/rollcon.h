@@ -1,0 +1,902 @@
+/*
+ * rollcon 0.1.0: frictional rolling contact of elastic bodies.
+ *
+ * Generated from bindings/api.toml by bindings/generate.py; do not edit.
+ * Copyright (c) the rollcon authors. BSD-3-Clause.
+ *
+ * C90 with <stdint.h>, C++98; no other header is needed. What holds for all functions
+ * (docs/api.md says more):
+ *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
+ *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
+ *    rollcon_context_get_error tells what was wrong. Failures of calls that had no live
+ *    handle leave a status only.
+ *  - NULL gives ROLLCON_ERR_ARGUMENT unless a comment allows it; released, garbage and
+ *    wrong-kind handles give ROLLCON_ERR_HANDLE.
+ *  - Arguments: the object, inputs (count before array), outputs. Inputs are copied, results are
+ *    copied out. NaN and infinity are refused.
+ *  - Vectors are stored x y z, x y z, ...: x[n][3] in C, x(3,n) in Fortran.
+ *  - Any consistent set of units; the reference says force, length and time. Angles in radians.
+ *  - Axes: n is the outward normal of body 1, t1 the rolling direction, t2 = n x t1. Tractions and
+ *    forces are those on body 1; slip is that of body 1 relative to body 2.
+ */
+#ifndef ROLLCON_H
+#define ROLLCON_H
+
+#include <stdint.h>
+
+#define ROLLCON_VERSION_MAJOR 0
+#define ROLLCON_VERSION_MINOR 1
+#define ROLLCON_VERSION_PATCH 0
+#define ROLLCON_VERSION_STRING "0.1.0"
+/* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
+#define ROLLCON_ABI 1
+
+/* Consumers of a static library on Windows define ROLLCON_STATIC; the build of the shared one
+   defines ROLLCON_BUILDING. */
+#ifndef ROLLCON_API
+#if defined(_WIN32) && defined(ROLLCON_STATIC)
+#define ROLLCON_API
+#elif defined(_WIN32) && defined(ROLLCON_BUILDING)
+#define ROLLCON_API __declspec(dllexport)
+#elif defined(_WIN32)
+#define ROLLCON_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define ROLLCON_API __attribute__((visibility("default")))
+#else
+#define ROLLCON_API
+#endif
+#endif
+#if defined(_WIN32)
+#define ROLLCON_CALL __cdecl
+#else
+#define ROLLCON_CALL
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Handles: opaque, never dereferenced, reference counted. */
+typedef struct rollcon_context rollcon_context;
+typedef struct rollcon_body rollcon_body;
+typedef struct rollcon_contact rollcon_contact;
+/* Only inside a progress callback. */
+typedef struct rollcon_event rollcon_event;
+
+/* Returned by every function that can fail: 0 success, > 0 usable with a caveat, < 0 failed. */
+enum {
+  ROLLCON_OK              = 0,    /* success */
+  ROLLCON_NOT_CONVERGED   = 1,    /* iteration limit reached; the best iterate is kept */
+  ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
+  ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
+  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it */
+  ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
+  ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
+  ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs */
+  ROLLCON_ERR_MESH        = -4,   /* node id out of range; degenerate or flipped elements, ... */
+  ROLLCON_ERR_STATE       = -5,   /* calls in the wrong order, or something is missing */
+  ROLLCON_ERR_OPTION      = -6,   /* unknown name, wrong type or value out of range */
+  ROLLCON_ERR_CAPACITY    = -7,   /* the caller's array is too small; the need is reported */
+  ROLLCON_ERR_SINGULAR    = -8,   /* a linear system is singular */
+  ROLLCON_ERR_MEMORY      = -9,   /* out of memory or of handles */
+  ROLLCON_ERR_UNSUPPORTED = -10,  /* not in this build of the library */
+  ROLLCON_ERR_BUSY        = -11,  /* the object is in use by another call */
+  ROLLCON_ERR_LOAD        = -12,  /* the prescribed forces have no steady solution */
+  ROLLCON_ERR_IO          = -13,  /* a file cannot be written */
+  ROLLCON_ERR_INTERNAL    = -99   /* a defect of rollcon; please report it */
+};
+typedef int32_t rollcon_status;
+
+/* Model of a body. */
+enum {
+  ROLLCON_BODY_FEM       = 1,    /* finite elements (ROLLCON_ERR_UNSUPPORTED in this version) */
+  ROLLCON_BODY_BEM       = 2,    /* boundary elements (ROLLCON_ERR_UNSUPPORTED in this version) */
+  ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material only, no mesh */
+  ROLLCON_BODY_RIGID     = 4     /* rigid: no mesh, no material */
+};
+
+/* Elements of a contact frame. Corners counter-clockwise seen from the tip of the normal, then
+   the edge midpoints in the same order (the first between corners 1 and 2), then the centre. */
+enum {
+  ROLLCON_TRI3  = 203,  /* linear triangle */
+  ROLLCON_TRI6  = 206,  /* quadratic triangle */
+  ROLLCON_QUAD4 = 214,  /* bilinear quadrilateral */
+  ROLLCON_QUAD8 = 218,  /* serendipity quadrilateral */
+  ROLLCON_QUAD9 = 219   /* biquadratic quadrilateral */
+};
+
+/* Directions of loads and motions, in the axes (t1, t2, n) of the contact. */
+enum {
+  ROLLCON_LONGITUDINAL = 1,    /* along t1, the rolling direction */
+  ROLLCON_LATERAL      = 2,    /* along t2 = n x t1 */
+  ROLLCON_NORMAL       = 3,    /* along n, the outward normal of body 1 */
+  ROLLCON_SPIN         = 4     /* rotation about n */
+};
+
+/* How a direction is prescribed. */
+enum {
+  ROLLCON_BY_MOTION = 1,    /* approach, creepage or spin is given; the force is found */
+  ROLLCON_BY_FORCE  = 2     /* force or moment is given; approach, creepage or spin is found */
+};
+
+/* Components of results. */
+enum {
+  ROLLCON_LOCAL  = 0,    /* (t1, t2, n) of the contact */
+  ROLLCON_GLOBAL = 1     /* (x, y, z) in which the frame's nodes were given */
+};
+
+/* Nodal results: values per node in brackets. Slip has 2 values in local axes, 3 in global ones;
+   scalars ignore the axes. */
+enum {
+  ROLLCON_FIELD_POINT          = 1,    /* [3] position of the node */
+  ROLLCON_FIELD_TRACTION       = 2,    /* [3] traction on body 1; normal component <= 0 */
+  ROLLCON_FIELD_GAP            = 3,    /* [1] normal gap of the deformed bodies */
+  ROLLCON_FIELD_SLIP           = 4,    /* [2 or 3] slip velocity of body 1 relative to body 2 */
+  ROLLCON_FIELD_DISPLACEMENT1  = 5,    /* [3] elastic displacement of body 1 */
+  ROLLCON_FIELD_DISPLACEMENT2  = 6,    /* [3] elastic displacement of body 2 */
+  ROLLCON_FIELD_AREA           = 7,    /* [1] area of the node's median-dual cell */
+  ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient */
+  ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0 */
+  ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
+  ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
+  ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function; the weight of forces */
+};
+
+/* State of a node of the frame. */
+enum {
+  ROLLCON_OPEN     = 0,    /* no contact */
+  ROLLCON_STICK    = 1,    /* in contact, no slip */
+  ROLLCON_SLIP     = 2,    /* in contact, slipping */
+  ROLLCON_EXCLUDED = 3     /* belongs to no element: carries no traction */
+};
+
+/* Levels of messages; a sink gets those up to its own level. 0 turns the log off. */
+enum {
+  ROLLCON_LOG_ERROR   = 1,    /* failures of calls */
+  ROLLCON_LOG_WARNING = 2,    /* results to be taken with care */
+  ROLLCON_LOG_INFO    = 3,    /* one line per phase of a solve */
+  ROLLCON_LOG_DEBUG   = 4     /* one line per iteration */
+};
+
+/* Type of a solver setting. */
+enum {
+  ROLLCON_TYPE_INT  = 1,    /* integer, rollcon_contact_set_int */
+  ROLLCON_TYPE_REAL = 2,    /* real, rollcon_contact_set_real */
+  ROLLCON_TYPE_STR  = 3     /* text, rollcon_contact_set_str */
+};
+
+/* What a progress callback can ask an event: below 100 integers, above 100 reals. */
+enum {
+  ROLLCON_EVENT_PHASE     = 1,    /* one of ROLLCON_PHASE_... */
+  ROLLCON_EVENT_ITERATION = 2,    /* iteration within the phase, from 0 */
+  ROLLCON_EVENT_RESIDUAL  = 101,  /* relative residual of the iterate */
+  ROLLCON_EVENT_SECONDS   = 102   /* seconds since the solve began */
+};
+
+/* Phases of a solve. */
+enum {
+  ROLLCON_PHASE_COMPLIANCE = 1,    /* compliance of the bodies on the frame */
+  ROLLCON_PHASE_NORMAL     = 2,    /* normal problem alone */
+  ROLLCON_PHASE_TANGENTIAL = 3,    /* tangential problem at given pressure */
+  ROLLCON_PHASE_FULL       = 4     /* normal and tangential problem together */
+};
+
+/* Log sink. `message` has no newline at its end and is valid during the call only. Called in the
+   floating-point environment of the host. */
+typedef void (ROLLCON_CALL *rollcon_log_fn)(int32_t level, const char *message, void *user);
+
+/* Progress of a solve, once per iteration, from the thread that called rollcon_contact_solve, in
+   the floating-point environment of the host. A non-zero return cancels. The event is valid
+   during the call only. The contact itself is busy meanwhile: of its functions only
+   rollcon_contact_request_cancel works. */
+typedef int32_t (ROLLCON_CALL *rollcon_progress_fn)(const rollcon_event *event, void *user);
+
+/* ----------------------------------------------------------------------------- Library facts */
+/* Callable at any time, from any thread; no object needed. They never fail. */
+
+/*
+ * Version of the library: 10000 major + 100 minor + patch.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_version(void);
+
+/*
+ * Binary interface number of the library: that of the shared library's SONAME; equals ROLLCON_ABI
+ * of a header that fits.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_abi(void);
+
+/*
+ * Version as text, "major.minor.patch".
+ * Threads: any thread at any time.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_version_string(void);
+
+/*
+ * Licences that this build carries and how it was built, as one line of text.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_build_info(void);
+
+/*
+ * 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
+ *   name  may be NULL; one of the features listed in the reference
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_has_feature(const char *name);
+
+/*
+ * One line of text for a status; "unknown status" for other numbers.
+ *   status  any number
+ * Threads: any thread at any time.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
+
+/* ----------------------------------------------------------------------------------- Context */
+/* Owns the log sink, the thread budget and the text of the last failure. Different contexts are
+   independent. */
+
+/*
+ * Makes a context.
+ *   header_abi  ROLLCON_ABI as the caller's header has it; ROLLCON_ERR_UNSUPPORTED if the library
+ *               has another
+ *   context     new handle
+ * Ownership: The caller owns the new handle: release it. *context is NULL after a failure.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_create(int32_t header_abi,
+    rollcon_context **context);
+
+/*
+ * Adds a reference.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_retain(rollcon_context *context);
+
+/*
+ * Drops a reference; the handle is dead after the last one. Bodies and contacts made from the
+ * context keep what they need of it. NULL and dead handles are ignored.
+ *   context  may be NULL
+ * Threads: any thread at any time.
+ */
+ROLLCON_API void ROLLCON_CALL rollcon_context_release(rollcon_context *context);
+
+/*
+ * Sets the log sink.
+ *   max_level  0 (off) to 4: most talkative level wanted
+ *   fn         NULL turns the log off
+ *   user       handed to fn
+ * Ownership: `user` stays the caller's and must live until the sink is replaced or the context
+ *   and all it made are gone.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_log(rollcon_context *context,
+    int32_t max_level, rollcon_log_fn fn, void *user);
+
+/*
+ * Sets the number of threads that each solve in this context may use.
+ *   n        0 to 4096; 0 (standard): OpenMP decides
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_context *context,
+    int32_t n);
+
+/*
+ * Copies the text of the last failure in this context: name of the function, offending entry,
+ * allowed range. Empty before the first failure; successes leave it alone.
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_get_error(const rollcon_context *context,
+    int64_t capacity, char *text, int64_t *needed);
+
+/* -------------------------------------------------------------------------------------- Body */
+/* One of the two bodies of a contact. A prepared body is frozen and may be shared by contacts in
+   many threads. */
+
+/*
+ * Makes a body.
+ *   kind     ROLLCON_BODY_...
+ *   body     new handle
+ * Ownership: The caller owns the new handle: release it. The body keeps what it needs of the
+ *   context. *body is NULL after a failure.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_create(rollcon_context *context,
+    int32_t kind, rollcon_body **body);
+
+/*
+ * Adds a reference.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_retain(rollcon_body *body);
+
+/*
+ * Drops a reference; the handle is dead after the last one. Contacts keep their bodies alive.
+ * NULL and dead handles are ignored.
+ *   body  may be NULL
+ * Threads: any thread at any time.
+ */
+ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
+
+/*
+ * Sets an isotropic linear elastic material.
+ *   body     not rigid, not prepared (ROLLCON_ERR_STATE)
+ *   tag      elements that get the material; half-spaces ignore it
+ *   young    Young's modulus E > 0, force/length^2
+ *   poisson  Poisson's ratio, -1 < nu <= 0.5
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *body, int32_t tag,
+    double young, double poisson);
+
+/*
+ * Checks that the body is complete and freezes it. Optional: the first solve does it. Calling it
+ * again does nothing.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body);
+
+/*
+ * The model given to rollcon_body_create.
+ *   kind  out; ROLLCON_BODY_...
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body *body,
+    int32_t *kind);
+
+/* ----------------------------------------------------------- Contact: making, frame and axes */
+/* A pair of bodies, the frame (mesh) on which their tractions live, and what happens there. */
+
+/*
+ * Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
+ * creepages and spin 0, all by motion. Frame, gap and friction have no standard: solving without
+ * them is ROLLCON_ERR_STATE. At least one of the bodies must be elastic.
+ *   body1    tractions are those on this body; n points out of it
+ *   body2    may be of another context, and the same as body1
+ *   contact  new handle
+ * Ownership: The caller owns the new handle: release it. The contact keeps bodies and context
+ *   alive. *contact is NULL after a failure.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY,
+ *   ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_create(rollcon_context *context,
+    rollcon_body *body1, rollcon_body *body2, rollcon_contact **contact);
+
+/*
+ * Adds a reference.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_retain(rollcon_contact *contact);
+
+/*
+ * Drops a reference; the handle is dead after the last one. NULL and dead handles are ignored.
+ *   contact  may be NULL
+ * Threads: any thread at any time.
+ */
+ROLLCON_API void ROLLCON_CALL rollcon_contact_release(rollcon_contact *contact);
+
+/*
+ * Sets the nodes of the frame and forgets its elements, the gap array and the creep and friction
+ * fields. Component j of node i is x[i * node_stride + j * component_stride]: packed x[n][3] has
+ * strides 3 and 1, Fortran's X(n,3) 1 and n.
+ *   n                 nodes, 1 to 2147483647
+ *   x                 [n*3]; coordinates, length
+ *   node_stride       >= 1, in doubles
+ *   component_stride  >= 1, in doubles
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_contact *contact,
+    int64_t n, const double *x, int64_t node_stride, int64_t component_stride);
+
+/*
+ * Adds elements of one type to the frame. Types may be mixed by several calls. Shapes are checked
+ * by the solve (ROLLCON_ERR_MESH there).
+ *   type          ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9
+ *   n             elements, >= 0
+ *   connectivity  [n][nodes of the type]; node ids
+ *   index_base    0 or 1: id of the first node; messages count the same way
+ *   tag           free label of these elements, written to files
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
+    rollcon_contact *contact, int32_t type, int64_t n, const int32_t *connectivity,
+    int32_t index_base, int32_t tag);
+
+/*
+ * Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent plane, t2
+ * = n x t1. Vectors need not have unit length. Creepages, spin and moments belong to the origin.
+ *   origin   [3]; length
+ *   rolling  [3]; rolling direction, not parallel to normal
+ *   normal   [3]; outward normal of body 1
+ * Ownership: The arrays are copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact *contact,
+    const double *origin, const double *rolling, const double *normal);
+
+/*
+ * Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap.
+ *   n        nodes of the frame
+ *   gap      [n]; length
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap(rollcon_contact *contact,
+    int64_t n, const double *gap);
+
+/*
+ * Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the axes
+ * (t1, t2); replaces a gap array.
+ *   a        1/length; 1/(2 R) for a sphere
+ *   b        1/length
+ *   c        1/length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
+    rollcon_contact *contact, double a, double b, double c);
+
+/* ------------------------------------------------------- Contact: motion, loads and friction */
+/* What is set again in a time loop. Setting values that are already set costs nothing at the next
+   solve, and none of these calls allocates once the sizes are known. */
+
+/*
+ * Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a
+ * wheel).
+ *   speed    V > 0, length/time
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_contact *contact,
+    double speed);
+
+/*
+ * Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral +
+ * spin x) of body 1 relative to body 2. The same as three calls of rollcon_contact_prescribe.
+ *   longitudinal  creepage along t1, dimensionless
+ *   lateral       creepage along t2, dimensionless
+ *   spin          1/length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contact *contact,
+    double longitudinal, double lateral, double spin);
+
+/*
+ * Adds a rigid slip velocity given node by node to that of creepages and spin.
+ *   n        nodes of the frame; 0 removes the field
+ *   slip     [n][2]; velocity along t1 and t2, length/time; NULL only with n = 0
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_contact *contact,
+    int64_t n, const double *slip);
+
+/*
+ * Prescribes one direction by motion or by force; the other quantity is found by the solve.
+ * Forces act on body 1. Standard: all by motion, 0.
+ *   direction  ROLLCON_LONGITUDINAL, LATERAL, NORMAL or SPIN
+ *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
+ *   value      motion: creepage, spin (1/length), approach (length); force: force, spin moment
+ *              about the origin, and for NORMAL the compressive load >= 0
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, loads.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contact *contact,
+    int32_t direction, int32_t how, double value);
+
+/*
+ * Sets the law of friction for the whole frame.
+ *   law         "coulomb"
+ *   n           parameters: 1
+ *   parameters  [n]; mu >= 0
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, contact laws; Coulomb: equation (16) of the paper.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
+    const char *law, int32_t n, const double *parameters);
+
+/*
+ * Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
+ *   n        nodes of the frame; 0 removes the field
+ *   mu       [n]; >= 0; NULL only with n = 0
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_field(
+    rollcon_contact *contact, int64_t n, const double *mu);
+
+/* --------------------------------------------------------------------------- Solver settings */
+/* Settings by name. The table can be listed at run time; unknown name, wrong type and out of
+   range are errors. */
+
+/*
+ * Sets an integer option.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_int(rollcon_contact *contact,
+    const char *name, int64_t value);
+
+/*
+ * Sets a real option.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_real(rollcon_contact *contact,
+    const char *name, double value);
+
+/*
+ * Sets a text option.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_str(rollcon_contact *contact,
+    const char *name, const char *value);
+
+/*
+ * Value of an integer option.
+ *   value    out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_int(const rollcon_contact *contact,
+    const char *name, int64_t *value);
+
+/*
+ * Value of a real option.
+ *   value    out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_real(const rollcon_contact *contact,
+    const char *name, double *value);
+
+/*
+ * Value of a text option.
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_str(const rollcon_contact *contact,
+    const char *name, int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * Number of options.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(void);
+
+/*
+ * Row of the table of options. For text options low, high and standard are 0.
+ *   i         0 to rollcon_option_count() - 1
+ *   capacity  bytes at name; 32 are enough for every name
+ *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   type      out, may be NULL; ROLLCON_TYPE_...
+ *   low       out, may be NULL; least value allowed
+ *   high      out, may be NULL; greatest value allowed
+ *   standard  out, may be NULL; value of a new contact
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t i, int64_t capacity,
+    char *name, int32_t *type, double *low, double *high, double *standard);
+
+/*
+ * What an option means; for text options also the values allowed.
+ *   i         0 to rollcon_option_count() - 1
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t capacity,
+    char *text, int64_t *needed);
+
+/* ------------------------------------------------------------------------ Solve, watch, stop */
+/* One steady state per solve, started from the last one. */
+
+/*
+ * Sets the callback that is called once per iteration.
+ *   fn       NULL removes the callback
+ *   user     handed to fn
+ * Ownership: `user` stays the caller's and must live until the callback is replaced or the
+ *   contact is gone.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_progress(rollcon_contact *contact,
+    rollcon_progress_fn fn, void *user);
+
+/*
+ * An integer of the event, inside the progress callback.
+ *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
+ *   key    ROLLCON_EVENT_PHASE or ROLLCON_EVENT_ITERATION
+ *   value  out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_int(const rollcon_event *event,
+    int32_t key, int64_t *value);
+
+/*
+ * A real of the event, inside the progress callback.
+ *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
+ *   key    ROLLCON_EVENT_RESIDUAL or ROLLCON_EVENT_SECONDS
+ *   value  out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_real(const rollcon_event *event,
+    int32_t key, double *value);
+
+/*
+ * Asks a running solve to stop at its next iteration (an atomic store). The solve returns
+ * ROLLCON_CANCELLED; the contact stays usable.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_contact *contact);
+
+/*
+ * Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by
+ * force. Starts from the last solution unless the option "warm_start" is 0. After
+ * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
+ * the scene as it was but discards the last solution.
+ * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY,
+ *   ROLLCON_ERR_LOAD.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *contact);
+
+/*
+ * Forgets the solution, the warm start and the history; keeps the scene and all that was computed
+ * for the frame.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *contact);
+
+/* ----------------------------------------------------------------------------------- Results */
+/* Of the last solve, copied into the caller's arrays; ROLLCON_ERR_STATE before one. */
+
+/*
+ * Nodes and elements of the frame. Works before a solve.
+ *   nodes     out, may be NULL
+ *   elements  out, may be NULL
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_contact *contact,
+    int64_t *nodes, int64_t *elements);
+
+/*
+ * Tractions on body 1 at the nodes; the normal component is <= 0 in compression.
+ *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
+ *   capacity  nodes that fit into t; at least those of the frame
+ *   t         [capacity][3], out; force/length^2
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, contact laws.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
+    const rollcon_contact *contact, int32_t axes, int64_t capacity, double *t);
+
+/*
+ * A nodal field: n_values = nodes x values per node, node after node.
+ *   field     ROLLCON_FIELD_...
+ *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
+ *   capacity  doubles at v; 0 only asks for the need
+ *   v         [capacity], out; values; NULL only with capacity 0
+ *   n_values  out, may be NULL; doubles of the field; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_contact *contact,
+    int32_t field, int32_t axes, int64_t capacity, double *v, int64_t *n_values);
+
+/*
+ * State of each node: ROLLCON_OPEN, STICK, SLIP or EXCLUDED.
+ *   capacity  numbers at status; at least the nodes of the frame
+ *   status    [capacity], out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
+    const rollcon_contact *contact, int64_t capacity, int32_t *status);
+
+/*
+ * Resultant force on body 1 and its moment about the origin of the axes.
+ *   axes     ROLLCON_LOCAL or ROLLCON_GLOBAL
+ *   force    [3], out, may be NULL; force
+ *   moment   [3], out, may be NULL; force x length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
+    const rollcon_contact *contact, int32_t axes, double *force, double *moment);
+
+/*
+ * Approach, creepages and spin, as given or as found for prescribed forces.
+ *   approach  out, may be NULL; length
+ *   creep     [3], out, may be NULL; longitudinal, lateral (dimensionless), spin (1/length)
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
+    const rollcon_contact *contact, double *approach, double *creep);
+
+/*
+ * Elastic displacement of a body at any points of the contact surface, on the frame or off it, in
+ * local axes.
+ *   body     1 or 2
+ *   n        points, >= 0
+ *   xy       [n][2]; positions along t1 and t2 from the origin, length
+ *   u        [n][3], out; displacement (t1, t2, n), length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, half-spaces.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
+    const rollcon_contact *contact, int32_t body, int64_t n, const double *xy, double *u);
+
+/*
+ * One number about the last solve: residuals, iterations, areas, power, seconds, bytes. Names:
+ * rollcon_stat_name.
+ *   value    out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_contact *contact,
+    const char *name, double *value);
+
+/*
+ * Number of statistics.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_stat_count(void);
+
+/*
+ * Name of a statistic.
+ *   i         0 to rollcon_stat_count() - 1
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_name(int32_t i, int64_t capacity,
+    char *text, int64_t *needed);
+
+/*
+ * Iterations of the last solve, one row each: phase, iteration, normal residual, tangential
+ * residual, step length, nodes in contact, nodes in slip, seconds. No rows before a solve.
+ *   capacity  rows that fit; 0 only asks for the need
+ *   rows      [capacity][8], out; NULL only with capacity 0
+ *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
+    const rollcon_contact *contact, int64_t capacity, double *rows, int64_t *n_rows);
+
+/*
+ * How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_contact *contact,
+    int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * Writes frame and fields, in global axes, as a VTU file for ParaView and meshio.
+ *   path     name of the file; an existing one is replaced
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_contact *contact,
+    const char *path);
+
+/* ----------------------------------------------------------------------- Handles as integers */
+/* For languages without pointers (the FORTRAN 77 layer). Neither direction changes reference
+   counts. */
+
+/*
+ * Positive number of a handle; 0 for NULL and for handles that are not alive.
+ *   handle  may be NULL; context, body or contact
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_id_of(const void *handle);
+
+/*
+ * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_context *ROLLCON_CALL rollcon_context_from_id(int32_t id);
+
+/*
+ * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_body *ROLLCON_CALL rollcon_body_from_id(int32_t id);
+
+/*
+ * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,43 @@
+#pragma once
+/// The one seam between bodies and contact: from nodal tractions on the contact frame to surface
+/// displacements of a body (or of a pair of bodies).
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace rollcon {
+
+/// Points of the contact surface, in the frame's axes (t1, t2). x.size() == y.size().
+struct Points {
+  std::span<const double> x, y;
+  std::size_t size() const { return x.size(); }
+};
+
+/// Destination of dense rows. a[i][j] (null: not wanted) holds the displacement component i at
+/// point p per unit traction component j of node k, at a[i][j][p * stride + k]. Components are
+/// 0 = t1, 1 = t2, 2 = n.
+struct ComplianceBlock {
+  double* a[3][3] = {};
+  std::ptrdiff_t stride = 0;
+};
+
+class Compliance {
+ public:
+  virtual ~Compliance() = default;
+
+  /// Nodes that carry tractions (all nodes of the frame).
+  virtual std::int64_t nodes() const = 0;
+  /// False when normal tractions cause no tangential displacement and the reverse: blocks [n][t]
+  /// and [t][n] are zero and need not be asked for.
+  virtual bool couples() const = 0;
+  /// Dense rows of A at any points of the surface. Writes every wanted entry.
+  virtual void block(Points points, const ComplianceBlock& out) const = 0;
+  /// u = A t at any points, without forming A: traction[3*k+j], displacement[3*p+i].
+  virtual void apply(Points points, const double* traction, double* displacement) const = 0;
+  /// Kernel evaluations (point times quadrature point) since construction; for statistics.
+  virtual std::int64_t kernel_evaluations() const = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+}  // namespace rollcon

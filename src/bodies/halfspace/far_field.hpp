@@ -1,0 +1,69 @@
+#pragma once
+/// Elements seen from afar: plain Gauss rules whose points, weights and Jacobians are computed
+/// once.
+///
+/// The rule of an element is the smallest one with
+///   C area/R (1.9 R/a)^-m <= tolerance,   m = degree of exactness + 1 - degree of N J,
+/// R the distance, a the half-length of the longest side (see error_model.hpp): one comparison of
+/// R^2 with a product of an element's and an observer's factor.
+
+#include <cstdint>
+#include <vector>
+
+#include "bodies/halfspace/element.hpp"
+#include "bodies/halfspace/kernels.hpp"
+#include "mesh/quadrature.hpp"
+
+namespace rollcon::halfspace {
+
+/// Elements of one type and one kind of map.
+class FarGroup {
+ public:
+  FarGroup(const Frame& frame, std::vector<std::int64_t> elements, ElementType type, MapKind map);
+
+  std::int64_t size() const { return static_cast<std::int64_t>(elements_.size()); }
+  int nodes() const { return node_count(type_); }
+  int levels() const { return static_cast<int>(levels_.size()); }
+  const ElementShape& shape(std::int64_t e) const { return shapes_[static_cast<std::size_t>(e)]; }
+  const std::int32_t* connectivity(std::int64_t e) const {
+    return connectivity_.data() + e * nodes();
+  }
+
+  /// Largest area over distance: the scale of the integrals of an observer's row.
+  double scale(double px, double py) const;
+  /// level[e] = index of the rule for each element, or levels() where none will do.
+  void select(double px, double py, double tolerance, std::uint8_t* level) const;
+
+  FarSources sources(int level) const;
+  int points(int level) const { return levels_[static_cast<std::size_t>(level)].n; }
+
+  /// Forces at all sources of every rule from nodal tractions [3 * node + component].
+  struct Forces {
+    std::vector<std::vector<double>> component[3];  ///< per level
+  };
+  Forces forces(const double* traction) const;
+  /// 1 for elements with a node whose tractions are not all zero.
+  std::vector<std::uint8_t> loaded(const double* traction) const;
+  FarForces sources(int level, const Forces& forces) const;
+
+  std::size_t bytes() const;
+
+ private:
+  struct Level {
+    int exponent = 0;  ///< m above
+    int n = 0, padded = 0;
+    std::vector<double> shape, x, y, w;
+    std::vector<double> factor;  ///< the element's factor of the squared distance
+  };
+  Level make_level(const PlaneRule& rule, int degree) const;
+
+  ElementType type_;
+  MapKind map_;
+  std::vector<std::int64_t> elements_;
+  std::vector<ElementShape> shapes_;
+  std::vector<std::int32_t> connectivity_;
+  std::vector<double> centre_x_, centre_y_, half2_, area_;
+  std::vector<Level> levels_;
+};
+
+}  // namespace rollcon::halfspace

@@ -1,0 +1,77 @@
+#pragma once
+/// Inner loops of the half-space integrals, one set of functions per instruction set, chosen at run
+/// time. Everything here works on one observer at a time.
+///
+/// The five integrals of a shape function N, with d = observer - source and r = |d|:
+///   0: N/r   1: N dx^2/r^3   2: N dx dy/r^3   3: N dx/r^2   4: N dy/r^2
+
+#include <cstdint>
+
+#include "mesh/element_type.hpp"
+
+namespace rollcon::halfspace {
+
+inline constexpr int integral_count = 5;
+/// Arrays of quadrature points are padded to a multiple of this.
+inline constexpr int point_padding = 8;
+/// Rows of a table of shape functions are padded to a multiple of this.
+inline constexpr int shape_padding = 8;
+inline constexpr int max_shape_stride = 16;
+/// Points in one call of near().
+inline constexpr int near_capacity = 256;
+/// Largest rule of the far field.
+inline constexpr int far_capacity = 64;
+
+/// Which integrals are wanted besides 0: bit 0 those of d d^T/r^3, bit 1 those of d/r^2.
+enum Terms : int { normal_only = 0, with_shear = 1, with_coupling = 2, all_terms = 3 };
+
+/// One rule on all elements of a group; element e owns entries [e * padded, e * padded + n).
+struct FarSources {
+  int n = 0, padded = 0;
+  const double *x = nullptr, *y = nullptr;
+  const double* w = nullptr;      ///< weight times Jacobian
+  const double* shape = nullptr;  ///< n rows of the shape functions' values
+  int nodes = 0, stride = 0;      ///< of a row of shape
+};
+
+/// Tractions at the far sources: three forces per point (weights included).
+struct FarForces {
+  int padded = 0, n = 0;
+  const double *x = nullptr, *y = nullptr;
+  const double* force[3] = {};
+};
+
+/// Coordinates of an element's nodes relative to the observer.
+struct NearElement {
+  ElementType type = ElementType::tri3;
+  double x[max_element_nodes], y[max_element_nodes];
+};
+
+/// Quadrature points in reference coordinates; weights without the Jacobian. Room for padding.
+struct NearPoints {
+  int n = 0;
+  alignas(64) double xi[near_capacity], eta[near_capacity], w[near_capacity];
+};
+
+struct Kernels {
+  const char* name;
+  /// integral[k * max_shape_stride + i], overwritten; k runs over the wanted integrals only.
+  void (*far)(const FarSources& rule, std::int64_t element, double px, double py, int terms,
+              double* integral);
+  /// u += displacement at the observer by the forces of one element; constants cn, cv, ck.
+  void (*push)(const FarForces& rule, std::int64_t element, double px, double py,
+               const double* constants, int terms, double* u);
+  /// integral[k * max_shape_stride + i] is added to. points is padded in place.
+  void (*near)(const NearElement& element, NearPoints& points, int terms, double* integral);
+};
+
+enum class InstructionSet { baseline, avx2, avx512 };
+
+const Kernels& kernels(InstructionSet set);
+/// The best set of this processor, or the one set by force_instruction_set (for tests).
+InstructionSet instruction_set();
+/// Restricts later calls of instruction_set(); a set the processor lacks is lowered to the best.
+void force_instruction_set(InstructionSet set);
+InstructionSet best_instruction_set();
+
+}  // namespace rollcon::halfspace

@@ -1,0 +1,48 @@
+#pragma once
+/// Generated from bindings/api.toml by bindings/generate.py; do not edit.
+
+#include <cstdint>
+
+#include "build_info.hpp"
+
+namespace rollcon::capi {
+
+// clang-format off
+struct Feature { const char* name; bool built; };
+
+constexpr Feature feature_table[] = {
+    {"halfspace", true},
+    {"rigid", true},
+    {"fem", false},
+    {"bem", false},
+    {"umfpack", false},
+    {"openmp", ROLLCON_BUILD_OPENMP != 0},
+    {"vtu", true},
+};
+
+struct StatusText { std::int32_t status; const char* text; };
+
+constexpr StatusText status_table[] = {
+    {0, "success"},
+    {1, "iteration limit reached; the best iterate is kept"},
+    {2, "the bodies do not touch; tractions are zero"},
+    {3, "stopped by the progress callback or by a cancel request"},
+    {4, "the contact reaches the rim of the frame: enlarge it"},
+    {-1, "NULL, negative count, value out of range, unknown number"},
+    {-2, "released, garbage or wrong-kind handle"},
+    {-3, "NaN or infinity among the inputs"},
+    {-4, "node id out of range; degenerate or flipped elements, ..."},
+    {-5, "calls in the wrong order, or something is missing"},
+    {-6, "unknown name, wrong type or value out of range"},
+    {-7, "the caller's array is too small; the need is reported"},
+    {-8, "a linear system is singular"},
+    {-9, "out of memory or of handles"},
+    {-10, "not in this build of the library"},
+    {-11, "the object is in use by another call"},
+    {-12, "the prescribed forces have no steady solution"},
+    {-13, "a file cannot be written"},
+    {-99, "a defect of rollcon; please report it"},
+};
+// clang-format on
+
+}  // namespace rollcon::capi

@@ -1,0 +1,72 @@
+#pragma once
+/// What every public function does: quiet floating point, handle to object, busy flag, exceptions
+/// to statuses. Functions pass their own name: inside a lambda __func__ is not theirs.
+
+#include <cstdint>
+#include <memory>
+#include <type_traits>
+
+#include "capi/handle_table.hpp"
+#include "support/error.hpp"
+#include "support/fpenv.hpp"
+
+namespace rollcon::capi {
+
+/// Stores "function: message" in the context and tells its log. Null context: nowhere to tell.
+Status report(const char* function, Context* context, Status status, const char* message) noexcept;
+
+/// Reports the exception in flight; call it from a catch block.
+Status report_current_exception(const char* function, Context* context) noexcept;
+
+/// Runs the body of a function that has no object, or whose object was found already.
+template <class F>
+std::int32_t guarded(const char* function, Context* context, F&& body) noexcept {
+  const QuietFloatingPoint quiet;
+  Status status = Status::ok;
+  try {
+    if constexpr (std::is_void_v<std::invoke_result_t<F>>)
+      body();
+    else
+      status = body();
+  } catch (...) {
+    status = report_current_exception(function, context);
+  }
+  return static_cast<std::int32_t>(status);
+}
+
+/// Runs the body with the object of a handle, which it may share with calls in other threads.
+template <class F>
+std::int32_t with_shared(const char* function, Kind kind, const void* handle, F&& body) noexcept {
+  if (!handle) return ROLLCON_ERR_ARGUMENT;
+  const std::shared_ptr<Object> object = handles().find(kind, handle);
+  if (!object) return ROLLCON_ERR_HANDLE;
+  return guarded(function, object->context.get(), [&] { return body(*object); });
+}
+
+/// Runs the body with the object of a handle for itself alone.
+template <class F>
+std::int32_t with_object(const char* function, Kind kind, const void* handle, F&& body) noexcept {
+  return with_shared(function, kind, handle, [&](Object& object) {
+    if (object.busy.exchange(true, std::memory_order_acquire))
+      fail(Status::err_busy, "the %s is in use by another call",
+           kind == Kind::context ? "context"
+           : kind == Kind::body  ? "body"
+                                 : "contact");
+    struct Free {
+      std::atomic<bool>& busy;
+      ~Free() { busy.store(false, std::memory_order_release); }
+    } const at_end{object.busy};
+    return body(object);
+  });
+}
+
+template <class F>
+std::int32_t with_contact(const char* function, const rollcon_contact* handle, F&& body) noexcept {
+  return with_object(function, Kind::contact, handle,
+                     [&](Object& object) { return body(*object.contact); });
+}
+
+std::int32_t retain(Kind kind, const void* handle) noexcept;
+void release(Kind kind, const void* handle) noexcept;
+
+}  // namespace rollcon::capi

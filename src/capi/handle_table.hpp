@@ -1,0 +1,72 @@
+#pragma once
+/// Handles of the C API. The value of a handle is a number - kind (2 bits), generation (13 bits),
+/// slot (16 bits) - that is looked up here and never dereferenced, so that released, garbage and
+/// wrong-kind handles are told from live ones.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "bodies/body.hpp"
+#include "contact/contact.hpp"
+#include "rollcon.h"
+#include "support/context.hpp"
+
+namespace rollcon::capi {
+
+enum class Kind : std::uint32_t { context = 1, body = 2, contact = 3 };
+
+/// What a handle stands for. A call holds a reference, so a release in another thread is harmless.
+struct Object {
+  std::shared_ptr<Context> context;  ///< the object itself, or where it reports its failures
+  std::shared_ptr<Body> body;        ///< of kind body
+  std::unique_ptr<Contact> contact;  ///< of kind contact
+  std::atomic<bool> busy{false};     ///< a call that may change the object or needs it unchanged
+  rollcon_progress_fn progress = nullptr;
+  void* progress_user = nullptr;
+};
+
+class HandleTable {
+ public:
+  /// One reference. Throws Error(err_memory) when all slots are taken.
+  const void* insert(Kind kind, std::shared_ptr<Object> object);
+  /// Null if the handle is not a live one of this kind.
+  std::shared_ptr<Object> find(Kind kind, const void* handle) const noexcept;
+  /// False if the handle is not a live one of this kind.
+  bool retain(Kind kind, const void* handle) noexcept;
+  /// Takes the object out with its last reference, for the caller to destroy; else null.
+  std::shared_ptr<Object> release(Kind kind, const void* handle) noexcept;
+  /// 0 if the handle is not alive.
+  std::int32_t id_of(const void* handle) const noexcept;
+
+  static const void* from_id(std::int32_t id) noexcept;
+
+ private:
+  struct Slot {
+    std::shared_ptr<Object> object;
+    std::int64_t references = 0;
+    std::uint32_t generation = 1;
+    Kind kind = Kind::context;
+    std::int32_t next_free = -1;
+  };
+  static constexpr std::uint32_t slot_bits = 16, generation_bits = 13;
+  static constexpr std::size_t max_slots = std::size_t{1} << slot_bits;
+  static constexpr std::uint32_t last_generation = (1U << generation_bits) - 1;
+
+  const Slot* live(const void* handle) const noexcept;
+  const Slot* live(Kind kind, const void* handle) const noexcept;
+  Slot* live(Kind kind, const void* handle) noexcept;
+
+  mutable std::mutex mutex_;
+  std::vector<Slot> slot_;
+  /// Free slots, linked first in, first out: a number comes back as late as possible.
+  std::int32_t first_free_ = -1, last_free_ = -1;
+};
+
+/// The table of the process. It is never destroyed: hosts may release handles while they exit.
+HandleTable& handles();
+
+}  // namespace rollcon::capi

@@ -1,0 +1,145 @@
+#include "contact/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/state.hpp"
+#include "linalg/blas_threads.hpp"
+#include "support/clock.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr std::size_t history_rows = 512;
+
+LinearMethod method_of(const std::string& name) {
+  if (name == "lu") return LinearMethod::lu;
+  return name == "gmres" ? LinearMethod::gmres : LinearMethod::automatic;
+}
+
+// Records history and passes every iteration to the caller's callback.
+class Watch final : public Monitor {
+ public:
+  Watch(SolverState& state, Contact::ProgressFunction function, void* user,
+        const std::atomic<bool>& cancel, double start)
+      : state_(state), function_(function), user_(user), cancel_(cancel), start_(start) {}
+
+  bool step(const StepRecord& r) override {
+    const double seconds = now_seconds() - start_;
+    if (state_.history.size() < 8 * history_rows)
+      for (const double v : {static_cast<double>(r.part), static_cast<double>(r.iteration),
+                             r.residual_normal, r.residual_tangential, r.step,
+                             static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
+        state_.history.push_back(v);
+    return tell(static_cast<Phase>(r.part), r.iteration,
+                std::max(r.residual_normal, r.residual_tangential), seconds);
+  }
+
+  bool tell(Phase phase, std::int64_t iteration, double residual, double seconds) {
+    if (cancel_.load()) return true;
+    if (!function_) return false;
+    Event event;
+    event.phase = static_cast<std::int32_t>(phase);
+    event.iteration = iteration;
+    event.residual = residual;
+    event.seconds = seconds;
+    return function_(event, user_) != 0 || cancel_.load();
+  }
+
+ private:
+  SolverState& state_;
+  Contact::ProgressFunction function_;
+  void* user_;
+  const std::atomic<bool>& cancel_;
+  double start_;
+};
+
+}  // namespace
+
+Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
+                 std::shared_ptr<Body> body2)
+    : context_(std::move(context)),
+      body1_(std::move(body1)),
+      body2_(std::move(body2)),
+      state_(std::make_unique<SolverState>()) {
+  if (body1_->rigid() && body2_->rigid())
+    fail(Status::err_argument,
+         "body1 and body2 are both rigid: at least one body must be elastic (HALFSPACE)");
+}
+
+Contact::~Contact() = default;
+
+void Contact::set_progress(ProgressFunction function, void* user) {
+  progress_ = function;
+  progress_user_ = user;
+}
+
+std::int64_t Contact::nodes() const { return scene.mesh().nodes(); }
+std::int64_t Contact::elements() const { return scene.mesh().elements(); }
+
+void Contact::reset() {
+  SolverState& s = *state_;
+  s.iterate.clear();
+  s.newton.linear.forget();
+  s.warm_usable = s.solved = s.derived = s.laws_checked = false;
+  s.history.clear();
+  s.timings = {};
+}
+
+Status Contact::solve() {
+  SolverState& s = *state_;
+  const double start = now_seconds();
+  s.solved = s.derived = s.laws_checked = false;
+  s.timings = {};
+  s.history.clear();
+  s.history.reserve(8 * history_rows);
+  const BlasThreads blas(context_->threads());
+  Watch watch(s, progress_, progress_user_, cancel_, start);
+  const bool cancelled_early = watch.tell(Phase::compliance, 0, 0, 0);
+  if (cancelled_early) {
+    cancel_.store(false);
+    if (s.iterate.lambda[0].size() != static_cast<std::size_t>(nodes())) s.iterate.resize(nodes());
+    return Status::cancelled;
+  }
+  prepare(s, scene, *body1_, *body2_, context_->threads());
+  s.newton.linear.method = method_of(scene.options.linear_solver);
+  const bool warm = s.warm_usable && scene.options.warm_start != 0;
+  if (!warm) s.iterate.clear();
+  s.warm_usable = false;
+
+  const std::int64_t linear_before = s.newton.linear.iterations;
+  const std::int64_t factors_before = s.newton.linear.factorizations;
+  const double linear_seconds = s.newton.linear.seconds;
+  const double newton_start = now_seconds();
+  if (s.frictionless)
+    for (const int m : {xi1, xi2, spin})
+      if (s.problem.by_force[static_cast<std::size_t>(m)] && s.problem.value[static_cast<std::size_t>(m)] != 0)
+        fail(Status::err_load,
+             "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
+             "at every node: there is no steady solution");
+  s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, scene.options.tolerance,
+                            scene.options.max_iterations, watch);
+  s.outcome = s.report.outcome;
+  s.linear_iterations = s.newton.linear.iterations - linear_before;
+  s.factorizations = s.newton.linear.factorizations - factors_before;
+  s.timings.linear = s.newton.linear.seconds - linear_seconds;
+  s.timings.newton = now_seconds() - newton_start;
+  s.timings.total = now_seconds() - start;
+
+  switch (s.outcome) {
+    case Outcome::no_solution:
+      fail(Status::err_load,
+           "the prescribed tangential force or spin moment reaches what friction can carry "
+           "(|Ft| must be less than mu Fn): there is no steady solution");
+    case Outcome::cancelled: cancel_.store(false); s.solved = true; return Status::cancelled;
+    case Outcome::not_converged: s.solved = true; return Status::not_converged;
+    case Outcome::no_contact: s.solved = true; return Status::no_contact;
+    case Outcome::converged: break;
+  }
+  s.solved = s.warm_usable = true;
+  for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
+    if (s.frame.rim[k] && s.iterate.lambda[2][k] < 0) return Status::rim_contact;
+  return Status::ok;
+}
+
+}  // namespace rollcon

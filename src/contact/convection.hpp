@@ -1,0 +1,31 @@
+#pragma once
+/// Discrete convective derivative on the contact frame (formulation section 5): rows of the
+/// operator D with (D w)_I ~ v . grad w at node I for unit speed, v = -(ex, ey).
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+struct SparseRows {
+  std::vector<std::int64_t> start;  ///< rows + 1
+  std::vector<std::int32_t> column;
+  std::vector<double> value;
+  std::vector<std::uint8_t> fallback;  ///< 1 where the scheme's own stencil was not usable
+};
+
+/// First-order Godunov flux on median-dual cells, equations (41)-(42). (ex, ey): unit rolling
+/// direction in the frame's axes. The row of a node without inflow is empty.
+SparseRows godunov(const Frame& frame, double ex, double ey);
+
+/// Upwind least-squares gradient, equations (43)-(45), over neighbours along edges of the linear
+/// cells. Exact for linear fields at every node whose path upstream enters the frame. Where the fit
+/// over upwind neighbours would let errors grow along the path, two neighbours that enclose the
+/// path are interpolated instead (upwind ones out of two rings first); where the path leaves the
+/// frame, the fit may widen to two rings, and Godunov's row is the last choice. The row of a node
+/// without upwind neighbour is empty.
+SparseRows least_squares(const Frame& frame, double ex, double ey);
+
+}  // namespace rollcon

@@ -1,0 +1,153 @@
+/// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status
+/// per node, and the residuals of the laws.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/state.hpp"
+
+namespace rollcon {
+namespace {
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+// Displacement difference u1 - u2 at points, straight from the integrals.
+std::vector<double> displacements(const SolverState& s, const std::vector<double>& x,
+                                  const std::vector<double>& y) {
+  const std::size_t n = at(s.problem.nodes);
+  std::vector<double> t(3 * n), u(3 * x.size());
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
+  s.compliance->apply({x, y}, t.data(), u.data());
+  return u;
+}
+
+// D (A lambda)_t per unit speed at every node, from displacements.
+void convect(const SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
+  const ContactOperators& op = s.problem.op;
+  const std::size_t n = at(s.problem.nodes);
+  for (auto& v : image) v.assign(n, 0.0);
+  if (!op.upstream.empty()) {
+    std::vector<double> x = s.frame.x;
+    for (std::size_t k = 0; k < n; ++k) x[k] += op.upstream[k];
+    const std::vector<double> ahead = displacements(s, x, s.frame.y);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t c = 0; c < 2; ++c)
+        if (op.upstream[k] > 0) image[c][k] = (u[3 * k + c] - ahead[3 * k + c]) / op.upstream[k];
+    return;
+  }
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c)
+      for (auto j = at(op.convection.start[k]); j < at(op.convection.start[k + 1]); ++j)
+        image[c][k] += op.convection.value[j] * u[3 * at(op.convection.column[j]) + c];
+}
+
+}  // namespace
+
+void derive_fields(SolverState& s) {
+  if (s.derived) return;
+  const Problem& p = s.problem;
+  Iterate& it = s.iterate;
+  const std::size_t n = at(p.nodes);
+  s.gap.assign(n, 0.0);
+  s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
+  std::vector<double> image[2];
+  if (!p.op.tangential) convect(s, displacements(s, s.frame.x, s.frame.y), image);
+  for (auto& v : s.slip) v.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::int64_t>(k);
+    if (!p.used[k]) {
+      s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
+      s.gap[k] = p.gap[k] - it.motion[approach];
+      continue;
+    }
+    it.update_gap(p, i);
+    if (p.op.tangential) it.update_slip(p, i);
+    const double w1 = p.op.tangential ? it.image[0][k] : image[0][k];
+    const double w2 = p.op.tangential ? it.image[1][k] : image[1][k];
+    const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
+    s.gap[k] = p.gap[k] - it.motion[approach] - it.image[2][k];
+    s.slip[0][k] = s.speed * s1;
+    s.slip[1][k] = s.speed * s2;
+    if (!(it.lambda[2][k] < 0)) continue;
+    bool sliding = true;
+    if (!s.frictionless) {
+      const double bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * s.gap[k]);
+      sliding = !(std::hypot(it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2) < bound);
+    }
+    s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
+  }
+  s.derived = true;
+}
+
+void check_laws(SolverState& s) {
+  if (s.laws_checked) return;
+  derive_fields(s);
+  const Problem& p = s.problem;
+  const Iterate& it = s.iterate;
+  const std::size_t n = at(p.nodes);
+  const std::vector<double> u = displacements(s, s.frame.x, s.frame.y);
+  std::vector<double> w[2];
+  convect(s, u, w);
+
+  double pressure = 0, depth = 0, bound_max = 0, speed_max = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    pressure = std::max(pressure, std::abs(it.lambda[2][k]));
+    depth = std::max(depth, std::abs(u[3 * k + 2]));
+    bound_max = std::max(bound_max, p.mu[k] * std::abs(it.lambda[2][k]));
+  }
+  std::vector<double> s1(n), s2(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!p.used[k]) continue;
+    const auto i = static_cast<std::int64_t>(k);
+    const double c1 = p.rigid_slip1(i, it.motion), c2 = p.rigid_slip2(i, it.motion);
+    s1[k] = c1 + w[0][k];
+    s2[k] = c2 + w[1][k];
+    if (it.lambda[2][k] < 0)
+      speed_max = std::max({speed_max, std::hypot(c1, c2), std::hypot(w[0][k], w[1][k])});
+  }
+  // Slip is small when it is small against the slip velocities that occur, or when it would change
+  // the traction by little of the friction bound (zero creepage has no velocity to compare with).
+  const auto relative = [&](double speed, std::size_t k) {
+    return std::min(speed / speed_max, p.rt[k] * speed / bound_max);
+  };
+  double normal = 0, friction = 0, slip = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!p.used[k]) continue;
+    const double ln = it.lambda[2][k];
+    const double kn = p.gap[k] - it.motion[approach] - u[3 * k + 2];
+    if (pressure > 0) normal = std::max(normal, ln / pressure);
+    if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
+    const double tangential = std::hypot(it.lambda[0][k], it.lambda[1][k]);
+    const double bound = p.mu[k] * std::max(-ln, 0.0);
+    if (bound_max > 0) friction = std::max(friction, (tangential - bound) / bound_max);
+    if (s.frictionless || !(ln < 0) || !(speed_max > 0) || !(bound > 0)) continue;
+    const double speed = std::hypot(s1[k], s2[k]);
+    if (s.status[k] == static_cast<std::int32_t>(NodeStatus::stick)) {
+      slip = std::max(slip, relative(speed, k));
+    } else if (tangential > 0) {  // slip component across and along the traction
+      const double e1 = it.lambda[0][k] / tangential, e2 = it.lambda[1][k] / tangential;
+      slip = std::max(slip, relative(std::abs(s1[k] * e2 - s2[k] * e1), k));
+      slip = std::max(slip, relative(s1[k] * e1 + s2[k] * e2, k));
+    }
+  }
+  double equilibrium = 0;
+  for (int m = 0; m < 4; ++m) {
+    if (!p.by_force[at(m)]) continue;
+    double sum = 0, scale = std::abs(p.value[at(m)]);
+    for (std::size_t k = 0; k < n; ++k) {
+      double term = 0;
+      if (m == xi1) term = p.weight[k] * it.lambda[0][k];
+      if (m == xi2) term = p.weight[k] * it.lambda[1][k];
+      if (m == approach) term = -p.weight[k] * it.lambda[2][k];
+      if (m == spin) term = p.moment_x[k] * it.lambda[1][k] - p.moment_y[k] * it.lambda[0][k];
+      sum += term;
+      scale = std::max(scale, std::abs(term));
+    }
+    if (scale > 0) equilibrium = std::max(equilibrium, std::abs(sum - p.value[at(m)]) / scale);
+  }
+  s.laws = {normal, friction, slip, equilibrium};
+  s.laws_checked = true;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,14 @@
+#pragma once
+/// First moments of the shape functions over the frame.
+
+#include <vector>
+
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+/// mx[k] = integral of N_k x, my[k] = integral of N_k y over the projected frame: moments of
+/// interpolated tractions about the axes' origin, exact for straight-sided elements.
+void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<double>& my);
+
+}  // namespace rollcon

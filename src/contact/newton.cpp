@@ -1,0 +1,329 @@
+#include "contact/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rollcon {
+namespace {
+
+constexpr std::size_t merit_window = 5;
+constexpr double sufficient_decrease = 1e-4;
+constexpr double smallest_step = 1.0 / 64;
+
+std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+double Newton::Residual::worst(Part part) const {
+  double worst = load;
+  if (part != Part::tangential) worst = std::max(worst, normal);
+  if (part != Part::normal) worst = std::max(worst, tangential);
+  return worst;
+}
+
+std::size_t Newton::bytes() const {
+  std::size_t sum = linear.bytes() + system_.bytes();
+  for (int c = 0; c < 3; ++c)
+    sum += sizeof(double) * (frozen_[c].capacity() + next_[c].capacity() +
+                             next_image_[c].capacity() + known_[c].capacity());
+  return sum + sizeof(double) * (b_.capacity() + x_.capacity() + correction_.capacity());
+}
+
+// Residuals of the projected laws at the iterate; also finds the active nodes and makes every image
+// that the next step needs valid.
+Newton::Residual Newton::evaluate(Part part) {
+  const Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  Residual r;
+  active_.clear();
+  double pressure = 0, traction = 0, bound_max = 0, worst_n = 0, worst_t = 0;
+  const double delta = it.motion[approach];
+  for (std::int64_t i = 0; i < p.nodes; ++i) {
+    const std::size_t k = at(i);
+    is_active_[k] = 0;
+    if (!p.used[k]) continue;
+    const double ln = it.lambda[2][k];
+    double augmented = ln;
+    if (part != Part::tangential) {
+      it.update_gap(p, i);
+      augmented = ln + p.rn[k] * (p.gap[k] - delta - it.image[2][k]);
+      worst_n = std::max(worst_n, std::abs(ln - std::min(augmented, 0.0)));
+    }
+    pressure = std::max(pressure, -ln);
+    const bool touching = augmented < 0;
+    if (touching) {
+      active_.push_back(static_cast<std::int32_t>(i));
+      is_active_[k] = 1;
+    }
+    if (part == Part::normal) continue;
+    const double l1 = it.lambda[0][k], l2 = it.lambda[1][k];
+    double t1 = 0, t2 = 0;
+    if (touching) {
+      it.update_slip(p, i);
+      const double a1 = l1 - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
+      const double a2 = l2 - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
+      const double bound = -p.mu[k] * augmented;
+      bound_max = std::max(bound_max, bound);
+      project_on_disk(a1, a2, bound, t1, t2);
+      if (!(std::hypot(a1, a2) < bound)) ++r.sliding;
+    }
+    traction = std::max(traction, std::hypot(l1, l2));
+    worst_t = std::max(worst_t, std::hypot(l1 - t1, l2 - t2));
+  }
+  r.contact = static_cast<std::int64_t>(active_.size());
+  // Relative measures. Tangential residuals hide under normal ones, so they are judged by the
+  // tangential tractions themselves as soon as there are any.
+  pressure_scale_ = pressure > 0 ? pressure : worst_n;
+  traction_scale_ = traction > 0 ? std::min(traction, std::max(bound_max, 1e-300)) : worst_t;
+  r.normal = pressure_scale_ > 0 ? worst_n / pressure_scale_ : 0;
+  r.tangential = traction_scale_ > 0 ? worst_t / traction_scale_ : 0;
+  r.load = load_residual(part, 0);
+  if (!(pressure_scale_ > 0)) pressure_scale_ = 1;
+  if (!(traction_scale_ > 0)) traction_scale_ = 1;
+  return r;
+}
+
+// Largest relative error of a prescribed load at iterate + alpha step.
+double Newton::load_residual(Part part, double alpha) const {
+  const Problem& p = *problem_;
+  const Iterate& it = *iterate_;
+  double worst = 0;
+  const auto value = [&](int c, std::size_t k) {
+    const double old = it.lambda[c][k];
+    return alpha == 0 ? old : old + alpha * (next_[c][k] - old);
+  };
+  for (int m = 0; m < 4; ++m) {
+    const bool relevant = m == approach ? part != Part::tangential : part != Part::normal;
+    if (!p.by_force[at(m)] || !relevant) continue;
+    double sum = 0, scale = 0;
+    for (std::int64_t i = 0; i < p.nodes; ++i) {
+      const std::size_t k = at(i);
+      double term = 0;
+      if (m == xi1) term = p.weight[k] * value(0, k);
+      if (m == xi2) term = p.weight[k] * value(1, k);
+      if (m == approach) term = -p.weight[k] * value(2, k);
+      if (m == spin) term = p.moment_x[k] * value(1, k) - p.moment_y[k] * value(0, k);
+      sum += term;
+      scale += std::abs(term);
+    }
+    scale = std::max(scale, std::abs(p.value[at(m)]));
+    if (scale > 0) worst = std::max(worst, std::abs(sum - p.value[at(m)]) / scale);
+  }
+  return worst;
+}
+
+double Newton::trial_merit(Part part, double alpha) const {
+  const Problem& p = *problem_;
+  const Iterate& it = *iterate_;
+  double sum_n = 0, sum_t = 0;
+  std::array<double, 4> motion = it.motion;
+  for (int m = 0; m < 4; ++m) motion[at(m)] += alpha * (next_motion_[at(m)] - motion[at(m)]);
+  const auto blend = [&](const std::vector<double>& from, const std::vector<double>& to,
+                         std::size_t k) { return alpha == 0 ? from[k] : from[k] + alpha * (to[k] - from[k]); };
+  for (std::int64_t i = 0; i < p.nodes; ++i) {
+    const std::size_t k = at(i);
+    if (!p.used[k]) continue;
+    const double ln = blend(it.lambda[2], next_[2], k);
+    double augmented = ln;
+    if (part != Part::tangential) {
+      augmented = ln + p.rn[k] * (p.gap[k] - motion[approach] - blend(it.image[2], next_image_[2], k));
+      const double rn = ln - std::min(augmented, 0.0);
+      sum_n += rn * rn;
+    }
+    if (part == Part::normal || (!is_active_[k] && it.lambda[0][k] == 0 && it.lambda[1][k] == 0))
+      continue;
+    const double l1 = blend(it.lambda[0], next_[0], k), l2 = blend(it.lambda[1], next_[1], k);
+    double t1 = 0, t2 = 0;
+    if (augmented < 0 && is_active_[k]) {
+      const double a1 = l1 - p.rt[k] * (p.rigid_slip1(i, motion) + blend(it.image[0], next_image_[0], k));
+      const double a2 = l2 - p.rt[k] * (p.rigid_slip2(i, motion) + blend(it.image[1], next_image_[1], k));
+      project_on_disk(a1, a2, -p.mu[k] * augmented, t1, t2);
+    }
+    sum_t += (l1 - t1) * (l1 - t1) + (l2 - t2) * (l2 - t2);
+  }
+  const double load = load_residual(part, alpha);
+  return 0.5 * (sum_n / (pressure_scale_ * pressure_scale_) +
+                sum_t / (traction_scale_ * traction_scale_) + load * load);
+}
+
+void Newton::freeze_other_part(Part part) {
+  has_frozen_ = problem_->op.coupled && part != Part::full;
+  if (!has_frozen_) return;
+  const Problem& p = *problem_;
+  const std::int64_t n = p.nodes;
+  if (part == Part::normal) {
+    for (std::int64_t i = 0; i < n; ++i) {
+      double sum = 0;
+      for (int c = 0; c < 2; ++c)
+        if (!p.op.block[2][c].empty()) sum += dot(p.op.block[2][c].row(i), iterate_->lambda[c].data(), n);
+      frozen_[2][at(i)] = sum;
+    }
+    return;
+  }
+  for (int r = 0; r < 2; ++r)
+    for (std::int64_t i = 0; i < n; ++i)
+      frozen_[r][at(i)] = p.op.block[r][2].empty() ? 0 : dot(p.op.block[r][2].row(i), iterate_->lambda[2].data(), n);
+}
+
+// Fills next_, next_image_ and next_motion_ with the solution of the linearised problem.
+bool Newton::newton_step(Part part, double forcing) {
+  const Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  const std::size_t na = active_.size();
+  system_.gather(p, part, active_, operators_changed_);
+  operators_changed_ = false;
+  std::array<double, 4> known = it.motion;
+  for (int m = 0; m < 4; ++m) known[at(m)] = p.by_force[at(m)] ? 0 : p.value[at(m)];
+  if (part == Part::tangential) known[approach] = it.motion[approach];
+  for (auto& v : known_) v.resize(na);
+  for (std::size_t a = 0; a < na; ++a) {
+    const std::int32_t i = active_[a];
+    const std::size_t k = at(i);
+    if (part != Part::tangential)
+      known_[2][a] = p.gap[k] - known[approach] - (has_frozen_ ? frozen_[2][k] : 0);
+    if (part == Part::normal) continue;
+    double bound = -p.mu[k] * it.lambda[2][k];
+    if (part == Part::full)
+      bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * (p.gap[k] - it.motion[approach] - it.image[2][k]));
+    const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
+    const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
+    system_.law(static_cast<std::int64_t>(a)) =
+        linearise_coulomb(a1, a2, p.mu[k], bound, part == Part::full);
+    known_[0][a] = p.rigid_slip1(i, known) + (has_frozen_ ? frozen_[0][k] : 0);
+    known_[1][a] = p.rigid_slip2(i, known) + (has_frozen_ ? frozen_[1][k] : 0);
+  }
+  system_.right_side(p, known_[2], known_[0], known_[1], b_);
+
+  // Solve for the correction: the forcing term is then relative to the present residual.
+  const auto n = static_cast<std::size_t>(system_.size());
+  x_.resize(n);
+  jx_.resize(n);
+  system_.start(it.lambda, it.motion, x_);
+  system_.apply(x_.data(), jx_.data());
+  product_.assign(system_.product().begin(), system_.product().end());
+  for (std::size_t i = 0; i < n; ++i) b_[i] -= jx_[i];
+  if (!linear.solve(system_, p.nodes, b_, forcing, correction_)) return false;
+  for (std::size_t i = 0; i < n; ++i) x_[i] += correction_[i];
+  const std::span<const double> step_product = system_.product();
+
+  for (int c = 0; c < 3; ++c) {
+    const bool own = (c == 2) ? part != Part::tangential : part != Part::normal;
+    if (own) std::fill(next_[c].begin(), next_[c].end(), 0.0);
+    else next_[c] = it.lambda[c];
+  }
+  for (int r = 0; r < system_.components(); ++r) {
+    const int c = system_.component(r);
+    for (std::size_t a = 0; a < na; ++a) {
+      const std::size_t k = at(active_[a]), row = static_cast<std::size_t>(r) * na + a;
+      next_[c][k] = x_[row];
+      const double scale = c == 2 ? p.rn[k] : p.rt[k];
+      next_image_[c][k] = (product_[row] + step_product[row]) / scale + (has_frozen_ ? frozen_[c][k] : 0);
+    }
+  }
+  for (int m = 0; m < 4; ++m) {
+    const bool own = (m == approach) ? part != Part::tangential : part != Part::normal;
+    next_motion_[at(m)] = own ? system_.motion(p, m, x_.data()) : it.motion[at(m)];
+  }
+  if (part == Part::tangential) return true;
+  for (std::int64_t i = 0; i < p.nodes; ++i) {
+    const std::size_t k = at(i);
+    if (!p.used[k] || is_active_[k]) continue;
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+      if (!p.op.block[2][c].empty()) sum += dot(p.op.block[2][c].row(i), next_[c].data(), p.nodes);
+    next_image_[2][k] = sum;
+  }
+  return true;
+}
+
+// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it.
+double Newton::line_search(Part part, double merit) {
+  if (merits_.size() == merit_window) merits_.erase(merits_.begin());
+  merits_.push_back(merit);
+  const double reference = *std::max_element(merits_.begin(), merits_.end());
+  double best = 1, best_merit = INFINITY;
+  for (double alpha = 1; alpha >= smallest_step; alpha /= 2) {
+    const double trial = trial_merit(part, alpha);
+    if (trial <= (1 - 2 * sufficient_decrease * alpha) * reference) return alpha;
+    if (trial < best_merit) best = alpha, best_merit = trial;
+  }
+  return best;
+}
+
+void Newton::advance(Part part, double alpha) {
+  const Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  const auto blend = [alpha](double& from, double to) { from = alpha == 1 ? to : from + alpha * (to - from); };
+  for (int m = 0; m < 4; ++m) blend(it.motion[at(m)], next_motion_[at(m)]);
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    if (!p.used[k]) continue;
+    for (int c = 0; c < 3; ++c) {
+      const bool own = (c == 2) ? part != Part::tangential : part != Part::normal;
+      if (own) blend(it.lambda[c][k], next_[c][k]);
+    }
+    if (part != Part::tangential)
+      blend(it.image[2][k], next_image_[2][k]);
+    else if (p.op.coupled)
+      it.gap_valid[k] = 0;
+    if (part != Part::normal && is_active_[k]) {
+      blend(it.image[0][k], next_image_[0][k]);
+      blend(it.image[1][k], next_image_[1][k]);
+    } else if (part != Part::normal || p.op.coupled) {
+      it.slip_valid[k] = 0;
+    }
+  }
+}
+
+// A cold start: the bodies are cut at half the approach, where a smooth Hertzian contact has its
+// edge, and the overlap there gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact
+// for a paraboloid. An unknown approach is first taken from Hertz's formula for a circle of the
+// same overlap.
+void Newton::guess_start() {
+  const Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  double low = INFINITY, high = -INFINITY;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    if (!p.used[k]) continue;
+    low = std::min(low, p.gap[k]);
+    high = std::max(high, p.gap[k]);
+  }
+  if (!(low <= high)) return;
+  const auto overlap = [&](double depth) {
+    double area = 0;
+    for (std::size_t k = 0; k < at(p.nodes); ++k)
+      if (p.used[k] && p.gap[k] < low + depth) area += p.cell_area[k];
+    return area;
+  };
+  // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
+  const auto peak = [&](double half, double area) {
+    return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
+  };
+  const bool by_force = p.by_force[approach];
+  double half = 0.5 * (it.motion[approach] - low);
+  if (by_force) {
+    const double load = p.value[approach];
+    const auto carried = [&](double depth) {
+      const double area = overlap(depth);
+      return 2.0 / 3.0 * peak(depth, area) * area;
+    };
+    double a = 0, b = std::max(high - low, 1e-12 * std::abs(high));
+    if (!(b > 0)) b = load / (p.stiffness * p.length);
+    for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (a + b);
+      (carried(middle) < load ? a : b) = middle;
+    }
+    half = b;
+    it.motion[approach] = low + 2 * half;
+  }
+  if (!(half > 0)) return;
+  const double p0 = peak(half, overlap(half));
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    const double depth = p.used[k] ? 1 - (p.gap[k] - low) / half : 0;
+    it.lambda[2][k] = depth > 0 ? -p0 * std::sqrt(depth) : 0.0;
+  }
+  it.invalidate();
+}
+
+}  // namespace rollcon

@@ -1,0 +1,95 @@
+#pragma once
+/// Exact semismooth Newton iteration for frictional rolling contact (formulation section 4.1) with
+/// a non-monotone line search and fallbacks.
+
+#include <cstdint>
+#include <vector>
+
+#include "contact/linear_solver.hpp"
+#include "contact/problem.hpp"
+#include "contact/reduced_system.hpp"
+
+namespace rollcon {
+
+/// What one iteration looked like; residuals are relative to the largest pressure and to the
+/// largest tangential traction.
+struct StepRecord {
+  Part part = Part::normal;
+  std::int64_t iteration = 0;
+  double residual_normal = 0, residual_tangential = 0;
+  double step = 0;
+  std::int64_t contact = 0, sliding = 0;
+};
+
+/// Told of every iteration; true asks to stop.
+struct Monitor {
+  virtual ~Monitor() = default;
+  virtual bool step(const StepRecord& record) = 0;
+};
+
+enum class Outcome { converged, not_converged, cancelled, no_contact, no_solution };
+
+struct NewtonReport {
+  Outcome outcome = Outcome::not_converged;
+  std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
+  double residual_normal = 0, residual_tangential = 0;
+  std::int64_t fallbacks = 0;
+};
+
+class Newton {
+ public:
+  LinearSolver linear;
+
+  /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the
+  /// load is a force). frictionless: mu is zero at every node.
+  NewtonReport solve(const Problem& problem, Iterate& iterate, bool frictionless,
+                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
+  std::size_t bytes() const;
+
+ private:
+  struct Residual {
+    double normal = 0, tangential = 0, load = 0;  ///< relative maxima
+    double merit = 0;
+    std::int64_t contact = 0, sliding = 0;
+    double worst(Part part) const;
+  };
+
+  Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
+  Outcome run_coupled(bool cold, double tolerance, std::int64_t max_iterations);
+  Residual evaluate(Part part);
+  void freeze_other_part(Part part);
+  bool newton_step(Part part, double forcing);
+  void advance(Part part, double alpha);
+  double line_search(Part part, double merit);
+  double trial_merit(Part part, double alpha) const;
+  double load_residual(Part part, double alpha) const;
+  void guess_start();
+  bool load_beyond_friction() const;
+
+  const Problem* problem_ = nullptr;
+  Iterate* iterate_ = nullptr;
+  Monitor* monitor_ = nullptr;
+  NewtonReport report_;
+  std::int64_t iterations_left_ = 0;
+
+  ReducedSystem system_;
+  std::vector<std::int32_t> active_;
+  std::vector<std::uint8_t> is_active_;
+  std::vector<double> frozen_[3];  ///< images of the tractions that the current part holds fixed
+  bool has_frozen_ = false;
+  std::vector<double> next_[3], next_image_[3];
+  std::array<double, 4> next_motion_{};
+  std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
+  std::vector<double> merits_;
+  double pressure_scale_ = 1, traction_scale_ = 1;
+  bool operators_changed_ = true;
+
+ public:
+  /// To be called when the operators or scales were assembled anew.
+  void operators_changed() {
+    operators_changed_ = true;
+    linear.forget();
+  }
+};
+
+}  // namespace rollcon

@@ -1,0 +1,178 @@
+#include "contact/operators.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollcon {
+namespace {
+
+constexpr std::int64_t chunk = 64;  // rows of compliance held at a time
+
+// Transpose of the sparse convective rows: which slip rows use node J, with what factor.
+struct Users {
+  std::vector<std::int64_t> start;
+  std::vector<std::int32_t> row;
+  std::vector<double> value;
+};
+
+Users transpose(const SparseRows& d, std::int64_t n) {
+  Users t;
+  t.start.assign(static_cast<std::size_t>(n) + 1, 0);
+  for (const std::int32_t j : d.column) ++t.start[static_cast<std::size_t>(j) + 1];
+  for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) t.start[j + 1] += t.start[j];
+  t.row.resize(d.column.size());
+  t.value.resize(d.column.size());
+  std::vector<std::int64_t> next(t.start.begin(), t.start.end() - 1);
+  for (std::int64_t i = 0; i < n; ++i)
+    for (std::int64_t k = d.start[static_cast<std::size_t>(i)]; k < d.start[static_cast<std::size_t>(i) + 1]; ++k) {
+      const auto s = static_cast<std::size_t>(next[static_cast<std::size_t>(d.column[static_cast<std::size_t>(k)])]++);
+      t.row[s] = static_cast<std::int32_t>(i);
+      t.value[s] = d.value[static_cast<std::size_t>(k)];
+    }
+  return t;
+}
+
+// Spacing along the flow (t1): dual-cell area over half the extent of the neighbours across it.
+std::vector<double> spacing_along_flow(const Frame& frame) {
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  std::vector<double> low(frame.y), high(frame.y), spacing(n);
+  for (std::int64_t e = 0; e < frame.elements(); ++e) {
+    double y_low = 1e300, y_high = -1e300;
+    for (const std::int32_t k : frame.mesh.element(e)) {
+      y_low = std::min(y_low, frame.y[static_cast<std::size_t>(k)]);
+      y_high = std::max(y_high, frame.y[static_cast<std::size_t>(k)]);
+    }
+    const bool split = is_quadratic(frame.mesh.type[static_cast<std::size_t>(e)]);
+    const double half = split ? 0.5 : 1.0;  // a quadratic element spans two spacings
+    for (const std::int32_t k : frame.mesh.element(e)) {
+      const auto i = static_cast<std::size_t>(k);
+      low[i] = std::min(low[i], frame.y[i] + half * (y_low - frame.y[i]));
+      high[i] = std::max(high[i], frame.y[i] + half * (y_high - frame.y[i]));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    const double side = std::sqrt(frame.cell_area[i]);
+    const double across = 0.5 * (high[i] - low[i]);
+    const double along = across > 0 ? frame.cell_area[i] / across : side;
+    spacing[i] = frame.used[i] ? along : 0;
+  }
+  return spacing;
+}
+
+void scatter(const Users& users, std::int64_t first, std::int64_t count, const double* rows,
+             std::int64_t stride, RowMatrix<double>& out) {
+  for (std::int64_t p = 0; p < count; ++p) {
+    const auto j = static_cast<std::size_t>(first + p);
+    for (std::int64_t k = users.start[j]; k < users.start[j + 1]; ++k)
+      axpy(users.value[static_cast<std::size_t>(k)], rows + p * stride,
+           out.row(users.row[static_cast<std::size_t>(k)]), out.columns());
+  }
+}
+
+}  // namespace
+
+std::size_t ContactOperators::bytes() const {
+  std::size_t sum = 0;
+  for (const auto& row : block)
+    for (const auto& matrix : row) sum += matrix.bytes();
+  return sum + convection.value.capacity() * (sizeof(double) + sizeof(std::int32_t));
+}
+
+void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op) {
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  op.slip_x = frame.x;
+  op.slip_y = frame.y;
+  op.upstream.clear();
+  op.convection = SparseRows{};
+  switch (scheme) {
+    case Scheme::godunov: op.convection = godunov(frame, 1, 0); return;
+    case Scheme::least_squares: op.convection = least_squares(frame, 1, 0); return;
+    case Scheme::characteristic: break;
+  }
+  op.upstream = spacing_along_flow(frame);
+  for (std::size_t i = 0; i < n; ++i) {
+    op.upstream[i] *= step;
+    op.slip_x[i] += op.upstream[i] / 2;  // second order: the difference is centred there
+  }
+}
+
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
+                        ContactOperators& op) {
+  const std::int64_t n = frame.nodes();
+  op.nodes = n;
+  op.coupled = compliance.couples();
+  const bool normal = !op.normal;
+  const bool tangential = want_tangential && !op.tangential;
+  // With coupling, a frictionless scene still needs no tangential column.
+  const bool normal_coupled = op.coupled && want_tangential && op.block[2][0].empty();
+  if (!normal && !tangential && !normal_coupled) return;
+
+  bool rows[3][3] = {};
+  rows[2][2] = normal;
+  rows[2][0] = rows[2][1] = normal_coupled;
+  for (int r = 0; r < 2; ++r) {
+    rows[r][0] = rows[r][1] = tangential;
+    rows[r][2] = tangential && op.coupled;
+  }
+  RowMatrix<double> buffer[3][3];
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) {
+      if (!rows[r][c]) continue;
+      op.block[r][c].resize(n, n);
+      if (r < 2) {
+        std::fill(op.block[r][c].data(), op.block[r][c].data() + n * n, 0.0);
+        buffer[r][c].resize(chunk, n);
+      }
+    }
+  const Users users = op.upstream.empty() && tangential ? transpose(op.convection, n) : Users{};
+
+  std::vector<double> px, py;
+  for (std::int64_t first = 0; first < n; first += chunk) {
+    const std::int64_t count = std::min(chunk, n - first);
+    const auto at = static_cast<std::size_t>(first);
+    const auto size = static_cast<std::size_t>(count);
+    ComplianceBlock out;
+    out.stride = n;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) {
+        if (!rows[r][c]) continue;
+        out.a[r][c] = r == 2 ? op.block[2][c].row(first) : buffer[r][c].data();
+      }
+    compliance.block({{frame.x.data() + at, size}, {frame.y.data() + at, size}}, out);
+    if (!tangential) continue;
+    if (op.upstream.empty()) {
+      for (int r = 0; r < 2; ++r)
+        for (int c = 0; c < 3; ++c)
+          if (rows[r][c]) scatter(users, first, count, buffer[r][c].data(), n, op.block[r][c]);
+      continue;
+    }
+    // Characteristic scheme: (w(x_I) - w(x_I + delta e)) / delta, both displacements exact.
+    px.assign(frame.x.begin() + first, frame.x.begin() + first + count);
+    py.assign(frame.y.begin() + first, frame.y.begin() + first + count);
+    for (std::size_t p = 0; p < size; ++p) px[p] += op.upstream[at + p];
+    ComplianceBlock ahead;
+    ahead.stride = n;
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 3; ++c)
+        if (rows[r][c]) {
+          std::copy(buffer[r][c].data(), buffer[r][c].data() + count * n, op.block[r][c].row(first));
+          ahead.a[r][c] = buffer[r][c].data();
+        }
+    compliance.block({{px.data(), size}, {py.data(), size}}, ahead);
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 3; ++c) {
+        if (!rows[r][c]) continue;
+        for (std::int64_t p = 0; p < count; ++p) {
+          const double delta = op.upstream[at + static_cast<std::size_t>(p)];
+          const double factor = delta > 0 ? 1 / delta : 0;
+          double* s = op.block[r][c].row(first + p);
+          const double* w = buffer[r][c].row(p);
+          for (std::int64_t k = 0; k < n; ++k) s[k] = factor * (s[k] - w[k]);
+        }
+      }
+  }
+  op.normal = true;
+  if (tangential) op.tangential = true;
+}
+
+}  // namespace rollcon

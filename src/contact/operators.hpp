@@ -1,0 +1,41 @@
+#pragma once
+/// The discrete operators of one contact: dense, computed once per bodies, frame and scheme, reused
+/// for every load, creepage and friction.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bodies/compliance.hpp"
+#include "contact/convection.hpp"
+#include "linalg/dense.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+enum class Scheme { godunov, least_squares, characteristic };
+
+/// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row
+/// r = 2 is the normal displacement (A lambda)_n. Columns c: traction components t1, t2, n.
+/// Blocks that vanish or are not needed are empty.
+struct ContactOperators {
+  std::int64_t nodes = 0;
+  bool coupled = false;
+  bool normal = false, tangential = false;  ///< which rows are assembled
+  RowMatrix<double> block[3][3];
+  SparseRows convection;             ///< empty for the characteristic scheme
+  std::vector<double> upstream;      ///< characteristic scheme: distance to the upstream point
+  std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
+
+  std::size_t bytes() const;
+};
+
+/// Decides the scheme's stencil and where rigid slip is taken. step: upstream distance over the
+/// local spacing along the flow, characteristic scheme only.
+void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op);
+
+/// Assembles the rows asked for that are not there yet. Formulation sections 3, 5 and 11.
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
+                        ContactOperators& op);
+
+}  // namespace rollcon

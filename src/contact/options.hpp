@@ -1,0 +1,44 @@
+#pragma once
+/// Solver settings by name: one table gives type, range, default and meaning of each; `Options`
+/// holds a contact's values.
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace rollcon {
+
+enum class OptionType : std::int32_t { integer = 1, real = 2, text = 3 };
+
+struct OptionInfo {
+  const char* name;
+  OptionType type;
+  double low, high, standard;  ///< numbers; for text: unused
+  const char* choices;         ///< text: allowed values "a|b|c", the first is the default
+  const char* doc;
+};
+
+std::span<const OptionInfo> option_table();
+
+struct Options {
+  double tolerance = 1e-10;            // "tolerance"
+  std::int64_t max_iterations = 100;   // "max_iterations"
+  double accuracy = 1e-6;              // "accuracy": of the half-space integrals
+  std::string convection = "least_squares";  // "convection"
+  std::string linear_solver = "auto";  // "linear_solver"
+  double characteristic_step = 0.2;    // "characteristic_step"
+  double normal_scale = 1;             // "normal_scale": multiplies r_n
+  double tangential_scale = 1;         // "tangential_scale": multiplies r_t
+  std::int64_t warm_start = 1;         // "warm_start"
+  std::int64_t revision = 0;           ///< counts changes
+
+  /// err_option: unknown name, wrong type, out of range (the message names them).
+  void set_int(const char* name, std::int64_t value);
+  void set_real(const char* name, double value);
+  void set_text(const char* name, const char* value);
+  std::int64_t get_int(const char* name) const;
+  double get_real(const char* name) const;
+  const std::string& get_text(const char* name) const;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,87 @@
+#include "contact/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollcon {
+
+void Iterate::resize(std::int64_t n) {
+  const auto size = static_cast<std::size_t>(n);
+  for (int c = 0; c < 3; ++c) {
+    lambda[c].assign(size, 0.0);
+    image[c].assign(size, 0.0);
+  }
+  slip_valid.assign(size, 1);
+  gap_valid.assign(size, 1);
+  motion = {};
+}
+
+void Iterate::clear() { resize(static_cast<std::int64_t>(lambda[0].size())); }
+
+void Iterate::clear_tractions() {
+  const auto kept = motion;
+  clear();
+  motion = kept;
+}
+
+void Iterate::invalidate() {
+  std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{0});
+  std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{0});
+}
+
+void Iterate::update_slip(const Problem& problem, std::int64_t i) {
+  const auto k = static_cast<std::size_t>(i);
+  if (slip_valid[k]) return;
+  for (int r = 0; r < 2; ++r) {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+      if (!problem.op.block[r][c].empty())
+        sum += dot(problem.op.block[r][c].row(i), lambda[c].data(), problem.nodes);
+    image[r][k] = sum;
+  }
+  slip_valid[k] = 1;
+}
+
+void Iterate::update_gap(const Problem& problem, std::int64_t i) {
+  const auto k = static_cast<std::size_t>(i);
+  if (gap_valid[k]) return;
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+    if (!problem.op.block[2][c].empty())
+      sum += dot(problem.op.block[2][c].row(i), lambda[c].data(), problem.nodes);
+  image[2][k] = sum;
+  gap_valid[k] = 1;
+}
+
+void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
+  const std::int64_t n = problem.nodes;
+  const auto size = static_cast<std::size_t>(n);
+  problem.rn.assign(size, 0.0);
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!problem.used[k]) continue;
+    problem.rn[k] = normal_factor / std::abs(problem.op.block[2][2].row(i)[i]);
+  }
+  problem.rt.assign(size, 0.0);
+  if (!problem.op.tangential) return;
+  double mean = 0;
+  std::int64_t counted = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!problem.used[k]) continue;
+    double norm = 0;
+    for (int r = 0; r < 2; ++r)
+      norm = std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n),
+                                       norm2(problem.op.block[r][1].row(i), n)));
+    if (norm > 0) {
+      problem.rt[k] = tangential_factor / norm;
+      mean += problem.rt[k];
+      ++counted;
+    }
+  }
+  mean = counted > 0 ? mean / static_cast<double>(counted) : 1;
+  for (std::size_t k = 0; k < size; ++k)
+    if (problem.used[k] && problem.rt[k] == 0) problem.rt[k] = mean;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,222 @@
+#include "contact/reduced_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollcon {
+
+void ReducedSystem::gather(const Problem& problem, Part part,
+                           std::span<const std::int32_t> active, bool changed) {
+  const bool same = !changed && part == part_ && active.size() == nodes_.size() &&
+                    std::equal(active.begin(), active.end(), nodes_.begin());
+  if (!same) {
+    part_ = part;
+    nodes_.assign(active.begin(), active.end());
+    count_ = 0;
+    if (tangential()) component_[static_cast<std::size_t>(count_++)] = 0, component_[static_cast<std::size_t>(count_++)] = 1;
+    if (normal()) component_[static_cast<std::size_t>(count_++)] = 2;
+    const auto na = static_cast<std::int64_t>(nodes_.size());
+    const std::int64_t rows = count_ * na;
+    if (matrix_.bytes() < static_cast<std::size_t>(rows * rows) * sizeof(double))
+      matrix_.reserve(rows + rows / 10, rows + rows / 10);
+    matrix_.resize(rows, rows);
+    product_.resize(static_cast<std::size_t>(rows));
+    law_.resize(nodes_.size());
+    rn_.resize(nodes_.size());
+    rt_.resize(nodes_.size());
+    for (std::size_t a = 0; a < nodes_.size(); ++a) {
+      const auto i = static_cast<std::size_t>(nodes_[a]);
+      rn_[a] = problem.rn[i];
+      rt_[a] = problem.rt.empty() ? 0 : problem.rt[i];
+    }
+    for (int r = 0; r < count_; ++r)
+      for (std::int64_t a = 0; a < na; ++a) {
+        const int row = component(r);
+        const double scale = row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
+        double* out = matrix_.row(r * na + a);
+        for (int c = 0; c < count_; ++c, out += na) {
+          const RowMatrix<double>& block = problem.op.block[row][component(c)];
+          if (block.empty()) {
+            std::fill(out, out + na, 0.0);
+            continue;
+          }
+          const double* from = block.row(nodes_[static_cast<std::size_t>(a)]);
+          for (std::int64_t j = 0; j < na; ++j) out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
+        }
+      }
+  }
+  gather_borders(problem);
+}
+
+void ReducedSystem::gather_borders(const Problem& problem) {
+  borders_ = 0;
+  if (tangential())
+    for (const int m : {xi1, xi2, spin})
+      if (problem.by_force[static_cast<std::size_t>(m)]) add_border(problem, m);
+  if (normal() && problem.by_force[approach]) add_border(problem, approach);
+  size_ = count_ * active() + borders_;
+}
+
+void ReducedSystem::add_border(const Problem& problem, int m) {
+  Border& border = border_[static_cast<std::size_t>(borders_++)];
+  const std::size_t na = nodes_.size();
+  border.motion = m;
+  for (int c = 0; c < 3; ++c) border.column[c].clear(), border.row[c].clear();
+  double mean = 0, area = 0;
+  for (std::size_t a = 0; a < na; ++a) {
+    mean += m == approach ? rn_[a] : rt_[a];
+    area += std::abs(problem.weight[static_cast<std::size_t>(nodes_[a])]);
+  }
+  mean = na > 0 ? mean / static_cast<double>(na) : 1;
+  border.scale = m == spin ? mean * problem.length : mean;
+  const double unit = m == spin ? area * problem.length : area;
+  border.right = (m == approach ? -problem.value[approach] : problem.value[static_cast<std::size_t>(m)]) / unit;
+  const auto put = [&](int c, auto column, auto row) {
+    border.column[c].resize(na);
+    border.row[c].resize(na);
+    for (std::size_t a = 0; a < na; ++a) {
+      const auto i = static_cast<std::size_t>(nodes_[a]);
+      border.column[c][a] = column(a, i) / border.scale;
+      border.row[c][a] = row(i) / unit;
+    }
+  };
+  const auto weight = [&](std::size_t i) { return problem.weight[i]; };
+  const auto rt = [&](std::size_t a, std::size_t) { return rt_[a]; };
+  switch (m) {
+    case xi1: put(0, rt, weight); break;
+    case xi2: put(1, rt, weight); break;
+    case approach: put(2, [&](std::size_t a, std::size_t) { return rn_[a]; }, weight); break;
+    default:
+      put(0, [&](std::size_t a, std::size_t i) { return -rt_[a] * problem.op.slip_y[i]; },
+          [&](std::size_t i) { return -problem.moment_y[i]; });
+      put(1, [&](std::size_t a, std::size_t i) { return rt_[a] * problem.op.slip_x[i]; },
+          [&](std::size_t i) { return problem.moment_x[i]; });
+  }
+}
+
+void ReducedSystem::right_side(const Problem&, std::span<const double> known_gap,
+                               std::span<const double> known_slip1,
+                               std::span<const double> known_slip2,
+                               std::vector<double>& b) const {
+  const std::size_t na = nodes_.size();
+  b.resize(static_cast<std::size_t>(size_));
+  if (tangential())
+    for (std::size_t a = 0; a < na; ++a) {
+      const TangentialLaw& law = law_[a];
+      const double s1 = rt_[a] * known_slip1[a], s2 = rt_[a] * known_slip2[a];
+      b[a] = law.constant[0] - law.slip[0][0] * s1 - law.slip[0][1] * s2;
+      b[na + a] = law.constant[1] - law.slip[1][0] * s1 - law.slip[1][1] * s2;
+    }
+  if (normal()) {
+    const std::size_t first = static_cast<std::size_t>(count_ - 1) * na;
+    for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * known_gap[a];
+  }
+  for (int k = 0; k < borders_; ++k)
+    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] = border_[static_cast<std::size_t>(k)].right;
+}
+
+void ReducedSystem::apply(const double* x, double* y) {
+  const std::size_t na = nodes_.size();
+  const std::int64_t rows = matrix_.rows();
+  multiply(matrix_.data(), rows, rows, x, 0, product_.data());
+  std::copy(product_.begin(), product_.begin() + rows, y);
+  const double* motion = x + rows;
+  for (int k = 0; k < borders_; ++k) {
+    const Border& border = border_[static_cast<std::size_t>(k)];
+    double sum = 0;
+    for (int c = 0; c < count_; ++c) {
+      const auto& column = border.column[component(c)];
+      if (column.empty()) continue;
+      const auto& row = border.row[component(c)];
+      const std::size_t first = static_cast<std::size_t>(c) * na;
+      for (std::size_t a = 0; a < na; ++a) {
+        y[first + a] += column[a] * motion[k];
+        sum += row[a] * x[first + a];
+      }
+    }
+    y[rows + k] = sum;
+  }
+  if (!tangential()) return;
+  const bool full = normal();
+  for (std::size_t a = 0; a < na; ++a) {
+    const TangentialLaw& law = law_[a];
+    const double s1 = y[a], s2 = y[na + a];
+    const double l1 = x[a], l2 = x[na + a], ln = full ? x[2 * na + a] : 0;
+    y[a] = law.own[0][0] * l1 + law.own[0][1] * l2 + law.own[0][2] * ln + law.slip[0][0] * s1 +
+           law.slip[0][1] * s2;
+    y[na + a] = law.own[1][0] * l1 + law.own[1][1] * l2 + law.own[1][2] * ln +
+                law.slip[1][0] * s1 + law.slip[1][1] * s2;
+  }
+}
+
+template <class T>
+void ReducedSystem::dense(T* out) const {
+  const std::int64_t na = active(), rows = matrix_.rows(), n = size_;
+  const auto border_entry = [&](const Border& border, int c, std::int64_t a) {
+    const auto& column = border.column[c];
+    return column.empty() ? 0.0 : column[static_cast<std::size_t>(a)];
+  };
+  std::int64_t first = 0;
+  if (tangential()) {
+    first = 2;
+    for (std::int64_t a = 0; a < na; ++a) {
+      const TangentialLaw& law = law_[static_cast<std::size_t>(a)];
+      const double *m1 = matrix_.row(a), *m2 = matrix_.row(na + a);
+      for (int i = 0; i < 2; ++i) {
+        T* row = out + (i * na + a) * n;
+        const double q1 = law.slip[i][0], q2 = law.slip[i][1];
+        for (std::int64_t j = 0; j < rows; ++j) row[j] = static_cast<T>(q1 * m1[j] + q2 * m2[j]);
+        for (int c = 0; c < count_; ++c)
+          row[c * na + a] += static_cast<T>(law.own[i][component(c)]);
+        for (int k = 0; k < borders_; ++k) {
+          const Border& border = border_[static_cast<std::size_t>(k)];
+          row[rows + k] = static_cast<T>(q1 * border_entry(border, 0, a) + q2 * border_entry(border, 1, a));
+        }
+      }
+    }
+  }
+  if (normal())
+    for (std::int64_t a = 0; a < na; ++a) {
+      T* row = out + (first * na + a) * n;
+      const double* m = matrix_.row(first * na + a);
+      for (std::int64_t j = 0; j < rows; ++j) row[j] = static_cast<T>(m[j]);
+      for (int k = 0; k < borders_; ++k)
+        row[rows + k] = static_cast<T>(border_entry(border_[static_cast<std::size_t>(k)], 2, a));
+    }
+  for (int k = 0; k < borders_; ++k) {
+    T* row = out + (rows + k) * n;
+    std::fill(row, row + n, T{0});
+    for (int c = 0; c < count_; ++c) {
+      const auto& values = border_[static_cast<std::size_t>(k)].row[component(c)];
+      for (std::size_t a = 0; a < values.size(); ++a)
+        row[c * na + static_cast<std::int64_t>(a)] = static_cast<T>(values[a]);
+    }
+  }
+}
+
+template void ReducedSystem::dense<double>(double*) const;
+template void ReducedSystem::dense<float>(float*) const;
+
+void ReducedSystem::start(const std::vector<double> (&lambda)[3],
+                          const std::array<double, 4>& motion, std::vector<double>& x) const {
+  const std::size_t na = nodes_.size();
+  x.resize(static_cast<std::size_t>(size_));
+  for (int r = 0; r < count_; ++r)
+    for (std::size_t a = 0; a < na; ++a)
+      x[static_cast<std::size_t>(r) * na + a] =
+          lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
+  for (int k = 0; k < borders_; ++k) {
+    const Border& border = border_[static_cast<std::size_t>(k)];
+    x[static_cast<std::size_t>(matrix_.rows() + k)] =
+        motion[static_cast<std::size_t>(border.motion)] * border.scale;
+  }
+}
+
+double ReducedSystem::motion(const Problem& problem, int m, const double* x) const {
+  for (int k = 0; k < borders_; ++k)
+    if (border_[static_cast<std::size_t>(k)].motion == m)
+      return x[matrix_.rows() + k] / border_[static_cast<std::size_t>(k)].scale;
+  return problem.value[static_cast<std::size_t>(m)];
+}
+
+}  // namespace rollcon

@@ -1,0 +1,82 @@
+#pragma once
+/// The linear system of one Newton step on the nodes in contact: unknown tractions of the active
+/// components, then the unknown motions (bordering), all in units of traction.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "contact/friction/coulomb.hpp"
+#include "contact/problem.hpp"
+#include "linalg/gmres.hpp"
+
+namespace rollcon {
+
+/// Which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
+enum class Part : std::int32_t { normal = 2, tangential = 3, full = 4 };
+
+class ReducedSystem final : public LinearOperator {
+ public:
+  /// Copies the rows and columns of the active nodes, scaled by rn and rt; keeps the storage.
+  /// Nothing is copied when part and nodes are those of the last call and `changed` is false.
+  void gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
+              bool changed);
+
+  /// Linearised law of active node a; to be set for all before use when tangential.
+  TangentialLaw& law(std::int64_t a) { return law_[static_cast<std::size_t>(a)]; }
+
+  /// Right side: gap (normal) and minus slip (tangential) that do not depend on the unknowns.
+  /// known_gap[a], known_slip1[a], known_slip2[a] are per active node, unscaled.
+  void right_side(const Problem& problem, std::span<const double> known_gap,
+                  std::span<const double> known_slip1, std::span<const double> known_slip2,
+                  std::vector<double>& b) const;
+
+  void apply(const double* x, double* y) override;
+  /// Row-major dense matrix of the whole system.
+  template <class T>
+  void dense(T* out) const;
+
+  /// Scaled operator rows times the tractions of the last apply().
+  std::span<const double> product() const { return product_; }
+  /// Unknowns that correspond to given tractions and motions.
+  void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
+             std::vector<double>& x) const;
+  /// Value of the unknown motion m, if it is one, in physical units; else the given value.
+  double motion(const Problem& problem, int m, const double* x) const;
+
+  Part part() const { return part_; }
+  std::int64_t size() const { return size_; }
+  std::int64_t active() const { return static_cast<std::int64_t>(nodes_.size()); }
+  std::span<const std::int32_t> nodes() const { return nodes_; }
+  int components() const { return count_; }
+  int component(int k) const { return component_[static_cast<std::size_t>(k)]; }
+  std::size_t bytes() const { return matrix_.bytes(); }
+
+ private:
+  struct Border {
+    int motion = 0;
+    double scale = 1;              ///< unknown = motion times scale, a traction
+    std::vector<double> column[3]; ///< by component, scaled like the rows; empty: zero
+    std::vector<double> row[3];
+    double right = 0;
+  };
+  void gather_borders(const Problem& problem);
+  void add_border(const Problem& problem, int motion);
+  bool tangential() const { return part_ != Part::normal; }
+  bool normal() const { return part_ != Part::tangential; }
+
+  Part part_ = Part::normal;
+  int count_ = 0;
+  std::array<int, 3> component_{};
+  std::vector<std::int32_t> nodes_;
+  std::int64_t size_ = 0;
+  RowMatrix<double> matrix_;
+  std::vector<TangentialLaw> law_;
+  std::vector<double> product_;
+  std::vector<double> rn_, rt_;
+  std::array<Border, 4> border_;
+  int borders_ = 0;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,72 @@
+#pragma once
+/// What one contact keeps between calls: caches keyed by the scene's revisions, the solution, and
+/// statistics.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "contact/newton.hpp"
+#include "contact/problem.hpp"
+
+namespace rollcon {
+
+struct Timings {
+  double compliance = 0, convection = 0, newton = 0, linear = 0, total = 0;
+};
+
+struct SolverState {
+  // Built from the scene; each part remembers the revisions it was built from.
+  Frame frame;
+  std::int64_t mesh_revision = -1, axes_revision = -1;
+  std::unique_ptr<Compliance> compliance;           ///< of the pair
+  std::unique_ptr<Compliance> body_compliance[2];   ///< made when displacements are asked for
+  double accuracy = 0;
+  std::optional<Scheme> scheme;
+  double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;
+  std::int64_t gap_revision = -1, kinematics_revision = -1, friction_revision = -1;
+  bool frictionless = false;
+  bool inflow_masked = false;
+
+  Problem problem;
+  Iterate iterate;
+  Newton newton;
+
+  // The last solve.
+  bool solved = false;
+  bool warm_usable = false;
+  Outcome outcome = Outcome::not_converged;
+  double speed = 1;
+  NewtonReport report;
+  Timings timings;
+  std::vector<double> history;  ///< rows of 8
+  std::int64_t assemblies = 0;
+  std::int64_t linear_iterations = 0, factorizations = 0;  ///< of the last solve
+
+  // Computed when asked for.
+  bool derived = false;
+  std::vector<double> slip[2];  ///< slip velocity
+  std::vector<double> gap;      ///< deformed gap
+  std::vector<std::int32_t> status;
+  bool laws_checked = false;
+  std::array<double, 4> laws{};  ///< normal, friction, slip, equilibrium
+
+  std::size_t bytes() const;
+};
+
+/// Brings everything that depends on the scene up to date; only what changed is done again.
+void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
+
+/// Fills slip, gap and status of the last solution.
+void derive_fields(SolverState& state);
+
+/// Recomputes the residuals of every law from matrix-free displacements, independently of the
+/// solver's operators: complementarity, friction bound, slip direction, loads; each relative.
+void check_laws(SolverState& state);
+
+std::string describe_plan(const SolverState& state, const Body& body1, const Body& body2);
+
+}  // namespace rollcon

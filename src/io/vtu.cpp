@@ -1,0 +1,176 @@
+#include "io/vtu.hpp"
+
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+/// VTK's cell types; its node order is that of ElementType.
+int vtk_type(ElementType type) {
+  switch (type) {
+    case ElementType::tri3:
+      return 5;
+    case ElementType::tri6:
+      return 22;
+    case ElementType::quad4:
+      return 9;
+    case ElementType::quad8:
+      return 23;
+    case ElementType::quad9:
+      return 28;
+  }
+  return 0;
+}
+
+class Text {
+ public:
+  Text& operator<<(const char* s) {
+    text_ += s;
+    return *this;
+  }
+  template <class Number>
+  void number(Number value, char separator) {
+    char digits[40];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    text_.append(digits, end);
+    text_ += separator;
+  }
+  /// An attribute's value with the characters that XML reserves replaced.
+  Text& quoted(const std::string& value) {
+    text_ += '"';
+    for (char c : value) {
+      switch (c) {
+        case '&':
+          text_ += "&amp;";
+          break;
+        case '<':
+          text_ += "&lt;";
+          break;
+        case '>':
+          text_ += "&gt;";
+          break;
+        case '"':
+          text_ += "&quot;";
+          break;
+        default:
+          text_ += c;
+      }
+    }
+    text_ += '"';
+    return *this;
+  }
+  const std::string& str() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+void open_array(Text& out, const char* type, const std::string& name, int components) {
+  out << "<DataArray type=\"" << type << "\" Name=";
+  out.quoted(name) << " NumberOfComponents=\"";
+  out.number(components, '"');
+  out << " format=\"ascii\">\n";
+}
+
+template <class Number>
+void write_rows(Text& out, const Number* values, std::int64_t rows, int components) {
+  for (std::int64_t k = 0; k < rows; ++k)
+    for (int i = 0; i < components; ++i)
+      out.number(values[k * components + i], i + 1 == components ? '\n' : ' ');
+  out << "</DataArray>\n";
+}
+
+void check_finite(const PointArray& array, const FrameMesh& mesh) {
+  for (std::int64_t k = 0; k < mesh.nodes() * array.components; ++k)
+    if (!std::isfinite(array.real[k]))
+      fail(Status::err_nonfinite, "array '%s' is not finite at node %lld", array.name.c_str(),
+           static_cast<long long>(k / array.components + mesh.index_base));
+}
+
+void write_cells(Text& out, const FrameMesh& mesh) {
+  out << "<Cells>\n";
+  open_array(out, "Int32", "connectivity", 1);
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const auto nodes = mesh.element(e);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      out.number(nodes[i], i + 1 == nodes.size() ? '\n' : ' ');
+  }
+  out << "</DataArray>\n";
+  open_array(out, "Int64", "offsets", 1);
+  std::int64_t end = 0;
+  for (ElementType type : mesh.type) out.number(end += node_count(type), '\n');
+  out << "</DataArray>\n";
+  open_array(out, "UInt8", "types", 1);
+  for (ElementType type : mesh.type) out.number(vtk_type(type), '\n');
+  out << "</DataArray>\n</Cells>\n";
+}
+
+std::string file_text(const FrameMesh& mesh, std::span<const PointArray> arrays) {
+  Text out;
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
+         "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"";
+  out.number(mesh.nodes(), '"');
+  out << " NumberOfCells=\"";
+  out.number(mesh.elements(), '"');
+  out << ">\n<Points>\n";
+  open_array(out, "Float64", "points", 3);
+  for (const Vec3& x : mesh.node) {
+    out.number(x[0], ' ');
+    out.number(x[1], ' ');
+    out.number(x[2], '\n');
+  }
+  out << "</DataArray>\n</Points>\n";
+  write_cells(out, mesh);
+  out << "<PointData>\n";
+  for (const PointArray& array : arrays) {
+    open_array(out, array.real ? "Float64" : "Int32", array.name, array.components);
+    if (array.real)
+      write_rows(out, array.real, mesh.nodes(), array.components);
+    else
+      write_rows(out, array.integer, mesh.nodes(), array.components);
+  }
+  out << "</PointData>\n<CellData>\n";
+  open_array(out, "Int32", "tag", 1);
+  write_rows(out, mesh.tag.data(), mesh.elements(), 1);
+  out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+  return out.str();
+}
+
+[[noreturn]] void fail_io(const std::string& path, int error) {
+  fail(Status::err_io, "cannot write '%s': %s", path.c_str(),
+       std::generic_category().message(error).c_str());
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const FrameMesh& mesh, std::span<const PointArray> arrays) {
+  for (const PointArray& array : arrays)
+    if (array.real) check_finite(array, mesh);
+  const std::string text = file_text(mesh, arrays);
+  const std::string part = path + ".part";
+  std::FILE* file = std::fopen(part.c_str(), "wb");
+  if (!file) fail_io(path, errno);
+  errno = 0;
+  bool good = std::fwrite(text.data(), 1, text.size(), file) == text.size();
+  int error = errno;
+  // Closing writes what is buffered: a full disk may only show here.
+  if (std::fclose(file) != 0 && good) good = false, error = errno;
+  if (good) {
+    std::error_code renamed;
+    std::filesystem::rename(part, path, renamed);
+    if (!renamed) return;
+    error = renamed.value();
+  }
+  std::remove(part.c_str());
+  fail_io(path, error);
+}
+
+}  // namespace rollcon

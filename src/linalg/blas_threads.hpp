@@ -1,0 +1,15 @@
+#pragma once
+/// Keeps the BLAS within a thread budget for the length of a scope, and puts the host's own setting
+/// back.
+
+namespace rollcon {
+
+class BlasThreads {
+ public:
+  explicit BlasThreads(int threads);
+  ~BlasThreads();
+  BlasThreads(const BlasThreads&) = delete;
+  BlasThreads& operator=(const BlasThreads&) = delete;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,17 @@
+#pragma once
+/// The few BLAS and LAPACK routines that rollcon calls, through their Fortran symbols.
+
+extern "C" {
+void dgetrf_(const int* m, const int* n, double* a, const int* lda, int* ipiv, int* info);
+void sgetrf_(const int* m, const int* n, float* a, const int* lda, int* ipiv, int* info);
+void dgetrs_(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda,
+             const int* ipiv, double* b, const int* ldb, int* info);
+void sgetrs_(const char* trans, const int* n, const int* nrhs, const float* a, const int* lda,
+             const int* ipiv, float* b, const int* ldb, int* info);
+void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* a,
+            const int* lda, const double* x, const int* incx, const double* beta, double* y,
+            const int* incy);
+double ddot_(const int* n, const double* x, const int* incx, const double* y, const int* incy);
+void daxpy_(const int* n, const double* alpha, const double* x, const int* incx, double* y,
+            const int* incy);
+}

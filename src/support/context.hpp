@@ -1,0 +1,36 @@
+#pragma once
+/// What a context owns: log sink, thread budget, text of the last failure.
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+namespace rollcon {
+
+enum class LogLevel : std::int32_t { error = 1, warning = 2, info = 3, debug = 4 };
+
+class Context {
+ public:
+  using LogFunction = void (*)(std::int32_t level, const char* message, void* user);
+
+  void set_log(std::int32_t max_level, LogFunction function, void* user);
+  /// Calls the sink, in the floating-point environment of the host, if the level is wanted.
+  void log(LogLevel level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
+
+  void set_threads(std::int32_t n);
+  /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region.
+  int threads() const;
+
+  void set_error(std::string text);
+  std::string error() const;
+
+ private:
+  mutable std::mutex mutex_;
+  std::string error_;
+  LogFunction log_ = nullptr;
+  void* log_user_ = nullptr;
+  std::int32_t log_level_ = 0;
+  std::int32_t threads_ = 0;
+};
+
+}  // namespace rollcon

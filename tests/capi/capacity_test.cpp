@@ -1,0 +1,144 @@
+/// Results into the caller's arrays: asking for the need, too small capacities, exact ones.
+
+#include <cstring>
+#include <functional>
+
+#include "fixture.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+using TextGetter = std::function<std::int32_t(std::int64_t, char*, std::int64_t*)>;
+
+void check_text_getter(const char* name, const TextGetter& get) {
+  SCOPED_TRACE(name);
+  std::int64_t needed = -1;
+  ASSERT_EQ(get(0, nullptr, &needed), ROLLCON_OK);
+  ASSERT_GE(needed, 2);
+  EXPECT_EQ(get(0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(get(-1, nullptr, &needed), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(get(needed, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
+
+  std::vector<char> text(static_cast<std::size_t>(needed) + 1, '#');
+  std::int64_t again = -1;
+  EXPECT_EQ(get(needed - 1, text.data(), &again), ROLLCON_ERR_CAPACITY);
+  EXPECT_EQ(again, needed);
+  EXPECT_EQ(std::string(text.begin(), text.end()), std::string(text.size(), '#'));
+  EXPECT_EQ(get(1, text.data(), nullptr), ROLLCON_ERR_CAPACITY);
+
+  again = -1;
+  EXPECT_EQ(get(needed, text.data(), &again), ROLLCON_OK);
+  EXPECT_EQ(again, needed);
+  EXPECT_EQ(std::strlen(text.data()), static_cast<std::size_t>(needed) - 1);
+  EXPECT_EQ(text.back(), '#');
+}
+
+}  // namespace
+
+class capacity : public Api {
+ protected:
+  void SetUp() override {
+    Api::SetUp();
+    set_scene();
+    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  }
+};
+
+TEST_F(capacity, texts) {
+  check_text_getter("option_doc", [](auto n, auto* text, auto* needed) {
+    return rollcon_option_doc(0, n, text, needed);
+  });
+  check_text_getter("stat_name", [](auto n, auto* text, auto* needed) {
+    return rollcon_stat_name(0, n, text, needed);
+  });
+  check_text_getter("get_str", [&](auto n, auto* text, auto* needed) {
+    return rollcon_contact_get_str(contact, "convection", n, text, needed);
+  });
+  check_text_getter("get_plan", [&](auto n, auto* text, auto* needed) {
+    return rollcon_contact_get_plan(contact, n, text, needed);
+  });
+  ASSERT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  check_text_getter("get_error", [&](auto n, auto* text, auto* needed) {
+    return rollcon_context_get_error(context, n, text, needed);
+  });
+  EXPECT_EQ(error().substr(0, 27), "rollcon_contact_set_rolling") << "kept by failures to read it";
+}
+
+TEST_F(capacity, no_failure_no_text) {
+  std::int64_t needed = 0;
+  char text[4] = "###";
+  ASSERT_EQ(rollcon_context_get_error(context, 4, text, &needed), ROLLCON_OK);
+  EXPECT_EQ(needed, 1);
+  EXPECT_STREQ(text, "");
+}
+
+TEST_F(capacity, fields) {
+  for (std::int32_t field = ROLLCON_FIELD_POINT; field <= ROLLCON_FIELD_WEIGHT; ++field) {
+    for (const std::int32_t axes : {ROLLCON_LOCAL, ROLLCON_GLOBAL}) {
+      SCOPED_TRACE(field);
+      const bool slip = field == ROLLCON_FIELD_SLIP || field == ROLLCON_FIELD_RIGID_SLIP;
+      const bool vector = field == ROLLCON_FIELD_POINT || field == ROLLCON_FIELD_TRACTION ||
+                          field == ROLLCON_FIELD_DISPLACEMENT1 ||
+                          field == ROLLCON_FIELD_DISPLACEMENT2;
+      const std::int64_t values = vector ? 3 : slip ? (axes == ROLLCON_LOCAL ? 2 : 3) : 1;
+      std::int64_t n = 0;
+      ASSERT_EQ(rollcon_contact_get_field(contact, field, axes, 0, nullptr, &n), ROLLCON_OK);
+      EXPECT_EQ(n, values * frame.nodes);
+      std::vector<double> v(static_cast<std::size_t>(n) + 1, -777);
+      std::int64_t again = 0;
+      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n - 1, v.data(), &again),
+                ROLLCON_ERR_CAPACITY);
+      EXPECT_EQ(again, n);
+      EXPECT_EQ(v, std::vector<double>(v.size(), -777));
+      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n, v.data(), nullptr), ROLLCON_OK);
+      EXPECT_EQ(v.back(), -777);
+      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n, nullptr, nullptr),
+                ROLLCON_ERR_ARGUMENT);
+    }
+  }
+}
+
+TEST_F(capacity, tractions_status_and_history) {
+  std::vector<double> t(static_cast<std::size_t>(3 * frame.nodes) + 1, -777);
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes - 1, t.data()),
+               ROLLCON_ERR_CAPACITY, "169");
+  EXPECT_EQ(t, std::vector<double>(t.size(), -777));
+  EXPECT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, t.data()),
+            ROLLCON_OK);
+  EXPECT_EQ(t.back(), -777);
+  std::vector<std::int32_t> s(static_cast<std::size_t>(frame.nodes) + 1, -777);
+  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes - 1, s.data()), ROLLCON_ERR_CAPACITY,
+               "169");
+  EXPECT_EQ(rollcon_contact_get_status(contact, frame.nodes, s.data()), ROLLCON_OK);
+  EXPECT_EQ(s.back(), -777);
+
+  std::int64_t rows = 0, again = 0;
+  ASSERT_EQ(rollcon_contact_get_history(contact, 0, nullptr, &rows), ROLLCON_OK);
+  ASSERT_GE(rows, 2);
+  std::vector<double> history(static_cast<std::size_t>(8 * rows) + 1, -777);
+  EXPECT_EQ(rollcon_contact_get_history(contact, rows - 1, history.data(), &again),
+            ROLLCON_ERR_CAPACITY);
+  EXPECT_EQ(again, rows);
+  EXPECT_EQ(rollcon_contact_get_history(contact, rows, history.data(), nullptr), ROLLCON_OK);
+  EXPECT_EQ(history.back(), -777);
+}
+
+TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {
+  EXPECT_EQ(rollcon_contact_get_size(contact, nullptr, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_motion(contact, nullptr, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, nullptr, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_displacements_at(contact, 1, 0, nullptr, nullptr), ROLLCON_OK);
+}
+
+TEST_F(capacity, every_statistic_has_a_value) {
+  for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
+    char name[64];
+    double value = 0;
+    ASSERT_EQ(rollcon_stat_name(i, sizeof name, name, nullptr), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_stat(contact, name, &value), ROLLCON_OK) << name;
+  }
+  char name[64];
+  for (const std::int32_t i : {-1, rollcon_stat_count()})
+    EXPECT_EQ(rollcon_stat_name(i, sizeof name, name, nullptr), ROLLCON_ERR_ARGUMENT);
+}

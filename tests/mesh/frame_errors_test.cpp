@@ -1,0 +1,234 @@
+/// Every way in which a frame can be wrong, with the words that the caller reads.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "mesh/frame.hpp"
+#include "support/error.hpp"
+#include "support/frames.hpp"
+
+namespace rollcon {
+namespace {
+
+void expect_refused(FrameMesh mesh, const std::string& words, Status status = Status::err_mesh,
+                    const Axes& axes = {}) {
+  try {
+    build_frame(std::move(mesh), axes);
+    ADD_FAILURE() << "accepted; expected: " << words;
+  } catch (const Error& error) {
+    std::printf("%s\n", error.what());
+    EXPECT_EQ(error.status(), status);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos)
+        << "said: " << error.what() << "\nexpected: " << words;
+  }
+}
+
+FrameMesh grid(ElementType type, int n = 3) {
+  const auto u = frames::uniform_lines(0, n, n);
+  return frames::rectangle(type, u, u);
+}
+
+void repeat_element(FrameMesh& mesh, std::size_t e) {
+  const auto nodes = mesh.element(static_cast<std::int64_t>(e));
+  const std::vector<std::int32_t> copy(nodes.begin(), nodes.end());
+  mesh.connectivity.insert(mesh.connectivity.end(), copy.begin(), copy.end());
+  mesh.type.push_back(mesh.type[e]);
+  mesh.tag.push_back(0);
+  mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+}
+
+TEST(FrameErrors, NoElements) {
+  FrameMesh mesh;
+  mesh.node = {{0, 0, 0}};
+  mesh.offset = {0};
+  expect_refused(mesh, "no elements");
+}
+
+TEST(FrameErrors, NodeOutOfRange) {
+  FrameMesh mesh = grid(ElementType::quad4);
+  mesh.connectivity[5] = 99;
+  mesh.index_base = 1;
+  expect_refused(mesh, "first: element 2 (quad4), node 100 of 1..16");
+}
+
+TEST(FrameErrors, RepeatedNode) {
+  FrameMesh mesh = grid(ElementType::quad4);
+  mesh.connectivity[6] = mesh.connectivity[5];
+  mesh.index_base = 1;
+  expect_refused(
+      mesh, "repeated within an element; 1 such in the frame; first: element 2 (quad4), node 3");
+}
+
+TEST(FrameErrors, SameElementTwice) {
+  FrameMesh mesh = grid(ElementType::tri6);
+  repeat_element(mesh, 3);
+  expect_refused(mesh,
+                 "same element is given twice; 1 such in the frame; first: elements 3 and 18");
+}
+
+TEST(FrameErrors, EdgeOfThreeElements) {
+  FrameMesh mesh = grid(ElementType::quad4, 1);
+  mesh.node.push_back({0.5, 3, 0});
+  mesh.node.push_back({0.5, 4, 0});
+  mesh.connectivity = {0, 1, 3, 2, 2, 3, 4, 2, 3, 5};
+  mesh.type = {ElementType::quad4, ElementType::tri3, ElementType::tri3};
+  mesh.tag = {0, 0, 0};
+  mesh.offset = {0, 4, 7, 10};
+  expect_refused(mesh,
+                 "more than two elements share an edge; 1 such in the frame; first: edge 2-3");
+}
+
+TEST(FrameErrors, TwoElementsOnTheSameSide) {
+  FrameMesh mesh;
+  mesh.node = {{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {0.8, 1, 0}};
+  mesh.connectivity = {0, 1, 2, 0, 1, 3};
+  mesh.offset = {0, 3, 6};
+  mesh.type = {ElementType::tri3, ElementType::tri3};
+  mesh.tag = {0, 0};
+  expect_refused(mesh, "same side of their common edge");
+}
+
+TEST(FrameErrors, DifferentMidsideNodes) {
+  FrameMesh mesh = grid(ElementType::quad8, 2);
+  // Element 1 gets its own node on the edge it shares with element 0.
+  const std::int32_t shared = mesh.element(0)[5];
+  ASSERT_EQ(mesh.element(1)[7], shared);
+  mesh.node.push_back(mesh.node[static_cast<std::size_t>(shared)]);
+  mesh.connectivity[15] = static_cast<std::int32_t>(mesh.node.size()) - 1;
+  expect_refused(mesh, "share an edge but not its midside node; 1 such");
+}
+
+TEST(FrameErrors, CoincidentNodes) {
+  FrameMesh mesh = grid(ElementType::tri3);
+  mesh.node[5] = mesh.node[6];
+  expect_refused(mesh, "two of its nodes coincide");
+}
+
+TEST(FrameErrors, VanishingJacobian) {
+  FrameMesh mesh;
+  mesh.node = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  mesh.connectivity = {0, 1, 2};
+  mesh.offset = {0, 3};
+  mesh.type = {ElementType::tri3};
+  mesh.tag = {0};
+  expect_refused(mesh, "its Jacobian vanishes");
+}
+
+TEST(FrameErrors, ReentrantCorner) {
+  FrameMesh mesh = grid(ElementType::quad4, 1);
+  mesh.node[3] = {0.3, 0.3, 0};
+  expect_refused(mesh, "its Jacobian changes sign; 1 such in the frame; first: element 0 (quad4)");
+}
+
+TEST(FrameErrors, QuadraticElementNearFolding) {
+  // A midside node on an edge of length 1 folds the element when it moves to a quarter; just
+  // before, the element is sound.
+  for (ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
+    for (double at : {0.27, 0.24}) {
+      FrameMesh mesh = grid(type, 1);
+      const auto n = mesh.element(0);
+      const auto corners = static_cast<std::size_t>(corner_count(type));
+      const Vec3 a = mesh.node[static_cast<std::size_t>(n[0])];
+      const Vec3 b = mesh.node[static_cast<std::size_t>(n[1])];
+      mesh.node[static_cast<std::size_t>(n[corners])] = {a[0] + at * (b[0] - a[0]),
+                                                         a[1] + at * (b[1] - a[1]), 0};
+      if (at > 0.25)
+        EXPECT_NO_THROW(build_frame(mesh, Axes{}));
+      else
+        expect_refused(mesh, "its Jacobian changes sign");
+    }
+  }
+}
+
+TEST(FrameErrors, CentreAgainstASide) {
+  // All sides straight and sound; only the centre of the quad9 is pushed against one of them.
+  FrameMesh mesh = grid(ElementType::quad9, 1);
+  mesh.node[8] = {0.5, 0.98, 0};
+  expect_refused(mesh, "its Jacobian changes sign");
+}
+
+TEST(FrameErrors, FlippedElement) {
+  FrameMesh mesh = grid(ElementType::quad4);
+  std::swap(mesh.connectivity[9], mesh.connectivity[11]);
+  mesh.index_base = 1;
+  expect_refused(mesh,
+                 "flipped element: clockwise seen from the tip of the normal n; 1 such in the "
+                 "frame; first: element 3");
+}
+
+TEST(FrameErrors, AllElementsFlipped) {
+  Axes down;
+  down.t2 = {0, -1, 0};
+  down.n = {0, 0, -1};
+  expect_refused(grid(ElementType::tri6), "all elements are flipped", Status::err_mesh, down);
+}
+
+TEST(FrameErrors, SteepElement) {
+  auto tilted = [](double degrees) {
+    const double slope = std::tan(degrees * 3.14159265358979 / 180);
+    return frames::transform(grid(ElementType::quad4), [=](const Vec3& p) {
+      return Vec3{p[0], p[1], slope * p[0]};
+    });
+  };
+  EXPECT_NO_THROW(build_frame(tilted(59), Axes{}));
+  expect_refused(tilted(61), "steeper than 60 degrees");
+}
+
+TEST(FrameErrors, VerticalElement) {
+  FrameMesh mesh = frames::transform(grid(ElementType::quad4), [](const Vec3& p) {
+    return Vec3{p[0], 0, p[1]};
+  });
+  expect_refused(mesh, "steeper than 60 degrees");
+}
+
+TEST(FrameErrors, SheetsOverOneAnother) {
+  FrameMesh mesh = grid(ElementType::quad4);
+  const FrameMesh upper = mesh;
+  for (Vec3 p : upper.node) mesh.node.push_back({p[0], p[1], p[2] + 1});
+  for (std::size_t e = 0; e < 9; ++e) {
+    repeat_element(mesh, e);
+    for (std::size_t i = 0; i < 4; ++i) mesh.connectivity[36 + 4 * e + i] += 16;
+  }
+  expect_refused(mesh, "folds over itself");
+}
+
+TEST(FrameErrors, SpiralThatReturnsOverItself) {
+  // A strip of squares wound by more than a turn: locally sound everywhere.
+  const int n = 40;
+  const FrameMesh mesh =
+      frames::transform(frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 7, n),
+                                          frames::uniform_lines(1, 2, 2)),
+                        [](const Vec3& p) {
+                          return Vec3{p[1] * std::sin(p[0]), -p[1] * std::cos(p[0]), 0.1 * p[0]};
+                        });
+  FrameMesh upward = mesh;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e)
+    std::swap(upward.connectivity[static_cast<std::size_t>(4 * e + 1)],
+              upward.connectivity[static_cast<std::size_t>(4 * e + 3)]);
+  expect_refused(upward, "folds over itself");
+}
+
+TEST(FrameErrors, NotFinite) {
+  FrameMesh mesh = grid(ElementType::quad4);
+  mesh.node[7][1] = std::numeric_limits<double>::quiet_NaN();
+  mesh.index_base = 1;
+  expect_refused(mesh, "coordinate 1 of node 8", Status::err_nonfinite);
+}
+
+TEST(FrameErrors, ExtremeSize) {
+  expect_refused(frames::stretch(grid(ElementType::quad4), 1e80, 1e80), "allowed");
+  expect_refused(frames::stretch(grid(ElementType::quad4), 1e-80, 1e-80), "allowed");
+}
+
+TEST(FrameErrors, AxesNotOrthonormal) {
+  Axes axes;
+  axes.t2 = {0.1, 1, 0};
+  expect_refused(grid(ElementType::quad4), "not orthonormal", Status::err_argument, axes);
+}
+
+}  // namespace
+}  // namespace rollcon

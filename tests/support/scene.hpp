@@ -1,0 +1,79 @@
+#pragma once
+/// A pair of half-spaces (or half-space and rigid body) in rolling contact, for tests and benches:
+/// RAII over the public C API and nothing else. Failures (status < 0) throw std::runtime_error
+/// with the library's message.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mesh/frame.hpp"
+#include "rollcon.h"
+#include "support/closed_forms.hpp"
+
+namespace rollcon::scenes {
+
+using closed_forms::Elastic;
+
+/// Results of a solve, in the contact's axes.
+struct Solution {
+  std::int32_t status = 0;
+  std::vector<double> x, y;               ///< node positions
+  std::vector<std::array<double, 3>> traction;  ///< on body 1
+  std::vector<std::array<double, 2>> slip;      ///< of body 1 relative to body 2
+  std::vector<double> pressure, gap, area, weight;
+  std::vector<std::int32_t> state;        ///< ROLLCON_OPEN, ...
+  std::array<double, 3> force{}, moment{}, creep{};
+  double approach = 0;
+
+  std::size_t nodes() const { return x.size(); }
+};
+
+class RollingPair {
+ public:
+  /// No material: rigid.
+  RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads = 1);
+  ~RollingPair();
+  RollingPair(const RollingPair&) = delete;
+  RollingPair& operator=(const RollingPair&) = delete;
+
+  RollingPair& frame(const FrameMesh& mesh);
+  /// Rolling direction at `angle` (radian) to the frame's x axis, normal along z.
+  RollingPair& rolling_at(double angle);
+  RollingPair& gap(const std::vector<double>& h);
+  RollingPair& gap_quadratic(double A, double B, double C = 0);
+  RollingPair& speed(double v);
+  RollingPair& creep(double longitudinal, double lateral, double spin);
+  RollingPair& creep_field(const std::vector<double>& slip_pairs);
+  RollingPair& approach(double value);  ///< normal direction by motion
+  RollingPair& load(double value);      ///< normal direction by force
+  RollingPair& tangential_force(std::int32_t direction, double value);
+  RollingPair& friction(double mu);
+  RollingPair& option(const char* name, const char* value);
+  RollingPair& option(const char* name, double value);
+  RollingPair& option(const char* name, std::int64_t value);
+
+  /// Status >= 0.
+  std::int32_t solve();
+  void reset();
+  Solution solution() const;
+  /// Displacements (three per point) of body 1 or 2 at (x, y) pairs.
+  std::vector<double> displacements_at(int body, const std::vector<double>& xy) const;
+  double stat(const char* name) const;
+
+  rollcon_contact* handle() const { return contact_; }
+
+ private:
+  std::int32_t check(std::int32_t status, const char* what) const;
+  std::vector<double> field(std::int32_t which, std::size_t components) const;
+
+  rollcon_context* context_ = nullptr;
+  rollcon_body* body_[2] = {};
+  rollcon_contact* contact_ = nullptr;
+  std::size_t nodes_ = 0;
+};
+
+}  // namespace rollcon::scenes

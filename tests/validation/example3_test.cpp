@@ -1,0 +1,140 @@
+// The paper's example 3 on its frames: the same creepage on all within their errors, the peak
+// pressure near Hertz's, and every law of contact recomputed from the results.
+
+#include "laws.hpp"
+#include "support/example3.hpp"
+#include "support/graded_disc.hpp"
+#include "upwind_reference.hpp"
+
+namespace rollcon::validation {
+namespace {
+
+namespace example3 = scenes::example3;
+using scenes::graded_disc;
+using scenes::RollingPair;
+using scenes::Solution;
+
+struct Reference {
+  double creepage, p0;
+};
+
+double peak(const Solution& s) { return *std::max_element(s.pressure.begin(), s.pressure.end()); }
+
+/// A fine frame fitted to the contact, characteristic scheme.
+const Reference& reference() {
+  static const Reference value = [] {
+    const double a = example3::hertz().a;
+    auto pair = example3::pair(graded_disc(a, a, 14), "characteristic");
+    EXPECT_EQ(pair->solve(), ROLLCON_OK);
+    const Solution s = pair->solution();
+    return Reference{s.creep[0], peak(s)};
+  }();
+  return value;
+}
+
+std::vector<double> positions(const Solution& s, double shift_x) {
+  std::vector<double> xy;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    xy.push_back(s.x[k] + shift_x);
+    xy.push_back(s.y[k]);
+  }
+  return xy;
+}
+
+/// u1 - u2 at the nodes moved by shift_x; the plane is rigid.
+std::vector<double> displacement(const RollingPair& pair, const Solution& s, double shift_x) {
+  return pair.displacements_at(1, positions(s, shift_x));
+}
+
+/// Largest error of the published gap against h - approach - u_n from displacements at points.
+double gap_error(const RollingPair& pair, const Solution& s) {
+  const auto u = displacement(pair, s, 0);
+  double error = 0;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    const double h = (s.x[k] * s.x[k] + s.y[k] * s.y[k]) / (2 * example3::radius);
+    error = std::max(error, std::abs(h - s.approach - u[3 * k + 2] - s.gap[k]));
+  }
+  return error / s.approach;
+}
+
+/// Largest error of the published slip in contact against c + V D u with the tests' own Godunov
+/// operator.
+double slip_error(const RollingPair& pair, const Solution& s, const FrameMesh& mesh) {
+  const auto u = displacement(pair, s, 0);
+  std::vector<std::array<double, 2>> w(s.nodes());
+  for (std::size_t k = 0; k < s.nodes(); ++k) w[k] = {u[3 * k], u[3 * k + 1]};
+  const auto derivative = inflow_derivative(mesh, -example3::speed, 0, w);
+  double error = 0;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    if (s.state[k] == ROLLCON_OPEN) continue;
+    const double sx = example3::speed * s.creep[0] + derivative[k][0];
+    const double sy = example3::speed * s.creep[1] + derivative[k][1];
+    error = std::max(error, std::hypot(sx - s.slip[k][0], sy - s.slip[k][1]));
+  }
+  return error / (example3::speed * std::abs(s.creep[0]));
+}
+
+/// Root mean square difference, over nodes in contact, of the published slip and the exact
+/// derivative of the displacements along the path; in units of V |xi|. It holds the scheme's error.
+double slip_consistency(const RollingPair& pair, const Solution& s) {
+  const double step = 1e-3 * example3::hertz().a;
+  const auto here = displacement(pair, s, -step), ahead = displacement(pair, s, step);
+  double sum = 0, area = 0;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    if (s.state[k] == ROLLCON_OPEN) continue;
+    const double V = example3::speed;
+    const double sx = V * s.creep[0] + V * (here[3 * k] - ahead[3 * k]) / (2 * step);
+    const double sy = V * s.creep[1] + V * (here[3 * k + 1] - ahead[3 * k + 1]) / (2 * step);
+    sum += s.area[k] * (std::pow(sx - s.slip[k][0], 2) + std::pow(sy - s.slip[k][1], 2));
+    area += s.area[k];
+  }
+  return std::sqrt(sum / area) / (example3::speed * std::abs(s.creep[0]));
+}
+
+/// bound: of the creepage at given force, about 1.7 times that of the force at given creepage.
+void roll(int nodes, const char* scheme, double bound) {
+  const auto frame = example3::frame(nodes);
+  auto pair = example3::pair(frame.mesh, scheme);
+  ASSERT_EQ(pair->solve(), ROLLCON_OK);
+  const Solution s = pair->solution();
+  const std::string name = frame.name + ", " + scheme + ": ";
+  report(name + "Newton iterations", pair->stat("iterations"));
+  expect_error(name + "force found, Ft/(mu Fn)",
+               s.force[0] / (example3::mu * example3::load) - example3::force_ratio, 1e-7);
+  expect_error(name + "creepage", s.creep[0] / reference().creepage - 1, bound);
+  expect_error(name + "peak pressure against the fine frame", relative(peak(s), reference().p0),
+               1e-2);
+  // 140 MPa is Hertz's 140.8 without friction; the coupling of this pair raises it by 1.8 %.
+  expect_error(name + "peak pressure against 140 MPa", relative(peak(s), 140), 3e-2);
+  expect_laws(frame.name + ", " + scheme, check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
+  expect_error(name + "gap from displacements", gap_error(*pair, s), 1e-5);
+  if (std::string(scheme) == "godunov" && (nodes == 673 || nodes == 703))
+    expect_error(name + "slip from displacements, own operator",
+                 slip_error(*pair, s, frame.mesh), 1e-4);
+  report(name + "slip against the exact derivative, rms", slip_consistency(*pair, s));
+}
+
+TEST(Example3, quad4_673_godunov) { roll(673, "godunov", 0.12); }
+TEST(Example3, quad4_673_least_squares) { roll(673, "least_squares", 0.06); }
+TEST(Example3, quad4_673_characteristic) { roll(673, "characteristic", 0.03); }
+TEST(Example3, tri3_703_godunov) { roll(703, "godunov", 0.20); }
+TEST(Example3, tri3_703_least_squares) { roll(703, "least_squares", 0.06); }
+TEST(Example3, tri3_703_characteristic) { roll(703, "characteristic", 0.03); }
+// Cells of the split quad8 are irregular, and Godunov pays for it.
+TEST(Example3, quad8_1985_godunov) { roll(1985, "godunov", 0.12); }
+TEST(Example3, quad8_1985_least_squares) { roll(1985, "least_squares", 0.04); }
+TEST(Example3, tri6_2745_godunov) { roll(2745, "godunov", 0.10); }
+TEST(Example3, tri6_2745_least_squares) { roll(2745, "least_squares", 0.04); }
+
+TEST(Example3, creepage_change_resolves_in_few_iterations) {
+  auto pair = example3::pair(example3::frame(673).mesh, "least_squares");
+  ASSERT_EQ(pair->solve(), ROLLCON_OK);
+  expect_error("Newton iterations, cold", pair->stat("iterations"), 12);
+  const double xi = pair->solution().creep[0];
+  pair->creep(1.01 * xi, 0, 0);
+  ASSERT_EQ(pair->solve(), ROLLCON_OK);
+  expect_error("Newton iterations, warm after 1 % more creepage", pair->stat("iterations"), 4);
+}
+
+}  // namespace
+}  // namespace rollcon::validation

@@ -1,0 +1,69 @@
+// Cases (a) and (b), a circular contact of identical bodies in steady rolling: error of the forces
+// against the extrapolated limits, beside what the half-space program CONTACT reaches on grids of
+// the same number of nodes.
+
+#include "report.hpp"
+#include "support/graded_disc.hpp"
+#include "support/steady_rolling.hpp"
+
+namespace rollcon::validation {
+namespace {
+
+namespace steady_rolling = scenes::steady_rolling;
+using scenes::RollingPair;
+using scenes::Solution;
+using steady_rolling::contact_error;
+
+class SteadyRollingOnGrids : public testing::TestWithParam<int> {};
+
+TEST_P(SteadyRollingOnGrids, beside_contact) {
+  const int n = GetParam();
+  for (const std::string which : {"a", "b"}) {
+    RollingPair pair(steady_rolling::steel, steady_rolling::steel);
+    steady_rolling::prepare(pair, steady_rolling::grid(n), which);
+    for (const char* scheme : {"godunov", "least_squares", "characteristic"}) {
+      pair.option("convection", scheme);
+      ASSERT_EQ(pair.solve(), ROLLCON_OK);
+      const double error = steady_rolling::force_error(pair.solution(), which);
+      char name[120];
+      std::snprintf(name, sizeof name, "case %s, N = %d, %s: Fx (CONTACT %.2f %%, ratio %.2f)",
+                    which.c_str(), n, scheme, 100 * contact_error(which, n),
+                    std::abs(error) / contact_error(which, n));
+      // First-order upwinding on a grid: no worse than half as much again as CONTACT, whose limit is
+      // known to 0.001.
+      expect_error(name, error, 1.5 * contact_error(which, n) + 0.001);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(N, SteadyRollingOnGrids, testing::Values(16, 20, 24, 32, 40));
+
+class SteadyRollingOnRings : public testing::TestWithParam<int> {};
+
+TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_contact) {
+  const int n = GetParam();
+  for (const std::string which : {"a", "b"}) {
+    RollingPair pair(steady_rolling::steel, steady_rolling::steel);
+    steady_rolling::prepare(
+        pair, scenes::graded_disc(steady_rolling::radius, steady_rolling::radius, n), which);
+    pair.option("convection", "characteristic");
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const Solution s = pair.solution();
+    const double scale = steady_rolling::mu * steady_rolling::hertz.load;
+    const std::string name = "case " + which + ", " + std::to_string(n) + " rings, " +
+                             std::to_string(std::lround(pair.stat("nodes_contact"))) + " nodes: ";
+    expect_error(name + "Fx", steady_rolling::force_error(s, which), 1e-2);
+    if (which == "a") continue;
+    expect_error(name + "Fy, in mu Fn",
+                 s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 5e-3);
+    expect_error(name + "Mz, in mu Fn a",
+                 s.moment[2] / (scale * steady_rolling::radius) -
+                     closed_forms::steady_rolling("b", "mz"),
+                 2e-3);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Rings, SteadyRollingOnRings, testing::Values(6, 8, 12, 16));
+
+}  // namespace
+}  // namespace rollcon::validation
