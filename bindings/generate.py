@@ -14,7 +14,8 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bindings"))
 
-from generator import c_header, cpp_tables, fortran_module, python_module, reference, symbol_map, table  # noqa: E402
+from generator import (c_header, cpp_tables, fortran_module, python_module,  # noqa: E402
+                       reference, symbol_map, table)
 
 
 def outputs(api):

@@ -139,7 +139,7 @@ enum {
   ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0 */
   ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
   ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
-  ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function; the weight of forces */
+  ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function */
 };
 
 /* State of a node of the frame. */

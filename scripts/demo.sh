@@ -16,7 +16,7 @@ say "a sphere rolls on a plane (examples/sphere_on_plane.c)"
 mkdir -p "$out"
 cd "$out"
 "$build/examples/sphere_on_plane_c" "$out"
-gnuplot "$root/examples/sphere_on_plane.gp"
+gnuplot "$root/examples/plot_contact.gp"
 picture=$(find "$out" -name '*.png' -newer "$build/examples/sphere_on_plane_c" | head -n 1)
 [ -n "$picture" ] || fail "no picture was drawn in $out"
 say "picture: $picture"

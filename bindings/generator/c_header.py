@@ -144,7 +144,8 @@ def argument_lines(args):
         notes = ", ".join(words)
         text = "; ".join(part for part in (notes, arg.doc) if part)
         if text:
-            lines.append(paragraph(text, f" *   {arg.name:<{width}}  ", " *   " + " " * width + "  "))
+            lines.append(paragraph(text, f" *   {arg.name:<{width}}  ",
+                                   " *   " + " " * width + "  "))
     return lines
 
 

@@ -44,7 +44,8 @@ def write(table, contract):
                    "| --- | --- | --- |\n")
         out += [f"| `{name}` | {number} | {doc} |\n" for name, number, doc in enum.values]
         out.append("\n")
-    out.append("### Features\n\nNames for `rollcon_has_feature`.\n\n| name | meaning |\n| --- | --- |\n")
+    out.append("### Features\n\nNames for `rollcon_has_feature`.\n\n"
+               "| name | meaning |\n| --- | --- |\n")
     out += [f"| `{name}` | {doc} |\n" for name, _, doc in table.features]
     out.append("\n### Callbacks\n\n")
     for callback in table.callbacks:

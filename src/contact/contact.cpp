@@ -20,17 +20,29 @@ LinearMethod method_of(const std::string& name) {
 // Records history and passes every iteration to the caller's callback.
 class Watch final : public Monitor {
  public:
-  Watch(SolverState& state, Contact::ProgressFunction function, void* user,
-        const std::atomic<bool>& cancel, double start)
-      : state_(state), function_(function), user_(user), cancel_(cancel), start_(start) {}
+  Watch(SolverState& state, const Context& context, Contact::ProgressFunction function, void* user,
+        std::atomic<bool>& cancel, double start)
+      : state_(state),
+        context_(context),
+        function_(function),
+        user_(user),
+        cancel_(cancel),
+        start_(start) {}
 
   bool step(const StepRecord& r) override {
     const double seconds = now_seconds() - start_;
     if (state_.history.size() < 8 * history_rows)
-      for (const double v : {static_cast<double>(r.part), static_cast<double>(r.iteration),
-                             r.residual_normal, r.residual_tangential, r.step,
-                             static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
+      for (const double v :
+           {static_cast<double>(r.part), static_cast<double>(r.iteration), r.residual_normal,
+            r.residual_tangential, r.step, static_cast<double>(r.contact),
+            static_cast<double>(r.sliding), seconds})
         state_.history.push_back(v);
+    context_.log(LogLevel::debug,
+                 "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
+                 "in contact, %lld sliding",
+                 name(r.part), static_cast<long long>(r.iteration), r.residual_normal,
+                 r.residual_tangential, r.step, static_cast<long long>(r.contact),
+                 static_cast<long long>(r.sliding));
     return tell(static_cast<Phase>(r.part), r.iteration,
                 std::max(r.residual_normal, r.residual_tangential), seconds);
   }
@@ -43,14 +55,19 @@ class Watch final : public Monitor {
     event.iteration = iteration;
     event.residual = residual;
     event.seconds = seconds;
-    return function_(event, user_) != 0 || cancel_.load();
+    if (function_(event, user_) != 0) cancel_.store(true);
+    return cancel_.load();
   }
 
  private:
+  static const char* name(Part part) {
+    return part == Part::normal ? "normal" : part == Part::tangential ? "tangential" : "full";
+  }
   SolverState& state_;
+  const Context& context_;
   Contact::ProgressFunction function_;
   void* user_;
-  const std::atomic<bool>& cancel_;
+  std::atomic<bool>& cancel_;
   double start_;
 };
 
@@ -74,8 +91,12 @@ void Contact::set_progress(ProgressFunction function, void* user) {
   progress_user_ = user;
 }
 
-std::int64_t Contact::nodes() const { return scene.mesh().nodes(); }
-std::int64_t Contact::elements() const { return scene.mesh().elements(); }
+std::int64_t Contact::nodes() const {
+  return scene.mesh().nodes();
+}
+std::int64_t Contact::elements() const {
+  return scene.mesh().elements();
+}
 
 void Contact::reset() {
   SolverState& s = *state_;
@@ -94,14 +115,13 @@ Status Contact::solve() {
   s.history.clear();
   s.history.reserve(8 * history_rows);
   const BlasThreads blas(context_->threads());
-  Watch watch(s, progress_, progress_user_, cancel_, start);
-  const bool cancelled_early = watch.tell(Phase::compliance, 0, 0, 0);
-  if (cancelled_early) {
-    cancel_.store(false);
-    if (s.iterate.lambda[0].size() != static_cast<std::size_t>(nodes())) s.iterate.resize(nodes());
-    return Status::cancelled;
-  }
+  Watch watch(s, *context_, progress_, progress_user_, cancel_, start);
+  // A request belongs to the solve during which it was made.
+  cancel_.store(false);
   prepare(s, scene, *body1_, *body2_, context_->threads());
+  context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
+                static_cast<long long>(s.problem.nodes), now_seconds() - start);
+  watch.tell(Phase::compliance, 0, 0, now_seconds() - start);
   s.newton.linear.method = method_of(scene.options.linear_solver);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
   if (!warm) s.iterate.clear();
@@ -113,7 +133,8 @@ Status Contact::solve() {
   const double newton_start = now_seconds();
   if (s.frictionless)
     for (const int m : {xi1, xi2, spin})
-      if (s.problem.by_force[static_cast<std::size_t>(m)] && s.problem.value[static_cast<std::size_t>(m)] != 0)
+      if (s.problem.by_force[static_cast<std::size_t>(m)] &&
+          s.problem.value[static_cast<std::size_t>(m)] != 0)
         fail(Status::err_load,
              "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
              "at every node: there is no steady solution");
@@ -125,16 +146,30 @@ Status Contact::solve() {
   s.timings.linear = s.newton.linear.seconds - linear_seconds;
   s.timings.newton = now_seconds() - newton_start;
   s.timings.total = now_seconds() - start;
+  context_->log(
+      LogLevel::info,
+      "Newton: %lld normal, %lld tangential, %lld full iterations, %lld fallbacks, %.3f s",
+      static_cast<long long>(s.report.normal_iterations),
+      static_cast<long long>(s.report.tangential_iterations),
+      static_cast<long long>(s.report.full_iterations), static_cast<long long>(s.report.fallbacks),
+      s.timings.newton);
 
   switch (s.outcome) {
     case Outcome::no_solution:
       fail(Status::err_load,
            "the prescribed tangential force or spin moment reaches what friction can carry "
            "(|Ft| must be less than mu Fn): there is no steady solution");
-    case Outcome::cancelled: cancel_.store(false); s.solved = true; return Status::cancelled;
-    case Outcome::not_converged: s.solved = true; return Status::not_converged;
-    case Outcome::no_contact: s.solved = true; return Status::no_contact;
-    case Outcome::converged: break;
+    case Outcome::cancelled:
+      s.solved = true;
+      return Status::cancelled;
+    case Outcome::not_converged:
+      s.solved = true;
+      return Status::not_converged;
+    case Outcome::no_contact:
+      s.solved = true;
+      return Status::no_contact;
+    case Outcome::converged:
+      break;
   }
   s.solved = s.warm_usable = true;
   for (std::size_t k = 0; k < s.frame.rim.size(); ++k)

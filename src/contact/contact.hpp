@@ -15,16 +15,26 @@ namespace rollcon {
 
 /// What a progress callback may read.
 struct Event {
-  std::int32_t phase = 0;       ///< Phase enumerators of rollcon.h
-  std::int64_t iteration = 0;   ///< within the phase, from 0
-  double residual = 0;          ///< relative residual of the iterate
-  double seconds = 0;           ///< since the solve began
+  std::int32_t phase = 0;      ///< Phase enumerators of rollcon.h
+  std::int64_t iteration = 0;  ///< within the phase, from 0
+  double residual = 0;         ///< relative residual of the iterate
+  double seconds = 0;          ///< since the solve began
 };
 
 enum class Phase : std::int32_t { compliance = 1, normal = 2, tangential = 3, full = 4 };
 enum class Field : std::int32_t {
-  point = 1, traction = 2, gap = 3, slip = 4, displacement1 = 5, displacement2 = 6, area = 7,
-  friction = 8, pressure = 9, rigid_slip = 10, friction_power = 11, weight = 12,
+  point = 1,
+  traction = 2,
+  gap = 3,
+  slip = 4,
+  displacement1 = 5,
+  displacement2 = 6,
+  area = 7,
+  friction = 8,
+  pressure = 9,
+  rigid_slip = 10,
+  friction_power = 11,
+  weight = 12,
 };
 enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
 enum class InAxes : std::int32_t { local = 0, global = 1 };
@@ -42,7 +52,8 @@ class Contact {
   Scene scene;  ///< setters live here
 
   void set_progress(ProgressFunction function, void* user);
-  void request_cancel() noexcept { cancel_.store(true); }  ///< any thread
+  /// Stops the solve that is running, if one is. Any thread.
+  void request_cancel() noexcept { cancel_.store(true); }
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
@@ -50,7 +61,7 @@ class Contact {
   void reset();
 
   // Results of the last solve; err_state before one, err_capacity (naming the need) when too small.
-  std::int64_t nodes() const;     ///< frame nodes given so far; no solve needed
+  std::int64_t nodes() const;  ///< frame nodes given so far; no solve needed
   std::int64_t elements() const;
   void tractions(InAxes axes, std::int64_t capacity, double* t) const;  // capacity in nodes
   /// Number of doubles of a field (3, 2 or 1 per node); copies if capacity >= that.
@@ -60,14 +71,14 @@ class Contact {
   void motion(double* approach, double* creep) const;
   /// Displacement of body 1 or 2 at any points of the contact surface; x: (t1, t2) pairs.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
-  double stat(const char* name) const;                       ///< err_option: unknown name
+  double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);
   /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in
   /// contact, nodes in slip, seconds.
   std::span<const double> history() const;
   std::string plan() const;
-  void write(const char* path) const;                        ///< VTU; err_io
+  void write(const char* path) const;  ///< VTU; err_io
 
  private:
   std::shared_ptr<Context> context_;

@@ -9,7 +9,9 @@
 namespace rollcon {
 namespace {
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 // Displacement difference u1 - u2 at points, straight from the integrals.
 std::vector<double> displacements(const SolverState& s, const std::vector<double>& x,
@@ -73,7 +75,8 @@ void derive_fields(SolverState& s) {
     bool sliding = true;
     if (!s.frictionless) {
       const double bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * s.gap[k]);
-      sliding = !(std::hypot(it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2) < bound);
+      sliding =
+          !(std::hypot(it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2) < bound);
     }
     s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }

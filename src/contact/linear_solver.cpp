@@ -23,8 +23,10 @@ void LinearSolver::Kept::factor(ReducedSystem& system, std::int64_t node_count, 
   borders_ = n - components_ * nodes_;
   place_.assign(static_cast<std::size_t>(node_count), -1);
   for (std::int64_t a = 0; a < nodes_; ++a)
-    place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])] = static_cast<std::int32_t>(a);
-  if (work_.size() < static_cast<std::size_t>(n)) work_.resize(static_cast<std::size_t>(n + n / 10));
+    place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])] =
+        static_cast<std::int32_t>(a);
+  if (work_.size() < static_cast<std::size_t>(n))
+    work_.resize(static_cast<std::size_t>(n + n / 10));
 }
 
 bool LinearSolver::Kept::usable(const ReducedSystem& system) const {
@@ -37,7 +39,8 @@ void LinearSolver::Kept::match(const ReducedSystem& system) {
   if (index_.size() < n) index_.resize(n + n / 10);
   const std::int64_t na = system.active();
   for (std::int64_t a = 0; a < na; ++a) {
-    const std::int32_t place = place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])];
+    const std::int32_t place =
+        place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])];
     for (int c = 0; c < components_; ++c)
       index_[static_cast<std::size_t>(c * na + a)] = place < 0 ? -1 : c * nodes_ + place;
   }
@@ -57,7 +60,8 @@ void LinearSolver::Kept::apply(const double* x, double* y) {
     return;
   }
   for (std::int64_t i = 0; i < index_size_; ++i)
-    if (const std::int64_t k = index_[static_cast<std::size_t>(i)]; k >= 0) work_[static_cast<std::size_t>(k)] = static_cast<float>(x[i] / largest);
+    if (const std::int64_t k = index_[static_cast<std::size_t>(i)]; k >= 0)
+      work_[static_cast<std::size_t>(k)] = static_cast<float>(x[i] / largest);
   lu_.solve(work_.data());
   for (std::int64_t i = 0; i < index_size_; ++i) {
     const std::int64_t k = index_[static_cast<std::size_t>(i)];
@@ -100,8 +104,7 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
     }
     kept.match(system);
     const int limit = fresh ? krylov_space : krylov_space / 2;
-    const GmresReport report =
-        gmres_.solve(n, system, kept, b.data(), x.data(), tolerance, limit);
+    const GmresReport report = gmres_.solve(n, system, kept, b.data(), x.data(), tolerance, limit);
     iterations += report.iterations;
     if (report.converged) {
       refactor_[part] = !fresh && report.iterations > slow_iterations;

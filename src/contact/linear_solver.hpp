@@ -52,8 +52,8 @@ class LinearSolver {
     Part part_ = Part::normal;
     std::int64_t nodes_ = 0, borders_ = 0;
     int components_ = 0;
-    std::vector<std::int32_t> place_;     ///< node -> position among the factorised, or -1
-    std::vector<std::int64_t> index_;     ///< present unknown -> factorised unknown, or -1
+    std::vector<std::int32_t> place_;  ///< node -> position among the factorised, or -1
+    std::vector<std::int64_t> index_;  ///< present unknown -> factorised unknown, or -1
     std::int64_t index_size_ = 0;
     std::vector<float> work_;
   };

@@ -11,7 +11,9 @@ constexpr std::size_t merit_window = 5;
 constexpr double sufficient_decrease = 1e-4;
 constexpr double smallest_step = 1.0 / 64;
 
-std::size_t at(std::int64_t i) { return static_cast<std::size_t>(i); }
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
 
 }  // namespace
 
@@ -120,14 +122,17 @@ double Newton::trial_merit(Part part, double alpha) const {
   std::array<double, 4> motion = it.motion;
   for (int m = 0; m < 4; ++m) motion[at(m)] += alpha * (next_motion_[at(m)] - motion[at(m)]);
   const auto blend = [&](const std::vector<double>& from, const std::vector<double>& to,
-                         std::size_t k) { return alpha == 0 ? from[k] : from[k] + alpha * (to[k] - from[k]); };
+                         std::size_t k) {
+    return alpha == 0 ? from[k] : from[k] + alpha * (to[k] - from[k]);
+  };
   for (std::int64_t i = 0; i < p.nodes; ++i) {
     const std::size_t k = at(i);
     if (!p.used[k]) continue;
     const double ln = blend(it.lambda[2], next_[2], k);
     double augmented = ln;
     if (part != Part::tangential) {
-      augmented = ln + p.rn[k] * (p.gap[k] - motion[approach] - blend(it.image[2], next_image_[2], k));
+      augmented =
+          ln + p.rn[k] * (p.gap[k] - motion[approach] - blend(it.image[2], next_image_[2], k));
       const double rn = ln - std::min(augmented, 0.0);
       sum_n += rn * rn;
     }
@@ -136,13 +141,16 @@ double Newton::trial_merit(Part part, double alpha) const {
     const double l1 = blend(it.lambda[0], next_[0], k), l2 = blend(it.lambda[1], next_[1], k);
     double t1 = 0, t2 = 0;
     if (augmented < 0 && is_active_[k]) {
-      const double a1 = l1 - p.rt[k] * (p.rigid_slip1(i, motion) + blend(it.image[0], next_image_[0], k));
-      const double a2 = l2 - p.rt[k] * (p.rigid_slip2(i, motion) + blend(it.image[1], next_image_[1], k));
+      const double a1 =
+          l1 - p.rt[k] * (p.rigid_slip1(i, motion) + blend(it.image[0], next_image_[0], k));
+      const double a2 =
+          l2 - p.rt[k] * (p.rigid_slip2(i, motion) + blend(it.image[1], next_image_[1], k));
       project_on_disk(a1, a2, -p.mu[k] * augmented, t1, t2);
     }
     sum_t += (l1 - t1) * (l1 - t1) + (l2 - t2) * (l2 - t2);
   }
-  const double load = load_residual(part, alpha);
+  // A relative error of a load stands for that error of the traction at every node.
+  const double load = load_residual(part, alpha) * std::sqrt(static_cast<double>(active_.size()));
   return 0.5 * (sum_n / (pressure_scale_ * pressure_scale_) +
                 sum_t / (traction_scale_ * traction_scale_) + load * load);
 }
@@ -156,14 +164,17 @@ void Newton::freeze_other_part(Part part) {
     for (std::int64_t i = 0; i < n; ++i) {
       double sum = 0;
       for (int c = 0; c < 2; ++c)
-        if (!p.op.block[2][c].empty()) sum += dot(p.op.block[2][c].row(i), iterate_->lambda[c].data(), n);
+        if (!p.op.block[2][c].empty())
+          sum += dot(p.op.block[2][c].row(i), iterate_->lambda[c].data(), n);
       frozen_[2][at(i)] = sum;
     }
     return;
   }
   for (int r = 0; r < 2; ++r)
     for (std::int64_t i = 0; i < n; ++i)
-      frozen_[r][at(i)] = p.op.block[r][2].empty() ? 0 : dot(p.op.block[r][2].row(i), iterate_->lambda[2].data(), n);
+      frozen_[r][at(i)] = p.op.block[r][2].empty()
+                              ? 0
+                              : dot(p.op.block[r][2].row(i), iterate_->lambda[2].data(), n);
 }
 
 // Fills next_, next_image_ and next_motion_ with the solution of the linearised problem.
@@ -185,7 +196,8 @@ bool Newton::newton_step(Part part, double forcing) {
     if (part == Part::normal) continue;
     double bound = -p.mu[k] * it.lambda[2][k];
     if (part == Part::full)
-      bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * (p.gap[k] - it.motion[approach] - it.image[2][k]));
+      bound = -p.mu[k] *
+              (it.lambda[2][k] + p.rn[k] * (p.gap[k] - it.motion[approach] - it.image[2][k]));
     const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
     const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
     system_.law(static_cast<std::int64_t>(a)) =
@@ -209,8 +221,10 @@ bool Newton::newton_step(Part part, double forcing) {
 
   for (int c = 0; c < 3; ++c) {
     const bool own = (c == 2) ? part != Part::tangential : part != Part::normal;
-    if (own) std::fill(next_[c].begin(), next_[c].end(), 0.0);
-    else next_[c] = it.lambda[c];
+    if (own)
+      std::fill(next_[c].begin(), next_[c].end(), 0.0);
+    else
+      next_[c] = it.lambda[c];
   }
   for (int r = 0; r < system_.components(); ++r) {
     const int c = system_.component(r);
@@ -218,7 +232,8 @@ bool Newton::newton_step(Part part, double forcing) {
       const std::size_t k = at(active_[a]), row = static_cast<std::size_t>(r) * na + a;
       next_[c][k] = x_[row];
       const double scale = c == 2 ? p.rn[k] : p.rt[k];
-      next_image_[c][k] = (product_[row] + step_product[row]) / scale + (has_frozen_ ? frozen_[c][k] : 0);
+      next_image_[c][k] =
+          (product_[row] + step_product[row]) / scale + (has_frozen_ ? frozen_[c][k] : 0);
     }
   }
   for (int m = 0; m < 4; ++m) {
@@ -237,8 +252,15 @@ bool Newton::newton_step(Part part, double forcing) {
   return true;
 }
 
-// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it.
+// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The
+// first steps of a warm start are taken whole: the merit of a solution of a neighbouring problem is
+// far below that of every useful iterate.
 double Newton::line_search(Part part, double merit) {
+  if (free_steps_ > 0) {
+    --free_steps_;
+    merits_.push_back(INFINITY);
+    return 1;
+  }
   if (merits_.size() == merit_window) merits_.erase(merits_.begin());
   merits_.push_back(merit);
   const double reference = *std::max_element(merits_.begin(), merits_.end());
@@ -254,7 +276,9 @@ double Newton::line_search(Part part, double merit) {
 void Newton::advance(Part part, double alpha) {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
-  const auto blend = [alpha](double& from, double to) { from = alpha == 1 ? to : from + alpha * (to - from); };
+  const auto blend = [alpha](double& from, double to) {
+    from = alpha == 1 ? to : from + alpha * (to - from);
+  };
   for (int m = 0; m < 4; ++m) blend(it.motion[at(m)], next_motion_[at(m)]);
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;

@@ -42,8 +42,9 @@ class Newton {
 
   /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the
   /// load is a force). frictionless: mu is zero at every node.
-  NewtonReport solve(const Problem& problem, Iterate& iterate, bool frictionless,
-                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
+  /// The problem's scales, friction and loads are changed by fallbacks and restored on return.
+  NewtonReport solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
+                     std::int64_t max_iterations, Monitor& monitor);
   std::size_t bytes() const;
 
  private:
@@ -55,7 +56,17 @@ class Newton {
   };
 
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
-  Outcome run_coupled(bool cold, double tolerance, std::int64_t max_iterations);
+  Outcome fall_back(double tolerance, std::int64_t max_iterations);
+  Outcome rescale_slip(double tolerance, std::int64_t max_iterations);
+  Outcome alternate(double tolerance, std::int64_t max_iterations);
+  Outcome continue_in_friction(double tolerance, std::int64_t max_iterations);
+  void remember_best(Part part, double worst);
+  void return_to_best();
+  std::int64_t& iterations_of(Part part) {
+    return part == Part::normal       ? report_.normal_iterations
+           : part == Part::tangential ? report_.tangential_iterations
+                                      : report_.full_iterations;
+  }
   Residual evaluate(Part part);
   void freeze_other_part(Part part);
   bool newton_step(Part part, double forcing);
@@ -66,10 +77,16 @@ class Newton {
   void guess_start();
   bool load_beyond_friction() const;
 
-  const Problem* problem_ = nullptr;
+  Problem* problem_ = nullptr;
   Iterate* iterate_ = nullptr;
   Monitor* monitor_ = nullptr;
   NewtonReport report_;
+  Part goal_ = Part::normal;  ///< the part whose convergence ends the solve
+  struct {
+    double worst = 0;
+    std::vector<double> lambda[3];
+    std::array<double, 4> motion{};
+  } best_;
   std::int64_t iterations_left_ = 0;
 
   ReducedSystem system_;
@@ -81,6 +98,7 @@ class Newton {
   std::array<double, 4> next_motion_{};
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
   std::vector<double> merits_;
+  int free_steps_ = 0;  ///< steps still to be taken without line search
   double pressure_scale_ = 1, traction_scale_ = 1;
   bool operators_changed_ = true;
 

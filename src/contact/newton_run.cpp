@@ -9,11 +9,10 @@
 namespace rollcon {
 namespace {
 
-constexpr double start_tolerance = 1e-2;   // of the frictionless start of a coupled problem
-constexpr std::int64_t stuck_after = 2;    // short steps in a row
-constexpr double short_step = 1.0 / 8;
-constexpr std::int64_t sweeps = 12;        // normal-tangential sweeps at most
-constexpr std::int64_t sweep_iterations = 30;
+constexpr double start_tolerance = 1e-2;  // of the frictionless start of a coupled problem
+constexpr std::int64_t patience = 12;     // iterations without progress before a run is stuck
+constexpr double settled = 1e-3;          // normal residual below which pressures are judged
+constexpr double progress = 0.7;          // factor on the best residual that counts as progress
 
 }  // namespace
 
@@ -23,8 +22,8 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
   merits_.clear();
   StepRecord record;
   record.part = part;
-  double last_worst = INFINITY;
-  std::int64_t short_steps = 0;
+  double last_worst = INFINITY, best = INFINITY;
+  std::int64_t waiting = 0;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(part);
     record.iteration = k;
@@ -40,7 +39,8 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     if (residual.contact == 0) {
       if (part == Part::tangential || !problem_->by_force[approach]) {
         Iterate& it = *iterate_;
-        const bool loaded = std::any_of(it.lambda[2].begin(), it.lambda[2].end(), [](double l) { return l != 0; });
+        const bool loaded =
+            std::any_of(it.lambda[2].begin(), it.lambda[2].end(), [](double l) { return l != 0; });
         if (!loaded) return Outcome::no_contact;
         it.clear_tractions();
         continue;
@@ -50,19 +50,24 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
       continue;
     }
     if (worst <= tolerance) return Outcome::converged;
+    waiting = worst < progress * best ? 0 : waiting + 1;
+    best = std::min(best, worst);
+    remember_best(part, worst);
+    if (waiting > patience) return Outcome::not_converged;
     if (k >= max_iterations || iterations_left_ <= 0) return Outcome::not_converged;
-    if (part != Part::normal && load_beyond_friction()) return Outcome::no_solution;
+    if (part != Part::normal && (part == Part::tangential || residual.normal < settled) &&
+        load_beyond_friction())
+      return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
-    const double forcing = std::clamp(0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
-                                      std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
+    const double forcing =
+        std::clamp(0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
+                   std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
     last_worst = worst;
     if (!newton_step(part, std::max(forcing, 1e-13))) return Outcome::not_converged;
     record.step = line_search(part, trial_merit(part, 0));
     advance(part, record.step);
     ++iterations;
     --iterations_left_;
-    short_steps = record.step <= short_step ? short_steps + 1 : 0;
-    if (short_steps >= stuck_after && part == Part::full) return Outcome::not_converged;
   }
 }
 
@@ -81,7 +86,8 @@ bool Newton::load_beyond_friction() const {
   if (p.by_force[approach]) {
     // The pressure may not carry the load yet: scale to the load that it will carry.
     double carried = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) carried -= iterate_->lambda[2][k] * p.weight[k];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k)
+      carried -= iterate_->lambda[2][k] * p.weight[k];
     if (!(carried > 0)) return false;
     capacity *= p.value[approach] / carried;
     moment *= p.value[approach] / carried;
@@ -91,29 +97,22 @@ bool Newton::load_beyond_friction() const {
          (m && std::abs(p.value[spin]) > 0 && std::abs(p.value[spin]) >= moment);
 }
 
-Outcome Newton::run_coupled(bool cold, double tolerance, std::int64_t max_iterations) {
-  if (cold) {
-    const Outcome start = run(Part::normal, start_tolerance, max_iterations, report_.normal_iterations);
-    if (start != Outcome::converged) return start;
-  }
-  Outcome outcome = run(Part::full, tolerance, max_iterations, report_.full_iterations);
-  for (std::int64_t sweep = 0; sweep < sweeps && outcome == Outcome::not_converged; ++sweep) {
-    if (iterations_left_ <= 0) break;
-    // Alternate between the two half problems (each with the other's tractions held), which
-    // contracts for moderate friction, then try the full step again.
-    ++report_.fallbacks;
-    const double loose = std::max(tolerance, 1e-3);
-    outcome = run(Part::normal, loose, sweep_iterations, report_.normal_iterations);
-    if (outcome != Outcome::converged && outcome != Outcome::not_converged) return outcome;
-    outcome = run(Part::tangential, loose, sweep_iterations, report_.tangential_iterations);
-    if (outcome != Outcome::converged && outcome != Outcome::not_converged) return outcome;
-    outcome = run(Part::full, tolerance, max_iterations, report_.full_iterations);
-  }
-  return outcome;
+void Newton::remember_best(Part part, double worst) {
+  if (part != goal_ || !(worst < best_.worst)) return;
+  best_.worst = worst;
+  for (int c = 0; c < 3; ++c) best_.lambda[c] = iterate_->lambda[c];
+  best_.motion = iterate_->motion;
 }
 
-NewtonReport Newton::solve(const Problem& problem, Iterate& iterate, bool frictionless,
-                           double tolerance, std::int64_t max_iterations, Monitor& monitor) {
+void Newton::return_to_best() {
+  if (!std::isfinite(best_.worst)) return;
+  for (int c = 0; c < 3; ++c) iterate_->lambda[c] = best_.lambda[c];
+  iterate_->motion = best_.motion;
+  iterate_->invalidate();
+}
+
+NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
+                           std::int64_t max_iterations, Monitor& monitor) {
   problem_ = &problem;
   iterate_ = &iterate;
   monitor_ = &monitor;
@@ -132,7 +131,8 @@ NewtonReport Newton::solve(const Problem& problem, Iterate& iterate, bool fricti
   for (int m = 0; m < 4; ++m)
     if (!problem.by_force[static_cast<std::size_t>(m)])
       iterate.motion[static_cast<std::size_t>(m)] = problem.value[static_cast<std::size_t>(m)];
-  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(), [](double l) { return l != 0; });
+  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
+                                 [](double l) { return l != 0; });
   if (problem.by_force[approach]) {
     if (!(problem.value[approach] > 0)) {
       report_.outcome = Outcome::no_contact;
@@ -140,15 +140,22 @@ NewtonReport Newton::solve(const Problem& problem, Iterate& iterate, bool fricti
     }
   }
   if (cold) guess_start();
-  if (frictionless) {
-    report_.outcome = run(Part::normal, tolerance, max_iterations, report_.normal_iterations);
-  } else if (problem.op.coupled) {
-    report_.outcome = run_coupled(cold, tolerance, max_iterations);
-  } else {
-    report_.outcome = run(Part::normal, tolerance, max_iterations, report_.normal_iterations);
-    if (report_.outcome == Outcome::converged)
-      report_.outcome = run(Part::tangential, tolerance, max_iterations, report_.tangential_iterations);
+  goal_ = frictionless ? Part::normal : problem.op.coupled ? Part::full : Part::tangential;
+  best_.worst = INFINITY;
+  for (int c = 0; c < 3; ++c) best_.lambda[c].resize(n);
+  Outcome outcome = Outcome::converged;
+  if (goal_ != Part::full || cold) {
+    const double enough = goal_ == Part::full ? std::max(start_tolerance, tolerance) : tolerance;
+    outcome = run(Part::normal, enough, max_iterations, report_.normal_iterations);
   }
+  if (outcome == Outcome::converged && goal_ != Part::normal) {
+    free_steps_ = cold ? 0 : 2;
+    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
+    free_steps_ = 0;
+    if (outcome == Outcome::not_converged) outcome = fall_back(tolerance, max_iterations);
+  }
+  if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
+  report_.outcome = outcome;
   return report_;
 }
 

@@ -24,8 +24,10 @@ Users transpose(const SparseRows& d, std::int64_t n) {
   t.value.resize(d.column.size());
   std::vector<std::int64_t> next(t.start.begin(), t.start.end() - 1);
   for (std::int64_t i = 0; i < n; ++i)
-    for (std::int64_t k = d.start[static_cast<std::size_t>(i)]; k < d.start[static_cast<std::size_t>(i) + 1]; ++k) {
-      const auto s = static_cast<std::size_t>(next[static_cast<std::size_t>(d.column[static_cast<std::size_t>(k)])]++);
+    for (std::int64_t k = d.start[static_cast<std::size_t>(i)];
+         k < d.start[static_cast<std::size_t>(i) + 1]; ++k) {
+      const auto s = static_cast<std::size_t>(
+          next[static_cast<std::size_t>(d.column[static_cast<std::size_t>(k)])]++);
       t.row[s] = static_cast<std::int32_t>(i);
       t.value[s] = d.value[static_cast<std::size_t>(k)];
     }
@@ -85,9 +87,14 @@ void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactO
   op.upstream.clear();
   op.convection = SparseRows{};
   switch (scheme) {
-    case Scheme::godunov: op.convection = godunov(frame, 1, 0); return;
-    case Scheme::least_squares: op.convection = least_squares(frame, 1, 0); return;
-    case Scheme::characteristic: break;
+    case Scheme::godunov:
+      op.convection = godunov(frame, 1, 0);
+      return;
+    case Scheme::least_squares:
+      op.convection = least_squares(frame, 1, 0);
+      return;
+    case Scheme::characteristic:
+      break;
   }
   op.upstream = spacing_along_flow(frame);
   for (std::size_t i = 0; i < n; ++i) {
@@ -155,7 +162,8 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         if (rows[r][c]) {
-          std::copy(buffer[r][c].data(), buffer[r][c].data() + count * n, op.block[r][c].row(first));
+          std::copy(buffer[r][c].data(), buffer[r][c].data() + count * n,
+                    op.block[r][c].row(first));
           ahead.a[r][c] = buffer[r][c].data();
         }
     compliance.block({{px.data(), size}, {py.data(), size}}, ahead);

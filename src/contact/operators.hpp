@@ -23,8 +23,8 @@ struct ContactOperators {
   bool coupled = false;
   bool normal = false, tangential = false;  ///< which rows are assembled
   RowMatrix<double> block[3][3];
-  SparseRows convection;             ///< empty for the characteristic scheme
-  std::vector<double> upstream;      ///< characteristic scheme: distance to the upstream point
+  SparseRows convection;               ///< empty for the characteristic scheme
+  std::vector<double> upstream;        ///< characteristic scheme: distance to the upstream point
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 
   std::size_t bytes() const;

@@ -26,8 +26,7 @@ std::string describe_plan(const SolverState& s, const Body& body1, const Body& b
   std::string text;
   const ContactOperators& op = s.problem.op;
   for (const Body* body : {&body1, &body2})
-    if (body->rigid())
-      line(text, "body %d: rigid, no compliance", body == &body1 ? 1 : 2);
+    if (body->rigid()) line(text, "body %d: rigid, no compliance", body == &body1 ? 1 : 2);
   if (!body1.rigid() && !body2.rigid())
     line(text, "both half-spaces: one compliance with summed constants");
   if (s.frictionless) {
@@ -40,11 +39,13 @@ std::string describe_plan(const SolverState& s, const Body& body1, const Body& b
   }
   if (op.tangential)
     line(text, "convective scheme: %s",
-         *s.scheme == Scheme::godunov ? "godunov"
-         : *s.scheme == Scheme::least_squares ? "least_squares" : "characteristic");
+         *s.scheme == Scheme::godunov         ? "godunov"
+         : *s.scheme == Scheme::least_squares ? "least_squares"
+                                              : "characteristic");
   for (int m = 0; m < 4; ++m)
     if (s.problem.by_force[static_cast<std::size_t>(m)]) {
-      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin"};
+      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",
+                                              "approach", "spin"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",

@@ -26,7 +26,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   if (state.mesh_revision == scene.revision.mesh && state.axes_revision == scene.revision.axes)
     return;
   Frame frame = build_frame(scene.mesh(), scene.axes());
-  const bool same_size = frame.nodes() == state.frame.nodes() && state.mesh_revision == scene.revision.mesh;
+  const bool same_size =
+      frame.nodes() == state.frame.nodes() && state.mesh_revision == scene.revision.mesh;
   state.frame = std::move(frame);
   state.mesh_revision = scene.revision.mesh;
   state.axes_revision = scene.revision.axes;
@@ -47,8 +48,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   }
 }
 
-void build_compliance(SolverState& state, const Scene& scene, const Body& body1,
-                      const Body& body2, int threads) {
+void build_compliance(SolverState& state, const Scene& scene, const Body& body1, const Body& body2,
+                      int threads) {
   if (state.compliance && state.accuracy == scene.options.accuracy) return;
   const Stopwatch watch(state.timings.compliance);
   const HalfspaceConstants c1 = constants_of(body1, 1), c2 = constants_of(body2, -1);
@@ -88,7 +89,8 @@ void build_operators(SolverState& state, const Scene& scene) {
     ++state.assemblies;
     state.iterate.invalidate();
   }
-  if (missing || o.normal_scale != state.normal_scale || o.tangential_scale != state.tangential_scale) {
+  if (missing || o.normal_scale != state.normal_scale ||
+      o.tangential_scale != state.tangential_scale) {
     set_scales(state.problem, o.normal_scale, o.tangential_scale);
     state.normal_scale = o.normal_scale;
     state.tangential_scale = o.tangential_scale;
@@ -145,7 +147,8 @@ void read_kinematics(SolverState& state, const Scene& scene) {
     }
     state.kinematics_revision = scene.revision.kinematics;
   }
-  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
+  for (const Direction d :
+       {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
     const auto m = static_cast<std::size_t>(d) - 1;
     p.by_force[m] = scene.load(d).how == How::by_force;
     p.value[m] = scene.load(d).value;

@@ -16,7 +16,9 @@ void Iterate::resize(std::int64_t n) {
   motion = {};
 }
 
-void Iterate::clear() { resize(static_cast<std::int64_t>(lambda[0].size())); }
+void Iterate::clear() {
+  resize(static_cast<std::int64_t>(lambda[0].size()));
+}
 
 void Iterate::clear_tractions() {
   const auto kept = motion;

@@ -19,19 +19,19 @@ enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3 };
 struct Problem {
   std::int64_t nodes = 0;
   ContactOperators op;
-  std::vector<double> rn, rt;         ///< per-node scales of the augmented tractions
+  std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
   std::vector<double> gap;
-  /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip does
-  /// not depend on any traction: material enters the frame unstressed.
+  /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
+  /// does not depend on any traction: material enters the frame unstressed.
   std::vector<double> mu;
-  std::vector<double> slip1, slip2;   ///< given field of rigid slip over speed; empty: none
-  std::vector<double> weight;         ///< integral of N_i: force from tractions
+  std::vector<double> slip1, slip2;        ///< given field of rigid slip over speed; empty: none
+  std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
-  std::vector<std::uint8_t> used;     ///< nodes that may carry traction
-  std::array<bool, 4> by_force{};     ///< motion unknown, conjugate load given
-  std::array<double, 4> value{};      ///< load (on body 1) where by force, else motion
-  double length = 1;                  ///< of the frame; scales spin
-  double stiffness = 1;               ///< E* of the pair, for the first guess of an approach
+  std::vector<std::uint8_t> used;          ///< nodes that may carry traction
+  std::array<bool, 4> by_force{};          ///< motion unknown, conjugate load given
+  std::array<double, 4> value{};           ///< load (on body 1) where by force, else motion
+  double length = 1;                       ///< of the frame; scales spin
+  double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
 
   double rigid_slip1(std::int64_t i, const std::array<double, 4>& m) const {
@@ -46,8 +46,8 @@ struct Problem {
 
 /// An iterate: tractions by component, the operator rows applied to them, and the motions.
 struct Iterate {
-  std::vector<double> lambda[3];  ///< t1, t2, n
-  std::vector<double> image[3];   ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
+  std::vector<double> lambda[3];         ///< t1, t2, n
+  std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
   std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
   std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
   std::array<double, 4> motion{};

@@ -5,15 +5,17 @@
 
 namespace rollcon {
 
-void ReducedSystem::gather(const Problem& problem, Part part,
-                           std::span<const std::int32_t> active, bool changed) {
+void ReducedSystem::gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
+                           bool changed) {
   const bool same = !changed && part == part_ && active.size() == nodes_.size() &&
                     std::equal(active.begin(), active.end(), nodes_.begin());
   if (!same) {
     part_ = part;
     nodes_.assign(active.begin(), active.end());
     count_ = 0;
-    if (tangential()) component_[static_cast<std::size_t>(count_++)] = 0, component_[static_cast<std::size_t>(count_++)] = 1;
+    if (tangential())
+      component_[static_cast<std::size_t>(count_++)] = 0,
+      component_[static_cast<std::size_t>(count_++)] = 1;
     if (normal()) component_[static_cast<std::size_t>(count_++)] = 2;
     const auto na = static_cast<std::int64_t>(nodes_.size());
     const std::int64_t rows = count_ * na;
@@ -32,7 +34,8 @@ void ReducedSystem::gather(const Problem& problem, Part part,
     for (int r = 0; r < count_; ++r)
       for (std::int64_t a = 0; a < na; ++a) {
         const int row = component(r);
-        const double scale = row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
+        const double scale =
+            row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
         double* out = matrix_.row(r * na + a);
         for (int c = 0; c < count_; ++c, out += na) {
           const RowMatrix<double>& block = problem.op.block[row][component(c)];
@@ -41,7 +44,8 @@ void ReducedSystem::gather(const Problem& problem, Part part,
             continue;
           }
           const double* from = block.row(nodes_[static_cast<std::size_t>(a)]);
-          for (std::int64_t j = 0; j < na; ++j) out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
+          for (std::int64_t j = 0; j < na; ++j)
+            out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
         }
       }
   }
@@ -70,7 +74,9 @@ void ReducedSystem::add_border(const Problem& problem, int m) {
   mean = na > 0 ? mean / static_cast<double>(na) : 1;
   border.scale = m == spin ? mean * problem.length : mean;
   const double unit = m == spin ? area * problem.length : area;
-  border.right = (m == approach ? -problem.value[approach] : problem.value[static_cast<std::size_t>(m)]) / unit;
+  border.right =
+      (m == approach ? -problem.value[approach] : problem.value[static_cast<std::size_t>(m)]) /
+      unit;
   const auto put = [&](int c, auto column, auto row) {
     border.column[c].resize(na);
     border.row[c].resize(na);
@@ -83,21 +89,29 @@ void ReducedSystem::add_border(const Problem& problem, int m) {
   const auto weight = [&](std::size_t i) { return problem.weight[i]; };
   const auto rt = [&](std::size_t a, std::size_t) { return rt_[a]; };
   switch (m) {
-    case xi1: put(0, rt, weight); break;
-    case xi2: put(1, rt, weight); break;
-    case approach: put(2, [&](std::size_t a, std::size_t) { return rn_[a]; }, weight); break;
+    case xi1:
+      put(0, rt, weight);
+      break;
+    case xi2:
+      put(1, rt, weight);
+      break;
+    case approach:
+      put(
+          2, [&](std::size_t a, std::size_t) { return rn_[a]; }, weight);
+      break;
     default:
-      put(0, [&](std::size_t a, std::size_t i) { return -rt_[a] * problem.op.slip_y[i]; },
+      put(
+          0, [&](std::size_t a, std::size_t i) { return -rt_[a] * problem.op.slip_y[i]; },
           [&](std::size_t i) { return -problem.moment_y[i]; });
-      put(1, [&](std::size_t a, std::size_t i) { return rt_[a] * problem.op.slip_x[i]; },
+      put(
+          1, [&](std::size_t a, std::size_t i) { return rt_[a] * problem.op.slip_x[i]; },
           [&](std::size_t i) { return problem.moment_x[i]; });
   }
 }
 
 void ReducedSystem::right_side(const Problem&, std::span<const double> known_gap,
                                std::span<const double> known_slip1,
-                               std::span<const double> known_slip2,
-                               std::vector<double>& b) const {
+                               std::span<const double> known_slip2, std::vector<double>& b) const {
   const std::size_t na = nodes_.size();
   b.resize(static_cast<std::size_t>(size_));
   if (tangential())
@@ -112,7 +126,8 @@ void ReducedSystem::right_side(const Problem&, std::span<const double> known_gap
     for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * known_gap[a];
   }
   for (int k = 0; k < borders_; ++k)
-    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] = border_[static_cast<std::size_t>(k)].right;
+    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] =
+        border_[static_cast<std::size_t>(k)].right;
 }
 
 void ReducedSystem::apply(const double* x, double* y) {
@@ -144,8 +159,8 @@ void ReducedSystem::apply(const double* x, double* y) {
     const double l1 = x[a], l2 = x[na + a], ln = full ? x[2 * na + a] : 0;
     y[a] = law.own[0][0] * l1 + law.own[0][1] * l2 + law.own[0][2] * ln + law.slip[0][0] * s1 +
            law.slip[0][1] * s2;
-    y[na + a] = law.own[1][0] * l1 + law.own[1][1] * l2 + law.own[1][2] * ln +
-                law.slip[1][0] * s1 + law.slip[1][1] * s2;
+    y[na + a] = law.own[1][0] * l1 + law.own[1][1] * l2 + law.own[1][2] * ln + law.slip[1][0] * s1 +
+                law.slip[1][1] * s2;
   }
 }
 
@@ -170,7 +185,8 @@ void ReducedSystem::dense(T* out) const {
           row[c * na + a] += static_cast<T>(law.own[i][component(c)]);
         for (int k = 0; k < borders_; ++k) {
           const Border& border = border_[static_cast<std::size_t>(k)];
-          row[rows + k] = static_cast<T>(q1 * border_entry(border, 0, a) + q2 * border_entry(border, 1, a));
+          row[rows + k] =
+              static_cast<T>(q1 * border_entry(border, 0, a) + q2 * border_entry(border, 1, a));
         }
       }
     }

@@ -56,8 +56,8 @@ class ReducedSystem final : public LinearOperator {
  private:
   struct Border {
     int motion = 0;
-    double scale = 1;              ///< unknown = motion times scale, a traction
-    std::vector<double> column[3]; ///< by component, scaled like the rows; empty: zero
+    double scale = 1;               ///< unknown = motion times scale, a traction
+    std::vector<double> column[3];  ///< by component, scaled like the rows; empty: zero
     std::vector<double> row[3];
     double right = 0;
   };

@@ -11,10 +11,11 @@
 namespace rollcon {
 namespace {
 
-void require_solution(const SolverState& s) {
-  if (!s.solved)
-    fail(Status::err_state, "there is no solution: call rollcon_contact_solve first (inputs that "
-                            "change the frame, or a failed solve, discard the last one)");
+void require_solution(const SolverState& s, const Scene& scene) {
+  if (!s.solved || s.mesh_revision != scene.revision.mesh)
+    fail(Status::err_state,
+         "there is no solution: call rollcon_contact_solve first (inputs that "
+         "change the frame, or a failed solve, discard the last one)");
 }
 
 // Vector from the axes (t1, t2, n) to global coordinates.
@@ -38,7 +39,7 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* un
 }  // namespace
 
 void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   const Iterate& it = state_->iterate;
   require_capacity(capacity, state_->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
@@ -47,23 +48,31 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
 
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
   SolverState& s = *state_;
-  require_solution(s);
+  require_solution(s, scene);
   const std::int64_t n = s.problem.nodes;
   const Iterate& it = s.iterate;
   const auto tangential_components = axes == InAxes::local ? 2 : 3;
   std::int64_t components = 1;
   switch (field) {
-    case Field::point: case Field::traction: case Field::displacement1: case Field::displacement2:
+    case Field::point:
+    case Field::traction:
+    case Field::displacement1:
+    case Field::displacement2:
       components = 3;
       break;
-    case Field::slip: case Field::rigid_slip: components = tangential_components; break;
-    default: break;
+    case Field::slip:
+    case Field::rigid_slip:
+      components = tangential_components;
+      break;
+    default:
+      break;
   }
   const std::int64_t needed = components * n;
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
   const Problem& p = s.problem;
-  const bool derived = field == Field::gap || field == Field::slip || field == Field::friction_power;
+  const bool derived =
+      field == Field::gap || field == Field::slip || field == Field::friction_power;
   if (derived) derive_fields(s);
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(static_cast<std::size_t>(2 * n));
@@ -72,49 +81,69 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
       xy[2 * k + 1] = s.frame.y[k];
     }
     displacements_at(field == Field::displacement1 ? 1 : 2, n, xy.data(), v);
-    for (std::int64_t k = 0; k < n; ++k) put(s.frame.axes, axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+    for (std::int64_t k = 0; k < n; ++k)
+      put(s.frame.axes, axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
     return needed;
   }
   for (std::int64_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     double* out = v + components * i;
     const auto pair = [&](double v1, double v2) {
-      if (components == 3) put(s.frame.axes, axes, v1, v2, 0, out);
-      else out[0] = v1, out[1] = v2;
+      if (components == 3)
+        put(s.frame.axes, axes, v1, v2, 0, out);
+      else
+        out[0] = v1, out[1] = v2;
     };
     switch (field) {
       case Field::point:
-        if (axes == InAxes::local) put(s.frame.axes, axes, s.frame.x[k], s.frame.y[k], s.frame.z[k], out);
-        else std::copy(s.frame.mesh.node[k].begin(), s.frame.mesh.node[k].end(), out);
+        if (axes == InAxes::local)
+          put(s.frame.axes, axes, s.frame.x[k], s.frame.y[k], s.frame.z[k], out);
+        else
+          std::copy(s.frame.mesh.node[k].begin(), s.frame.mesh.node[k].end(), out);
         break;
-      case Field::traction: put(s.frame.axes, axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out); break;
-      case Field::gap: *out = s.gap[k]; break;
-      case Field::slip: pair(s.slip[0][k], s.slip[1][k]); break;
+      case Field::traction:
+        put(s.frame.axes, axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
+        break;
+      case Field::gap:
+        *out = s.gap[k];
+        break;
+      case Field::slip:
+        pair(s.slip[0][k], s.slip[1][k]);
+        break;
       case Field::rigid_slip:
         pair(s.speed * p.rigid_slip1(i, it.motion), s.speed * p.rigid_slip2(i, it.motion));
         break;
-      case Field::area: *out = p.cell_area[k]; break;
-      case Field::weight: *out = p.weight[k]; break;
-      case Field::friction: *out = p.mu[k]; break;
-      case Field::pressure: *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0; break;
+      case Field::area:
+        *out = p.cell_area[k];
+        break;
+      case Field::weight:
+        *out = p.weight[k];
+        break;
+      case Field::friction:
+        *out = p.mu[k];
+        break;
+      case Field::pressure:
+        *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;
+        break;
       case Field::friction_power:
         *out = -(it.lambda[0][k] * s.slip[0][k] + it.lambda[1][k] * s.slip[1][k]);
         break;
-      default: break;
+      default:
+        break;
     }
   }
   return needed;
 }
 
 void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   require_capacity(capacity, state_->problem.nodes, "nodes");
   derive_fields(*state_);
   std::copy(state_->status.begin(), state_->status.end(), status);
 }
 
 void Contact::resultant(InAxes axes, double* force, double* moment) const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   const Problem& p = state_->problem;
   const Iterate& it = state_->iterate;
   double f[3] = {}, m[3] = {};
@@ -130,7 +159,7 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 }
 
 void Contact::motion(double* depth, double* creep) const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   const auto& m = state_->iterate.motion;
   if (depth) *depth = m[approach];
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
@@ -139,7 +168,7 @@ void Contact::motion(double* depth, double* creep) const {
 void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy,
                                double* u) const {
   SolverState& s = *state_;
-  require_solution(s);
+  require_solution(s, scene);
   const Body& which = body == 1 ? *body1_ : *body2_;
   const auto points = static_cast<std::size_t>(n);
   std::fill(u, u + 3 * points, 0.0);
@@ -147,8 +176,8 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   auto& compliance = s.body_compliance[body - 1];
   if (!compliance)
     compliance = make_halfspace_compliance(
-        s.frame, halfspace_constants(which.young(), which.poisson(), body == 1 ? 1 : -1), s.accuracy,
-        context_->threads());
+        s.frame, halfspace_constants(which.young(), which.poisson(), body == 1 ? 1 : -1),
+        s.accuracy, context_->threads());
   std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.problem.nodes));
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)
@@ -159,32 +188,38 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
 }
 
-std::span<const double> Contact::history() const { return state_->history; }
+std::span<const double> Contact::history() const {
+  return state_->history;
+}
 
 std::string Contact::plan() const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   return describe_plan(*state_, *body1_, *body2_);
 }
 
 void Contact::write(const char* path) const {
-  require_solution(*state_);
+  require_solution(*state_, scene);
   const auto n = static_cast<std::size_t>(state_->problem.nodes);
   struct Column {
     const char* name;
     Field field;
     int components;
   };
-  static constexpr Column columns[] = {
-      {"traction", Field::traction, 3},           {"pressure", Field::pressure, 1},
-      {"gap", Field::gap, 1},                     {"slip_velocity", Field::slip, 3},
-      {"displacement1", Field::displacement1, 3}, {"displacement2", Field::displacement2, 3},
-      {"friction_power", Field::friction_power, 1}, {"area", Field::area, 1}};
+  static constexpr Column columns[] = {{"traction", Field::traction, 3},
+                                       {"pressure", Field::pressure, 1},
+                                       {"gap", Field::gap, 1},
+                                       {"slip_velocity", Field::slip, 3},
+                                       {"displacement1", Field::displacement1, 3},
+                                       {"displacement2", Field::displacement2, 3},
+                                       {"friction_power", Field::friction_power, 1},
+                                       {"area", Field::area, 1}};
   std::vector<std::vector<double>> values;
   std::vector<PointArray> arrays;
   values.reserve(std::size(columns) + 1);
   for (const Column& c : columns) {
     values.emplace_back(n * static_cast<std::size_t>(c.components));
-    field(c.field, InAxes::global, static_cast<std::int64_t>(values.back().size()), values.back().data());
+    field(c.field, InAxes::global, static_cast<std::int64_t>(values.back().size()),
+          values.back().data());
     arrays.push_back({c.name, c.components, values.back().data(), nullptr});
   }
   derive_fields(*state_);

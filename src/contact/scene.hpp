@@ -61,8 +61,8 @@ class Scene {
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
-  /// Throws err_state naming what is missing: nodes, elements, gap, friction. (Arrays always fit the
-  /// frame: their length is checked when they are set, and new nodes forget them.)
+  /// Throws err_state naming what is missing: nodes, elements, gap, friction. (Arrays always fit
+  /// the frame: their length is checked when they are set, and new nodes forget them.)
   void require_complete() const;
 
   Options options;

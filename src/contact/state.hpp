@@ -22,8 +22,8 @@ struct SolverState {
   // Built from the scene; each part remembers the revisions it was built from.
   Frame frame;
   std::int64_t mesh_revision = -1, axes_revision = -1;
-  std::unique_ptr<Compliance> compliance;           ///< of the pair
-  std::unique_ptr<Compliance> body_compliance[2];   ///< made when displacements are asked for
+  std::unique_ptr<Compliance> compliance;          ///< of the pair
+  std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
   double accuracy = 0;
   std::optional<Scheme> scheme;
   double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;

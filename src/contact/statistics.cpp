@@ -17,7 +17,8 @@ struct Statistic {
 
 double count_status(SolverState& s, NodeStatus wanted) {
   derive_fields(s);
-  return static_cast<double>(std::count(s.status.begin(), s.status.end(), static_cast<std::int32_t>(wanted)));
+  return static_cast<double>(
+      std::count(s.status.begin(), s.status.end(), static_cast<std::int32_t>(wanted)));
 }
 
 template <class Term>
@@ -33,7 +34,9 @@ double law(SolverState& s, std::size_t which) {
   return s.laws[which];
 }
 
-double number(std::int64_t v) { return static_cast<double>(v); }
+double number(std::int64_t v) {
+  return static_cast<double>(v);
+}
 
 // Nodes whose state would change if their augmented traction moved by 1e-6 of the largest.
 double near_change(SolverState& s) {
@@ -61,9 +64,14 @@ double near_change(SolverState& s) {
 }
 
 constexpr Statistic table[] = {
-    {"iterations", [](SolverState& s) { return number(s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations); }},
+    {"iterations",
+     [](SolverState& s) {
+       return number(s.report.normal_iterations + s.report.tangential_iterations +
+                     s.report.full_iterations);
+     }},
     {"normal_iterations", [](SolverState& s) { return number(s.report.normal_iterations); }},
-    {"tangential_iterations", [](SolverState& s) { return number(s.report.tangential_iterations); }},
+    {"tangential_iterations",
+     [](SolverState& s) { return number(s.report.tangential_iterations); }},
     {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
     {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }},
     {"linear_iterations", [](SolverState& s) { return number(s.linear_iterations); }},
@@ -74,28 +82,44 @@ constexpr Statistic table[] = {
     {"law_friction", [](SolverState& s) { return law(s, 1); }},
     {"law_slip", [](SolverState& s) { return law(s, 2); }},
     {"law_equilibrium", [](SolverState& s) { return law(s, 3); }},
-    {"nodes_contact", [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
+    {"nodes_contact",
+     [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
     {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
     {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
-    {"nodes_rim", [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.frame.rim[k] ? 1.0 : 0.0; }); }},
+    {"nodes_rim",
+     [](SolverState& s) {
+       return sum_in_contact(s, [&](std::size_t k) { return s.frame.rim[k] ? 1.0 : 0.0; });
+     }},
     {"nodes_near_change", near_change},
-    {"contact_area", [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; }); }},
-    {"friction_power", [](SolverState& s) {
+    {"contact_area",
+     [](SolverState& s) {
+       return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; });
+     }},
+    {"friction_power",
+     [](SolverState& s) {
        derive_fields(s);
        return sum_in_contact(s, [&](std::size_t k) {
-         return -s.problem.cell_area[k] * (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
+         return -s.problem.cell_area[k] *
+                (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
        });
      }},
-    {"max_pressure", [](SolverState& s) { return -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()); }},
+    {"max_pressure",
+     [](SolverState& s) {
+       return -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end());
+     }},
     {"seconds_compliance", [](SolverState& s) { return s.timings.compliance; }},
     {"seconds_convection", [](SolverState& s) { return s.timings.convection; }},
     {"seconds_newton", [](SolverState& s) { return s.timings.newton; }},
     {"seconds_linear", [](SolverState& s) { return s.timings.linear; }},
     {"seconds_total", [](SolverState& s) { return s.timings.total; }},
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.bytes()); }},
-    {"kernel_evaluations", [](SolverState& s) { return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0; }},
+    {"kernel_evaluations",
+     [](SolverState& s) {
+       return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0;
+     }},
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
-    {"unknowns", [](SolverState& s) {
+    {"unknowns",
+     [](SolverState& s) {
        const double components = s.frictionless ? 1 : 3;
        return components * sum_in_contact(s, [](std::size_t) { return 1.0; }) +
               number(std::count(s.problem.by_force.begin(), s.problem.by_force.end(), true));
@@ -104,7 +128,9 @@ constexpr Statistic table[] = {
 
 }  // namespace
 
-std::int64_t Contact::stat_count() { return static_cast<std::int64_t>(std::size(table)); }
+std::int64_t Contact::stat_count() {
+  return static_cast<std::int64_t>(std::size(table));
+}
 
 const char* Contact::stat_name(std::int64_t i) {
   if (i < 0 || i >= stat_count())
@@ -116,7 +142,7 @@ const char* Contact::stat_name(std::int64_t i) {
 double Contact::stat(const char* name) const {
   for (const Statistic& s : table)
     if (std::strcmp(s.name, name) == 0) {
-      if (!state_->solved)
+      if (!state_->solved || state_->mesh_revision != scene.revision.mesh)
         fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
       return s.value(*state_);
     }

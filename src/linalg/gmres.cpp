@@ -43,7 +43,8 @@ GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& prec
     report.iterations += part.iterations;
     // The recursive residual can drift from the true one: recompute before trusting it.
     a.apply(x, z_.data());
-    for (std::int64_t i = 0; i < n; ++i) r_[static_cast<std::size_t>(i)] = b[i] - z_[static_cast<std::size_t>(i)];
+    for (std::int64_t i = 0; i < n; ++i)
+      r_[static_cast<std::size_t>(i)] = b[i] - z_[static_cast<std::size_t>(i)];
     const double norm_r = norm2(r_.data(), n);
     report.residual = norm_r / norm_b;
     report.converged = norm_r <= 2 * target;
@@ -52,13 +53,14 @@ GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& prec
   return report;
 }
 
-GmresReport Gmres::cycle(std::int64_t n, LinearOperator& a, LinearOperator& precondition,
-                         double* x, double target, int max_iterations) {
+GmresReport Gmres::cycle(std::int64_t n, LinearOperator& a, LinearOperator& precondition, double* x,
+                         double target, int max_iterations) {
   GmresReport report;
   const auto size = static_cast<std::size_t>(n);
   const int k_max = std::min(krylov_, max_iterations);
   const auto h = [&](int i, int j) -> double& {
-    return hessenberg_[static_cast<std::size_t>(i) + static_cast<std::size_t>(j) * (static_cast<std::size_t>(krylov_) + 1)];
+    return hessenberg_[static_cast<std::size_t>(i) +
+                       static_cast<std::size_t>(j) * (static_cast<std::size_t>(krylov_) + 1)];
   };
   const auto v = [&](int j) { return basis_.data() + static_cast<std::size_t>(j) * size; };
   const double beta = norm2(r_.data(), n);

@@ -7,8 +7,12 @@
 namespace rollcon {
 namespace {
 
-void getrf(int n, double* a, int* pivot, int* info) { dgetrf_(&n, &n, a, &n, pivot, info); }
-void getrf(int n, float* a, int* pivot, int* info) { sgetrf_(&n, &n, a, &n, pivot, info); }
+void getrf(int n, double* a, int* pivot, int* info) {
+  dgetrf_(&n, &n, a, &n, pivot, info);
+}
+void getrf(int n, float* a, int* pivot, int* info) {
+  sgetrf_(&n, &n, a, &n, pivot, info);
+}
 // The row-major matrix is LAPACK's transpose: solve with 'T'.
 void getrs(int n, const double* a, const int* pivot, double* b, int* info) {
   const int one = 1;

@@ -153,7 +153,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_event_get_real(nullptr, ROLLCON_EVENT_SECONDS, v.data()));
   EXPECT_SURVIVES(rollcon_contact_request_cancel(contact));
   EXPECT_SURVIVES(i32 = rollcon_contact_solve(contact));
-  EXPECT_EQ(i32, ROLLCON_CANCELLED);
+  EXPECT_EQ(i32, ROLLCON_OK) << "nothing was running when the cancel was asked for";
   EXPECT_SURVIVES(rollcon_contact_from_id(rollcon_id_of(contact)));
   EXPECT_SURVIVES(rollcon_body_from_id(rollcon_id_of(sphere)));
   EXPECT_SURVIVES(rollcon_context_from_id(rollcon_id_of(context)));

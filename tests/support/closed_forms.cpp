@@ -53,7 +53,7 @@ double effective_modulus(const Elastic& body) { return 2 * body.shear / (1 - bod
 
 EllipticIntegrals elliptic_integrals(double m1) {
   double a = 1, g = std::sqrt(m1), c2 = 1 - m1, sum = 0.5 * c2, power = 0.5;
-  while (c2 > 1e-32 * a * a) {
+  while (c2 > 1e-28 * a * a) {  // quadratic convergence: the next c2 is below round-off
     const double c = 0.5 * (a - g);
     const double mean = 0.5 * (a + g);
     g = std::sqrt(a * g);
@@ -61,7 +61,6 @@ EllipticIntegrals elliptic_integrals(double m1) {
     c2 = c * c;
     power *= 2;
     sum += power * c2;
-    if (a == g) break;
   }
   EllipticIntegrals result;
   result.k = pi / (2 * a);

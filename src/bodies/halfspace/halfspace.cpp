@@ -71,6 +71,7 @@ class HalfspaceCompliance final : public Compliance {
   void add_near(const double* integral, int terms, const std::int32_t* node, int nodes,
                 const double* traction, double* u) const;
   void write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const;
+  bool rigid() const { return c_.cn == 0 && c_.cv == 0 && c_.ck == 0; }
   /// The tolerance of one element's integrals, a length.
   double element_tolerance(double px, double py) const {
     double scale = 0;
@@ -122,6 +123,7 @@ void HalfspaceCompliance::integrate_row(double px, double py, int terms, const K
   const auto n = static_cast<std::size_t>(nodes_);
   const int count = 1 + 2 * (terms & with_shear) + (terms & with_coupling);
   std::fill(w.row.begin(), w.row.end(), 0.0);
+  if (rigid()) return;
   const double tolerance = element_tolerance(px, py);
   alignas(64) double integral[integral_count * max_shape_stride];
   for (const FarGroup& group : groups_) {
@@ -159,7 +161,7 @@ void HalfspaceCompliance::write_row(std::size_t p, int terms, const double* row,
     double* a = out.a[i][j] + static_cast<std::ptrdiff_t>(p) * out.stride;
     for (std::size_t k = 0; k < n; ++k) a[k] = value(k);
   };
-  const auto [cn, cv, ck] = c_;
+  const double cn = c_.cn, cv = c_.cv, ck = c_.ck;
   entry(2, 2, [=](std::size_t k) { return cn * i0[k]; });
   if ((terms & with_shear) != 0) {
     entry(0, 0, [=](std::size_t k) { return cn * i0[k] + cv * ixx[k]; });
@@ -227,6 +229,10 @@ void HalfspaceCompliance::apply(Points points, const double* traction, double* d
   const int terms = (c_.cv != 0 ? with_shear : 0) + (c_.ck != 0 ? with_coupling : 0);
   const Kernels& set = kernels(instruction_set());
   const double constants[3] = {c_.cn, c_.cv, c_.ck};
+  if (rigid()) {
+    std::fill_n(displacement, 3 * points.size(), 0.0);
+    return;
+  }
   std::vector<FarGroup::Forces> forces;
   std::vector<std::vector<std::uint8_t>> loaded;
   for (const FarGroup& group : groups_) {

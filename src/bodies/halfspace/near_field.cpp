@@ -16,7 +16,7 @@ constexpr int max_depth = 40;
 constexpr double most_gauss_points = 12;  ///< per direction, before a cell is split
 constexpr double most_uneven = 0.3;       ///< departure from the tangent map that polar takes
 constexpr double reach_affine = 4;        ///< how far outside polar works, in half sizes
-constexpr double reach_mapped = 0.7;
+constexpr double reach_mapped = 0.3;
 
 /// Position and tangent map at a reference point.
 struct Tangent {

@@ -5,7 +5,8 @@
 namespace rollcon {
 
 /// How the tangential row of one node depends on its own tractions and slip:
-///   row = own[i][0] lt1 + own[i][1] lt2 + own[i][2] ln + slip[i][0] s1 + slip[i][1] s2 = constant[i]
+///   row = own[i][0] lt1 + own[i][1] lt2 + own[i][2] ln + slip[i][0] s1 + slip[i][1] s2 =
+///   constant[i]
 /// linearised at the iterate. With the slip already multiplied by rt.
 struct TangentialLaw {
   double own[2][3];

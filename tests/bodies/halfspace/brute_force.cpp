@@ -117,7 +117,8 @@ class Adaptive {
       apex_ = apex, a_ = corner[i], b_ = corner[(i + 1) % corner.size()];
       area_ = (a_.u - apex.u) * (b_.v - apex.v) - (a_.v - apex.v) * (b_.u - apex.u);
       if (!(area_ > 0)) continue;
-      if (on)
+      graded_ = on.has_value();
+      if (graded_)
         graded();
       else
         refine(0, 1, 0, 1, rule(0, 1, 0, 1), 0);
@@ -127,7 +128,8 @@ class Adaptive {
 
  private:
   Values rule(Real s0, Real s1, Real t0, Real t1) const {
-    static const Line line(14);
+    static const Line coarse(10), fine(14);
+    const Line& line = graded_ ? fine : coarse;
     Values sum{};
     for (std::size_t i = 0; i < line.x.size(); ++i)
       for (std::size_t j = 0; j < line.x.size(); ++j) {
@@ -205,6 +207,7 @@ class Adaptive {
   const Element& e_;
   const int nodes_;
   Real px_, py_, area_ = 0, size_ = 0;
+  bool graded_ = false;
   Point apex_{}, a_{}, b_{};
   Values total_{};
 };

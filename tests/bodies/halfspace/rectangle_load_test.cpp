@@ -24,11 +24,16 @@ double antiderivative(int kernel, double u, double v) {
   const double lu = v == 0 ? 0 : v * log_sum(u, v), lv = u == 0 ? 0 : u * log_sum(v, u);
   const double log_r = r == 0 ? 0 : std::log(r);
   switch (kernel) {
-    case 0: return lu + lv;
-    case 1: return lu;
-    case 2: return -r;
-    case 3: return v * log_r + (u == 0 ? 0 : u * std::atan(v / u));
-    default: return u * log_r + (v == 0 ? 0 : v * std::atan(u / v));
+    case 0:
+      return lu + lv;
+    case 1:
+      return lu;
+    case 2:
+      return -r;
+    case 3:
+      return v * log_r + (u == 0 ? 0 : u * std::atan(v / u));
+    default:
+      return u * log_r + (v == 0 ? 0 : v * std::atan(u / v));
   }
 }
 
@@ -70,7 +75,8 @@ TEST(rectangle_load, uniform_load_matches_love) {
       }
     }
   }
-  std::printf("uniform rectangle: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", worst[0], worst[1]);
+  std::printf("uniform rectangle: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", worst[0],
+              worst[1]);
   EXPECT_LE(worst[0], 1e-6);
   EXPECT_LE(worst[1], 1e-9);
 }
@@ -80,7 +86,8 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
   // exchanged, and r^3/3; a corner's shape function is bilinear in u and v.
   const auto element = rectangle_element(0, 1.4, 0, 0.6);
   double worst = 0;
-  for (const auto& [px, py] : {std::pair{0.0, 0.0}, {0.7, 0.3}, {1.4, 0.2}, {2.0, -0.4}, {0.3, 0.7}}) {
+  for (const auto& [px, py] :
+       {std::pair{0.0, 0.0}, {0.7, 0.3}, {1.4, 0.2}, {2.0, -0.4}, {0.3, 0.7}}) {
     auto f = [](double u, double v) {
       const double r = std::hypot(u, v);
       return (v * r + (u == 0 ? 0 : u * u * log_sum(v, u))) / 2;
@@ -90,7 +97,8 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
     };
     const double one = rectangle(0, 0, 1.4, 0, 0.6, px, py);
     const double u = difference(f), v = difference([&](double a, double b) { return f(b, a); });
-    const double uv = difference([](double a, double b) { return std::pow(std::hypot(a, b), 3) / 3; });
+    const double uv =
+        difference([](double a, double b) { return std::pow(std::hypot(a, b), 3) / 3; });
     const auto value = brute_force::from_library(element, px, py, 1e-9);
     // x = px - u, y = py - v in the shape functions.
     for (std::size_t i = 0; i < 4; ++i) {
@@ -108,7 +116,8 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
 TEST(rectangle_load, unit_square_matches_contact_reference) {
   // G = 1, nu = 0.28, unit square, unit pressures along x and n: u_x and u_n at the centre.
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
-  const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.56, 0.28, 1), 1e-9, 1);
+  const auto compliance =
+      make_halfspace_compliance(frame, halfspace_constants(2.56, 0.28, 1), 1e-9, 1);
   const double x[] = {0}, y[] = {0};
   double t[12], u[3];
   for (int i = 0; i < 12; ++i) t[i] = i % 3 == 1 ? 0 : 1;
@@ -127,7 +136,8 @@ TEST(rectangle_load, unit_square_matches_contact_reference) {
 TEST(rectangle_load, normal_force_pulls_surface_points_towards_it) {
   // u_r = -(1 - 2 nu) P / (4 pi G r) for a compressive force P on body 1, t_n = -P.
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
-  const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.6, 0.3, 1), 1e-9, 1);
+  const auto compliance =
+      make_halfspace_compliance(frame, halfspace_constants(2.6, 0.3, 1), 1e-9, 1);
   const double x[] = {1000}, y[] = {0};
   const double t[12] = {0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1};
   double u[3];

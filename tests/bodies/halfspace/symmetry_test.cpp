@@ -62,7 +62,8 @@ TEST_P(Symmetry, reflection_changes_signs_and_nothing_else) {
       error = std::max(error, std::abs(a[k][m] - sign * b[k][m]));
     }
   }
-  std::printf("%d nodes: reflection error %.1e (bound 1e-13)\n", node_count(GetParam()), error / size);
+  std::printf("%d nodes: reflection error %.1e (bound 1e-13)\n", node_count(GetParam()),
+              error / size);
   EXPECT_LE(error / size, 1e-13);
 }
 

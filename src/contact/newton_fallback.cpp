@@ -1,0 +1,114 @@
+/// What is tried when the full step gets stuck, cheapest first. None of it changes the problem that
+/// is finally solved.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/newton.hpp"
+
+namespace rollcon {
+namespace {
+
+bool finished(Outcome outcome) {
+  return outcome != Outcome::not_converged;
+}
+
+}  // namespace
+
+Outcome Newton::fall_back(double tolerance, std::int64_t max_iterations) {
+  ++report_.fallbacks;
+  Outcome outcome = rescale_slip(tolerance, max_iterations);
+  if (!finished(outcome) && goal_ == Part::full) {
+    ++report_.fallbacks;
+    outcome = alternate(tolerance, max_iterations);
+  }
+  if (!finished(outcome)) {
+    ++report_.fallbacks;
+    outcome = continue_in_friction(tolerance, max_iterations);
+  }
+  return outcome;
+}
+
+// The scale r_t does not change the solution but it does change the path: a cycle between two
+// states of a few nodes is often left with another scale.
+Outcome Newton::rescale_slip(double tolerance, std::int64_t max_iterations) {
+  const std::vector<double> kept = problem_->rt;
+  Outcome outcome = Outcome::not_converged;
+  for (const double factor : {3.0, 0.3, 10.0, 0.1}) {
+    for (std::size_t k = 0; k < kept.size(); ++k) problem_->rt[k] = factor * kept[k];
+    operators_changed();
+    return_to_best();
+    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
+    if (finished(outcome) || iterations_left_ <= 0) break;
+  }
+  problem_->rt = kept;
+  operators_changed();
+  return outcome;
+}
+
+// Normal and tangential problems in turn, each with the other's tractions held, which contracts
+// for moderate friction; then the full step again.
+Outcome Newton::alternate(double tolerance, std::int64_t max_iterations) {
+  constexpr int sweeps = 4, rounds = 2;
+  constexpr std::int64_t iterations = 30;
+  const double loose = std::max(tolerance, 1e-4);
+  Outcome outcome = Outcome::not_converged;
+  return_to_best();
+  for (int round = 0; round < rounds && iterations_left_ > 0; ++round) {
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+      for (const Part part : {Part::normal, Part::tangential}) {
+        outcome = run(part, loose, iterations, iterations_of(part));
+        if (outcome != Outcome::converged && outcome != Outcome::not_converged) return outcome;
+      }
+    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
+    if (finished(outcome)) return outcome;
+  }
+  return outcome;
+}
+
+// Friction and tangential loads grow together from zero, each step starting from the last solution.
+Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iterations) {
+  Problem& p = *problem_;
+  const std::vector<double> mu = p.mu;
+  const std::array<double, 4> value = p.value;
+  const auto set_fraction = [&](double s) {
+    for (std::size_t k = 0; k < mu.size(); ++k) p.mu[k] = s * mu[k];
+    for (const int m : {xi1, xi2, spin})
+      if (p.by_force[static_cast<std::size_t>(m)])
+        p.value[static_cast<std::size_t>(m)] = s * value[static_cast<std::size_t>(m)];
+  };
+  const double loose = std::max(tolerance, 1e-6);
+  Iterate& it = *iterate_;
+  it.clear();
+  for (int m = 0; m < 4; ++m)
+    if (!p.by_force[static_cast<std::size_t>(m)])
+      it.motion[static_cast<std::size_t>(m)] = value[static_cast<std::size_t>(m)];
+  guess_start();
+  Outcome outcome = run(Part::normal, loose, max_iterations, report_.normal_iterations);
+  double done = 0, step = 0.25;
+  std::vector<double> lambda[3];
+  std::array<double, 4> motion{};
+  while (outcome == Outcome::converged && done < 1) {
+    for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
+    motion = it.motion;
+    const double next = std::min(1.0, done + step);
+    set_fraction(next);
+    outcome = run(goal_, next == 1 ? tolerance : loose, max_iterations, iterations_of(goal_));
+    if (outcome == Outcome::converged) {
+      done = next;
+      step *= 1.5;
+      continue;
+    }
+    if (outcome != Outcome::not_converged || step < 1e-3 || iterations_left_ <= 0) break;
+    step *= 0.4;
+    for (int c = 0; c < 3; ++c) it.lambda[c] = lambda[c];
+    it.motion = motion;
+    it.invalidate();
+    outcome = Outcome::converged;
+  }
+  p.mu = mu;
+  p.value = value;
+  return outcome;
+}
+
+}  // namespace rollcon
