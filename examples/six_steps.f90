@@ -67,6 +67,7 @@ program six_steps
   call print_integers('open stk slip', [count(state == ROLLCON_OPEN), count(state == ROLLCON_STICK), &
     count(state == ROLLCON_SLIP)])
   call print_numbers('centre', t(:, (side*side + 1)/2))
+  deallocate (t, state)
 
 contains
 

@@ -210,7 +210,6 @@ int main(int argc, char** argv) {
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0));
   free_rolling = solve();
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, traction_force));
-  must(rollcon_contact_set_int(contact, "warm_start", 0)); /* free rolling is too far away */
   driven = solve();
 
   /* 6 results */

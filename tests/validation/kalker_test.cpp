@@ -1,5 +1,6 @@
 // Kalker's creepage coefficients: forces of vanishing creepage and spin on elliptic contacts of
-// identical half-spaces. Creepages are so small that 0.6 % of the friction bound is used.
+// identical half-spaces. Creepages are so small that 0.6 % of the friction bound is used. Quadratic
+// triangles in nine rings: the spin moment of a long ellipse needs them (linear ones: 20 rings).
 
 #include <tuple>
 
@@ -19,7 +20,7 @@ using scenes::Solution;
 
 constexpr double mu = 0.3;
 constexpr double share = 0.006;  ///< of mu P, that the creepage would carry without slip
-constexpr int rings = 10;
+constexpr int rings = 9;
 
 class KalkerCoefficients : public testing::TestWithParam<std::tuple<double, double>> {};
 
@@ -34,7 +35,7 @@ TEST_P(KalkerCoefficients, within_two_percent) {
   const double unit = share * mu * hertz.load / body.shear;
 
   RollingPair pair(body, body);
-  pair.frame(graded_disc(hertz.a, hertz.b, rings))
+  pair.frame(graded_disc(hertz.a, hertz.b, rings, ElementType::tri6))
       .gap_quadratic(hertz.A, hertz.B)
       .load(hertz.load)
       .friction(mu)

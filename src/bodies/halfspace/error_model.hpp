@@ -6,7 +6,7 @@
 /// the kernel is singular on the ellipse of parameter rho = s + sqrt(s^2 - 1), s = (r1 + r2)/(2a).
 /// A rule exact to degree d, on a kernel times a polynomial of degree p, is off by about
 /// C rho^-(d + 1 - p) relative to area/distance. C is calibrated by the sweep in
-/// tests/bodies/halfspace/error_model_test.cpp.
+/// tests/bodies/halfspace/rule_selection_test.cpp.
 
 #include <algorithm>
 #include <cmath>
