@@ -31,7 +31,10 @@ void Body::set_elastic(std::int32_t /*tag*/, double young, double poisson) {
   if (rigid()) fail(Status::err_state, "a rigid body has no elastic constants");
   require_finite(young, "young");
   require_finite(poisson, "poisson");
-  if (!(young > 0)) fail(Status::err_argument, "young is %g; allowed: > 0", young);
+  // Beyond these, squares of stiffnesses and compliances would leave the range of doubles.
+  constexpr double least = 1e-60, most = 1e60;
+  if (!(young >= least && young <= most))
+    fail(Status::err_argument, "young is %g; allowed: > 0, from %g to %g", young, least, most);
   if (!(poisson > -1 && poisson <= 0.5))
     fail(Status::err_argument, "poisson is %g; allowed: -1 < poisson <= 0.5", poisson);
   const std::lock_guard lock(mutex_);

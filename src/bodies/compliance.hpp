@@ -35,6 +35,8 @@ class Compliance {
   virtual void block(Points points, const ComplianceBlock& out) const = 0;
   /// u = A t at any points, without forming A: traction[3*k+j], displacement[3*p+i].
   virtual void apply(Points points, const double* traction, double* displacement) const = 0;
+  /// OpenMP threads that block and apply may use.
+  virtual void set_threads(int threads) = 0;
   /// Kernel evaluations (point times quadrature point) since construction; for statistics.
   virtual std::int64_t kernel_evaluations() const = 0;
   virtual std::size_t bytes() const = 0;

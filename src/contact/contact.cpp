@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-constexpr std::size_t history_rows = 512;
+constexpr std::size_t history_rows = 512;  // room without allocation
 
 LinearMethod method_of(const std::string& name) {
   if (name == "lu") return LinearMethod::lu;
@@ -31,12 +31,10 @@ class Watch final : public Monitor {
 
   bool step(const StepRecord& r) override {
     const double seconds = now_seconds() - start_;
-    if (state_.history.size() < 8 * history_rows)
-      for (const double v :
-           {static_cast<double>(r.part), static_cast<double>(r.iteration), r.residual_normal,
-            r.residual_tangential, r.step, static_cast<double>(r.contact),
-            static_cast<double>(r.sliding), seconds})
-        state_.history.push_back(v);
+    for (const double v : {static_cast<double>(r.part), static_cast<double>(r.iteration),
+                           r.residual_normal, r.residual_tangential, r.step,
+                           static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
+      state_.history.push_back(v);
     context_.log(LogLevel::debug,
                  "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
                  "in contact, %lld sliding",
@@ -108,9 +106,20 @@ void Contact::reset() {
 }
 
 Status Contact::solve() {
+  try {
+    return solve_scene();
+  } catch (...) {
+    // Whatever was half built when memory ran out or a callback threw must not be taken for whole.
+    // A refused load leaves everything but the solution intact.
+    if (!state_->settled) *state_ = SolverState{};
+    throw;
+  }
+}
+
+Status Contact::solve_scene() {
   SolverState& s = *state_;
   const double start = now_seconds();
-  s.solved = s.derived = s.laws_checked = false;
+  s.solved = s.derived = s.laws_checked = s.settled = false;
   s.timings = {};
   s.history.clear();
   s.history.reserve(8 * history_rows);
@@ -131,16 +140,21 @@ Status Contact::solve() {
   const std::int64_t factors_before = s.newton.linear.factorizations;
   const double linear_seconds = s.newton.linear.seconds;
   const double newton_start = now_seconds();
-  if (s.frictionless)
+  if (s.frictionless) {
+    s.settled = true;
     for (const int m : {xi1, xi2, spin})
       if (s.problem.by_force[static_cast<std::size_t>(m)] &&
           s.problem.value[static_cast<std::size_t>(m)] != 0)
         fail(Status::err_load,
              "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
              "at every node: there is no steady solution");
+    s.settled = false;
+  }
   s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, scene.options.tolerance,
                             scene.options.max_iterations, watch);
+  s.settled = true;
   s.outcome = s.report.outcome;
+  s.peak_bytes = std::max(s.peak_bytes, s.bytes());
   s.linear_iterations = s.newton.linear.iterations - linear_before;
   s.factorizations = s.newton.linear.factorizations - factors_before;
   s.timings.linear = s.newton.linear.seconds - linear_seconds;
@@ -172,9 +186,13 @@ Status Contact::solve() {
       break;
   }
   s.solved = s.warm_usable = true;
+  std::int64_t at_rim = 0;
   for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
-    if (s.frame.rim[k] && s.iterate.lambda[2][k] < 0) return Status::rim_contact;
-  return Status::ok;
+    at_rim += s.frame.rim[k] && s.iterate.lambda[2][k] < 0;
+  if (at_rim == 0) return Status::ok;
+  context_->log(LogLevel::warning, "contact reaches the rim of the frame at %lld node(s)",
+                static_cast<long long>(at_rim));
+  return Status::rim_contact;
 }
 
 }  // namespace rollcon

@@ -81,6 +81,8 @@ class Contact {
   void write(const char* path) const;  ///< VTU; err_io
 
  private:
+  Status solve_scene();
+
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> body1_, body2_;
   std::unique_ptr<SolverState> state_;

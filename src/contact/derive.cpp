@@ -60,7 +60,8 @@ void derive_fields(SolverState& s) {
     const auto i = static_cast<std::int64_t>(k);
     if (!p.used[k]) {
       s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
-      s.gap[k] = p.gap[k] - it.motion[approach];
+      it.update_gap(p, i);
+      s.gap[k] = p.gap[k] - it.motion[approach] - it.image[2][k];
       continue;
     }
     it.update_gap(p, i);
@@ -112,7 +113,7 @@ void check_laws(SolverState& s) {
   // Slip is small when it is small against the slip velocities that occur, or when it would change
   // the traction by little of the friction bound (zero creepage has no velocity to compare with).
   const auto relative = [&](double speed, std::size_t k) {
-    return std::min(speed / speed_max, p.rt[k] * speed / bound_max);
+    return std::min(speed / speed_max, p.rt[k] / s.tangential_scale * speed / bound_max);
   };
   double normal = 0, friction = 0, slip = 0;
   for (std::size_t k = 0; k < n; ++k) {
@@ -123,10 +124,15 @@ void check_laws(SolverState& s) {
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
     const double tangential = std::hypot(it.lambda[0][k], it.lambda[1][k]);
     const double bound = p.mu[k] * std::max(-ln, 0.0);
-    if (bound_max > 0) friction = std::max(friction, (tangential - bound) / bound_max);
+    const bool sliding = s.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
+    if (bound_max > 0) {
+      // A sliding node is at the bound, no other one is beyond it.
+      const double excess = tangential - bound;
+      friction = std::max(friction, (sliding ? std::abs(excess) : excess) / bound_max);
+    }
     if (s.frictionless || !(ln < 0) || !(speed_max > 0) || !(bound > 0)) continue;
     const double speed = std::hypot(s1[k], s2[k]);
-    if (s.status[k] == static_cast<std::int32_t>(NodeStatus::stick)) {
+    if (!sliding) {
       slip = std::max(slip, relative(speed, k));
     } else if (tangential > 0) {  // slip component across and along the traction
       const double e1 = it.lambda[0][k] / tangential, e2 = it.lambda[1][k] / tangential;
@@ -137,17 +143,10 @@ void check_laws(SolverState& s) {
   double equilibrium = 0;
   for (int m = 0; m < 4; ++m) {
     if (!p.by_force[at(m)]) continue;
-    double sum = 0, scale = std::abs(p.value[at(m)]);
-    for (std::size_t k = 0; k < n; ++k) {
-      double term = 0;
-      if (m == xi1) term = p.weight[k] * it.lambda[0][k];
-      if (m == xi2) term = p.weight[k] * it.lambda[1][k];
-      if (m == approach) term = -p.weight[k] * it.lambda[2][k];
-      if (m == spin) term = p.moment_x[k] * it.lambda[1][k] - p.moment_y[k] * it.lambda[0][k];
-      sum += term;
-      scale = std::max(scale, std::abs(term));
-    }
-    if (scale > 0) equilibrium = std::max(equilibrium, std::abs(sum - p.value[at(m)]) / scale);
+    const LoadSum sum = load_on_body1(p, m, it.lambda);
+    const double scale = std::max(sum.magnitude, std::abs(p.value[at(m)]));
+    if (scale > 0)
+      equilibrium = std::max(equilibrium, std::abs(sum.value - p.value[at(m)]) / scale);
   }
   s.laws = {normal, friction, slip, equilibrium};
   s.laws_checked = true;

@@ -77,7 +77,8 @@ Newton::Residual Newton::evaluate(Part part) {
   // Relative measures. Tangential residuals hide under normal ones, so they are judged by the
   // tangential tractions themselves as soon as there are any.
   pressure_scale_ = pressure > 0 ? pressure : worst_n;
-  traction_scale_ = traction > 0 ? std::min(traction, std::max(bound_max, 1e-300)) : worst_t;
+  traction_scale_ = worst_t;
+  if (traction > 0) traction_scale_ = bound_max > 0 ? std::min(traction, bound_max) : traction;
   r.normal = pressure_scale_ > 0 ? worst_n / pressure_scale_ : 0;
   r.tangential = traction_scale_ > 0 ? worst_t / traction_scale_ : 0;
   r.load = load_residual(part, 0);
@@ -86,31 +87,22 @@ Newton::Residual Newton::evaluate(Part part) {
   return r;
 }
 
-// Largest relative error of a prescribed load at iterate + alpha step.
+// Largest relative error of the part's prescribed loads at iterate + alpha step. Loads are linear
+// in the tractions.
 double Newton::load_residual(Part part, double alpha) const {
   const Problem& p = *problem_;
-  const Iterate& it = *iterate_;
   double worst = 0;
-  const auto value = [&](int c, std::size_t k) {
-    const double old = it.lambda[c][k];
-    return alpha == 0 ? old : old + alpha * (next_[c][k] - old);
-  };
   for (int m = 0; m < 4; ++m) {
     const bool relevant = m == approach ? part != Part::tangential : part != Part::normal;
     if (!p.by_force[at(m)] || !relevant) continue;
-    double sum = 0, scale = 0;
-    for (std::int64_t i = 0; i < p.nodes; ++i) {
-      const std::size_t k = at(i);
-      double term = 0;
-      if (m == xi1) term = p.weight[k] * value(0, k);
-      if (m == xi2) term = p.weight[k] * value(1, k);
-      if (m == approach) term = -p.weight[k] * value(2, k);
-      if (m == spin) term = p.moment_x[k] * value(1, k) - p.moment_y[k] * value(0, k);
-      sum += term;
-      scale += std::abs(term);
+    LoadSum sum = load_on_body1(p, m, iterate_->lambda);
+    if (alpha != 0) {
+      const LoadSum next = load_on_body1(p, m, next_);
+      sum.value += alpha * (next.value - sum.value);
+      sum.magnitude = std::max(sum.magnitude, next.magnitude);
     }
-    scale = std::max(scale, std::abs(p.value[at(m)]));
-    if (scale > 0) worst = std::max(worst, std::abs(sum - p.value[at(m)]) / scale);
+    const double scale = std::max(sum.magnitude, std::abs(p.value[at(m)]));
+    if (scale > 0) worst = std::max(worst, std::abs(sum.value - p.value[at(m)]) / scale);
   }
   return worst;
 }

@@ -75,6 +75,10 @@ class Newton {
   double trial_merit(Part part, double alpha) const;
   double load_residual(Part part, double alpha) const;
   void guess_start();
+  void start_cold();
+  void reserve(std::size_t nodes);
+  Outcome attempt(bool cold, double tolerance, std::int64_t max_iterations);
+  bool pressures_settled(Part part, double residual) const;
   bool load_beyond_friction() const;
 
   Problem* problem_ = nullptr;
@@ -83,7 +87,7 @@ class Newton {
   NewtonReport report_;
   Part goal_ = Part::normal;  ///< the part whose convergence ends the solve
   struct {
-    double worst = 0;
+    double worst = 0, residual_normal = 0, residual_tangential = 0;
     std::vector<double> lambda[3];
     std::array<double, 4> motion{};
   } best_;
@@ -98,7 +102,9 @@ class Newton {
   std::array<double, 4> next_motion_{};
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
   std::vector<double> merits_;
-  int free_steps_ = 0;  ///< steps still to be taken without line search
+  bool pressures_found_ = false;  ///< the normal part converged
+  bool continuing_ = false;  ///< the problem is not yet the one to be solved
+  int free_steps_ = 0;       ///< steps still to be taken without line search
   double pressure_scale_ = 1, traction_scale_ = 1;
   bool operators_changed_ = true;
 

@@ -43,6 +43,9 @@ Outcome Newton::rescale_slip(double tolerance, std::int64_t max_iterations) {
   }
   problem_->rt = kept;
   operators_changed();
+  // Residuals are measured in the standard scale.
+  if (outcome == Outcome::converged)
+    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
   return outcome;
 }
 
@@ -79,12 +82,11 @@ Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iteratio
   };
   const double loose = std::max(tolerance, 1e-6);
   Iterate& it = *iterate_;
-  it.clear();
-  for (int m = 0; m < 4; ++m)
-    if (!p.by_force[static_cast<std::size_t>(m)])
-      it.motion[static_cast<std::size_t>(m)] = value[static_cast<std::size_t>(m)];
+  start_cold();
   guess_start();
-  Outcome outcome = run(Part::normal, loose, max_iterations, report_.normal_iterations);
+  Outcome outcome = run(Part::normal, goal_ == Part::full ? loose : tolerance, max_iterations,
+                        report_.normal_iterations);
+  if (goal_ == Part::tangential && outcome != Outcome::converged) return outcome;
   double done = 0, step = 0.25;
   std::vector<double> lambda[3];
   std::array<double, 4> motion{};
@@ -93,6 +95,7 @@ Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iteratio
     motion = it.motion;
     const double next = std::min(1.0, done + step);
     set_fraction(next);
+    continuing_ = next < 1;
     outcome = run(goal_, next == 1 ? tolerance : loose, max_iterations, iterations_of(goal_));
     if (outcome == Outcome::converged) {
       done = next;
@@ -106,6 +109,7 @@ Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iteratio
     it.invalidate();
     outcome = Outcome::converged;
   }
+  continuing_ = false;
   p.mu = mu;
   p.value = value;
   return outcome;

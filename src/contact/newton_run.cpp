@@ -55,8 +55,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     remember_best(part, worst);
     if (waiting > patience) return Outcome::not_converged;
     if (k >= max_iterations || iterations_left_ <= 0) return Outcome::not_converged;
-    if (part != Part::normal && (part == Part::tangential || residual.normal < settled) &&
-        load_beyond_friction())
+    if (part != Part::normal && pressures_settled(part, residual.normal) && load_beyond_friction())
       return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
     const double forcing =
@@ -71,6 +70,16 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
   }
 }
 
+// True when the pressures are near those of the solution: capacities may be judged by them.
+bool Newton::pressures_settled(Part part, double residual) const {
+  if (part == Part::tangential) return true;
+  if (!(residual < settled)) return false;
+  if (!problem_->by_force[approach]) return true;
+  const double load = problem_->value[approach];
+  return std::abs(load_on_body1(*problem_, approach, iterate_->lambda).value - load) <=
+         settled * load;
+}
+
 // ||F_t|| >= mu F_n has no steady solution; neither has a spin moment beyond what full sliding
 // about the origin can give.
 bool Newton::load_beyond_friction() const {
@@ -83,11 +92,8 @@ bool Newton::load_beyond_friction() const {
     capacity += limit;
     moment += std::abs(limit) * std::hypot(p.op.slip_x[k], p.op.slip_y[k]);
   }
-  if (p.by_force[approach]) {
-    // The pressure may not carry the load yet: scale to the load that it will carry.
-    double carried = 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k)
-      carried -= iterate_->lambda[2][k] * p.weight[k];
+  if (p.by_force[approach]) {  // scale to the load that will be carried in the end
+    const double carried = load_on_body1(p, approach, iterate_->lambda).value;
     if (!(carried > 0)) return false;
     capacity *= p.value[approach] / carried;
     moment *= p.value[approach] / carried;
@@ -98,17 +104,63 @@ bool Newton::load_beyond_friction() const {
 }
 
 void Newton::remember_best(Part part, double worst) {
-  if (part != goal_ || !(worst < best_.worst)) return;
+  if (part != goal_ || continuing_ || !(worst < best_.worst)) return;
   best_.worst = worst;
+  best_.residual_normal = report_.residual_normal;
+  best_.residual_tangential = report_.residual_tangential;
   for (int c = 0; c < 3; ++c) best_.lambda[c] = iterate_->lambda[c];
   best_.motion = iterate_->motion;
 }
 
 void Newton::return_to_best() {
   if (!std::isfinite(best_.worst)) return;
+  report_.residual_normal = best_.residual_normal;
+  report_.residual_tangential = best_.residual_tangential;
   for (int c = 0; c < 3; ++c) iterate_->lambda[c] = best_.lambda[c];
   iterate_->motion = best_.motion;
   iterate_->invalidate();
+}
+
+// Zero tractions; unknown motions start from zero, but bodies that carry no load just touch.
+void Newton::start_cold() {
+  Iterate& it = *iterate_;
+  it.clear();
+  for (int m = 0; m < 4; ++m) {
+    const auto k = static_cast<std::size_t>(m);
+    if (!problem_->by_force[k]) it.motion[k] = problem_->value[k];
+  }
+  if (!problem_->by_force[approach]) return;
+  double low = INFINITY;
+  for (std::size_t k = 0; k < problem_->gap.size(); ++k)
+    if (problem_->used[k]) low = std::min(low, problem_->gap[k]);
+  if (std::isfinite(low)) it.motion[approach] = low;
+}
+
+void Newton::reserve(std::size_t n) {
+  for (int c = 0; c < 3; ++c) {
+    next_[c].resize(n);
+    next_image_[c].resize(n);
+    frozen_[c].resize(n);
+    known_[c].reserve(n);
+    best_.lambda[c].resize(n);
+  }
+  active_.reserve(n);
+  is_active_.resize(n);
+  merits_.reserve(8);
+}
+
+Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations) {
+  Outcome outcome = Outcome::converged;
+  if (goal_ != Part::full || cold) {
+    const double enough = goal_ == Part::full ? std::max(start_tolerance, tolerance) : tolerance;
+    outcome = run(Part::normal, enough, max_iterations, report_.normal_iterations);
+    pressures_found_ = outcome == Outcome::converged;
+  }
+  if (outcome != Outcome::converged || goal_ == Part::normal) return outcome;
+  free_steps_ = cold ? 0 : 2;
+  outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
+  free_steps_ = 0;
+  return outcome;
 }
 
 NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
@@ -118,42 +170,36 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   monitor_ = &monitor;
   report_ = {};
   iterations_left_ = max_iterations;
-  const auto n = static_cast<std::size_t>(problem.nodes);
-  for (int c = 0; c < 3; ++c) {
-    next_[c].resize(n);
-    next_image_[c].resize(n);
-    frozen_[c].resize(n);
-    known_[c].reserve(n);
-  }
-  active_.reserve(n);
-  is_active_.resize(n);
-  merits_.reserve(8);
-  for (int m = 0; m < 4; ++m)
-    if (!problem.by_force[static_cast<std::size_t>(m)])
-      iterate.motion[static_cast<std::size_t>(m)] = problem.value[static_cast<std::size_t>(m)];
-  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
-                                 [](double l) { return l != 0; });
-  if (problem.by_force[approach]) {
-    if (!(problem.value[approach] > 0)) {
-      report_.outcome = Outcome::no_contact;
-      return report_;
-    }
-  }
-  if (cold) guess_start();
   goal_ = frictionless ? Part::normal : problem.op.coupled ? Part::full : Part::tangential;
   best_.worst = INFINITY;
-  for (int c = 0; c < 3; ++c) best_.lambda[c].resize(n);
-  Outcome outcome = Outcome::converged;
-  if (goal_ != Part::full || cold) {
-    const double enough = goal_ == Part::full ? std::max(start_tolerance, tolerance) : tolerance;
-    outcome = run(Part::normal, enough, max_iterations, report_.normal_iterations);
+  pressures_found_ = false;
+  reserve(static_cast<std::size_t>(problem.nodes));
+  for (const int m : {xi1, xi2, approach, spin}) {
+    const auto k = static_cast<std::size_t>(m);
+    if (!problem.by_force[k])
+      iterate.motion[k] = problem.value[k];
+    else if (frictionless && m != approach)
+      iterate.motion[k] = 0;
   }
-  if (outcome == Outcome::converged && goal_ != Part::normal) {
-    free_steps_ = cold ? 0 : 2;
-    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
-    free_steps_ = 0;
-    if (outcome == Outcome::not_converged) outcome = fall_back(tolerance, max_iterations);
+  if (problem.by_force[approach] && !(problem.value[approach] > 0)) {
+    start_cold();
+    report_.outcome = Outcome::no_contact;
+    return report_;
   }
+  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
+                                 [](double l) { return l != 0; });
+  if (cold) guess_start();
+  Outcome outcome = attempt(cold, tolerance, max_iterations);
+  if (outcome == Outcome::not_converged && !cold && iterations_left_ > 0) {
+    ++report_.fallbacks;
+    start_cold();
+    guess_start();
+    outcome = attempt(true, tolerance, max_iterations);
+  }
+  // Without coupling the tangential problem has no meaning under pressures that were not found.
+  const bool worth_while = goal_ == Part::full || (goal_ == Part::tangential && pressures_found_);
+  if (outcome == Outcome::not_converged && worth_while && iterations_left_ > 0)
+    outcome = fall_back(tolerance, max_iterations);
   if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
   report_.outcome = outcome;
   return report_;

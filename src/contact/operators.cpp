@@ -1,7 +1,11 @@
 #include "contact/operators.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -71,6 +75,20 @@ void scatter(const Users& users, std::int64_t first, std::int64_t count, const d
   }
 }
 
+// Says what is needed before the machine starts to swap or an allocation fails half way.
+void require_memory(std::int64_t n, const bool (&rows)[3][3]) {
+  double blocks = 0;
+  for (const auto& row : rows)
+    for (const bool wanted : row) blocks += wanted;
+  const double gigabytes = blocks * static_cast<double>(n) * static_cast<double>(n) * 8 / 1e9;
+  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e9;
+  if (gigabytes > machine)
+    fail(Status::err_memory,
+         "the operators of a frame of %lld nodes need %.1f GB, this machine has %.1f GB",
+         static_cast<long long>(n), gigabytes, machine);
+}
+
 }  // namespace
 
 std::size_t ContactOperators::bytes() const {
@@ -121,6 +139,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
     rows[r][0] = rows[r][1] = tangential;
     rows[r][2] = tangential && op.coupled;
   }
+  require_memory(n, rows);
   RowMatrix<double> buffer[3][3];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {

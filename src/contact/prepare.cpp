@@ -50,7 +50,10 @@ void build_frame_part(SolverState& state, const Scene& scene) {
 
 void build_compliance(SolverState& state, const Scene& scene, const Body& body1, const Body& body2,
                       int threads) {
-  if (state.compliance && state.accuracy == scene.options.accuracy) return;
+  if (state.compliance && state.accuracy == scene.options.accuracy) {
+    state.compliance->set_threads(threads);
+    return;
+  }
   const Stopwatch watch(state.timings.compliance);
   const HalfspaceConstants c1 = constants_of(body1, 1), c2 = constants_of(body2, -1);
   HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
@@ -71,7 +74,7 @@ void build_operators(SolverState& state, const Scene& scene) {
   const double step = scene.options.characteristic_step;
   const bool other_scheme = !state.scheme || *state.scheme != scheme ||
                             (scheme == Scheme::characteristic && step != state.characteristic_step);
-  if (other_scheme && (!state.frictionless || op.slip_x.empty())) {
+  if (other_scheme) {
     const Stopwatch watch(state.timings.convection);
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c) op.block[r][c].release();
@@ -80,6 +83,8 @@ void build_operators(SolverState& state, const Scene& scene) {
     state.scheme = scheme;
     state.characteristic_step = step;
     state.friction_revision = -1;  // the inflow rim may be another one
+    state.kinematics_revision = -1;
+    state.field_rows = {};
   }
   const bool missing = !op.normal || (!state.frictionless && !op.tangential);
   const Options& o = scene.options;
@@ -126,6 +131,24 @@ void mask_inflow_rim(SolverState& state) {
   state.inflow_masked = true;
 }
 
+// A creep field is given at the nodes, but the characteristic scheme takes slip half a step
+// upstream: c(x + delta/2 e) = c - delta/2 (v . grad c), exact for linear fields such as spin.
+void shift_field(SolverState& state) {
+  Problem& p = state.problem;
+  SparseRows& d = state.field_rows;
+  if (d.start.empty()) d = least_squares(state.frame, 1, 0);
+  for (std::vector<double>* field : {&p.slip1, &p.slip2}) {
+    state.field_copy = *field;
+    for (std::size_t i = 0; i < field->size(); ++i) {
+      double derivative = 0;
+      for (auto k = static_cast<std::size_t>(d.start[i]);
+           k < static_cast<std::size_t>(d.start[i + 1]); ++k)
+        derivative += d.value[k] * state.field_copy[static_cast<std::size_t>(d.column[k])];
+      (*field)[i] -= 0.5 * p.op.upstream[i] * derivative;
+    }
+  }
+}
+
 void read_kinematics(SolverState& state, const Scene& scene) {
   Problem& p = state.problem;
   if (state.gap_revision != scene.revision.gap) {
@@ -145,6 +168,7 @@ void read_kinematics(SolverState& state, const Scene& scene) {
       p.slip1[k] = field[2 * k] / scene.speed();
       p.slip2[k] = field[2 * k + 1] / scene.speed();
     }
+    if (n > 0 && !p.op.upstream.empty()) shift_field(state);
     state.kinematics_revision = scene.revision.kinematics;
   }
   for (const Direction d :

@@ -55,6 +55,29 @@ void Iterate::update_gap(const Problem& problem, std::int64_t i) {
   gap_valid[k] = 1;
 }
 
+LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&lambda)[3]) {
+  LoadSum sum;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    double term = 0;
+    switch (motion) {
+      case xi1:
+        term = p.weight[k] * lambda[0][k];
+        break;
+      case xi2:
+        term = p.weight[k] * lambda[1][k];
+        break;
+      case approach:
+        term = -p.weight[k] * lambda[2][k];
+        break;
+      default:
+        term = p.moment_x[k] * lambda[1][k] - p.moment_y[k] * lambda[0][k];
+    }
+    sum.value += term;
+    sum.magnitude += std::abs(term);
+  }
+  return sum;
+}
+
 void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
   const std::int64_t n = problem.nodes;
   const auto size = static_cast<std::size_t>(n);

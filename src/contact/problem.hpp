@@ -62,6 +62,13 @@ struct Iterate {
   void update_gap(const Problem& problem, std::int64_t i);
 };
 
+/// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum
+/// of its terms' magnitudes.
+struct LoadSum {
+  double value = 0, magnitude = 0;
+};
+LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
+
 /// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows), formulation
 /// section 2. A node whose rows vanish gets the mean of the others.
 void set_scales(Problem& problem, double normal_factor, double tangential_factor);

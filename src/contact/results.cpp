@@ -43,7 +43,8 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
   const Iterate& it = state_->iterate;
   require_capacity(capacity, state_->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
-    put(state_->frame.axes, axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], t + 3 * k);
+    put(state_->frame.axes, axes, it.lambda[0][k], it.lambda[1][k], std::min(it.lambda[2][k], 0.0),
+        t + 3 * k);  // within the tolerance a node about to open may pull
 }
 
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
@@ -178,6 +179,7 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
     compliance = make_halfspace_compliance(
         s.frame, halfspace_constants(which.young(), which.poisson(), body == 1 ? 1 : -1),
         s.accuracy, context_->threads());
+  compliance->set_threads(context_->threads());
   std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.problem.nodes));
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)

@@ -30,6 +30,8 @@ struct SolverState {
   std::int64_t gap_revision = -1, kinematics_revision = -1, friction_revision = -1;
   bool frictionless = false;
   bool inflow_masked = false;
+  std::vector<double> field_copy;
+  SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
 
   Problem problem;
   Iterate iterate;
@@ -37,6 +39,7 @@ struct SolverState {
 
   // The last solve.
   bool solved = false;
+  bool settled = false;  ///< caches are whole: nothing was interrupted
   bool warm_usable = false;
   Outcome outcome = Outcome::not_converged;
   double speed = 1;
@@ -44,6 +47,7 @@ struct SolverState {
   Timings timings;
   std::vector<double> history;  ///< rows of 8
   std::int64_t assemblies = 0;
+  std::size_t peak_bytes = 0;
   std::int64_t linear_iterations = 0, factorizations = 0;  ///< of the last solve
 
   // Computed when asked for.

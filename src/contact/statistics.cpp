@@ -105,14 +105,15 @@ constexpr Statistic table[] = {
      }},
     {"max_pressure",
      [](SolverState& s) {
-       return -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end());
+       return std::max(0.0,
+                       -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
      }},
     {"seconds_compliance", [](SolverState& s) { return s.timings.compliance; }},
     {"seconds_convection", [](SolverState& s) { return s.timings.convection; }},
     {"seconds_newton", [](SolverState& s) { return s.timings.newton; }},
     {"seconds_linear", [](SolverState& s) { return s.timings.linear; }},
     {"seconds_total", [](SolverState& s) { return s.timings.total; }},
-    {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.bytes()); }},
+    {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
     {"kernel_evaluations",
      [](SolverState& s) {
        return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0;

@@ -92,7 +92,8 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
   ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &friction), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
+            ROLLCON_OK);
   for (const char* solver : {"lu", "gmres"}) {
     ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", solver), ROLLCON_OK);
     std::int64_t counted = 0;

@@ -1,10 +1,11 @@
 /// Coulomb's projection and its derivative against finite differences.
 
+#include "contact/friction/coulomb.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cstdio>
 
-#include "contact/friction/coulomb.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {

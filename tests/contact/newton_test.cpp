@@ -110,18 +110,40 @@ TEST(newton, every_change_of_the_scene_is_seen) {
   const auto change = [](int which, Pair& pair) {
     Scene& s = pair.contact->scene;
     switch (which) {
-      case 0: s.set_gap_quadratic(0.012, 0.009, 0.001); break;
-      case 1: pair.friction(0.1); break;
-      case 2: s.set_creep(3e-4, 0, 1e-3); break;
-      case 3: s.options.set_text("convection", "godunov"); break;
-      case 4: s.options.set_text("convection", "characteristic"); break;
-      case 5: s.options.set_real("accuracy", 1e-9); break;
+      case 0:
+        s.set_gap_quadratic(0.012, 0.009, 0.001);
+        break;
+      case 1:
+        pair.friction(0.1);
+        break;
+      case 2:
+        s.set_creep(3e-4, 0, 1e-3);
+        break;
+      case 3:
+        s.options.set_text("convection", "godunov");
+        break;
+      case 4:
+        s.options.set_text("convection", "characteristic");
+        break;
+      case 5:
+        s.options.set_real("accuracy", 1e-9);
+        break;
       case 6: {
         const double origin[3] = {0.1, 0, 0}, rolling[3] = {0.6, 0.8, 0}, normal[3] = {0, 0, 1};
         s.set_axes(origin, rolling, normal);
         break;
       }
-      case 7: pair.friction(0); break;
+      case 7:
+        pair.friction(0);
+        break;
+      case 8: {  // the scheme changes while there is no friction to need it
+        pair.friction(0);
+        ASSERT_GE(static_cast<int>(pair.contact->solve()), 0);
+        s.options.set_text("convection", "characteristic");
+        ASSERT_GE(static_cast<int>(pair.contact->solve()), 0);
+        pair.friction(0.3);
+        break;
+      }
       default: {
         const std::vector<double> lines = frames::uniform_lines(-1.4, 1.4, 9);
         pair.frame(frames::rectangle(ElementType::tri3, lines, lines));
@@ -129,7 +151,7 @@ TEST(newton, every_change_of_the_scene_is_seen) {
     }
   };
   double worst = 0;
-  for (int which = 0; which <= 8; ++which) {
+  for (int which = 0; which <= 9; ++which) {
     Pair used(1e4, 0.3, 1e4, rigid), fresh(1e4, 0.3, 1e4, rigid);
     for (Pair* pair : {&used, &fresh}) {
       standard_scene(*pair, 10);
@@ -175,6 +197,74 @@ TEST(newton, statuses) {
   }
   scene.prescribe(1, 2, 0.9 * 0.3 * 300);
   EXPECT_EQ(pair.contact->solve(), Status::ok) << "usable after a refused load";
+}
+
+TEST(newton, no_load_after_a_loaded_solve_leaves_nothing_behind) {
+  Pair pair(1e4, 0.3, 1e4, rigid);
+  standard_scene(pair, 10);
+  Scene& scene = pair.contact->scene;
+  scene.set_gap_quadratic(0.01, 0.01, 0);
+  ASSERT_EQ(pair.contact->solve(), Status::ok);
+  scene.prescribe(3, 2, 0);
+  ASSERT_EQ(pair.contact->solve(), Status::no_contact);
+  double force[3], depth = 1;
+  pair.contact->resultant(InAxes::local, force, nullptr);
+  pair.contact->motion(&depth, nullptr);
+  EXPECT_EQ(force[2], 0);
+  EXPECT_EQ(depth, 0) << "the bodies just touch";
+}
+
+TEST(newton, a_far_start_is_not_held_against_the_load) {
+  // A spin moment that the small patch of the last solution could not carry but the new one can.
+  for (const double moment : {5.0, 10.0}) {
+    Pair pair(1e4, 0.3, 1e4, rigid);
+    standard_scene(pair, 12);
+    Scene& scene = pair.contact->scene;
+    scene.prescribe(3, 2, 3);
+    ASSERT_EQ(pair.contact->solve(), Status::ok);
+    scene.prescribe(3, 2, 300);
+    scene.prescribe(4, 2, moment);
+    ASSERT_EQ(pair.contact->solve(), Status::ok);
+    EXPECT_LT(pair.worst_law(), 1e-8);
+  }
+}
+
+TEST(newton, a_creep_field_that_is_a_spin_acts_like_the_spin) {
+  for (const char* scheme : {"godunov", "least_squares", "characteristic"}) {
+    Pair by_spin(1e4, 0.3, 1e4, 0.3), by_field(1e4, 0.3, 1e4, 0.3);
+    const double spin = 2e-3, speed = 7;
+    for (Pair* pair : {&by_spin, &by_field}) {
+      standard_scene(*pair, 14);
+      pair->contact->scene.set_speed(speed);
+      pair->contact->scene.options.set_text("convection", scheme);
+    }
+    by_spin.contact->scene.set_creep(0, 0, spin);
+    std::vector<double> field;
+    for (const Vec3& node : by_field.contact->scene.mesh().node) {
+      field.push_back(-speed * spin * node[1]);
+      field.push_back(speed * spin * node[0]);
+    }
+    by_field.contact->scene.set_creep_field(by_field.contact->nodes(), field.data());
+    ASSERT_EQ(by_spin.contact->solve(), Status::ok);
+    ASSERT_EQ(by_field.contact->solve(), Status::ok);
+    const double difference = largest_difference(by_field.tractions(), by_spin.tractions());
+    std::printf("%s: spin as a field: difference %.1e (bound 1e-8)\n", scheme, difference);
+    EXPECT_LT(difference, 1e-8);
+  }
+}
+
+TEST(newton, unfound_pressures_are_never_called_solved) {
+  // One corner node of a serendipity element in contact: its weight is negative, so that no
+  // compressive pressure carries the load.
+  Pair pair(1e4, 0.3, 1e4, 0.3);
+  const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 4);
+  pair.frame(frames::rectangle(ElementType::quad8, lines, lines));
+  Scene& scene = pair.contact->scene;
+  scene.set_gap_quadratic(0.01, 0.01, 0);
+  pair.friction(0.3);
+  scene.set_creep(1e-3, 0, 0);
+  scene.prescribe(3, 2, 0.1);
+  EXPECT_EQ(pair.contact->solve(), Status::not_converged);
 }
 
 TEST(newton, what_is_not_needed_is_not_assembled) {

@@ -199,6 +199,16 @@ double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, dou
   return -2 * pi * (coupling(body1) - coupling(body2)) * p0 * std::sqrt(1 - low * low);
 }
 
+double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load,
+                            double radius) {
+  auto coupling = [](const Elastic& e) { return (1 - 2 * e.poisson) / (2 * e.shear); };
+  const double e_star = effective_modulus(body1, body2);
+  const double beta = 0.5 * e_star * (coupling(body1) - coupling(body2));
+  const double eta = std::log((1 + beta) / (1 - beta)) / (2 * pi);
+  const double a = std::sqrt(4 * load * radius / (pi * e_star * (1 + 4 * eta * eta)));
+  return -2 * eta * a / radius;
+}
+
 double steady_rolling(const std::string& which_case, const std::string& quantity) {
   for (const auto& row : read_table("steady_rolling_limits.csv"))
     if (row[0] == which_case && row[1] == quantity) return std::stod(row[2]);

@@ -79,6 +79,11 @@ std::vector<BentallJohnson> bentall_johnson();  ///< tests/data/bentall_johnson.
 /// much load slips forwards as backwards.
 double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a,
                                  double radius);
+/// Free rolling without slip (Bufler): p + i q is bounded at both edges, where it behaves like a distance to
+/// the power 1/2 +- i eta, eta = ln((1 + beta)/(1 - beta))/(2 pi), beta Dundurs' constant. Then
+/// xi = 2 eta a/R, P = pi E* a^2 (1 + 4 eta^2)/(4 R), and F = 0 of itself. load: per length.
+double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load,
+                            double radius);
 
 /// An entry of tests/data/steady_rolling_limits.csv; throws when there is none.
 double steady_rolling(const std::string& which_case, const std::string& quantity);

@@ -80,11 +80,13 @@ std::vector<double> Strip::end_slip(const std::vector<double>& x, const std::vec
   return c;
 }
 
-std::vector<double> strip_lines(double half_length) {
-  std::vector<double> y;
-  for (double s : {-1.0, -0.93, -0.8, -0.5, -0.2, 0.0, 0.2, 0.5, 0.8, 0.93, 1.0})
-    y.push_back(s * half_length);
-  return y;
+std::vector<double> strip_lines(double half_length, double a) {
+  std::vector<double> y = {0, 0.2 * half_length};
+  for (double from_end : {3.5, 1.5, 0.5, 0.0}) y.push_back(half_length - from_end * a);
+  std::vector<double> lines;
+  for (std::size_t k = y.size(); k-- > 1;) lines.push_back(-y[k]);
+  lines.insert(lines.end(), y.begin(), y.end());
+  return lines;
 }
 
 double Section::load() const { return trapezoid(x, pressure); }

@@ -27,8 +27,9 @@ struct Strip {
                                double coupling) const;
 };
 
-/// n + 1 (odd count) lines across a strip, half_length(-1 .. 1), closer together near the ends.
-std::vector<double> strip_lines(double half_length);
+/// Lines of nodes y = const of a strip of contact half-width a: the middle, where nothing varies along y, and
+/// the ends, whose three-dimensional zone is about a wide. half_length >= 5 a.
+std::vector<double> strip_lines(double half_length, double a = 1);
 
 /// Values on the line y = 0 ordered by x.
 struct Section {

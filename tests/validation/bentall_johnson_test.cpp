@@ -1,6 +1,5 @@
-// Dissimilar rollers in plane strain: creepage of free rolling at vanishing, usual and unlimited
-// friction, and of tractive rolling, each found from a prescribed force
-// (tests/data/bentall_johnson.csv).
+// Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at
+// vanishing, usual and unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
 
 #include "report.hpp"
 #include "support/carter_strip.hpp"
@@ -8,27 +7,25 @@
 namespace rollcon::validation {
 namespace {
 
-using closed_forms::Carter;
 using namespace scenes;
 
 const Elastic steel{.shear = 82000, .poisson = 0.28}, aluminium{.shear = 23000, .poisson = 0.31};
-constexpr double combined_radius = 25;
+constexpr double combined_radius = 25, line_load = 16.20;
 constexpr double pi = 3.14159265358979323846;
 
 double coupling(const Elastic& e) { return (1 - 2 * e.poisson) / (4 * pi * e.shear); }
 
-/// Steel (body 1) on aluminium; the middle section obeys the plane theory.
 struct Rollers {
   Strip strip{closed_forms::hertz_line_from_load(
-                  combined_radius, closed_forms::effective_modulus(steel, aluminium), 16.20),
+                  combined_radius, closed_forms::effective_modulus(steel, aluminium), line_load),
               2.0};
   RollingPair pair{steel, aluminium};
 
-  explicit Rollers(int elements, const char* scheme) {
-    std::vector<double> lines = graded_nodes(elements);
+  /// lines: in half-widths.
+  Rollers(std::vector<double> lines, const char* scheme) {
     for (double& x : lines) x *= strip.hertz.a;
-    const auto mesh =
-        frames::rectangle(ElementType::quad4, lines, scenes::strip_lines(strip.half_length));
+    const auto mesh = frames::rectangle(ElementType::quad4, lines,
+                                        strip_lines(strip.half_length, strip.hertz.a));
     std::vector<double> x, y;
     for (const Vec3& node : mesh.node) {
       x.push_back(node[0]);
@@ -38,48 +35,77 @@ struct Rollers {
     pair.creep_field(strip.end_slip(x, y, coupling(steel) - coupling(aluminium)));
     pair.option("convection", scheme);
   }
+
+  void solve() {
+    // The ends of the strip are loaded: the frame's rim is in contact by intent.
+    EXPECT_EQ(pair.solve(), ROLLCON_RIM_CONTACT);
+  }
 };
 
-TEST(BentallJohnson, creepage_of_free_and_tractive_rolling) {
-  Rollers rollers(50, "characteristic");
-  const double load = rollers.strip.total_load();
+/// Creepage at a given force F/(mu P), by force. Godunov's difference needs equal spacing.
+void expect_creepage(double mu, double force_ratio, const std::string& scheme, double expected,
+                     double p0, const std::string& source, double bound = 2e-2) {
+  Rollers rollers(scheme == "godunov" ? strip_nodes(60) : graded_nodes(50), scheme.c_str());
+  rollers.pair.friction(mu).tangential_force(ROLLCON_LONGITUDINAL,
+                                             force_ratio * mu * rollers.strip.total_load());
+  rollers.solve();
+  const Solution s = rollers.pair.solution();
+  const Section middle = middle_section(s);
+  char name[140];
+  std::snprintf(name, sizeof name, "%s, mu = %g, F/(mu P) = %+.2f: xi = %.4e (%s %.4e)",
+                scheme.c_str(), mu, force_ratio, s.creep[0], source.c_str(), expected);
+  expect_error(name, relative(s.creep[0], expected), bound);
+  const double highest = *std::max_element(middle.pressure.begin(), middle.pressure.end());
+  if (p0 > 0) expect_error("  largest pressure", relative(highest, p0), 2e-2);
+}
+
+class BentallJohnson : public testing::TestWithParam<std::string> {};
+
+TEST_P(BentallJohnson, creepage_at_given_force) {
+  const double no_slip =
+      closed_forms::no_slip_free_rolling(steel, aluminium, line_load, combined_radius);
   for (const auto& row : closed_forms::bentall_johnson()) {
-    rollers.pair.friction(row.mu).tangential_force(ROLLCON_LONGITUDINAL,
-                                                   row.force_ratio * row.mu * load);
-    rollers.pair.reset();
-    ASSERT_EQ(rollers.pair.solve(), ROLLCON_RIM_CONTACT) << "mu = " << row.mu;
-    const Solution s = rollers.pair.solution();
-    const Section middle = scenes::middle_section(s);
-    char name[100];
-    std::snprintf(name, sizeof name, "mu = %g, F/(mu P) = %+.2f: xi = %.4e, expected %.4e", row.mu,
-                  row.force_ratio, s.creep[0], row.xi);
-    expect_error(name, relative(s.creep[0], row.xi), 2e-2);
-    report("  its middle section's F/(mu P)", middle.force() / (row.mu * middle.load()));
-    if (row.p0 > 0) {
-      const double p0 = *std::max_element(middle.pressure.begin(), middle.pressure.end());
-      expect_error("  largest pressure", relative(p0, row.p0), 2e-2);
+    if (row.mu < 1e-3) continue;  // below
+    if (row.mu >= 10) {
+      // Without slip first-order differences are slow: CONTACT is 2.2 % off with 200 strips.
+      const double bound = GetParam() == "godunov" ? 2.2e-2 * 200 / 60 : 2e-2;
+      expect_creepage(row.mu, row.force_ratio, GetParam(), no_slip, row.p0, "theory", bound);
+      report("  CONTACT's creepage against this theory", row.xi / no_slip - 1);
+    } else {
+      expect_creepage(row.mu, row.force_ratio, GetParam(), row.xi, row.p0, "CONTACT");
     }
   }
 }
 
-TEST(BentallJohnson, vanishing_friction_against_theory) {
-  const double theory = closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, 25);
+INSTANTIATE_TEST_SUITE_P(Schemes, BentallJohnson,
+                         testing::Values("godunov", "least_squares", "characteristic"));
+
+TEST(BentallJohnsonFreeRolling, vanishing_friction_by_creepage) {
+  const double theory =
+      closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
   expect_error("closed form against the published 0.457 kappa a/R", relative(theory, 5.2586e-4),
                2e-3);
-  Rollers rollers(50, "characteristic");
-  rollers.pair.friction(1e-6).tangential_force(ROLLCON_LONGITUDINAL, 0);
-  ASSERT_EQ(rollers.pair.solve(), ROLLCON_RIM_CONTACT);
-  expect_error("xi against theory", relative(rollers.pair.solution().creep[0], theory), 1e-2);
+  // The force changes sign within 2 % of the theory's creepage.
+  Rollers rollers(graded_nodes(50), "least_squares");
+  rollers.pair.friction(1e-6);
+  double ratio[2];
+  for (int i = 0; i < 2; ++i) {
+    rollers.pair.creep((i == 0 ? 0.98 : 1.02) * theory, 0, 0);
+    rollers.solve();
+    const Section middle = middle_section(rollers.pair.solution());
+    ratio[i] = middle.force() / (1e-6 * middle.load());
+  }
+  report("F/(mu P) at 0.98 of the theory's creepage", ratio[0]);
+  report("F/(mu P) at 1.02 of the theory's creepage", ratio[1]);
+  EXPECT_GT(ratio[0], 0);
+  EXPECT_LT(ratio[1], 0);
 }
 
-TEST(BentallJohnson, schemes_agree) {
-  for (const char* scheme : schemes) {
-    Rollers rollers(50, scheme);
-    rollers.pair.friction(0.05).tangential_force(ROLLCON_LONGITUDINAL, 0);
-    ASSERT_EQ(rollers.pair.solve(), ROLLCON_RIM_CONTACT) << scheme;
-    expect_error(std::string(scheme) + ": xi of free rolling, mu = 0.05",
-                 relative(rollers.pair.solution().creep[0], 4.294e-4), 2e-2);
-  }
+TEST(BentallJohnsonFreeRolling, small_friction_by_force) {
+  const double theory =
+      closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
+  // At zero creepage nearly every node slips: the solver has to find its way from there.
+  expect_creepage(1e-3, 0, "least_squares", theory, 0, "theory of vanishing friction");
 }
 
 }  // namespace

@@ -52,10 +52,12 @@ TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_conta
     const double scale = steady_rolling::mu * steady_rolling::hertz.load;
     const std::string name = "case " + which + ", " + std::to_string(n) + " rings, " +
                              std::to_string(std::lround(pair.stat("nodes_contact"))) + " nodes: ";
-    expect_error(name + "Fx", steady_rolling::force_error(s, which), 1e-2);
+    // Second order in the rings, 1.2 % at eight; the limits are known to 0.0008 and 0.0002.
+    const double h2 = 64.0 / (n * n);
+    expect_error(name + "Fx", steady_rolling::force_error(s, which), 1.2e-2 * h2 + 8e-4);
     if (which == "a") continue;
     expect_error(name + "Fy, in mu Fn",
-                 s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 5e-3);
+                 s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 8e-3 * h2 + 2e-4);
     expect_error(name + "Mz, in mu Fn a",
                  s.moment[2] / (scale * steady_rolling::radius) -
                      closed_forms::steady_rolling("b", "mz"),

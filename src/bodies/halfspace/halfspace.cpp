@@ -51,6 +51,7 @@ class HalfspaceCompliance final : public Compliance {
     }
   }
 
+  void set_threads(int threads) override { threads_ = std::max(1, threads); }
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
   std::int64_t kernel_evaluations() const override { return evaluations_.load(); }

@@ -2,6 +2,8 @@
 /// Coulomb's law as a projection and its derivative (Alart & Curnier 1991; formulation sections 2
 /// and 4.1). All arguments of one node.
 
+#include <cmath>
+
 namespace rollcon {
 
 /// How the tangential row of one node depends on its own tractions and slip:
@@ -17,18 +19,6 @@ struct TangentialLaw {
 
 /// a1, a2: augmented traction lambda_t - rt s; bound: mu times augmented pressure. The bound is
 /// -mu lambda_n^+ of the new iterate if `bound_follows` (full problem), else a given number.
-inline TangentialLaw linearise_coulomb(double a1, double a2, double mu, double bound,
-                                       bool bound_follows);
-
-/// Projection of (a1, a2) on the disk of radius bound >= 0.
-inline void project_on_disk(double a1, double a2, double bound, double& t1, double& t2);
-
-}  // namespace rollcon
-
-#include <cmath>
-
-namespace rollcon {
-
 inline TangentialLaw linearise_coulomb(double a1, double a2, double mu, double bound,
                                        bool bound_follows) {
   TangentialLaw law{};
@@ -62,6 +52,7 @@ inline TangentialLaw linearise_coulomb(double a1, double a2, double mu, double b
   return law;
 }
 
+/// Projection of (a1, a2) on the disk of radius bound >= 0.
 inline void project_on_disk(double a1, double a2, double bound, double& t1, double& t2) {
   const double length = std::hypot(a1, a2);
   const double factor = length > bound ? bound / length : 1;
