@@ -28,8 +28,7 @@ scenes::Solution timed_solve(scenes::RollingPair& pair, Record& record, double b
   record.iterations = count("iterations");
   record.linear_iterations = count("linear_iterations");
   for (const char* phase : {"compliance", "convection", "newton", "linear", "total"})
-    record.phase_seconds.emplace_back(phase,
-                                      pair.stat((std::string("seconds_") + phase).c_str()));
+    record.phase_seconds.emplace_back(phase, pair.stat((std::string("seconds_") + phase).c_str()));
   return solution;
 }
 
@@ -53,7 +52,8 @@ void Runner::emit(const Record& r) {
   std::printf("%-12s %-15s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n",
               r.case_name.c_str(), r.method.c_str(), r.mesh.c_str(),
               static_cast<long long>(r.nodes), r.quantity.c_str(), r.value, r.error, r.seconds,
-              static_cast<long long>(r.iterations), trustworthy(r.status) ? "" : "  (not converged)");
+              static_cast<long long>(r.iterations),
+              trustworthy(r.status) ? "" : "  (not converged)");
   for (const auto& [name, value] : r.extra) std::printf("    %s = %.6g\n", name.c_str(), value);
   std::fflush(stdout);
   if (!json_) return;

@@ -18,10 +18,10 @@ struct Record {
   double value = 0, error = 0;        ///< error relative unless `quantity` says otherwise
   std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
   std::int32_t status = 0;
-  double seconds = 0;                 ///< wall, from arrays to results
+  double seconds = 0;  ///< wall, from arrays to results
   std::vector<std::pair<std::string, double>> phase_seconds{};
-  std::int64_t peak_bytes = 0;        ///< the library's own count
-  std::int64_t resident_bytes = 0;    ///< VmHWM of the process during the solve
+  std::int64_t peak_bytes = 0;      ///< the library's own count
+  std::int64_t resident_bytes = 0;  ///< VmHWM of the process during the solve
   std::int64_t iterations = 0, linear_iterations = 0;
   int threads = 1;
   std::vector<std::pair<std::string, double>> extra{};

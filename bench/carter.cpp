@@ -23,9 +23,8 @@ void roll(Runner& runner, const std::vector<double>& x, int across, const std::s
     record.against = "Carter's closed form";
     record.value = scenes::carter.force_ratio() * (1 + error.force);
     record.error = error.force;
-    record.extra = {{"error_traction_l2", error.traction},
-                    {"error_load", error.load},
-                    {"across", across}};
+    record.extra = {
+        {"error_traction_l2", error.traction}, {"error_load", error.load}, {"across", across}};
     runner.emit(record);
   }
 }

@@ -1,8 +1,8 @@
 // Half-space kernel: point evaluations per second while a compliance is assembled.
 
 #include "bench.hpp"
-#include "support/frames.hpp"
 #include "support/example3.hpp"
+#include "support/frames.hpp"
 
 namespace rollcon::bench {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "bench.hpp"
-#include "support/graded_disc.hpp"
 #include "support/example3.hpp"
+#include "support/graded_disc.hpp"
 #include "support/steady_rolling.hpp"
 
 namespace rollcon::bench {
@@ -21,9 +21,10 @@ void solve(Runner& runner, scenes::RollingPair& pair, const std::string& mesh, c
   const double began = now();
   timed_solve(pair, record, began);
   record.value = record.seconds - pair.stat("seconds_compliance");
-  record.extra = {{"seconds_per_iteration",
-                   record.value / static_cast<double>(std::max<std::int64_t>(1, record.iterations))},
-                  {"factorizations", pair.stat("factorizations")}};
+  record.extra = {
+      {"seconds_per_iteration",
+       record.value / static_cast<double>(std::max<std::int64_t>(1, record.iterations))},
+      {"factorizations", pair.stat("factorizations")}};
   runner.emit(record);
 }
 

@@ -53,8 +53,8 @@ int run(const std::vector<Case>& cases, int argc, char** argv) {
   if (wanted.empty()) return usage();
   const bool everything = std::find(wanted.begin(), wanted.end(), "all") != wanted.end();
   for (const std::string& name : wanted)
-    if (name != "all" && std::none_of(cases.begin(), cases.end(),
-                                      [&](const Case& c) { return c.name == name; })) {
+    if (name != "all" &&
+        std::none_of(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; })) {
       std::fprintf(stderr, "no case %s; see rollcon-bench list\n", name.c_str());
       return 2;
     }

@@ -34,7 +34,9 @@ void* memalign(size_t alignment, size_t size) {
   allocations.fetch_add(1, std::memory_order_relaxed);
   return __libc_memalign(alignment, size);
 }
-void* aligned_alloc(size_t alignment, size_t size) { return memalign(alignment, size); }
+void* aligned_alloc(size_t alignment, size_t size) {
+  return memalign(alignment, size);
+}
 int posix_memalign(void** p, size_t alignment, size_t size) {
   *p = memalign(alignment, size);
   return *p ? 0 : ENOMEM;
@@ -44,7 +46,9 @@ int posix_memalign(void** p, size_t alignment, size_t size) {
 
 namespace rollcon::bench {
 
-std::int64_t heap_allocations() { return allocations.load(std::memory_order_relaxed); }
+std::int64_t heap_allocations() {
+  return allocations.load(std::memory_order_relaxed);
+}
 
 std::int64_t peak_resident_bytes() {
   std::FILE* file = std::fopen("/proc/self/status", "r");

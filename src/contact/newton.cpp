@@ -193,7 +193,8 @@ bool Newton::newton_step(Part part, double forcing) {
     const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
     const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
     system_.law(static_cast<std::int64_t>(a)) =
-        linearise_coulomb(a1, a2, p.mu[k], bound, part == Part::full);
+        stick_first_ && p.mu[k] > 0 ? stick_law()
+                                    : linearise_coulomb(a1, a2, p.mu[k], bound, part == Part::full);
     known_[0][a] = p.rigid_slip1(i, known) + (has_frozen_ ? frozen_[0][k] : 0);
     known_[1][a] = p.rigid_slip2(i, known) + (has_frozen_ ? frozen_[1][k] : 0);
   }

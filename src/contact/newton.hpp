@@ -103,8 +103,9 @@ class Newton {
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;
   std::vector<double> merits_;
   bool pressures_found_ = false;  ///< the normal part converged
-  bool continuing_ = false;  ///< the problem is not yet the one to be solved
-  int free_steps_ = 0;       ///< steps still to be taken without line search
+  bool continuing_ = false;       ///< the problem is not yet the one to be solved
+  bool stick_first_ = false;      ///< the next step takes every node with friction for sticking
+  int free_steps_ = 0;            ///< steps still to be taken without line search
   double pressure_scale_ = 1, traction_scale_ = 1;
   bool operators_changed_ = true;
 

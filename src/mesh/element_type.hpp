@@ -17,11 +17,16 @@ enum class ElementType : std::int32_t {
 /// midpoints in the same order (first between corners 0 and 1), then the centre (quad9).
 constexpr int node_count(ElementType type) {
   switch (type) {
-    case ElementType::tri3: return 3;
-    case ElementType::tri6: return 6;
-    case ElementType::quad4: return 4;
-    case ElementType::quad8: return 8;
-    case ElementType::quad9: return 9;
+    case ElementType::tri3:
+      return 3;
+    case ElementType::tri6:
+      return 6;
+    case ElementType::quad4:
+      return 4;
+    case ElementType::quad8:
+      return 8;
+    case ElementType::quad9:
+      return 9;
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 #pragma once
-/// The contact frame: the mesh on which tractions live. Its nodes are given in space; the half-space
-/// sees their projection on the tangent plane of the axes (t1, t2), so a gently curved frame is
-/// allowed as long as it projects without folding.
+/// The contact frame: the mesh on which tractions live. Its nodes are given in space; the
+/// half-space sees their projection on the tangent plane of the axes (t1, t2), so a gently curved
+/// frame is allowed as long as it projects without folding.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,8 @@ namespace rollcon {
 
 using Vec3 = std::array<double, 3>;
 
-/// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body 1).
+/// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body
+/// 1).
 struct Axes {
   Vec3 origin{0, 0, 0};
   Vec3 t1{1, 0, 0};
@@ -42,12 +43,12 @@ struct FrameMesh {
 struct Frame {
   FrameMesh mesh;
   Axes axes;
-  std::vector<double> x, y, z;      ///< nodal coordinates in the axes (t1, t2, n)
-  std::vector<double> weight;       ///< integral of N_i over the projected frame (may be <= 0)
-  std::vector<double> cell_area;    ///< median-dual cell area, > 0
-  std::vector<std::uint8_t> rim;    ///< 1 for nodes on the frame's boundary
-  std::vector<std::uint8_t> used;   ///< 1 for nodes that belong to an element
-  double area = 0;                  ///< of the projected frame
+  std::vector<double> x, y, z;     ///< nodal coordinates in the axes (t1, t2, n)
+  std::vector<double> weight;      ///< integral of N_i over the projected frame (may be <= 0)
+  std::vector<double> cell_area;   ///< median-dual cell area, > 0
+  std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
+  std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element
+  double area = 0;                 ///< of the projected frame
 
   std::int64_t nodes() const { return mesh.nodes(); }
   std::int64_t elements() const { return mesh.elements(); }

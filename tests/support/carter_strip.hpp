@@ -43,8 +43,8 @@ struct CarterErrors {
   double load = 0, force = 0, traction = 0;
 };
 
-/// Middle section against the closed form: normal load, F/(mu P) relative, and the relative L2 norm of the
-/// nodal tractions.
+/// Middle section against the closed form: normal load, F/(mu P) relative, and the relative L2 norm
+/// of the nodal tractions.
 inline CarterErrors compare(const Section& section) {
   CarterErrors error;
   error.load = section.load() / carter.hertz.load - 1;
@@ -60,7 +60,8 @@ inline CarterErrors compare(const Section& section) {
   return error;
 }
 
-/// Sets the strip's gap, approach, creepage and friction for the nodes of a frame given in the strip's coordinates.
+/// Sets the strip's gap, approach, creepage and friction for the nodes of a frame given in the
+/// strip's coordinates.
 inline void load_strip(RollingPair& pair, const Strip& strip, const FrameMesh& mesh) {
   std::vector<double> x, y;
   for (const Vec3& node : mesh.node) {

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double positive_root(double x) { return std::sqrt(std::max(x, 0.0)); }
+double positive_root(double x) {
+  return std::sqrt(std::max(x, 0.0));
+}
 
 /// A_small / A_large of an ellipse with (short/long axis)^2 = m1: (K-E)/(E/m1 - K), and the two
 /// factors of A_small (with alpha^3 2 pi E*/(3P)) and of the approach.
@@ -49,7 +51,9 @@ double effective_modulus(const Elastic& body1, const Elastic& body2) {
   return 1 / (1 / effective_modulus(body1) + 1 / effective_modulus(body2));
 }
 
-double effective_modulus(const Elastic& body) { return 2 * body.shear / (1 - body.poisson); }
+double effective_modulus(const Elastic& body) {
+  return 2 * body.shear / (1 - body.poisson);
+}
 
 EllipticIntegrals elliptic_integrals(double m1) {
   double a = 1, g = std::sqrt(m1), c2 = 1 - m1, sum = 0.5 * c2, power = 0.5;
@@ -106,7 +110,9 @@ Hertz hertz_from_axes(double a, double b, double p0, double e_star) {
           .approach = 3 * load * s.k / (2 * pi * longer * e_star)};
 }
 
-double HertzLine::pressure(double x) const { return p0 * positive_root(1 - x * x / (a * a)); }
+double HertzLine::pressure(double x) const {
+  return p0 * positive_root(1 - x * x / (a * a));
+}
 
 double HertzLine::gap(double x) const {
   const double t = std::abs(x) / a;
@@ -167,9 +173,13 @@ Kalker kalker_table(double a_over_b, double nu) {
   throw std::invalid_argument("kalker_table: this a/b is not in the table");
 }
 
-double vermeulen_johnson(double x) { return x < 1 ? 1 - std::pow(1 - x, 3) : 1; }
+double vermeulen_johnson(double x) {
+  return x < 1 ? 1 - std::pow(1 - x, 3) : 1;
+}
 
-double shen_hedrick_elkins(double rho) { return vermeulen_johnson(rho / 3); }
+double shen_hedrick_elkins(double rho) {
+  return vermeulen_johnson(rho / 3);
+}
 
 std::vector<CreepPoint> creep_curve() {
   std::vector<CreepPoint> points;

@@ -43,8 +43,8 @@ struct HertzLine {
 HertzLine hertz_line_from_load(double radius, double e_star, double load);
 HertzLine hertz_line_from_width(double radius, double e_star, double a);
 
-/// Carter: steady rolling of identical cylinders, xi > 0 or < 0; traction on body 1 opposes the slip
-/// V xi. The stick zone touches the leading edge x = +a.
+/// Carter: steady rolling of identical cylinders, xi > 0 or < 0; traction on body 1 opposes the
+/// slip V xi. The stick zone touches the leading edge x = +a.
 struct Carter {
   HertzLine hertz;
   double mu = 0, xi = 0;
@@ -75,15 +75,15 @@ struct BentallJohnson {
   double mu = 0, force_ratio = 0, xi = 0, p0 = 0;
 };
 std::vector<BentallJohnson> bentall_johnson();  ///< tests/data/bentall_johnson.csv
-/// Free rolling with vanishing friction: xi = 0.457 kappa a/R, recomputed from the condition that as
-/// much load slips forwards as backwards.
+/// Free rolling with vanishing friction: xi = 0.457 kappa a/R, recomputed from the condition that
+/// as much load slips forwards as backwards.
 double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a,
                                  double radius);
-/// Free rolling without slip (Bufler): p + i q is bounded at both edges, where it behaves like a distance to
-/// the power 1/2 +- i eta, eta = ln((1 + beta)/(1 - beta))/(2 pi), beta Dundurs' constant. Then
-/// xi = 2 eta a/R, P = pi E* a^2 (1 + 4 eta^2)/(4 R), and F = 0 of itself. load: per length.
-double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load,
-                            double radius);
+/// Free rolling without slip (Bufler): p + i q is bounded at both edges, where it behaves like a
+/// distance to the power 1/2 +- i eta, eta = ln((1 + beta)/(1 - beta))/(2 pi), beta Dundurs'
+/// constant. Then xi = 2 eta a/R, P = pi E* a^2 (1 + 4 eta^2)/(4 R), and F = 0 of itself. load: per
+/// length.
+double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load, double radius);
 
 /// An entry of tests/data/steady_rolling_limits.csv; throws when there is none.
 double steady_rolling(const std::string& which_case, const std::string& quantity);

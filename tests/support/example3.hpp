@@ -1,6 +1,6 @@
 #pragma once
-/// The third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an elastic
-/// sphere rolls on a rigid plane under a prescribed tangential force. N, mm, MPa, s.
+/// The third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an
+/// elastic sphere rolls on a rigid plane under a prescribed tangential force. N, mm, MPa, s.
 
 #include <memory>
 #include <string>
@@ -31,10 +31,14 @@ struct NamedFrame {
 inline NamedFrame frame(int nodes) {
   const double reach = 1.3 * hertz().a;
   switch (nodes) {
-    case 673: return {"673 quad4", frames::o_grid(ElementType::quad4, 16, 6, reach, reach)};
-    case 1985: return {"1985 quad8", frames::o_grid(ElementType::quad8, 16, 6, reach, reach)};
-    case 703: return {"703 tri3", frames::paper_disc(ElementType::tri3, reach)};
-    default: return {"2745 tri6", frames::paper_disc(ElementType::tri6, reach)};
+    case 673:
+      return {"673 quad4", frames::o_grid(ElementType::quad4, 16, 6, reach, reach)};
+    case 1985:
+      return {"1985 quad8", frames::o_grid(ElementType::quad8, 16, 6, reach, reach)};
+    case 703:
+      return {"703 tri3", frames::paper_disc(ElementType::tri3, reach)};
+    default:
+      return {"2745 tri6", frames::paper_disc(ElementType::tri6, reach)};
   }
 }
 

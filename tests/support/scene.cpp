@@ -92,7 +92,9 @@ RollingPair& RollingPair::approach(double value) {
   return *this;
 }
 
-RollingPair& RollingPair::load(double value) { return tangential_force(ROLLCON_NORMAL, value); }
+RollingPair& RollingPair::load(double value) {
+  return tangential_force(ROLLCON_NORMAL, value);
+}
 
 RollingPair& RollingPair::tangential_force(std::int32_t direction, double value) {
   check(rollcon_contact_prescribe(contact_, direction, ROLLCON_BY_FORCE, value), "prescribe");
@@ -119,9 +121,13 @@ RollingPair& RollingPair::option(const char* name, std::int64_t value) {
   return *this;
 }
 
-std::int32_t RollingPair::solve() { return check(rollcon_contact_solve(contact_), "solve"); }
+std::int32_t RollingPair::solve() {
+  return check(rollcon_contact_solve(contact_), "solve");
+}
 
-void RollingPair::reset() { check(rollcon_contact_reset(contact_), "reset"); }
+void RollingPair::reset() {
+  check(rollcon_contact_reset(contact_), "reset");
+}
 
 std::vector<double> RollingPair::field(std::int32_t which, std::size_t components) const {
   std::vector<double> values(components * nodes_);
@@ -160,9 +166,8 @@ Solution RollingPair::solution() const {
 
 std::vector<double> RollingPair::displacements_at(int body, const std::vector<double>& xy) const {
   std::vector<double> u(xy.size() / 2 * 3);
-  check(rollcon_contact_get_displacements_at(contact_, body,
-                                             static_cast<std::int64_t>(xy.size() / 2), xy.data(),
-                                             u.data()),
+  check(rollcon_contact_get_displacements_at(
+            contact_, body, static_cast<std::int64_t>(xy.size() / 2), xy.data(), u.data()),
         "get_displacements_at");
   return u;
 }

@@ -21,11 +21,11 @@ using closed_forms::Elastic;
 /// Results of a solve, in the contact's axes.
 struct Solution {
   std::int32_t status = 0;
-  std::vector<double> x, y;               ///< node positions
+  std::vector<double> x, y;                     ///< node positions
   std::vector<std::array<double, 3>> traction;  ///< on body 1
   std::vector<std::array<double, 2>> slip;      ///< of body 1 relative to body 2
   std::vector<double> pressure, gap, area, weight;
-  std::vector<std::int32_t> state;        ///< ROLLCON_OPEN, ...
+  std::vector<std::int32_t> state;  ///< ROLLCON_OPEN, ...
   std::array<double, 3> force{}, moment{}, creep{};
   double approach = 0;
 

@@ -43,8 +43,7 @@ double Strip::displacement(double x, double y) const {
   double u = 0;
   for (double l : {half_length - y, half_length + y}) {
     if (l <= 0) continue;
-    u += integrate_pressure(
-             hertz, [&](double s) { return std::log(l + std::hypot(l, x - s)); }) -
+    u += integrate_pressure(hertz, [&](double s) { return std::log(l + std::hypot(l, x - s)); }) -
          log_potential(hertz, x);
   }
   return u / (pi * hertz.e_star);
@@ -89,8 +88,12 @@ std::vector<double> strip_lines(double half_length, double a) {
   return lines;
 }
 
-double Section::load() const { return trapezoid(x, pressure); }
-double Section::force() const { return trapezoid(x, traction); }
+double Section::load() const {
+  return trapezoid(x, pressure);
+}
+double Section::force() const {
+  return trapezoid(x, traction);
+}
 
 Section middle_section(const Solution& s) {
   const double extent = *std::max_element(s.y.begin(), s.y.end());

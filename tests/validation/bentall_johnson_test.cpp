@@ -1,5 +1,6 @@
 // Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at
-// vanishing, usual and unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
+// vanishing, usual and unlimited friction, and of tractive rolling
+// (tests/data/bentall_johnson.csv).
 
 #include "report.hpp"
 #include "support/carter_strip.hpp"
@@ -13,7 +14,9 @@ const Elastic steel{.shear = 82000, .poisson = 0.28}, aluminium{.shear = 23000, 
 constexpr double combined_radius = 25, line_load = 16.20;
 constexpr double pi = 3.14159265358979323846;
 
-double coupling(const Elastic& e) { return (1 - 2 * e.poisson) / (4 * pi * e.shear); }
+double coupling(const Elastic& e) {
+  return (1 - 2 * e.poisson) / (4 * pi * e.shear);
+}
 
 struct Rollers {
   Strip strip{closed_forms::hertz_line_from_load(
@@ -24,8 +27,8 @@ struct Rollers {
   /// lines: in half-widths.
   Rollers(std::vector<double> lines, const char* scheme) {
     for (double& x : lines) x *= strip.hertz.a;
-    const auto mesh = frames::rectangle(ElementType::quad4, lines,
-                                        strip_lines(strip.half_length, strip.hertz.a));
+    const auto mesh =
+        frames::rectangle(ElementType::quad4, lines, strip_lines(strip.half_length, strip.hertz.a));
     std::vector<double> x, y;
     for (const Vec3& node : mesh.node) {
       x.push_back(node[0]);

@@ -15,8 +15,7 @@ struct Result {
 
 Result roll(const std::vector<double>& x, double half_length) {
   const Strip strip{carter.hertz, half_length};
-  const auto mesh =
-      frames::rectangle(ElementType::quad4, x, scenes::strip_lines(half_length));
+  const auto mesh = frames::rectangle(ElementType::quad4, x, scenes::strip_lines(half_length));
   RollingPair pair(roller, roller);
   pair.frame(mesh);
   load_strip(pair, strip, mesh);
@@ -99,8 +98,7 @@ TEST(Carter, the_strip_is_long_enough) {
 
 TEST(Carter, more_creepage_more_slip_until_all_slides) {
   const Strip strip{carter.hertz, 20};
-  const auto mesh =
-      frames::rectangle(ElementType::quad4, strip_nodes(50), scenes::strip_lines(20));
+  const auto mesh = frames::rectangle(ElementType::quad4, strip_nodes(50), scenes::strip_lines(20));
   RollingPair pair(roller, roller);
   pair.frame(mesh);
   load_strip(pair, strip, mesh);

@@ -1,8 +1,9 @@
 // The paper's example 3 on its frames: the same creepage on all within their errors, the peak
 // pressure near Hertz's, and every law of contact recomputed from the results.
 
-#include "laws.hpp"
 #include "support/example3.hpp"
+
+#include "laws.hpp"
 #include "support/graded_disc.hpp"
 #include "upwind_reference.hpp"
 
@@ -18,7 +19,9 @@ struct Reference {
   double creepage, p0;
 };
 
-double peak(const Solution& s) { return *std::max_element(s.pressure.begin(), s.pressure.end()); }
+double peak(const Solution& s) {
+  return *std::max_element(s.pressure.begin(), s.pressure.end());
+}
 
 /// A fine frame fitted to the contact, characteristic scheme.
 const Reference& reference() {
@@ -106,25 +109,46 @@ void roll(int nodes, const char* scheme, double bound) {
                1e-2);
   // 140 MPa is Hertz's 140.8 without friction; the coupling of this pair raises it by 1.8 %.
   expect_error(name + "peak pressure against 140 MPa", relative(peak(s), 140), 3e-2);
-  expect_laws(frame.name + ", " + scheme, check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
+  expect_laws(frame.name + ", " + scheme,
+              check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
   expect_error(name + "gap from displacements", gap_error(*pair, s), 1e-5);
   if (std::string(scheme) == "godunov" && (nodes == 673 || nodes == 703))
-    expect_error(name + "slip from displacements, own operator",
-                 slip_error(*pair, s, frame.mesh), 1e-4);
+    expect_error(name + "slip from displacements, own operator", slip_error(*pair, s, frame.mesh),
+                 1e-4);
   report(name + "slip against the exact derivative, rms", slip_consistency(*pair, s));
 }
 
-TEST(Example3, quad4_673_godunov) { roll(673, "godunov", 0.12); }
-TEST(Example3, quad4_673_least_squares) { roll(673, "least_squares", 0.06); }
-TEST(Example3, quad4_673_characteristic) { roll(673, "characteristic", 0.03); }
-TEST(Example3, tri3_703_godunov) { roll(703, "godunov", 0.20); }
-TEST(Example3, tri3_703_least_squares) { roll(703, "least_squares", 0.06); }
-TEST(Example3, tri3_703_characteristic) { roll(703, "characteristic", 0.03); }
+TEST(Example3, quad4_673_godunov) {
+  roll(673, "godunov", 0.12);
+}
+TEST(Example3, quad4_673_least_squares) {
+  roll(673, "least_squares", 0.06);
+}
+TEST(Example3, quad4_673_characteristic) {
+  roll(673, "characteristic", 0.03);
+}
+TEST(Example3, tri3_703_godunov) {
+  roll(703, "godunov", 0.20);
+}
+TEST(Example3, tri3_703_least_squares) {
+  roll(703, "least_squares", 0.06);
+}
+TEST(Example3, tri3_703_characteristic) {
+  roll(703, "characteristic", 0.03);
+}
 // Cells of the split quad8 are irregular, and Godunov pays for it.
-TEST(Example3, quad8_1985_godunov) { roll(1985, "godunov", 0.12); }
-TEST(Example3, quad8_1985_least_squares) { roll(1985, "least_squares", 0.04); }
-TEST(Example3, tri6_2745_godunov) { roll(2745, "godunov", 0.10); }
-TEST(Example3, tri6_2745_least_squares) { roll(2745, "least_squares", 0.04); }
+TEST(Example3, quad8_1985_godunov) {
+  roll(1985, "godunov", 0.12);
+}
+TEST(Example3, quad8_1985_least_squares) {
+  roll(1985, "least_squares", 0.04);
+}
+TEST(Example3, tri6_2745_godunov) {
+  roll(2745, "godunov", 0.10);
+}
+TEST(Example3, tri6_2745_least_squares) {
+  roll(2745, "least_squares", 0.04);
+}
 
 TEST(Example3, creepage_change_resolves_in_few_iterations) {
   auto pair = example3::pair(example3::frame(673).mesh, "least_squares");

@@ -10,8 +10,8 @@ namespace rollcon::validation {
 namespace {
 
 using closed_forms::Hertz;
-using scenes::FittedEllipse;
 using scenes::fit_hertz;
+using scenes::FittedEllipse;
 using scenes::RollingPair;
 using scenes::Solution;
 
@@ -45,9 +45,13 @@ FrameMesh grid(ElementType type, int across) {
   return frames::rectangle(type, lines, lines);
 }
 
-TEST(HertzCircle, quad4_grid_24_across) { expect_hertz("quad4", grid(ElementType::quad4, 24)); }
+TEST(HertzCircle, quad4_grid_24_across) {
+  expect_hertz("quad4", grid(ElementType::quad4, 24));
+}
 
-TEST(HertzCircle, tri3_grid_24_across) { expect_hertz("tri3", grid(ElementType::tri3, 24)); }
+TEST(HertzCircle, tri3_grid_24_across) {
+  expect_hertz("tri3", grid(ElementType::tri3, 24));
+}
 
 TEST(HertzCircle, quad8_grid_24_nodes_across) {
   expect_hertz("quad8", grid(ElementType::quad8, 12));
@@ -57,10 +61,13 @@ TEST(HertzCircle, quad9_grid_24_nodes_across) {
   expect_hertz("quad9", grid(ElementType::quad9, 12));
 }
 
-TEST(HertzCircle, tri6_grid_24_nodes_across) { expect_hertz("tri6", grid(ElementType::tri6, 12)); }
+TEST(HertzCircle, tri6_grid_24_nodes_across) {
+  expect_hertz("tri6", grid(ElementType::tri6, 12));
+}
 
 TEST(HertzCircle, frames_of_the_paper) {
-  expect_hertz("673 quad4", frames::o_grid(ElementType::quad4, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
+  expect_hertz("673 quad4",
+               frames::o_grid(ElementType::quad4, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
   expect_hertz("1985 quad8",
                frames::o_grid(ElementType::quad8, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
   expect_hertz("703 tri3", frames::paper_disc(ElementType::tri3, 1.3 * exact.a));

@@ -10,8 +10,8 @@ namespace {
 
 using closed_forms::Elastic;
 using closed_forms::Hertz;
-using scenes::FittedEllipse;
 using scenes::fit_hertz;
+using scenes::FittedEllipse;
 using scenes::RollingPair;
 using scenes::Solution;
 
@@ -21,8 +21,8 @@ class HertzEllipse : public testing::TestWithParam<double> {};
 
 TEST_P(HertzEllipse, peak_pressure_axes_and_force) {
   const double ratio = GetParam();
-  const Hertz exact = closed_forms::hertz_from_axes(
-      std::sqrt(ratio), 1 / std::sqrt(ratio), 1000, closed_forms::effective_modulus(steel, steel));
+  const Hertz exact = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
+                                                    closed_forms::effective_modulus(steel, steel));
   const auto lines = frames::uniform_lines(-28.0 / 24.0, 28.0 / 24.0, 28);
   RollingPair pair(steel, steel);
   pair.frame(frames::stretch(frames::rectangle(ElementType::quad4, lines, lines), exact.a, exact.b))

@@ -116,8 +116,8 @@ TEST(Limits, friction_of_ten_sticks) {
   expect_laws("mu = 10", check_laws(s, rough.mu, rough.speed * 8e-4));
   const auto sticking = std::count(s.state.begin(), s.state.end(), ROLLCON_STICK);
   const auto slipping = std::count(s.state.begin(), s.state.end(), ROLLCON_SLIP);
-  report("share of slipping nodes", static_cast<double>(slipping) /
-                                        static_cast<double>(slipping + sticking));
+  report("share of slipping nodes",
+         static_cast<double>(slipping) / static_cast<double>(slipping + sticking));
   EXPECT_GT(sticking, 3 * slipping);
 }
 
@@ -170,8 +170,8 @@ TEST(Limits, no_creepage_between_dissimilar_bodies_obeys_the_laws) {
   still.xi = still.eta = still.spin = 0;
   const Solution s = still.solve();
   // The pressure alone drags the soft body's surface along: slip of about p0/E* at zero creepage.
-  const double scale = still.speed * still.p0 /
-                       closed_forms::effective_modulus(still.body1, still.body2);
+  const double scale =
+      still.speed * still.p0 / closed_forms::effective_modulus(still.body1, still.body2);
   expect_laws("zero creepage", check_laws(s, still.mu, scale));
   EXPECT_GT(std::abs(s.force[0]), 0.01 * still.mu * still.hertz().load);
   expect_error("lateral force, zero by symmetry of the scene",

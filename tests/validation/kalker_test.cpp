@@ -28,9 +28,8 @@ TEST_P(KalkerCoefficients, within_two_percent) {
   const auto [ratio, nu] = GetParam();
   const Elastic body{.shear = 82000, .poisson = nu};
   // ab = 1: the scales G ab, G (ab)^1.5 and G (ab)^2 are all G.
-  const Hertz hertz =
-      closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
-                                    closed_forms::effective_modulus(body, body));
+  const Hertz hertz = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
+                                                    closed_forms::effective_modulus(body, body));
   const Kalker table = closed_forms::kalker_table(ratio, nu);
   const double unit = share * mu * hertz.load / body.shear;
 

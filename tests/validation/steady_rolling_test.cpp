@@ -2,9 +2,10 @@
 // against the extrapolated limits, beside what the half-space program CONTACT reaches on grids of
 // the same number of nodes.
 
+#include "support/steady_rolling.hpp"
+
 #include "report.hpp"
 #include "support/graded_disc.hpp"
-#include "support/steady_rolling.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -29,8 +30,8 @@ TEST_P(SteadyRollingOnGrids, beside_contact) {
       std::snprintf(name, sizeof name, "case %s, N = %d, %s: Fx (CONTACT %.2f %%, ratio %.2f)",
                     which.c_str(), n, scheme, 100 * contact_error(which, n),
                     std::abs(error) / contact_error(which, n));
-      // First-order upwinding on a grid: no worse than half as much again as CONTACT, whose limit is
-      // known to 0.001.
+      // First-order upwinding on a grid: no worse than half as much again as CONTACT, whose limit
+      // is known to 0.001.
       expect_error(name, error, 1.5 * contact_error(which, n) + 0.001);
     }
   }
@@ -58,10 +59,10 @@ TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_conta
     if (which == "a") continue;
     expect_error(name + "Fy, in mu Fn",
                  s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 8e-3 * h2 + 2e-4);
-    expect_error(name + "Mz, in mu Fn a",
-                 s.moment[2] / (scale * steady_rolling::radius) -
-                     closed_forms::steady_rolling("b", "mz"),
-                 2e-3);
+    expect_error(
+        name + "Mz, in mu Fn a",
+        s.moment[2] / (scale * steady_rolling::radius) - closed_forms::steady_rolling("b", "mz"),
+        2e-3);
   }
 }
 

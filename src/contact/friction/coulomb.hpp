@@ -17,17 +17,21 @@ struct TangentialLaw {
   bool sliding;
 };
 
+/// rt s = 0.
+inline TangentialLaw stick_law() {
+  TangentialLaw law{};
+  law.slip[0][0] = law.slip[1][1] = 1;
+  return law;
+}
+
 /// a1, a2: augmented traction lambda_t - rt s; bound: mu times augmented pressure. The bound is
 /// -mu lambda_n^+ of the new iterate if `bound_follows` (full problem), else a given number.
 inline TangentialLaw linearise_coulomb(double a1, double a2, double mu, double bound,
                                        bool bound_follows) {
-  TangentialLaw law{};
   const double length = std::hypot(a1, a2);
-  law.sliding = !(length < bound);
-  if (!law.sliding) {  // stick: rt s = 0
-    law.slip[0][0] = law.slip[1][1] = 1;
-    return law;
-  }
+  if (length < bound) return stick_law();
+  TangentialLaw law{};
+  law.sliding = true;
   if (!(length > 0)) {  // no friction at this node: lambda_t = 0
     law.own[0][0] = law.own[1][1] = 1;
     return law;
