@@ -3,7 +3,7 @@
 
 usage: report.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 
-Writes DOCS_DIR/accuracy.md and DOCS_DIR/accuracy_*.png (gnuplot).
+Writes DOCS_DIR/accuracy.md and DOCS_DIR/images/accuracy_*.png (gnuplot).
 """
 
 import json
@@ -62,21 +62,22 @@ def plot(path, title, xlabel, ylabel, series, options=""):
         script += [f"{x} {y}" for x, y in sorted(series[name]) if x and y]
         script.append("e")
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
-    return os.path.basename(path)
+    return "images/" + os.path.basename(path)
 
 
 def hertz(records, docs):
     rows, series = [], defaultdict(list)
     for r in of_case(records, "hertz"):
         e = r["extra"]
-        rows.append([r["mesh"], r["nodes"], r["pairs"], percent(r["error"], 3), percent(e["error_p0"]),
-                     percent(e["error_a"]), percent(e["error_b"]), seconds(r["seconds"]["wall"])])
+        rows.append([r["mesh"], r["nodes"], r["pairs"], percent(r["error"], 3),
+                     percent(e["error_p0"]), percent(e["error_a"]),
+                     percent(e["error_b"]), seconds(r["seconds"]["wall"])])
         if "a/b" not in r["mesh"]:
             kind = "rings" if r["mesh"].startswith("rings") else r["mesh"].split()[0] + " grid"
             series[kind].append((r["pairs"], abs(r["error"])))
     if not rows:
         return ""
-    image = plot(f"{docs}/accuracy_hertz.png", "Hertz, circle: force at given approach",
+    image = plot(f"{docs}/images/accuracy_hertz.png", "Hertz, circle: force at given approach",
                  "nodes in contact", "relative error", series)
     return ("## Hertz: force at given approach, peak pressure and semi-axes\n\n"
             "Peak pressure and semi-axes come from a least-squares fit of p^2 to Hertz's form.\n\n"
@@ -94,7 +95,7 @@ def carter(records, docs):
             (r["extra"]["across"], abs(r["error"])))
     if not rows:
         return ""
-    image = plot(f"{docs}/accuracy_carter.png", "Carter: F/(mu P) at given creepage",
+    image = plot(f"{docs}/images/accuracy_carter.png", "Carter: F/(mu P) at given creepage",
                  "nodes across the contact", "relative error", series)
     return ("## Carter: long strip, frames aligned with the flow\n\n"
             "Middle section of a strip 40 half-widths long. CONTACT with 50 strips: force +1.25 %, "
@@ -152,9 +153,9 @@ def steady_rolling(records, docs):
         if not rows:
             continue
         by_nodes["CONTACT"], by_time["CONTACT"] = contact_nodes, contact_time
-        first = plot(f"{docs}/accuracy_case_{which}_nodes.png", f"Case ({which}): error of Fx",
-                     "nodes in contact", "relative error", by_nodes)
-        second = plot(f"{docs}/accuracy_case_{which}_time.png",
+        first = plot(f"{docs}/images/accuracy_case_{which}_nodes.png",
+                     f"Case ({which}): error of Fx", "nodes in contact", "relative error", by_nodes)
+        second = plot(f"{docs}/images/accuracy_case_{which}_time.png",
                       f"Case ({which}): error of Fx against time of a warm solve", "seconds",
                       "relative error", by_time)
         text += (f"## Case ({which}) beside CONTACT\n\n"
@@ -180,8 +181,8 @@ def example3(records, _docs):
     if not rows:
         return ""
     return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
-            "Error of the creepage against a fine frame fitted to the contact. Cold: from arrays to "
-            "tractions. Warm: creepage given, changed by 1 %.\n\n"
+            "Error of the creepage against a fine frame fitted to the contact. Cold: from arrays "
+            "to tractions. Warm: creepage given, changed by 1 %.\n\n"
             + table(["frame", "scheme", "creepage", "error", "p0, MPa", "iterations", "cold",
                      "of it compliance", "memory", "warm", "iterations", "allocations"], rows))
 
@@ -204,7 +205,7 @@ def linear_solver(records, docs):
         series[r["method"] + ", " + r["model"]].append((r["pairs"], r["value"]))
     if not rows:
         return ""
-    image = plot(f"{docs}/accuracy_linear_solver.png", "Dense LU against GMRES",
+    image = plot(f"{docs}/images/accuracy_linear_solver.png", "Dense LU against GMRES",
                  "nodes in contact", "seconds outside the compliance", series)
     return ("## Dense LU against GMRES\n\n"
             + table(["frame", "bodies", "solver", "in contact", "unknowns", "Newton", "Krylov",
@@ -226,6 +227,7 @@ def processor():
 def main():
     if len(sys.argv) != 4:
         sys.exit(__doc__)
+    os.makedirs(f"{sys.argv[2]}/images", exist_ok=True)
     records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
     threads = sorted({r["threads"] for r in records})
     text = ["# Accuracy, time and memory\n",

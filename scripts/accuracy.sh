@@ -14,7 +14,8 @@ build="${1:-build/accuracy}"
 
 mkdir -p "$build"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
-  -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF > "$build/configure.log" 2>&1 || { cat "$build/configure.log"; exit 1; }
+  -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF > "$build/configure.log" 2>&1 \
+  || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
 export OPENBLAS_NUM_THREADS=1
