@@ -30,7 +30,7 @@ TEST(CreepCurve, ellipse_from_stick_to_slip) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const Solution s = pair.solution();
     const double ratio = s.force[0] / (mu * hertz.load);
-    char name[80];
+    char name[160];
     std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.5f, CONTACT %.5f, in mu P", point.xi,
                   ratio, point.force_ratio);
     expect_error(name, ratio - point.force_ratio, 1.5e-2);

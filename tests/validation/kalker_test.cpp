@@ -52,7 +52,7 @@ TEST_P(KalkerCoefficients, within_two_percent) {
   const double c32 = across.moment[2] / (body.shear * eta);
   const double c23 = -spin.force[1] / (body.shear * phi);
   const double c33 = -spin.moment[2] / (body.shear * phi);
-  char name[80];
+  char name[160];
   auto check = [&](const char* which, double value, double expected) {
     std::snprintf(name, sizeof name, "a/b = %g, nu = %g: %s = %.4g, table %.4g", ratio, nu, which,
                   value, expected);
