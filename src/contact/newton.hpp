@@ -57,9 +57,11 @@ class Newton {
 
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
   Outcome fall_back(double tolerance, std::int64_t max_iterations);
+  Outcome bracket_creep(double tolerance, std::int64_t max_iterations);
+  double creep_scale(int motion) const;
   Outcome rescale_slip(double tolerance, std::int64_t max_iterations);
   Outcome alternate(double tolerance, std::int64_t max_iterations);
-  Outcome continue_in_friction(double tolerance, std::int64_t max_iterations);
+  Outcome continue_in_friction(bool from_above, double tolerance, std::int64_t max_iterations);
   void remember_best(Part part, double worst);
   void return_to_best();
   std::int64_t& iterations_of(Part part) {

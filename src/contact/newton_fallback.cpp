@@ -9,6 +9,8 @@
 namespace rollcon {
 namespace {
 
+constexpr double plenty_of_friction = 0.5;
+
 bool finished(Outcome outcome) {
   return outcome != Outcome::not_converged;
 }
@@ -16,16 +18,17 @@ bool finished(Outcome outcome) {
 }  // namespace
 
 Outcome Newton::fall_back(double tolerance, std::int64_t max_iterations) {
-  ++report_.fallbacks;
-  Outcome outcome = rescale_slip(tolerance, max_iterations);
-  if (!finished(outcome) && goal_ == Part::full) {
+  Outcome outcome = Outcome::not_converged;
+  const auto next = [&](auto attempt) {
+    if (finished(outcome) || iterations_left_ <= 0) return;
     ++report_.fallbacks;
-    outcome = alternate(tolerance, max_iterations);
-  }
-  if (!finished(outcome)) {
-    ++report_.fallbacks;
-    outcome = continue_in_friction(tolerance, max_iterations);
-  }
+    outcome = attempt();
+  };
+  next([&] { return bracket_creep(tolerance, max_iterations); });
+  next([&] { return rescale_slip(tolerance, max_iterations); });
+  next([&] { return continue_in_friction(true, tolerance, max_iterations); });
+  if (goal_ == Part::full) next([&] { return alternate(tolerance, max_iterations); });
+  next([&] { return continue_in_friction(false, tolerance, max_iterations); });
   return outcome;
 }
 
@@ -69,16 +72,26 @@ Outcome Newton::alternate(double tolerance, std::int64_t max_iterations) {
   return outcome;
 }
 
-// Friction and tangential loads grow together from zero, each step starting from the last solution.
-Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iterations) {
+// Friction and the tangential loads change together, each step starting from the last solution:
+// from none upwards, or down from friction so high that nearly all sticks. The way down is for
+// friction that is small against the strains that pressures alone cause in unlike bodies.
+Outcome Newton::continue_in_friction(bool from_above, double tolerance,
+                                     std::int64_t max_iterations) {
   Problem& p = *problem_;
   const std::vector<double> mu = p.mu;
   const std::array<double, 4> value = p.value;
-  const auto set_fraction = [&](double s) {
+  const double largest = *std::max_element(mu.begin(), mu.end());
+  const double top = plenty_of_friction / largest;
+  if (from_above && !(top > 2)) return Outcome::not_converged;
+  const auto factor = [&](double part) { return from_above ? std::pow(top, 1 - part) : part; };
+  const auto set = [&](double part) {
+    const double s = factor(part);
     for (std::size_t k = 0; k < mu.size(); ++k) p.mu[k] = s * mu[k];
-    for (const int m : {xi1, xi2, spin})
-      if (p.by_force[static_cast<std::size_t>(m)])
-        p.value[static_cast<std::size_t>(m)] = s * value[static_cast<std::size_t>(m)];
+    for (const int m : {xi1, xi2, spin}) {
+      const auto i = static_cast<std::size_t>(m);
+      if (p.by_force[i]) p.value[i] = s * value[i];
+    }
+    continuing_ = part < 1;
   };
   const double loose = std::max(tolerance, 1e-6);
   Iterate& it = *iterate_;
@@ -87,6 +100,12 @@ Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iteratio
   Outcome outcome = run(Part::normal, goal_ == Part::full ? loose : tolerance, max_iterations,
                         report_.normal_iterations);
   if (goal_ == Part::tangential && outcome != Outcome::converged) return outcome;
+  if (from_above && outcome == Outcome::converged) {
+    set(0);
+    stick_first_ = true;
+    outcome = run(goal_, loose, max_iterations, iterations_of(goal_));
+    stick_first_ = false;
+  }
   double done = 0, step = 0.25;
   std::vector<double> lambda[3];
   std::array<double, 4> motion{};
@@ -94,8 +113,7 @@ Outcome Newton::continue_in_friction(double tolerance, std::int64_t max_iteratio
     for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
     motion = it.motion;
     const double next = std::min(1.0, done + step);
-    set_fraction(next);
-    continuing_ = next < 1;
+    set(next);
     outcome = run(goal_, next == 1 ? tolerance : loose, max_iterations, iterations_of(goal_));
     if (outcome == Outcome::converged) {
       done = next;

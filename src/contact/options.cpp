@@ -44,7 +44,7 @@ const auto& rows() {
                   "Most Newton iterations of one solve, those of its fallbacks included."),
       real_row("accuracy", &Options::accuracy, 1e-12, 1e-2,
                "Relative accuracy of the half-space integrals."),
-      text_row("convection", &Options::convection, "least_squares|godunov|characteristic",
+      text_row("convection", &Options::convection, "characteristic|least_squares|godunov",
                "Scheme of the convective derivative in the slip."),
       text_row("linear_solver", &Options::linear_solver, "auto|lu|gmres",
                "Solver of the linear systems; auto chooses by size."),
