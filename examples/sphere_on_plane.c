@@ -1,7 +1,7 @@
 /* An elastic sphere rolls on a rigid plane and transmits 75 % of the force at which it would slide:
    example 3 of Rodriguez-Tembleque and Abascal, Int. J. Solids Struct. 47 (2010) 330-353.
 
-       sphere_on_plane [folder [tri3|tri6|quad4|quad8 [least_squares|godunov|characteristic]]]
+       sphere_on_plane [folder [tri3|tri6|quad4|quad8 [characteristic|least_squares|godunov]]]
 
    Compares with Hertz's closed form, then leaves in the folder (the present one unless given)
    sphere_on_plane.vtu for ParaView and three text files that plot_contact.gp draws.
@@ -175,7 +175,7 @@ static void write_text(const char* folder) {
 int main(int argc, char** argv) {
   const char* folder = argc > 1 ? argv[1] : ".";
   const char* type = argc > 2 ? argv[2] : "tri3";
-  const char* scheme = argc > 3 ? argv[3] : "least_squares";
+  const char* scheme = argc > 3 ? argv[3] : "characteristic";
   const double no_friction = 0;
   rollcon_body *sphere, *plane;
   measures smooth, free_rolling, driven;

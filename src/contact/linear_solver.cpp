@@ -9,10 +9,12 @@ namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60;
-// Iterations beyond which new factors are made. They cost as much as 40 (1290 unknowns) to 70
-// (5163) iterations, but serve the next systems and above all the next solves, which then need
-// none.
-constexpr int slow_iterations = 12;
+constexpr int good_iterations = 5;  // with fresh factors
+// New factors cost about as much as this many iterations (40 at 1290 unknowns, 70 at 5163): they
+// are made when the excess over good iterations has added up to that much.
+int price_of_factors(std::int64_t n) {
+  return static_cast<int>(30 + n / 130);
+}
 
 }  // namespace
 
@@ -97,12 +99,12 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
   x.resize(static_cast<std::size_t>(n));
   gmres_.reserve(n + n / 10, krylov_space);
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const bool fresh = attempt == 1 || refactor_[part] || !kept.usable(system);
+    const bool fresh = attempt == 1 || excess_[part] > price_of_factors(n) || !kept.usable(system);
     if (fresh) {
       bool good = false;
       kept.factor(system, node_count, good);
       ++factorizations;
-      refactor_[part] = false;
+      excess_[part] = 0;
       if (!good) break;
     }
     kept.match(system);
@@ -110,7 +112,7 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
     const GmresReport report = gmres_.solve(n, system, kept, b.data(), x.data(), tolerance, limit);
     iterations += report.iterations;
     if (report.converged) {
-      refactor_[part] = !fresh && report.iterations > slow_iterations;
+      excess_[part] += std::max(0, report.iterations - good_iterations);
       return true;
     }
     if (fresh) break;

@@ -64,7 +64,7 @@ class LinearSolver {
   Kept kept_[3];  ///< one per part
   Gmres gmres_;
   std::vector<double> check_;
-  bool refactor_[3] = {};
+  int excess_[3] = {};  ///< Krylov iterations beyond good ones since the factors were made
 };
 
 }  // namespace rollcon
