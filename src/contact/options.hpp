@@ -21,16 +21,16 @@ struct OptionInfo {
 std::span<const OptionInfo> option_table();
 
 struct Options {
-  double tolerance = 1e-10;                  // "tolerance"
-  std::int64_t max_iterations = 500;         // "max_iterations"
-  double accuracy = 1e-6;                    // "accuracy": of the half-space integrals
+  double tolerance = 1e-10;                   // "tolerance"
+  std::int64_t max_iterations = 500;          // "max_iterations"
+  double accuracy = 1e-6;                     // "accuracy": of the half-space integrals
   std::string convection = "characteristic";  // "convection"
-  std::string linear_solver = "auto";        // "linear_solver"
-  double characteristic_step = 0.6;          // "characteristic_step"
-  double normal_scale = 1;                   // "normal_scale": multiplies r_n
-  double tangential_scale = 1;               // "tangential_scale": multiplies r_t
-  std::int64_t warm_start = 1;               // "warm_start"
-  std::int64_t revision = 0;                 ///< counts changes
+  std::string linear_solver = "auto";         // "linear_solver"
+  double characteristic_step = 0.6;           // "characteristic_step"
+  double normal_scale = 1;                    // "normal_scale": multiplies r_n
+  double tangential_scale = 1;                // "tangential_scale": multiplies r_t
+  std::int64_t warm_start = 1;                // "warm_start"
+  std::int64_t revision = 0;                  ///< counts changes
 
   /// err_option: unknown name, wrong type, out of range (the message names them).
   void set_int(const char* name, std::int64_t value);
