@@ -25,7 +25,7 @@ constexpr int rings = 9;
 class KalkerCoefficients : public testing::TestWithParam<std::tuple<double, double>> {};
 
 TEST_P(KalkerCoefficients, within_two_percent) {
-  const auto [ratio, nu] = GetParam();
+  const double ratio = std::get<0>(GetParam()), nu = std::get<1>(GetParam());
   const Elastic body{.shear = 82000, .poisson = nu};
   // ab = 1: the scales G ab, G (ab)^1.5 and G (ab)^2 are all G.
   const Hertz hertz = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
