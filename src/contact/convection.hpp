@@ -1,5 +1,5 @@
 #pragma once
-/// Discrete convective derivative on the contact frame (formulation section 5): rows of the
+/// Discrete convective derivative on the contact frame (docs/theory.md, section 5): rows of the
 /// operator D with (D w)_I ~ v . grad w at node I for unit speed, v = -(ex, ey).
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-/// Exact semismooth Newton iteration for frictional rolling contact (formulation section 4.1) with
-/// a non-monotone line search and fallbacks.
+/// Exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6)
+/// with a non-monotone line search and fallbacks.
 
 #include <cstdint>
 #include <vector>
@@ -45,12 +45,16 @@ class Newton {
   /// The problem's scales, friction and loads are changed by fallbacks and restored on return.
   NewtonReport solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
                      std::int64_t max_iterations, Monitor& monitor);
+  /// To be called when the operators or scales were assembled anew.
+  void operators_changed() {
+    operators_changed_ = true;
+    linear.forget();
+  }
   std::size_t bytes() const;
 
  private:
   struct Residual {
     double normal = 0, tangential = 0, load = 0;  ///< relative maxima
-    double merit = 0;
     std::int64_t contact = 0, sliding = 0;
     double worst(Part part) const;
   };
@@ -110,13 +114,6 @@ class Newton {
   int free_steps_ = 0;            ///< steps still to be taken without line search
   double pressure_scale_ = 1, traction_scale_ = 1;
   bool operators_changed_ = true;
-
- public:
-  /// To be called when the operators or scales were assembled anew.
-  void operators_changed() {
-    operators_changed_ = true;
-    linear.forget();
-  }
 };
 
 }  // namespace rollcon

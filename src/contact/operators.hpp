@@ -34,7 +34,7 @@ struct ContactOperators {
 /// local spacing along the flow, characteristic scheme only.
 void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op);
 
-/// Assembles the rows asked for that are not there yet. Formulation sections 3, 5 and 11.
+/// Assembles the rows asked for that are not there yet. docs/theory.md, sections 3 and 5.
 void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
                         ContactOperators& op);
 

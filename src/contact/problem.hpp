@@ -69,8 +69,8 @@ struct LoadSum {
 };
 LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
 
-/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows), formulation
-/// section 2. A node whose rows vanish gets the mean of the others.
+/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows)
+/// (docs/theory.md, section 2). A node whose rows vanish gets the mean of the others.
 void set_scales(Problem& problem, double normal_factor, double tangential_factor);
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// Median-dual mesh of the projected frame (formulation section 5): the cell of node I joins the
-/// centroids of the linear cells and the edge midpoints around I.
+/// Median-dual mesh of the projected frame (docs/theory.md, section 5): the cell of node I joins
+/// the centroids of the linear cells and the edge midpoints around I.
 
 #include <cstdint>
 #include <span>

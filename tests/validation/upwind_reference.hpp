@@ -1,6 +1,6 @@
 #pragma once
-/// The convective derivative of formulation equations (41)-(42) once more, written for these tests
-/// alone: inflow through the faces of median-dual cells of linear elements.
+/// The convective derivative of equations (41)-(42) of the source paper once more, written for
+/// these tests alone: inflow through the faces of median-dual cells of linear elements.
 
 #include <array>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
-/// Coulomb's law as a projection and its derivative (Alart & Curnier 1991; formulation sections 2
-/// and 4.1). All arguments of one node.
+/// Coulomb's law as a projection and its derivative (Alart & Curnier 1991; docs/theory.md, sections
+/// 2 and 6). All arguments of one node.
 
 #include <cmath>
 
