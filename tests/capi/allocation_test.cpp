@@ -1,5 +1,7 @@
-/// Setters of a time loop allocate nothing, and neither do its solves.
+/// Setters of a time loop allocate nothing, and neither do its solves; an allocation that fails
+/// leaves a contact that can be solved again.
 
+#include <cmath>
 #include <cstdlib>
 #include <new>
 
@@ -8,12 +10,19 @@
 namespace {
 
 thread_local std::int64_t allocations = 0;
+thread_local bool failed = false;
+thread_local std::int64_t until_failure = -1;  ///< allocations that still succeed; < 0: all
 
 }  // namespace
 
 // All forms but the aligned ones, so that no block comes from one allocator and goes to another.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
+  if (until_failure == 0) {
+    failed = true;
+    return nullptr;
+  }
+  if (until_failure > 0) --until_failure;
   return std::malloc(size > 0 ? size : 1);
 }
 void* operator new(std::size_t size) {
@@ -113,4 +122,38 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
     EXPECT_EQ(counted, 0);
     EXPECT_GT(iterations, 0) << "the solves had something to do";
   }
+}
+
+TEST_F(allocation, a_solve_that_ran_out_of_memory_can_be_repeated) {
+  const double friction = 0.3;
+  const auto scene = [&] {
+    set_frame();
+    ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &friction), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
+              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
+  };
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  scene();
+  const std::int32_t right_status = rollcon_contact_solve(contact);
+  double right[3];
+  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, right, nullptr), ROLLCON_OK);
+  int injected = 0;
+  for (std::int64_t k = 0;; k += k < 60 ? 1 : 7) {
+    scene();  // new nodes: everything is built again
+    failed = false;
+    until_failure = k;
+    const std::int32_t status = rollcon_contact_solve(contact);
+    until_failure = -1;
+    if (!failed) break;
+    ++injected;
+    ASSERT_EQ(status, ROLLCON_ERR_MEMORY) << k;
+    ASSERT_EQ(rollcon_contact_solve(contact), right_status) << k;
+    double force[3];
+    ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
+    for (int c = 0; c < 3; ++c) ASSERT_NEAR(force[c], right[c], 1e-9 * std::abs(right[2])) << k;
+  }
+  std::printf("failed allocations: %d, each followed by the right solution\n", injected);
+  EXPECT_GT(injected, 50);
 }
