@@ -184,7 +184,8 @@ def example3(records, _docs):
     if not rows:
         return ""
     return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
-            "Error of the creepage against a fine frame fitted to the contact. Cold: from arrays "
+            "Error of the creepage against a fine frame fitted to the contact (18 rings; 14 rings "
+            "differ from it by 0.13 %). Cold: from arrays "
             "to tractions. Warm: creepage given, changed by 1 %.\n\n"
             + table(["frame", "scheme", "creepage", "error", "p0, MPa", "iterations", "cold",
                      "of it compliance", "memory", "warm", "iterations", "allocations"], rows))

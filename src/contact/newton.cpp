@@ -198,7 +198,7 @@ bool Newton::newton_step(Part part, double forcing) {
     known_[0][a] = p.rigid_slip1(i, known) + (has_frozen_ ? frozen_[0][k] : 0);
     known_[1][a] = p.rigid_slip2(i, known) + (has_frozen_ ? frozen_[1][k] : 0);
   }
-  system_.right_side(p, known_[2], known_[0], known_[1], b_);
+  system_.right_side(known_[2], known_[0], known_[1], b_);
 
   // Solve for the correction: the forcing term is then relative to the present residual.
   const auto n = static_cast<std::size_t>(system_.size());

@@ -10,7 +10,7 @@ namespace rollcon {
 namespace {
 
 constexpr int most_evaluations = 40;
-constexpr double close_enough = 1e-4;  // of the friction capacity: Newton's step takes over
+constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
 
 std::size_t at(int i) {
   return static_cast<std::size_t>(i);

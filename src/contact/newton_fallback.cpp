@@ -82,7 +82,7 @@ Outcome Newton::continue_in_friction(bool from_above, double tolerance,
   const std::array<double, 4> value = p.value;
   const double largest = *std::max_element(mu.begin(), mu.end());
   const double top = plenty_of_friction / largest;
-  if (from_above && !(top > 2)) return Outcome::not_converged;
+  if (from_above && !(top > 2 && std::isfinite(top))) return Outcome::not_converged;
   const auto factor = [&](double part) { return from_above ? std::pow(top, 1 - part) : part; };
   const auto set = [&](double part) {
     const double s = factor(part);

@@ -1,5 +1,5 @@
 /// The order in which Newton's parts run: normal first where the problems decouple, all together
-/// where they do not, and what is tried when a part gets stuck.
+/// where they do not, cold again where a warm start gets stuck.
 
 #include <algorithm>
 #include <cmath>

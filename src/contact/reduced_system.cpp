@@ -109,7 +109,7 @@ void ReducedSystem::add_border(const Problem& problem, int m) {
   }
 }
 
-void ReducedSystem::right_side(const Problem&, std::span<const double> known_gap,
+void ReducedSystem::right_side(std::span<const double> known_gap,
                                std::span<const double> known_slip1,
                                std::span<const double> known_slip2, std::vector<double>& b) const {
   const std::size_t na = nodes_.size();

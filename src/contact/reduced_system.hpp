@@ -28,9 +28,8 @@ class ReducedSystem final : public LinearOperator {
 
   /// Right side: gap (normal) and minus slip (tangential) that do not depend on the unknowns.
   /// known_gap[a], known_slip1[a], known_slip2[a] are per active node, unscaled.
-  void right_side(const Problem& problem, std::span<const double> known_gap,
-                  std::span<const double> known_slip1, std::span<const double> known_slip2,
-                  std::vector<double>& b) const;
+  void right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
+                  std::span<const double> known_slip2, std::vector<double>& b) const;
 
   void apply(const double* x, double* y) override;
   /// Row-major dense matrix of the whole system.
