@@ -21,10 +21,10 @@ using halfspace::InstructionSet;
 
 /// A disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a
 /// cell.
-FrameMesh disc(ElementType type) {
+SurfaceMesh disc(ElementType type) {
   const bool triangles = corner_count(type) == 3, quadratic = is_quadratic(type);
   const int n = triangles ? 26 : 25, step = quadratic ? 2 : 1, row = n * step + 1;
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   for (int j = 0; j < row; ++j)
     for (int i = 0; i < row; ++i) {
       const double u = 2.0 * i / (row - 1) - 1, v = 2.0 * j / (row - 1) - 1;

@@ -16,7 +16,7 @@ using scenes::RollingPair;
 
 const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
 
-void press(Runner& runner, const Hertz& exact, const FrameMesh& mesh, const std::string& name) {
+void press(Runner& runner, const Hertz& exact, const SurfaceMesh& mesh, const std::string& name) {
   Record record{.case_name = "hertz", .method = "frictionless", .model = "half-spaces"};
   record.mesh = name;
   record.threads = runner.threads;
@@ -57,7 +57,7 @@ void run(Runner& runner) {
     press(runner, circle, scenes::graded_disc(1, 1, rings), "rings " + std::to_string(rings));
   }
   const auto lines = frames::uniform_lines(-28.0 / 24.0, 28.0 / 24.0, 28);
-  const FrameMesh square = frames::rectangle(ElementType::quad4, lines, lines);
+  const SurfaceMesh square = frames::rectangle(ElementType::quad4, lines, lines);
   for (double ratio : {0.02, 0.1, 0.2, 0.5, 2.0, 5.0, 10.0, 50.0}) {
     const Hertz exact =
         closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000, e_star);

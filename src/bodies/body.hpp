@@ -1,11 +1,16 @@
 #pragma once
-/// A body: its model and what the caller gave for it. Half-spaces and rigid bodies need no mesh.
+/// A body: its model and what the caller gave for it. Half-spaces need no mesh; rigid bodies may
+/// have a surface mesh, from which gaps are computed.
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
 #include <mutex>
 
+#include "bodies/body_mesh.hpp"
+#include "bodies/surface_response.hpp"
+#include "mesh/surface_search.hpp"
+#include "mesh/traction_nodes.hpp"
 #include "support/context.hpp"
 
 namespace rollcon {
@@ -17,26 +22,64 @@ class Body {
   /// Throws Error(err_unsupported) for kinds this build does not have, err_argument for others.
   Body(std::shared_ptr<Context> context, std::int32_t kind);
 
-  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state). After prepare: err_state.
+  // Setters check what can be checked at once, throw Error and then leave everything as it was.
+  // After prepare: err_state. Half-spaces: err_state for all that needs a mesh.
+
+  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state).
   void set_elastic(std::int32_t tag, double young, double poisson);
-  /// Checks that the body is complete (err_state) and freezes it. Idempotent; contacts in several
-  /// threads may call it at the same time. Only a prepared body may be read.
+  /// Forgets elements, supports, loads and contact faces.
+  void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
+                 std::int64_t component_stride);
+  void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
+                    std::int32_t index_base, std::int32_t tag);
+  /// dof_mask: 1 x, 2 y, 4 z; value: 3 per node (unused components ignored), null: zero. Adds to
+  /// what is held already; a component held twice takes the last value.
+  void set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                   std::int32_t dof_mask, const double* value);
+  void set_traction(std::int32_t tag, const double* traction);
+  void set_pressure(std::int32_t tag, double pressure);
+  void set_contact_faces(std::int64_t n, const std::int32_t* tag);
+  void set_int(const char* option, std::int64_t value);
+  void set_real(const char* option, double value);
+  std::int64_t get_int(const char* option) const;
+  double get_real(const char* option) const;
+
+  /// Checks that the body is complete (err_state), its mesh (err_mesh) and supports, assembles and
+  /// factorises (err_singular), and freezes it. Idempotent; contacts in several threads may call it
+  /// at the same time. Only a prepared body may be read.
   void prepare();
 
   BodyKind kind() const { return kind_; }
   bool prepared() const { return prepared_.load(); }
   bool rigid() const { return kind_ == BodyKind::rigid; }
+  bool meshed() const { return mesh_.surface.nodes() > 0; }
   double young() const { return young_; }
   double poisson() const { return poisson_; }
+  const BodyMesh& mesh() const { return mesh_; }
+  const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }
 
+  // Of a prepared body with a mesh.
+  const TractionNodes& traction_nodes() const { return traction_nodes_; }
+  /// Over the faces that may come into contact.
+  const SurfaceSearch& search() const { return *search_; }
+  /// Null for rigid bodies.
+  SurfaceResponse* response() const { return response_.get(); }
+
  private:
+  void require_unprepared(const char* what) const;
+
   std::shared_ptr<Context> context_;
   BodyKind kind_;
   std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
   bool elastic_set_ = false;
   double young_ = 0, poisson_ = 0;
+  BodyMesh mesh_;
+  BodyOptions options_;
+  TractionNodes traction_nodes_;
+  std::unique_ptr<SurfaceSearch> search_;
+  std::unique_ptr<SurfaceResponse> response_;
 };
 
 }  // namespace rollcon

@@ -50,7 +50,7 @@ class Scene {
   void set_friction(const char* law, std::int32_t n, const double* parameters);
   void set_friction_field(std::int64_t n, const double* mu);
 
-  const FrameMesh& mesh() const { return mesh_; }
+  const SurfaceMesh& mesh() const { return mesh_; }
   const Axes& axes() const { return axes_; }
   double speed() const { return speed_; }
   const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
@@ -71,7 +71,7 @@ class Scene {
  private:
   void require_frame_size(std::int64_t n, const char* what) const;
 
-  FrameMesh mesh_;
+  SurfaceMesh mesh_;
   Axes axes_;
   bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;
   std::vector<double> gap_;

@@ -34,14 +34,6 @@ void make_room(std::vector<T>& v, std::size_t more) {
   if (v.size() + more > v.capacity()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
 }
 
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 /// Unit vector; scaled first, so that no finite input overflows or underflows.
 Vec3 unit(const double* v, const char* name) {
   const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -85,7 +77,7 @@ void Scene::set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_s
              static_cast<long long>(i) + base, base, v);
     }
   }
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   mesh.index_base = base;
   mesh.offset.push_back(0);
   mesh.node.resize(static_cast<std::size_t>(n));

@@ -88,14 +88,14 @@ void write_rows(Text& out, const Number* values, std::int64_t rows, int componen
   out << "</DataArray>\n";
 }
 
-void check_finite(const PointArray& array, const FrameMesh& mesh) {
+void check_finite(const PointArray& array, const SurfaceMesh& mesh) {
   for (std::int64_t k = 0; k < mesh.nodes() * array.components; ++k)
     if (!std::isfinite(array.real[k]))
       fail(Status::err_nonfinite, "array '%s' is not finite at node %lld", array.name.c_str(),
            static_cast<long long>(k / array.components + mesh.index_base));
 }
 
-void write_cells(Text& out, const FrameMesh& mesh) {
+void write_cells(Text& out, const SurfaceMesh& mesh) {
   out << "<Cells>\n";
   open_array(out, "Int32", "connectivity", 1);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -113,7 +113,7 @@ void write_cells(Text& out, const FrameMesh& mesh) {
   out << "</DataArray>\n</Cells>\n";
 }
 
-std::string file_text(const FrameMesh& mesh, std::span<const PointArray> arrays) {
+std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
   Text out;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
          "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"";
@@ -151,7 +151,7 @@ std::string file_text(const FrameMesh& mesh, std::span<const PointArray> arrays)
 
 }  // namespace
 
-void write_vtu(const std::string& path, const FrameMesh& mesh, std::span<const PointArray> arrays) {
+void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
   const std::string text = file_text(mesh, arrays);

@@ -14,10 +14,6 @@
 namespace rollcon {
 namespace {
 
-double dot(const Vec3& a, const Vec3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 void check_axes(const Axes& axes) {
   const Vec3 &a = axes.t1, &b = axes.t2, &n = axes.n;
   const Vec3 cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
@@ -32,7 +28,7 @@ void check_axes(const Axes& axes) {
 }
 
 /// Squares and products of lengths must stay in the range of double precision.
-void check_range(const FrameMesh& mesh, const Axes& axes) {
+void check_range(const SurfaceMesh& mesh, const Axes& axes) {
   double extent = 0;
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) {
@@ -68,7 +64,7 @@ Rule tabulate(ElementType type) {
 }
 
 void integrate_weights(Frame& frame) {
-  const FrameMesh& mesh = frame.mesh;
+  const SurfaceMesh& mesh = frame.mesh;
   std::map<ElementType, Rule> rules;
   frame.weight.assign(static_cast<std::size_t>(mesh.nodes()), 0);
   frame.area = 0;
@@ -99,7 +95,7 @@ void integrate_weights(Frame& frame) {
 
 }  // namespace
 
-Frame build_frame(FrameMesh mesh, const Axes& axes) {
+Frame build_frame(SurfaceMesh mesh, const Axes& axes) {
   check_axes(axes);
   check_connectivity(mesh);
   check_range(mesh, axes);

@@ -3,16 +3,12 @@
 /// half-space sees their projection on the tangent plane of the axes (t1, t2), so a gently curved
 /// frame is allowed as long as it projects without folding.
 
-#include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
-#include "mesh/element_type.hpp"
+#include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
-
-using Vec3 = std::array<double, 3>;
 
 /// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body
 /// 1).
@@ -23,25 +19,8 @@ struct Axes {
   Vec3 n{0, 0, 1};
 };
 
-/// What the caller gave: nodes in space and elements with 0-based nodes, ids and counts checked.
-struct FrameMesh {
-  std::vector<Vec3> node;
-  std::vector<ElementType> type;     ///< one per element
-  std::vector<std::int32_t> tag;     ///< one per element
-  std::vector<std::int64_t> offset;  ///< elements + 1, into connectivity
-  std::vector<std::int32_t> connectivity;
-  std::int32_t index_base = 0;  ///< the caller's, for messages only
-
-  std::int64_t nodes() const { return static_cast<std::int64_t>(node.size()); }
-  std::int64_t elements() const { return static_cast<std::int64_t>(type.size()); }
-  std::span<const std::int32_t> element(std::int64_t e) const {
-    return {connectivity.data() + offset[static_cast<std::size_t>(e)],
-            static_cast<std::size_t>(node_count(type[static_cast<std::size_t>(e)]))};
-  }
-};
-
 struct Frame {
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   Axes axes;
   std::vector<double> x, y, z;     ///< nodal coordinates in the axes (t1, t2, n)
   std::vector<double> weight;      ///< integral of N_i over the projected frame (may be <= 0)
@@ -59,6 +38,6 @@ struct Frame {
 /// element, the same element twice, more than two elements on an edge, degenerate (Jacobian not
 /// positive at a checked point), flipped (negative seen from the tip of n), nodes of no element
 /// are allowed (they carry no traction).
-Frame build_frame(FrameMesh mesh, const Axes& axes);
+Frame build_frame(SurfaceMesh mesh, const Axes& axes);
 
 }  // namespace rollcon

@@ -128,7 +128,7 @@ Sign jacobian_signs(std::span<const Vec3> point, double size, std::span<const Sh
 
 }  // namespace
 
-void check_connectivity(const FrameMesh& mesh) {
+void check_connectivity(const SurfaceMesh& mesh) {
   if (mesh.elements() == 0) fail(Status::err_mesh, "the contact frame has no elements");
   const int base = mesh.index_base;
   Tally range, repeated, twice;
@@ -167,7 +167,7 @@ void check_connectivity(const FrameMesh& mesh) {
   twice.fail_if_any("the same element is given twice");
 }
 
-void check_elements(const FrameMesh& mesh, std::span<const double> x, std::span<const double> y,
+void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::span<const double> y,
                     std::span<const double> z) {
   const int base = mesh.index_base;
   std::map<ElementType, std::vector<Shape>> shapes;
@@ -219,7 +219,7 @@ void check_elements(const FrameMesh& mesh, std::span<const double> x, std::span<
 namespace {
 
 /// Corner edges must carry the same midside node (or none) in both of their elements.
-void check_midsides(const FrameMesh& mesh) {
+void check_midsides(const SurfaceMesh& mesh) {
   struct Edge {
     std::int32_t low, high, mid;
     std::int64_t element;
@@ -251,7 +251,7 @@ void check_midsides(const FrameMesh& mesh) {
 
 }  // namespace
 
-void check_cells(const FrameMesh& mesh, const LinearCells& cells, std::span<const Side> side,
+void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<const Side> side,
                  std::span<const double> x, std::span<const double> y) {
   const auto base = static_cast<long long>(mesh.index_base);
   auto element_id = [&](std::int64_t cell) {

@@ -12,7 +12,7 @@ void LinearCells::add(std::int64_t of_element, std::initializer_list<std::int32_
   element.push_back(of_element);
 }
 
-LinearCells split_elements(const FrameMesh& mesh) {
+LinearCells split_elements(const SurfaceMesh& mesh) {
   LinearCells cells;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto n = mesh.element(e);

@@ -28,7 +28,7 @@ struct LinearCells {
 /// Linear elements as they are; tri6 in 4 triangles, quad9 in 8 around its centre, quad8 in its 4
 /// corner triangles and the quadrilateral of its midside nodes (no diagonal is preferred there, so
 /// that symmetric frames have symmetric operators).
-LinearCells split_elements(const FrameMesh& mesh);
+LinearCells split_elements(const SurfaceMesh& mesh);
 
 /// One side of a cell, running from `from` to `to` counter-clockwise round it.
 struct Side {

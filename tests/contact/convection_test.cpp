@@ -40,7 +40,7 @@ std::vector<NamedFrame> frames_of(ElementType type) {
   const auto u = uniform_lines(-1, 1, is_quadratic(type) ? 8 : 16);
   const std::string id = ", type " + std::to_string(static_cast<int>(type));
   std::vector<NamedFrame> all;
-  auto add = [&](const char* name, FrameMesh mesh) {
+  auto add = [&](const char* name, SurfaceMesh mesh) {
     all.push_back({name + id, build_frame(std::move(mesh), Axes{})});
   };
   add("uniform", rectangle(type, u, u));
@@ -319,7 +319,7 @@ TEST(Convection, FirstOrderForSmoothFields) {
     double ls[2], flux[2], marched_ls[2], marched_flux[2];
     for (int k = 0; k < 2; ++k) {
       const auto u = frames::uniform_lines(-1, 1, 16 << k);
-      const FrameMesh regular = frames::rectangle(type, u, u);
+      const SurfaceMesh regular = frames::rectangle(type, u, u);
       const Frame uniform = build_frame(regular, Axes{});
       const Frame random = build_frame(frames::perturb(regular, 0.25, 9), Axes{});
       ls[k] = truncation(random, least_squares(random, e.ex, e.ey), e);

@@ -32,7 +32,7 @@ struct Pair {
     contact = std::make_unique<Contact>(context, body1, body2);
   }
 
-  void frame(const FrameMesh& mesh) {
+  void frame(const SurfaceMesh& mesh) {
     Scene& s = contact->scene;
     s.set_frame_nodes(mesh.nodes(), mesh.node[0].data(), 3, 1);
     s.add_frame_elements(static_cast<std::int32_t>(mesh.type[0]), mesh.elements(),

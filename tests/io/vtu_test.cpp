@@ -58,14 +58,14 @@ std::vector<double> array_of(const std::string& text, const std::string& name) {
 }
 
 /// One element of each type, side by side.
-FrameMesh all_types() {
-  FrameMesh all;
+SurfaceMesh all_types() {
+  SurfaceMesh all;
   all.offset = {0};
   const std::vector<double> one = {0, 1};
   double shift = 0;
   for (ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
                            ElementType::quad8, ElementType::quad9}) {
-    const FrameMesh mesh = frames::rectangle(type, one, one);
+    const SurfaceMesh mesh = frames::rectangle(type, one, one);
     const auto first = static_cast<std::int32_t>(all.node.size());
     for (Vec3 x : mesh.node) all.node.push_back({x[0] + shift, x[1], 0.1 * x[0]});
     const auto nodes = mesh.element(0);
@@ -83,7 +83,7 @@ struct Fields {
   std::vector<std::int32_t> status;
   std::vector<PointArray> arrays;
 
-  explicit Fields(const FrameMesh& mesh) {
+  explicit Fields(const SurfaceMesh& mesh) {
     for (std::size_t k = 0; k < mesh.node.size(); ++k) {
       const double v = static_cast<double>(k);
       traction.insert(traction.end(), {v / 3, -1e-300 * v, 1e300 / (v + 1)});
@@ -97,7 +97,7 @@ struct Fields {
 };
 
 TEST_F(Vtu, ReadsBackToTheSameBits) {
-  const FrameMesh mesh = all_types();
+  const SurfaceMesh mesh = all_types();
   const Fields fields(mesh);
   write_vtu(path("frame.vtu"), mesh, fields.arrays);
   EXPECT_EQ(files(), 1);
@@ -121,7 +121,7 @@ TEST_F(Vtu, AnotherReaderAgrees) {
   const std::string python = "/usr/bin/python3";
   if (std::system((python + " -c 'import meshio' >/dev/null 2>&1").c_str()) != 0)
     GTEST_SKIP() << "no meshio";
-  const FrameMesh mesh = all_types();
+  const SurfaceMesh mesh = all_types();
   const Fields fields(mesh);
   write_vtu(path("frame.vtu"), mesh, fields.arrays);
   std::ofstream(path("read.py")) << R"(
@@ -148,7 +148,7 @@ TEST_F(Vtu, DecimalPointInAnyLocale) {
   const char* used = nullptr;
   for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "es_ES.UTF-8"})
     if (!used) used = std::setlocale(LC_ALL, name);
-  const FrameMesh mesh = all_types();
+  const SurfaceMesh mesh = all_types();
   const Fields fields(mesh);
   write_vtu(path("frame.vtu"), mesh, fields.arrays);
   std::setlocale(LC_ALL, "C");
@@ -159,7 +159,7 @@ TEST_F(Vtu, DecimalPointInAnyLocale) {
 }
 
 TEST_F(Vtu, NamesAreEscaped) {
-  const FrameMesh mesh = all_types();
+  const SurfaceMesh mesh = all_types();
   const std::vector<double> zero(mesh.node.size(), 0);
   const std::vector<PointArray> arrays = {{"a<b & \"c\"", 1, zero.data(), nullptr}};
   write_vtu(path("frame.vtu"), mesh, arrays);
@@ -200,7 +200,7 @@ TEST_F(Vtu, FullDiskIsReported) {
 }
 
 TEST_F(Vtu, NotANumberIsRefused) {
-  const FrameMesh mesh = all_types();
+  const SurfaceMesh mesh = all_types();
   std::vector<double> values(mesh.node.size(), 1);
   values[4] = std::numeric_limits<double>::quiet_NaN();
   const std::vector<PointArray> arrays = {{"gap", 1, values.data(), nullptr}};

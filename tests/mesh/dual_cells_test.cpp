@@ -17,7 +17,7 @@ using validation::expect_error;
 
 struct NamedMesh {
   std::string name;
-  FrameMesh mesh;
+  SurfaceMesh mesh;
 };
 
 std::vector<NamedMesh> meshes() {

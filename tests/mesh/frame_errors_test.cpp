@@ -14,7 +14,7 @@
 namespace rollcon {
 namespace {
 
-void expect_refused(FrameMesh mesh, const std::string& words, Status status = Status::err_mesh,
+void expect_refused(SurfaceMesh mesh, const std::string& words, Status status = Status::err_mesh,
                     const Axes& axes = {}) {
   try {
     build_frame(std::move(mesh), axes);
@@ -27,12 +27,12 @@ void expect_refused(FrameMesh mesh, const std::string& words, Status status = St
   }
 }
 
-FrameMesh grid(ElementType type, int n = 3) {
+SurfaceMesh grid(ElementType type, int n = 3) {
   const auto u = frames::uniform_lines(0, n, n);
   return frames::rectangle(type, u, u);
 }
 
-void repeat_element(FrameMesh& mesh, std::size_t e) {
+void repeat_element(SurfaceMesh& mesh, std::size_t e) {
   const auto nodes = mesh.element(static_cast<std::int64_t>(e));
   const std::vector<std::int32_t> copy(nodes.begin(), nodes.end());
   mesh.connectivity.insert(mesh.connectivity.end(), copy.begin(), copy.end());
@@ -42,21 +42,21 @@ void repeat_element(FrameMesh& mesh, std::size_t e) {
 }
 
 TEST(FrameErrors, NoElements) {
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}};
   mesh.offset = {0};
   expect_refused(mesh, "no elements");
 }
 
 TEST(FrameErrors, NodeOutOfRange) {
-  FrameMesh mesh = grid(ElementType::quad4);
+  SurfaceMesh mesh = grid(ElementType::quad4);
   mesh.connectivity[5] = 99;
   mesh.index_base = 1;
   expect_refused(mesh, "first: element 2 (quad4), node 100 of 1..16");
 }
 
 TEST(FrameErrors, RepeatedNode) {
-  FrameMesh mesh = grid(ElementType::quad4);
+  SurfaceMesh mesh = grid(ElementType::quad4);
   mesh.connectivity[6] = mesh.connectivity[5];
   mesh.index_base = 1;
   expect_refused(
@@ -64,14 +64,14 @@ TEST(FrameErrors, RepeatedNode) {
 }
 
 TEST(FrameErrors, SameElementTwice) {
-  FrameMesh mesh = grid(ElementType::tri6);
+  SurfaceMesh mesh = grid(ElementType::tri6);
   repeat_element(mesh, 3);
   expect_refused(mesh,
                  "same element is given twice; 1 such in the frame; first: elements 3 and 18");
 }
 
 TEST(FrameErrors, EdgeOfThreeElements) {
-  FrameMesh mesh = grid(ElementType::quad4, 1);
+  SurfaceMesh mesh = grid(ElementType::quad4, 1);
   mesh.node.push_back({0.5, 3, 0});
   mesh.node.push_back({0.5, 4, 0});
   mesh.connectivity = {0, 1, 3, 2, 2, 3, 4, 2, 3, 5};
@@ -83,7 +83,7 @@ TEST(FrameErrors, EdgeOfThreeElements) {
 }
 
 TEST(FrameErrors, TwoElementsOnTheSameSide) {
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}, {1, 0, 0}, {0.2, 1, 0}, {0.8, 1, 0}};
   mesh.connectivity = {0, 1, 2, 0, 1, 3};
   mesh.offset = {0, 3, 6};
@@ -93,7 +93,7 @@ TEST(FrameErrors, TwoElementsOnTheSameSide) {
 }
 
 TEST(FrameErrors, DifferentMidsideNodes) {
-  FrameMesh mesh = grid(ElementType::quad8, 2);
+  SurfaceMesh mesh = grid(ElementType::quad8, 2);
   // Element 1 gets its own node on the edge it shares with element 0.
   const std::int32_t shared = mesh.element(0)[5];
   ASSERT_EQ(mesh.element(1)[7], shared);
@@ -103,13 +103,13 @@ TEST(FrameErrors, DifferentMidsideNodes) {
 }
 
 TEST(FrameErrors, CoincidentNodes) {
-  FrameMesh mesh = grid(ElementType::tri3);
+  SurfaceMesh mesh = grid(ElementType::tri3);
   mesh.node[5] = mesh.node[6];
   expect_refused(mesh, "two of its nodes coincide");
 }
 
 TEST(FrameErrors, VanishingJacobian) {
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   mesh.connectivity = {0, 1, 2};
   mesh.offset = {0, 3};
@@ -119,7 +119,7 @@ TEST(FrameErrors, VanishingJacobian) {
 }
 
 TEST(FrameErrors, ReentrantCorner) {
-  FrameMesh mesh = grid(ElementType::quad4, 1);
+  SurfaceMesh mesh = grid(ElementType::quad4, 1);
   mesh.node[3] = {0.3, 0.3, 0};
   expect_refused(mesh, "its Jacobian changes sign; 1 such in the frame; first: element 0 (quad4)");
 }
@@ -129,7 +129,7 @@ TEST(FrameErrors, QuadraticElementNearFolding) {
   // before, the element is sound.
   for (ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
     for (double at : {0.27, 0.24}) {
-      FrameMesh mesh = grid(type, 1);
+      SurfaceMesh mesh = grid(type, 1);
       const auto n = mesh.element(0);
       const auto corners = static_cast<std::size_t>(corner_count(type));
       const Vec3 a = mesh.node[static_cast<std::size_t>(n[0])];
@@ -146,13 +146,13 @@ TEST(FrameErrors, QuadraticElementNearFolding) {
 
 TEST(FrameErrors, CentreAgainstASide) {
   // All sides straight and sound; only the centre of the quad9 is pushed against one of them.
-  FrameMesh mesh = grid(ElementType::quad9, 1);
+  SurfaceMesh mesh = grid(ElementType::quad9, 1);
   mesh.node[8] = {0.5, 0.98, 0};
   expect_refused(mesh, "its Jacobian changes sign");
 }
 
 TEST(FrameErrors, FlippedElement) {
-  FrameMesh mesh = grid(ElementType::quad4);
+  SurfaceMesh mesh = grid(ElementType::quad4);
   std::swap(mesh.connectivity[9], mesh.connectivity[11]);
   mesh.index_base = 1;
   expect_refused(mesh,
@@ -179,15 +179,15 @@ TEST(FrameErrors, SteepElement) {
 }
 
 TEST(FrameErrors, VerticalElement) {
-  FrameMesh mesh = frames::transform(grid(ElementType::quad4), [](const Vec3& p) {
+  SurfaceMesh mesh = frames::transform(grid(ElementType::quad4), [](const Vec3& p) {
     return Vec3{p[0], 0, p[1]};
   });
   expect_refused(mesh, "steeper than 60 degrees");
 }
 
 TEST(FrameErrors, SheetsOverOneAnother) {
-  FrameMesh mesh = grid(ElementType::quad4);
-  const FrameMesh upper = mesh;
+  SurfaceMesh mesh = grid(ElementType::quad4);
+  const SurfaceMesh upper = mesh;
   for (Vec3 p : upper.node) mesh.node.push_back({p[0], p[1], p[2] + 1});
   for (std::size_t e = 0; e < 9; ++e) {
     repeat_element(mesh, e);
@@ -199,13 +199,13 @@ TEST(FrameErrors, SheetsOverOneAnother) {
 TEST(FrameErrors, SpiralThatReturnsOverItself) {
   // A strip of squares wound by more than a turn: locally sound everywhere.
   const int n = 40;
-  const FrameMesh mesh =
+  const SurfaceMesh mesh =
       frames::transform(frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 7, n),
                                           frames::uniform_lines(1, 2, 2)),
                         [](const Vec3& p) {
                           return Vec3{p[1] * std::sin(p[0]), -p[1] * std::cos(p[0]), 0.1 * p[0]};
                         });
-  FrameMesh upward = mesh;
+  SurfaceMesh upward = mesh;
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
     std::swap(upward.connectivity[static_cast<std::size_t>(4 * e + 1)],
               upward.connectivity[static_cast<std::size_t>(4 * e + 3)]);
@@ -213,7 +213,7 @@ TEST(FrameErrors, SpiralThatReturnsOverItself) {
 }
 
 TEST(FrameErrors, NotFinite) {
-  FrameMesh mesh = grid(ElementType::quad4);
+  SurfaceMesh mesh = grid(ElementType::quad4);
   mesh.node[7][1] = std::numeric_limits<double>::quiet_NaN();
   mesh.index_base = 1;
   expect_refused(mesh, "coordinate 1 of node 8", Status::err_nonfinite);

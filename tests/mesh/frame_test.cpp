@@ -68,7 +68,7 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
   double error[2];
   for (int k = 0; k < 2; ++k) {
     const int core = 4 << k;
-    FrameMesh mesh = frames::o_grid(ElementType::quad9, core, 2, 1, 1);
+    SurfaceMesh mesh = frames::o_grid(ElementType::quad9, core, 2, 1, 1);
     const Frame straight = build_frame(mesh, Axes{});
     for (std::size_t i = 0; i < mesh.node.size(); ++i)
       if (straight.rim[i]) {
@@ -85,7 +85,7 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
 
 TEST(Frame, ProjectsOnTheAxes) {
   const auto u = frames::uniform_lines(-1, 1, 4);
-  const FrameMesh flat = frames::rectangle(ElementType::quad8, u, u);
+  const SurfaceMesh flat = frames::rectangle(ElementType::quad8, u, u);
   // A triad turned about all three axes, and its mesh in space.
   Axes axes;
   const double s = std::sqrt(0.5);
@@ -93,7 +93,7 @@ TEST(Frame, ProjectsOnTheAxes) {
   axes.t1 = {s, s, 0};
   axes.t2 = {0, 0, 1};
   axes.n = {s, -s, 0};
-  FrameMesh mesh = frames::transform(flat, [&](const Vec3& p) {
+  SurfaceMesh mesh = frames::transform(flat, [&](const Vec3& p) {
     Vec3 r = axes.origin;
     for (std::size_t i = 0; i < 3; ++i)
       r[i] += p[0] * axes.t1[i] + p[1] * axes.t2[i] + 0.1 * p[0] * p[0] * axes.n[i];
@@ -110,7 +110,7 @@ TEST(Frame, ProjectsOnTheAxes) {
 }
 
 TEST(Frame, UnitsDoNotMatter) {
-  const FrameMesh mesh = frames::bend_midsides(frames::paper_disc(ElementType::tri6, 1), 0.05, 2);
+  const SurfaceMesh mesh = frames::bend_midsides(frames::paper_disc(ElementType::tri6, 1), 0.05, 2);
   const Frame one = build_frame(mesh, Axes{});
   for (double size : {1e-9, 1e-3, 1e9}) {
     const Frame frame = build_frame(frames::stretch(mesh, size, size), Axes{});
@@ -123,7 +123,7 @@ TEST(Frame, UnitsDoNotMatter) {
 }
 
 TEST(Frame, FarFromTheOriginOfSpace) {
-  FrameMesh mesh = frames::transform(frames::paper_disc(ElementType::tri3, 1), [](const Vec3& p) {
+  SurfaceMesh mesh = frames::transform(frames::paper_disc(ElementType::tri3, 1), [](const Vec3& p) {
     return Vec3{p[0] + 1e6, p[1] - 1e6, p[2] + 1e6};
   });
   Axes axes;
@@ -135,7 +135,7 @@ TEST(Frame, FarFromTheOriginOfSpace) {
 }
 
 TEST(Frame, NodesOfNoElementCarryNothing) {
-  FrameMesh mesh = frames::paper_disc(ElementType::tri3, 1);
+  SurfaceMesh mesh = frames::paper_disc(ElementType::tri3, 1);
   mesh.node.push_back({5, 5, 5});
   const Frame frame = build_frame(mesh, Axes{});
   EXPECT_EQ(frame.used.back(), 0);
@@ -147,9 +147,9 @@ TEST(Frame, NodesOfNoElementCarryNothing) {
 
 TEST(Frame, AHoleIsAllowed) {
   const auto u = frames::uniform_lines(0, 3, 3);
-  FrameMesh mesh = frames::rectangle(ElementType::quad4, u, u);
+  SurfaceMesh mesh = frames::rectangle(ElementType::quad4, u, u);
   // Take out the middle element: a ring of eight squares with a rim inside.
-  FrameMesh ring;
+  SurfaceMesh ring;
   ring.node = mesh.node;
   ring.offset = {0};
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -166,10 +166,10 @@ TEST(Frame, AHoleIsAllowed) {
 }
 
 TEST(Frame, GeneratorsAreReproducible) {
-  const FrameMesh disc = frames::paper_disc(ElementType::tri6, 1);
-  const FrameMesh a = frames::bend_midsides(frames::perturb(disc, 0.2, 5), 0.05, 6);
-  const FrameMesh b = frames::bend_midsides(frames::perturb(disc, 0.2, 5), 0.05, 6);
-  const FrameMesh c = frames::bend_midsides(frames::perturb(disc, 0.2, 7), 0.05, 6);
+  const SurfaceMesh disc = frames::paper_disc(ElementType::tri6, 1);
+  const SurfaceMesh a = frames::bend_midsides(frames::perturb(disc, 0.2, 5), 0.05, 6);
+  const SurfaceMesh b = frames::bend_midsides(frames::perturb(disc, 0.2, 5), 0.05, 6);
+  const SurfaceMesh c = frames::bend_midsides(frames::perturb(disc, 0.2, 7), 0.05, 6);
   EXPECT_EQ(a.node, b.node);
   EXPECT_NE(a.node, c.node);
   // First number of the generator, so that meshes do not change with the platform.

@@ -29,7 +29,7 @@ TEST(stability, random_scenes_end_solved_or_with_a_status) {
     const int n = 8 + pick(7);
     const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);
     constexpr ElementType types[] = {ElementType::quad4, ElementType::tri3};
-    FrameMesh mesh = frames::rectangle(types[pick(2)], lines, lines);
+    SurfaceMesh mesh = frames::rectangle(types[pick(2)], lines, lines);
     if (pick(2) == 1) mesh = frames::perturb(mesh, 0.2, seed);
     const double aspect = log_between(0.2, 5);
     pair.frame(frames::stretch(mesh, aspect, 1));

@@ -62,7 +62,7 @@ inline CarterErrors compare(const Section& section) {
 
 /// Sets the strip's gap, approach, creepage and friction for the nodes of a frame given in the
 /// strip's coordinates.
-inline void load_strip(RollingPair& pair, const Strip& strip, const FrameMesh& mesh) {
+inline void load_strip(RollingPair& pair, const Strip& strip, const SurfaceMesh& mesh) {
   std::vector<double> x, y;
   for (const Vec3& node : mesh.node) {
     x.push_back(node[0]);

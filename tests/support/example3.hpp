@@ -24,7 +24,7 @@ inline closed_forms::Hertz hertz() {
 
 struct NamedFrame {
   std::string name;
-  FrameMesh mesh;
+  SurfaceMesh mesh;
 };
 
 /// The paper's four frames by node count: 673 (quad4), 1985 (quad8), 703 (tri3), 2745 (tri6).
@@ -42,7 +42,7 @@ inline NamedFrame frame(int nodes) {
   }
 }
 
-inline std::unique_ptr<RollingPair> pair(const FrameMesh& mesh, const char* scheme,
+inline std::unique_ptr<RollingPair> pair(const SurfaceMesh& mesh, const char* scheme,
                                          int threads = 1) {
   auto p = std::make_unique<RollingPair>(sphere, std::nullopt, threads);
   const double curvature = 1 / (2 * radius);

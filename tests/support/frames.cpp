@@ -27,7 +27,7 @@ double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-void add_element(FrameMesh& mesh, ElementType type, std::initializer_list<std::int32_t> nodes) {
+void add_element(SurfaceMesh& mesh, ElementType type, std::initializer_list<std::int32_t> nodes) {
   if (mesh.offset.empty()) mesh.offset.push_back(0);
   mesh.type.push_back(type);
   mesh.tag.push_back(0);
@@ -35,7 +35,7 @@ void add_element(FrameMesh& mesh, ElementType type, std::initializer_list<std::i
   mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
 }
 
-void add_node(FrameMesh& mesh, double x, double y) {
+void add_node(SurfaceMesh& mesh, double x, double y) {
   mesh.node.push_back({x, y, 0});
 }
 
@@ -48,12 +48,12 @@ bool is_triangle(ElementType type) {
 }
 
 /// Linear mesh -> the wanted type, on the same corners.
-FrameMesh as_type(FrameMesh linear, ElementType type) {
+SurfaceMesh as_type(SurfaceMesh linear, ElementType type) {
   return is_quadratic(type) ? to_quadratic(linear, type) : linear;
 }
 
 /// Corner edges of the mesh with the number of elements on each.
-std::map<EdgeKey, int> edge_counts(const FrameMesh& mesh) {
+std::map<EdgeKey, int> edge_counts(const SurfaceMesh& mesh) {
   std::map<EdgeKey, int> count;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto nodes = mesh.element(e);
@@ -63,7 +63,7 @@ std::map<EdgeKey, int> edge_counts(const FrameMesh& mesh) {
   return count;
 }
 
-void recentre(FrameMesh& mesh) {
+void recentre(SurfaceMesh& mesh) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const ElementType type = mesh.type[static_cast<std::size_t>(e)];
     if (!is_quadratic(type)) continue;
@@ -78,7 +78,7 @@ void recentre(FrameMesh& mesh) {
 
 /// Triangles between two rings of nodes, both counter-clockwise; phases are the angles of their
 /// first nodes in turns. Advances on the ring whose next node comes first.
-void stitch(FrameMesh& mesh, std::int32_t inner, int inner_count, double inner_phase,
+void stitch(SurfaceMesh& mesh, std::int32_t inner, int inner_count, double inner_phase,
             std::int32_t outer, int outer_count, double outer_phase) {
   int i = 0, o = 0;
   auto in = [&](int k) { return inner + k % inner_count; };
@@ -115,8 +115,8 @@ std::vector<double> cosine_lines(double a, int n) {
   return line;
 }
 
-FrameMesh rectangle(ElementType type, std::span<const double> x, std::span<const double> y) {
-  FrameMesh mesh;
+SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<const double> y) {
+  SurfaceMesh mesh;
   for (double yj : y)
     for (double xi : x) add_node(mesh, xi, yj);
   const auto nx = static_cast<std::int32_t>(x.size());
@@ -137,10 +137,10 @@ FrameMesh rectangle(ElementType type, std::span<const double> x, std::span<const
   return as_type(std::move(mesh), type);
 }
 
-FrameMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
+SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
                  double core_fraction) {
   if (is_triangle(type)) throw std::invalid_argument("o_grid: quadrilaterals only");
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   // Half way between a square and a disc: no corner of the core is flat, no element skewed.
   for (int j = 0; j <= core; ++j)
     for (int i = 0; i <= core; ++i) {
@@ -182,10 +182,10 @@ FrameMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
   return stretch(as_type(std::move(mesh), type), ax, ay);
 }
 
-FrameMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count) {
+SurfaceMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count) {
   if (!is_triangle(type) || radius.size() != count.size() || radius.empty())
     throw std::invalid_argument("ring_disc: triangles, one count per radius");
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   add_node(mesh, 0, 0);
   std::int32_t previous = 0;
   double previous_phase = 0;
@@ -210,7 +210,7 @@ FrameMesh ring_disc(ElementType type, std::span<const double> radius, std::span<
   return as_type(std::move(mesh), type);
 }
 
-FrameMesh paper_disc(ElementType type, double r) {
+SurfaceMesh paper_disc(ElementType type, double r) {
   const std::vector<int> count = {6, 12, 18, 24, 30, 36, 42, 48, 48, 54, 64, 64, 64, 64, 64, 64};
   std::vector<double> radius;
   for (std::size_t k = 1; k <= count.size(); ++k)
@@ -240,8 +240,8 @@ std::vector<int> ring_counts(std::span<const double> radius) {
   return count;
 }
 
-FrameMesh to_quadratic(const FrameMesh& linear, ElementType type) {
-  FrameMesh mesh;
+SurfaceMesh to_quadratic(const SurfaceMesh& linear, ElementType type) {
+  SurfaceMesh mesh;
   mesh.node = linear.node;
   mesh.index_base = linear.index_base;
   mesh.offset.push_back(0);
@@ -272,7 +272,7 @@ FrameMesh to_quadratic(const FrameMesh& linear, ElementType type) {
   return mesh;
 }
 
-FrameMesh perturb(FrameMesh mesh, double fraction, std::uint32_t seed) {
+SurfaceMesh perturb(SurfaceMesh mesh, double fraction, std::uint32_t seed) {
   const auto count = edge_counts(mesh);
   std::vector<double> shortest(mesh.node.size(), std::numeric_limits<double>::infinity());
   std::vector<char> fixed(mesh.node.size(), 1);
@@ -297,7 +297,7 @@ FrameMesh perturb(FrameMesh mesh, double fraction, std::uint32_t seed) {
   return mesh;
 }
 
-FrameMesh bend_midsides(FrameMesh mesh, double fraction, std::uint32_t seed) {
+SurfaceMesh bend_midsides(SurfaceMesh mesh, double fraction, std::uint32_t seed) {
   const auto count = edge_counts(mesh);
   std::vector<char> done(mesh.node.size(), 0);
   Random random(seed);
@@ -319,18 +319,18 @@ FrameMesh bend_midsides(FrameMesh mesh, double fraction, std::uint32_t seed) {
   return mesh;
 }
 
-FrameMesh transform(FrameMesh mesh, const std::function<Vec3(const Vec3&)>& map) {
+SurfaceMesh transform(SurfaceMesh mesh, const std::function<Vec3(const Vec3&)>& map) {
   for (Vec3& x : mesh.node) x = map(x);
   return mesh;
 }
 
-FrameMesh stretch(FrameMesh mesh, double sx, double sy) {
+SurfaceMesh stretch(SurfaceMesh mesh, double sx, double sy) {
   return transform(std::move(mesh), [=](const Vec3& x) {
     return Vec3{sx * x[0], sy * x[1], x[2]};
   });
 }
 
-FrameMesh rotate(FrameMesh mesh, double angle) {
+SurfaceMesh rotate(SurfaceMesh mesh, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return transform(std::move(mesh), [=](const Vec3& x) {
     return Vec3{c * x[0] - s * x[1], s * x[0] + c * x[1], x[2]};

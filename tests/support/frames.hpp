@@ -18,21 +18,21 @@ std::vector<double> cosine_lines(double a, int n);
 
 /// Rectangle with element corners on the given lines; triangles halve each quadrilateral along
 /// alternating diagonals. Any element type; midside nodes and centres on the straight edges.
-FrameMesh rectangle(ElementType type, std::span<const double> x, std::span<const double> y);
+SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<const double> y);
 
 /// Disc of quadrilaterals: core x core elements inside a rounded square, `rings` rings of
 /// 4 core elements around it. Semi-axes ax, ay; the core's half-diagonal is core_fraction of them.
 /// core = 16, rings = 6: 673 nodes (quad4) or 1985 (quad8), 640 elements. Midside nodes straight.
-FrameMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
+SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
                  double core_fraction = 0.6);
 
 /// Disc of triangles: a node at the centre, then rings of count[k] nodes at radius[k] (ascending),
 /// each ring turned by half its spacing against the one before.
-FrameMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count);
+SurfaceMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count);
 
 /// The frame of the paper's third example: 703 nodes (tri3) or 2745 (tri6), 1340 elements, 64
 /// edges on the rim of radius r.
-FrameMesh paper_disc(ElementType type, double r);
+SurfaceMesh paper_disc(ElementType type, double r);
 
 /// Rings graded to a contact's edge: r = a sin(pi k / 2n), k = 1..n, mirrored outwards while the
 /// radius stays below `outer`, closed by a ring at `outer`.
@@ -43,19 +43,19 @@ std::vector<int> ring_counts(std::span<const double> radius);
 
 /// Quadratic elements on the corners of a linear mesh (tri3 -> tri6, quad4 -> quad8 or quad9, tri3
 /// and quad4 mixed with quad8 or quad9 -> tri6 and that), new nodes after the old ones.
-FrameMesh to_quadratic(const FrameMesh& linear, ElementType type);
+SurfaceMesh to_quadratic(const SurfaceMesh& linear, ElementType type);
 
 /// Moves interior corner nodes at random by up to `fraction` of their shortest edge; midside
 /// nodes and centres follow to the middle of their corners.
-FrameMesh perturb(FrameMesh mesh, double fraction, std::uint32_t seed);
+SurfaceMesh perturb(SurfaceMesh mesh, double fraction, std::uint32_t seed);
 /// Displaces interior midside nodes at random by up to `fraction` of their edge's length.
-FrameMesh bend_midsides(FrameMesh mesh, double fraction, std::uint32_t seed);
+SurfaceMesh bend_midsides(SurfaceMesh mesh, double fraction, std::uint32_t seed);
 
 /// Every node x -> map(x).
-FrameMesh transform(FrameMesh mesh, const std::function<Vec3(const Vec3&)>& map);
-FrameMesh stretch(FrameMesh mesh, double sx, double sy);
+SurfaceMesh transform(SurfaceMesh mesh, const std::function<Vec3(const Vec3&)>& map);
+SurfaceMesh stretch(SurfaceMesh mesh, double sx, double sy);
 /// Turns the mesh about n by `angle` (radian, counter-clockwise).
-FrameMesh rotate(FrameMesh mesh, double angle);
+SurfaceMesh rotate(SurfaceMesh mesh, double angle);
 
 /// Linear congruential generator; uniform in [-1, 1).
 class Random {

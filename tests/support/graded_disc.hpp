@@ -6,7 +6,7 @@
 namespace rollcon::scenes {
 
 /// n rings inside the contact; the frame reaches 15 % beyond it.
-inline FrameMesh graded_disc(double a, double b, int n, ElementType type = ElementType::tri3) {
+inline SurfaceMesh graded_disc(double a, double b, int n, ElementType type = ElementType::tri3) {
   const auto radii = frames::contact_radii(1, n, 1.15);
   const auto counts = frames::ring_counts(radii);
   return frames::stretch(frames::ring_disc(type, radii, counts), a, b);

@@ -36,7 +36,7 @@ std::int32_t RollingPair::check(std::int32_t status, const char* what) const {
                            text.c_str());
 }
 
-RollingPair& RollingPair::frame(const FrameMesh& mesh) {
+RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
   nodes_ = mesh.node.size();
   check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1),
         "set_frame_nodes");

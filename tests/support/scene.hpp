@@ -40,7 +40,7 @@ class RollingPair {
   RollingPair(const RollingPair&) = delete;
   RollingPair& operator=(const RollingPair&) = delete;
 
-  RollingPair& frame(const FrameMesh& mesh);
+  RollingPair& frame(const SurfaceMesh& mesh);
   /// Rolling direction at `angle` (radian) to the frame's x axis, normal along z.
   RollingPair& rolling_at(double angle);
   RollingPair& gap(const std::vector<double>& h);

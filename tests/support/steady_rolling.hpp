@@ -16,13 +16,13 @@ inline const closed_forms::Hertz hertz = closed_forms::hertz_from_axes(
     radius, radius, 1000, closed_forms::effective_modulus(steel, steel));
 
 /// which: "a" or "b".
-inline void prepare(RollingPair& pair, const FrameMesh& mesh, const std::string& which) {
+inline void prepare(RollingPair& pair, const SurfaceMesh& mesh, const std::string& which) {
   pair.frame(mesh).gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(mu);
   pair.creep(creepage, 0, which == "b" ? spin : 0);
 }
 
 /// N x N nodes at the centres of CONTACT's N x N elements, 90 % of the width in contact.
-inline FrameMesh grid(int n) {
+inline SurfaceMesh grid(int n) {
   const double half = radius / 0.9 * (1 - 1.0 / n);
   const auto lines = frames::uniform_lines(-half, half, n - 1);
   return frames::rectangle(ElementType::quad4, lines, lines);

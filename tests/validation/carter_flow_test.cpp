@@ -38,7 +38,7 @@ double middle_traction_error(const Solution& s) {
   return std::sqrt(difference / norm);
 }
 
-Solution roll(const FrameMesh& mesh, const std::vector<double>& gap, const char* scheme,
+Solution roll(const SurfaceMesh& mesh, const std::vector<double>& gap, const char* scheme,
               double angle = 0) {
   const Strip strip{carter.hertz, half_length};
   RollingPair pair(roller, roller);
@@ -51,7 +51,7 @@ Solution roll(const FrameMesh& mesh, const std::vector<double>& gap, const char*
 }
 
 /// The strip's gap; open beyond its ends.
-std::vector<double> strip_gap(const FrameMesh& mesh) {
+std::vector<double> strip_gap(const SurfaceMesh& mesh) {
   const Strip strip{carter.hertz, half_length};
   std::vector<double> h;
   for (const Vec3& node : mesh.node)
@@ -71,12 +71,12 @@ double reference_force() {
 }
 
 /// Elements of a grid of size h, turned by `angle`, that lie within the strip and its margin.
-FrameMesh turned_grid(double h, double angle) {
+SurfaceMesh turned_grid(double h, double angle) {
   const int n = static_cast<int>(std::ceil((half_length + 2) / h));
   const auto lines = frames::uniform_lines(-n * h, n * h, 2 * n);
-  const FrameMesh whole =
+  const SurfaceMesh whole =
       frames::rotate(frames::rectangle(ElementType::quad4, lines, lines), angle);
-  FrameMesh part;
+  SurfaceMesh part;
   part.offset.push_back(0);
   std::vector<std::int32_t> number(whole.node.size(), -1);
   for (std::int64_t e = 0; e < whole.elements(); ++e) {
@@ -102,7 +102,7 @@ FrameMesh turned_grid(double h, double angle) {
   return part;
 }
 
-FrameMesh random_triangles(int across) {
+SurfaceMesh random_triangles(int across) {
   const auto x = frames::uniform_lines(-1.2, 1.2, across * 6 / 5);
   const auto y = frames::uniform_lines(-half_length, half_length, across * 3);
   return frames::perturb(frames::rectangle(ElementType::tri3, x, y), 0.25, 7);
@@ -131,7 +131,7 @@ TEST(CarterFlow, at_30_degrees_to_a_grid) {
     double error[2];
     const double h[2] = {0.2, 0.1};
     for (int i = 0; i < 2; ++i) {
-      const FrameMesh mesh = turned_grid(h[i], pi / 6);
+      const SurfaceMesh mesh = turned_grid(h[i], pi / 6);
       const Solution s = roll(mesh, strip_gap(mesh), scheme);
       error[i] = middle_force(s) / reference_force() - 1;
       const std::string name =
@@ -150,7 +150,7 @@ TEST(CarterFlow, on_unstructured_triangles) {
     double error[2];
     const int across[2] = {10, 20};
     for (int i = 0; i < 2; ++i) {
-      const FrameMesh mesh = random_triangles(across[i]);
+      const SurfaceMesh mesh = random_triangles(across[i]);
       const Solution s = roll(mesh, strip_gap(mesh), scheme);
       error[i] = middle_force(s) / reference_force() - 1;
       const std::string name =

@@ -62,7 +62,7 @@ double gap_error(const RollingPair& pair, const Solution& s) {
 
 /// Largest error of the published slip in contact against c + V D u with the tests' own Godunov
 /// operator.
-double slip_error(const RollingPair& pair, const Solution& s, const FrameMesh& mesh) {
+double slip_error(const RollingPair& pair, const Solution& s, const SurfaceMesh& mesh) {
   const auto u = displacement(pair, s, 0);
   std::vector<std::array<double, 2>> w(s.nodes());
   for (std::size_t k = 0; k < s.nodes(); ++k) w[k] = {u[3 * k], u[3 * k + 1]};

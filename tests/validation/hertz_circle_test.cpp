@@ -20,7 +20,7 @@ constexpr double curvature = 1.0 / (2 * 50);
 const Hertz exact = closed_forms::hertz_from_load(curvature, curvature,
                                                   closed_forms::effective_modulus(sphere), 298.6);
 
-Solution press(const FrameMesh& mesh, bool by_force) {
+Solution press(const SurfaceMesh& mesh, bool by_force) {
   RollingPair pair(sphere, std::nullopt);
   pair.frame(mesh).gap_quadratic(curvature, curvature).friction(0);
   by_force ? pair.load(exact.load) : pair.approach(exact.approach);
@@ -28,7 +28,7 @@ Solution press(const FrameMesh& mesh, bool by_force) {
   return pair.solution();
 }
 
-void expect_hertz(const std::string& name, const FrameMesh& mesh) {
+void expect_hertz(const std::string& name, const SurfaceMesh& mesh) {
   const Solution s = press(mesh, false);
   const FittedEllipse fit = fit_hertz(s, exact.a, exact.b);
   expect_error(name + ": force at given approach", relative(-s.force[2], exact.load), 3e-3);
@@ -39,7 +39,7 @@ void expect_hertz(const std::string& name, const FrameMesh& mesh) {
   expect_error(name + ": peak pressure (largest nodal value)", relative(highest, exact.p0), 1e-2);
 }
 
-FrameMesh grid(ElementType type, int across) {
+SurfaceMesh grid(ElementType type, int across) {
   const double reach = exact.a * 28.0 / 24.0;
   const auto lines = frames::uniform_lines(-reach, reach, across * 28 / 24);
   return frames::rectangle(type, lines, lines);

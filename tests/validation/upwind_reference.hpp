@@ -12,7 +12,7 @@ namespace rollcon::validation {
 
 /// v . grad w at every node for v = (vx, vy); w: one pair per node, mesh in the plane z = 0.
 inline std::vector<std::array<double, 2>> inflow_derivative(
-    const FrameMesh& mesh, double vx, double vy, const std::vector<std::array<double, 2>>& w) {
+    const SurfaceMesh& mesh, double vx, double vy, const std::vector<std::array<double, 2>>& w) {
   std::vector<std::array<double, 2>> sum(mesh.node.size());
   std::vector<double> cell(mesh.node.size());
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {

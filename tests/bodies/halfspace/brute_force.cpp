@@ -215,7 +215,7 @@ class Adaptive {
 }  // namespace
 
 Frame frame_of(const Element& element) {
-  FrameMesh mesh;
+  SurfaceMesh mesh;
   for (std::size_t i = 0; i < element.x.size(); ++i) {
     mesh.node.push_back({element.x[i], element.y[i], 0});
     mesh.connectivity.push_back(static_cast<std::int32_t>(i));

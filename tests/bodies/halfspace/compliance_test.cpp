@@ -22,14 +22,14 @@ using Blocks = std::vector<std::vector<double>>;
 
 /// A disc with triangles and quadrilaterals of several kinds: quad8 bent, its copy shifted as tri6.
 Frame mixed_frame() {
-  FrameMesh mesh = frames::bend_midsides(frames::o_grid(ElementType::quad8, 4, 2, 1, 1), 0.05, 3);
-  const FrameMesh other[] = {
+  SurfaceMesh mesh = frames::bend_midsides(frames::o_grid(ElementType::quad8, 4, 2, 1, 1), 0.05, 3);
+  const SurfaceMesh other[] = {
       frames::bend_midsides(frames::paper_disc(ElementType::tri6, 0.4), 0.05, 9),
       frames::perturb(frames::o_grid(ElementType::quad4, 4, 2, 0.5, 0.5), 0.1, 4),
       frames::rectangle(ElementType::tri3, frames::uniform_lines(-0.3, 0.3, 3),
                         frames::uniform_lines(-0.3, 0.3, 3))};
   double shift = 2.5;
-  for (const FrameMesh& part : other) {
+  for (const SurfaceMesh& part : other) {
     const auto first = static_cast<std::int32_t>(mesh.nodes());
     for (const Vec3& node : part.node) mesh.node.push_back({node[0] + shift, node[1], node[2]});
     for (const std::int32_t node : part.connectivity) mesh.connectivity.push_back(first + node);

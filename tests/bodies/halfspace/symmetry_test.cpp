@@ -27,7 +27,7 @@ std::vector<std::vector<double>> matrix(const Frame& frame, HalfspaceConstants c
 }
 
 /// Frame reflected at x = 0 with the same node numbers: every element is turned around.
-FrameMesh reflected(FrameMesh mesh) {
+SurfaceMesh reflected(SurfaceMesh mesh) {
   for (Vec3& node : mesh.node) node[0] = -node[0];
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto first = mesh.connectivity.begin() + mesh.offset[static_cast<std::size_t>(e)];
@@ -41,9 +41,9 @@ FrameMesh reflected(FrameMesh mesh) {
 
 class Symmetry : public ::testing::TestWithParam<ElementType> {
  protected:
-  FrameMesh mesh() const {
+  SurfaceMesh mesh() const {
     const auto lines = frames::uniform_lines(-1, 1, 4);
-    FrameMesh m = frames::perturb(frames::rectangle(GetParam(), lines, lines), 0.1, 7);
+    SurfaceMesh m = frames::perturb(frames::rectangle(GetParam(), lines, lines), 0.1, 7);
     return is_quadratic(GetParam()) ? frames::bend_midsides(std::move(m), 0.04, 5) : m;
   }
 };

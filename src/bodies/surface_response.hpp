@@ -1,0 +1,52 @@
+#pragma once
+/// An elastic body with a mesh, factorised: how its surface answers loads. Boundary-element bodies
+/// implement it (finite-element bodies will); everything above sees this face of them.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "linalg/dense.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon {
+
+/// Displacements of some surface nodes under unit nodal tractions, all in the body's axes.
+struct SurfaceRows {
+  std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
+  std::vector<std::int32_t> row;     ///< node of the body of each displacement row
+  RowMatrix<double> u;               ///< (3 * row.size()) x (3 * column.size())
+};
+
+struct BodyStatistics {
+  std::int64_t unknowns = 0, assemblies = 0, factorizations = 0, condensations = 0;
+  std::int64_t kernel_evaluations = 0;
+  double condition = 0;  ///< estimate, 1-norm, of the scaled matrix
+  double seconds_assembly = 0, seconds_factor = 0, seconds_condense = 0;
+  std::size_t bytes = 0, peak_bytes = 0;
+};
+
+/// Safe for several threads.
+class SurfaceResponse {
+ public:
+  virtual ~SurfaceResponse() = default;
+  /// Tractions on faces of the body (elements, ascending), interpolated by the faces' own shape
+  /// functions and zero elsewhere. Rows: the nodes of the faces and of all elements that touch
+  /// them. Kept: asking again for the same faces costs nothing.
+  virtual std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
+                                                   int threads) = 0;
+  /// Tractions on a mesh of its own that lies on the body's surface (in the body's coordinates).
+  virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
+                                                   std::span<const std::int32_t> row,
+                                                   int threads) = 0;
+  /// Displacement of every node under the body's own loads and given displacements, u[3 * node +
+  /// c]; empty when there are none.
+  virtual std::span<const double> own_displacement() const = 0;
+  /// Tractions that go with it, by traction node of the body (see TractionNodes), t[3 * k + c]:
+  /// what was given, and the reactions of the supports. Empty when own_displacement is.
+  virtual std::span<const double> own_traction() const = 0;
+  virtual BodyStatistics statistics() const = 0;
+};
+
+}  // namespace rollcon

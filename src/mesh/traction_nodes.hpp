@@ -1,0 +1,26 @@
+#pragma once
+/// Displacement is single-valued at a node, traction is not: it has one value for each smooth fan
+/// of elements around the node.
+
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon {
+
+/// Neighbouring elements belong to one fan when they share an edge at the node, carry the same
+/// tag, and their normals at that edge differ by at most the given angle.
+struct TractionNodes {
+  std::vector<std::int32_t> of;     ///< traction node of each entry of the mesh's connectivity
+  std::vector<std::int32_t> node;   ///< mesh node of each traction node, ascending
+  std::vector<std::int64_t> start;  ///< traction nodes of mesh node i: start[i] to start[i + 1]
+  std::vector<Vec3> normal;  ///< unit normal of each fan: mean, weighted by the angle at the node
+
+  std::int64_t size() const { return static_cast<std::int64_t>(node.size()); }
+};
+
+/// The mesh must have passed check_surface. edge_angle in degrees.
+TractionNodes split_at_edges(const SurfaceMesh& mesh, double edge_angle);
+
+}  // namespace rollcon
