@@ -1,9 +1,11 @@
 #pragma once
-/// The contact frame: the mesh on which tractions live. Its nodes are given in space; the
-/// half-space sees their projection on the tangent plane of the axes (t1, t2), so a gently curved
-/// frame is allowed as long as it projects without folding.
+/// The contact frame: the mesh on which tractions live. Its nodes are given in space; their
+/// projection on the tangent plane of the axes (t1, t2) gives the coordinates x, y of the surface,
+/// so a frame may be curved as long as it projects without folding. Half-spaces see the projection
+/// alone. Bodies with a mesh give every node a local triad (curve_frame).
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mesh/surface_mesh.hpp"
@@ -19,18 +21,36 @@ struct Axes {
   Vec3 n{0, 0, 1};
 };
 
+/// Local directions at a point of the contact surface, right-handed and orthonormal.
+struct Triad {
+  Vec3 t1, t2, n;
+};
+
+/// n: the unit normal; t1: the rolling direction of the axes projected on the tangent plane; t2 =
+/// n x t1. The normal must not be parallel to the rolling direction.
+Triad local_triad(const Axes& axes, const Vec3& normal);
+
 struct Frame {
   SurfaceMesh mesh;
   Axes axes;
-  std::vector<double> x, y, z;     ///< nodal coordinates in the axes (t1, t2, n)
-  std::vector<double> weight;      ///< integral of N_i over the projected frame (may be <= 0)
-  std::vector<double> cell_area;   ///< median-dual cell area, > 0
+  std::vector<double> x, y, z;  ///< nodal coordinates in the axes (t1, t2, n)
+  /// Integral of N_i over the projected frame, of a curved one over the surface itself (may be <=
+  /// 0).
+  std::vector<double> weight;
+  std::vector<double> cell_area;   ///< median-dual cell area (curved: on the surface), > 0
   std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
   std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element
-  double area = 0;                 ///< of the projected frame
+  double area = 0;                 ///< of the projected frame, of a curved one of the surface
+  /// Local triads of a curved frame; empty: flat, the axes' triad everywhere.
+  std::vector<Vec3> t1, t2, n;
 
   std::int64_t nodes() const { return mesh.nodes(); }
   std::int64_t elements() const { return mesh.elements(); }
+  bool curved() const { return !n.empty(); }
+  Triad triad(std::size_t k) const {
+    if (curved()) return {t1[k], t2[k], n[k]};
+    return {axes.t1, axes.t2, axes.n};
+  }
 };
 
 /// Projects the mesh, checks it and computes everything above. Throws Error(err_mesh) naming, in
@@ -39,5 +59,14 @@ struct Frame {
 /// positive at a checked point), flipped (negative seen from the tip of n), nodes of no element
 /// are allowed (they carry no traction).
 Frame build_frame(SurfaceMesh mesh, const Axes& axes);
+
+/// Gives every node its local triad, and replaces weights and areas by those of the surface itself.
+/// normal: outward normal of body 1 at every node, of any length. Normals that all agree with the
+/// axes' leave the frame flat. Throws Error(err_mesh) naming the first node, and their count, whose
+/// normal is more than 60 degrees off the axes' normal.
+void curve_frame(Frame& frame, std::span<const Vec3> normal);
+
+/// Area of the median-dual cells in the projection, where convection works.
+std::vector<double> projected_cell_area(const Frame& frame);
 
 }  // namespace rollcon

@@ -4,17 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <limits>
 #include <map>
-#include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
+#include "mesh/mesh_errors.hpp"
 #include "mesh/overlap.hpp"
 #include "mesh/shape.hpp"
-#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -23,40 +20,6 @@ namespace {
 constexpr double smallest_ratio = 1e-10;
 /// cos 60 degrees: the frame's slope against the tangent plane.
 constexpr double smallest_cosine = 0.5;
-
-/// Counts the offenders and remembers the first; fails at the end of the sweep.
-struct Tally {
-  long long count = 0;
-  std::string first;
-
-  template <class... Args>
-  void add(const char* format, Args... args) {
-    if (count++ > 0) return;
-    char text[256];
-    std::snprintf(text, sizeof text, format, args...);
-    first = text;
-  }
-  void fail_if_any(const char* what) const {
-    if (count > 0)
-      fail(Status::err_mesh, "%s; %lld such in the frame; first: %s", what, count, first.c_str());
-  }
-};
-
-const char* name(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return "tri3";
-    case ElementType::tri6:
-      return "tri6";
-    case ElementType::quad4:
-      return "quad4";
-    case ElementType::quad8:
-      return "quad8";
-    case ElementType::quad9:
-      return "quad9";
-  }
-  return "?";
-}
 
 /// Points where an element's Jacobian is checked. A linear element's is linear in each variable, so
 /// its corners decide; quadratic ones get a lattice with spacing 1/8 of the element, corners
@@ -130,41 +93,7 @@ Sign jacobian_signs(std::span<const Vec3> point, double size, std::span<const Sh
 
 void check_connectivity(const SurfaceMesh& mesh) {
   if (mesh.elements() == 0) fail(Status::err_mesh, "the contact frame has no elements");
-  const int base = mesh.index_base;
-  Tally range, repeated, twice;
-  std::vector<std::pair<std::array<std::int32_t, 4>, std::int64_t>> corners;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const auto nodes = mesh.element(e);
-    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
-    const auto id = static_cast<long long>(e + base);
-    for (std::int32_t k : nodes)
-      if (k < 0 || k >= mesh.nodes()) {
-        range.add("element %lld (%s), node %lld of %d..%lld", id, name(type),
-                  static_cast<long long>(k) + base, base,
-                  static_cast<long long>(mesh.nodes() - 1 + base));
-        break;
-      }
-    for (std::size_t i = 1; i < nodes.size(); ++i)
-      if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes[i]) !=
-          nodes.begin() + static_cast<std::ptrdiff_t>(i)) {
-        repeated.add("element %lld (%s), node %lld", id, name(type),
-                     static_cast<long long>(nodes[i]) + base);
-        break;
-      }
-    // The same corners are the same element, whatever its order of interpolation.
-    std::array<std::int32_t, 4> corner{-1, -1, -1, -1};
-    std::copy_n(nodes.begin(), corner_count(type), corner.begin());
-    std::sort(corner.begin(), corner.end());
-    corners.emplace_back(corner, e);
-  }
-  std::sort(corners.begin(), corners.end());
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (corners[i - 1].first == corners[i].first)
-      twice.add("elements %lld and %lld", static_cast<long long>(corners[i - 1].second + base),
-                static_cast<long long>(corners[i].second + base));
-  range.fail_if_any("an element refers to a node that does not exist");
-  repeated.fail_if_any("a node is repeated within an element");
-  twice.fail_if_any("the same element is given twice");
+  check_connectivity(mesh, "frame");
 }
 
 void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::span<const double> y,
@@ -205,15 +134,19 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
     else if (sign.negative)
       flipped.add("element %lld (%s)", id, name(type));
   }
-  coincident.fail_if_any("degenerate element: two of its nodes coincide");
-  degenerate.fail_if_any("degenerate element: its Jacobian vanishes");
-  folded.fail_if_any("degenerate element: its Jacobian changes sign");
+  coincident.fail_if_any("degenerate element: two of its nodes coincide", "frame");
+  degenerate.fail_if_any("degenerate element: its Jacobian vanishes", "frame");
+  folded.fail_if_any("degenerate element: its Jacobian changes sign", "frame");
   if (flipped.count == mesh.elements())
     flipped.fail_if_any(
         "all elements are flipped (clockwise seen from the tip of the normal n): reverse the order "
-        "of their nodes, or n");
-  flipped.fail_if_any("flipped element: clockwise seen from the tip of the normal n");
-  steep.fail_if_any("element steeper than 60 degrees against the tangent plane of the axes");
+        "of their nodes, or n (rollcon_contact_set_axes)",
+        "frame");
+  flipped.fail_if_any("flipped element: clockwise seen from the tip of the normal n", "frame");
+  steep.fail_if_any(
+      "element steeper than 60 degrees against the tangent plane of the axes "
+      "(rollcon_contact_set_axes sets it)",
+      "frame");
 }
 
 namespace {
@@ -246,7 +179,7 @@ void check_midsides(const SurfaceMesh& mesh) {
                  static_cast<long long>(a.element) + base,
                  static_cast<long long>(b.element) + base);
   }
-  differ.fail_if_any("two elements share an edge but not its midside node");
+  differ.fail_if_any("two elements share an edge but not its midside node", "frame");
 }
 
 }  // namespace
@@ -268,8 +201,8 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
       same_side.add("elements %lld and %lld on edge %lld-%lld", element_id(all[0].cell),
                     element_id(all[1].cell), s.low() + base, s.high() + base);
   });
-  crowded.fail_if_any("more than two elements share an edge");
-  same_side.fail_if_any("two elements lie on the same side of their common edge");
+  crowded.fail_if_any("more than two elements share an edge", "frame");
+  same_side.fail_if_any("two elements lie on the same side of their common edge", "frame");
   check_midsides(mesh);
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto n = cells[c];
@@ -284,12 +217,13 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
       }
     }
   }
-  concave.fail_if_any("element too curved: its parts between neighbouring nodes fold");
+  concave.fail_if_any("element too curved: its parts between neighbouring nodes fold", "frame");
   const Overlap overlap = find_overlap(cells, x, y, 1e-9);
   if (overlap.count > 0)
     fail(Status::err_mesh,
-         "the frame folds over itself when projected on the tangent plane: elements %lld and %lld "
-         "overlap; %lld parts of elements concerned",
+         "the frame folds over itself when projected on the tangent plane of the axes "
+         "(rollcon_contact_set_axes sets it): elements %lld and %lld overlap; %lld parts of "
+         "elements concerned",
          element_id(overlap.first), element_id(overlap.second),
          static_cast<long long>(overlap.count));
 }

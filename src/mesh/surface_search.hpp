@@ -27,10 +27,13 @@ class SurfaceSearch {
   SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
 
   /// Intersection with the line from + t * direction (unit) of least |t|, among those whose outward
-  /// normal has a component along `facing` (pass the zero vector: any). Points up to 1e-9 of the
-  /// element's size beyond an element's edge count as on it, so that no line slips through.
+  /// normal has a component along `facing`, a cosine above 1e-9 (pass the zero vector: any). Points
+  /// up to 1e-9 of the element's size beyond an element's edge count as on it, so that no line
+  /// slips through; they are moved to the edge. Of elements met at the same place, as at an edge,
+  /// the one that looks best towards `facing`, then the first.
   std::optional<SurfacePoint> along(const Vec3& from, const Vec3& direction,
                                     const Vec3& facing) const;
+  /// The nearest point; of equally near elements the first.
   SurfacePoint nearest(const Vec3& point) const;
 
  private:

@@ -9,8 +9,11 @@
 
 namespace rollcon {
 
-/// Neighbouring elements belong to one fan when they share an edge at the node, carry the same
-/// tag, and their normals at that edge differ by at most the given angle.
+/// Neighbouring elements are joined across their edge when they carry the same tag and their
+/// normals at the middle of the edge differ by at most the given angle; elements around a node that
+/// are joined across edges at the node, directly or through others, are one fan. An edge is thus
+/// sharp or smooth over its whole length; where a sharp edge ends on a smooth surface, its last
+/// node has one fan, reached the other way round.
 struct TractionNodes {
   std::vector<std::int32_t> of;     ///< traction node of each entry of the mesh's connectivity
   std::vector<std::int32_t> node;   ///< mesh node of each traction node, ascending
@@ -20,7 +23,8 @@ struct TractionNodes {
   std::int64_t size() const { return static_cast<std::int64_t>(node.size()); }
 };
 
-/// The mesh must have passed check_surface. edge_angle in degrees.
+/// The mesh must have passed check_surface. edge_angle in degrees; angles that exceed it by
+/// rounding alone (1e-6 degrees) do not split. Fans of a node are numbered by their first element.
 TractionNodes split_at_edges(const SurfaceMesh& mesh, double edge_angle);
 
 }  // namespace rollcon

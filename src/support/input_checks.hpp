@@ -38,4 +38,18 @@ inline void require_count(std::int64_t n, const char* name) {
     fail(Status::err_argument, "%s is %lld; allowed: 0 or more", name, static_cast<long long>(n));
 }
 
+inline void require_index_base(std::int32_t index_base) {
+  if (index_base != 0 && index_base != 1)
+    fail(Status::err_argument, "index_base is %d; allowed: 0, 1", index_base);
+}
+
+/// v: x, y, z.
+inline void require_finite_vector(const double* v, const char* name) {
+  require_pointer(v, name);
+  for (int i = 0; i < 3; ++i) {
+    if (!std::isfinite(v[i]))
+      fail(Status::err_nonfinite, "component %c of %s is %g", "xyz"[i], name, v[i]);
+  }
+}
+
 }  // namespace rollcon

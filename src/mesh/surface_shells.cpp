@@ -1,0 +1,242 @@
+#include "mesh/surface_shells.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "mesh/mesh_errors.hpp"
+#include "mesh/node_fans.hpp"
+#include "mesh/shell_nesting.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr const char* where = "surface";
+
+/// Numbers and names as the caller knows them.
+struct Names {
+  const SurfaceMesh& mesh;
+  long long node(std::int32_t k) const { return static_cast<long long>(k) + mesh.index_base; }
+  long long element(std::int64_t e) const { return static_cast<long long>(e) + mesh.index_base; }
+  const char* type(std::int64_t e) const { return name(mesh.type[static_cast<std::size_t>(e)]); }
+};
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+Edge edge_of(std::int32_t a, std::int32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// A side without a partner whose halves are sides without partner too: its elements interpolate
+/// the edge differently although they may look closed.
+void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
+  const Names names{mesh};
+  std::vector<std::pair<Edge, std::int64_t>> open;
+  for_each_edge(sides, [&](const Side& s, std::size_t count) {
+    if (count == 1) open.emplace_back(edge_of(s.from, s.to), s.cell);
+  });
+  auto element_at = [&](std::int32_t a, std::int32_t b) {
+    const auto at =
+        std::lower_bound(open.begin(), open.end(), std::pair{edge_of(a, b), std::int64_t{0}});
+    return at != open.end() && at->first == edge_of(a, b) ? at->second : std::int64_t{-1};
+  };
+  Tally halved;
+  for_each_edge(sides, [&](const Side& s, std::size_t count) {
+    const std::int32_t mid = midside_node(mesh, s);
+    if (count != 1 || mid < 0) return;
+    const std::int64_t other = std::max(element_at(s.low(), mid), element_at(mid, s.high()));
+    if (other >= 0)
+      halved.add("edge %lld-%lld-%lld of element %lld (%s) on element %lld (%s)",
+                 names.node(s.low()), names.node(mid), names.node(s.high()), names.element(s.cell),
+                 names.type(s.cell), names.element(other), names.type(other));
+  });
+  halved.fail_if_any(
+      "a quadratic element's edge lies on shorter edges of its neighbours: elements on both sides "
+      "of an edge must share all of its nodes",
+      where);
+}
+
+/// Elements joined across edges, and whether each looks to the same side as its root.
+class SignedForest {
+ public:
+  explicit SignedForest(std::size_t n) : parent_(n), sign_(n, 1) {
+    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+  }
+  struct Root {
+    std::size_t at;
+    int sign;
+  };
+  Root root(std::size_t i) {
+    Root r{i, 1};
+    while (parent_[r.at] != r.at) r.sign *= sign_[r.at], r.at = parent_[r.at];
+    // Shortens the way for the next one.
+    for (int s = r.sign; parent_[i] != i;) {
+      const std::size_t next = parent_[i];
+      const int own = sign_[i];
+      parent_[i] = r.at;
+      sign_[i] = s;
+      s *= own;
+      i = next;
+    }
+    return r;
+  }
+  /// False when the two are joined already with the other sign.
+  bool join(std::size_t i, std::size_t j, int sign) {
+    const Root a = root(i), b = root(j);
+    if (a.at == b.at) return a.sign * b.sign == sign;
+    const auto [low, high] = std::minmax(a.at, b.at);
+    parent_[high] = low;
+    sign_[high] = a.sign * b.sign * sign;
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+  std::vector<int> sign_;
+};
+
+}  // namespace
+
+void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
+  const Names names{mesh};
+  Tally crowded, differ;
+  for_each_edge(sides, [&](const Side& s, std::size_t count) {
+    const Side* all = &s;
+    if (count > 2)
+      crowded.add("edge %lld-%lld with %lld elements (%lld, %lld, %lld, ...)", names.node(s.low()),
+                  names.node(s.high()), static_cast<long long>(count), names.element(all[0].cell),
+                  names.element(all[1].cell), names.element(all[2].cell));
+    else if (count == 2 && midside_node(mesh, all[0]) != midside_node(mesh, all[1]))
+      differ.add("edge %lld-%lld of elements %lld (%s) and %lld (%s)", names.node(s.low()),
+                 names.node(s.high()), names.element(all[0].cell), names.type(all[0].cell),
+                 names.element(all[1].cell), names.type(all[1].cell));
+  });
+  crowded.fail_if_any("more than two elements share an edge", where);
+  differ.fail_if_any("two elements share an edge but not its midside node", where);
+  check_halved_edges(mesh, sides);
+}
+
+void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
+  const Names names{mesh};
+  Tally open;
+  for_each_edge(sides, [&](const Side& s, std::size_t count) {
+    if (count == 1)
+      open.add("edge %lld-%lld of element %lld (%s)", names.node(s.low()), names.node(s.high()),
+               names.element(s.cell), names.type(s.cell));
+  });
+  open.fail_if_any("open edge: only one element has it, but a body's surface must be closed",
+                   where);
+}
+
+void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
+  const Names names{mesh};
+  NodeFans fans(mesh);
+  for_each_edge(sides, [&](const Side& s, std::size_t count) {
+    if (count == 2) fans.join_across(s, *(&s + 1));
+  });
+  std::vector<std::int64_t> owner(mesh.node.size(), -1);
+  std::vector<char> reported(mesh.node.size(), 0);
+  Tally touching;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e)
+    for (std::size_t i = 0; i < mesh.element(e).size(); ++i) {
+      const std::int32_t node = mesh.element(e)[i];
+      const auto k = static_cast<std::size_t>(node);
+      const auto entry = static_cast<std::size_t>(mesh.offset[static_cast<std::size_t>(e)]) + i;
+      if (fans.first(entry) != entry || reported[k]) continue;
+      if (owner[k] < 0) {
+        owner[k] = e;
+        continue;
+      }
+      reported[k] = 1;
+      touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]),
+                   names.element(e));
+    }
+  touching.fail_if_any("two parts of the surface touch at a node without sharing an edge", where);
+}
+
+Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
+  const Names names{mesh};
+  const auto n = static_cast<std::size_t>(mesh.elements());
+  SignedForest forest(n);
+  Tally twisted;
+  for_each_edge(sides, [&](const Side& a, std::size_t count) {
+    if (count != 2) return;
+    const Side& b = *(&a + 1);
+    if (!forest.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell),
+                     a.from == b.from ? -1 : 1))
+      twisted.add("edge %lld-%lld of elements %lld and %lld", names.node(a.low()),
+                  names.node(a.high()), names.element(a.cell), names.element(b.cell));
+  });
+  twisted.fail_if_any("one-sided surface (a Moebius strip): its elements cannot all look outwards",
+                      where);
+  Shells shells;
+  shells.shell.resize(n);
+  shells.sign.resize(n);
+  for (std::size_t e = 0; e < n; ++e) {
+    const auto root = forest.root(e);
+    // Roots are the first elements of their shells.
+    if (root.at == e) {
+      shells.shell[e] = static_cast<std::int32_t>(shells.first.size());
+      shells.first.push_back(static_cast<std::int64_t>(e));
+    } else {
+      shells.shell[e] = shells.shell[root.at];
+    }
+    shells.sign[e] = root.sign;
+  }
+  return shells;
+}
+
+void check_neighbours(const SurfaceMesh& mesh, const Shells& shells) {
+  const Names names{mesh};
+  std::vector<std::int64_t> balance(shells.size(), 0);
+  for (std::size_t e = 0; e < shells.sign.size(); ++e)
+    balance[static_cast<std::size_t>(shells.shell[e])] += shells.sign[e];
+  Tally flipped;
+  for (std::size_t e = 0; e < shells.sign.size(); ++e)
+    if (shells.sign[e] != (balance[static_cast<std::size_t>(shells.shell[e])] < 0 ? -1 : 1))
+      flipped.add("element %lld (%s)", names.element(static_cast<std::int64_t>(e)),
+                  names.type(static_cast<std::int64_t>(e)));
+  flipped.fail_if_any(
+      "flipped element: its normal is opposite to that of most elements it hangs together with; "
+      "reverse the order of its nodes",
+      where);
+}
+
+void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
+  const Names names{mesh};
+  const std::vector<double> volume = shell_volumes(mesh, shells);
+  const std::vector<int> depth = nesting_depths(mesh, shells, volume);
+
+  std::int64_t bodies = 0, first = -1, second = -1;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (depth[s] % 2 != 0) continue;
+    if (bodies == 0) first = shells.first[s];
+    if (bodies == 1) second = shells.first[s];
+    ++bodies;
+  }
+  if (bodies > 1)
+    fail(Status::err_mesh,
+         "the surface encloses %lld bodies that do not hang together; give each its own body; "
+         "first: those of elements %lld and %lld",
+         static_cast<long long>(bodies), names.element(first), names.element(second));
+
+  Tally inward;
+  for (std::size_t e = 0; e < shells.sign.size(); ++e) {
+    const auto s = static_cast<std::size_t>(shells.shell[e]);
+    const bool cavity = depth[s] % 2 != 0;
+    if ((volume[s] * shells.sign[e] > 0) == !cavity) continue;
+    inward.add("element %lld (%s)%s", names.element(static_cast<std::int64_t>(e)),
+               names.type(static_cast<std::int64_t>(e)), cavity ? " on the wall of a cavity" : "");
+  }
+  if (inward.count == mesh.elements())
+    inward.fail_if_any(
+        "the normals of all elements look into the body: reverse the order of their nodes "
+        "(counter-clockwise seen from outside)",
+        where);
+  inward.fail_if_any(
+      "flipped element: its normal looks into the body; reverse the order of its nodes "
+      "(counter-clockwise seen from outside)",
+      where);
+}
+
+}  // namespace rollcon

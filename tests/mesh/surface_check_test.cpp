@@ -1,0 +1,484 @@
+/// Every way in which a body's surface can be wrong, with the words that the caller reads; and
+/// good surfaces, however slender, small or large.
+
+#include "mesh/surface_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "mesh/shape.hpp"
+#include "support/error.hpp"
+#include "support/surface_meshes.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
+                                     ElementType::quad8, ElementType::quad9};
+
+void expect_refused(const SurfaceMesh& mesh, const std::string& words,
+                    SurfaceKind kind = SurfaceKind::closed) {
+  try {
+    check_surface(mesh, kind);
+    ADD_FAILURE() << "accepted; expected: " << words;
+  } catch (const Error& error) {
+    std::printf("%s\n", error.what());
+    EXPECT_EQ(error.status(), Status::err_mesh);
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos)
+        << "said: " << error.what() << "\nexpected: " << words;
+  }
+}
+
+void expect_accepted(const SurfaceMesh& mesh, const std::string& what,
+                     SurfaceKind kind = SurfaceKind::closed) {
+  try {
+    check_surface(mesh, kind);
+  } catch (const Error& error) {
+    ADD_FAILURE() << what << ": " << error.what();
+  }
+}
+
+void add(SurfaceMesh& mesh, ElementType type, const std::vector<std::int32_t>& nodes) {
+  if (mesh.offset.empty()) mesh.offset = {0};
+  mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
+  mesh.type.push_back(type);
+  mesh.tag.push_back(0);
+  mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+}
+
+/// The same nodes, corners and midsides, in the other sense round.
+void reverse(SurfaceMesh& mesh, std::size_t e) {
+  const auto corners = corner_count(mesh.type[e]);
+  auto at = mesh.connectivity.begin() + mesh.offset[e];
+  std::reverse(at + 1, at + corners);
+  if (is_quadratic(mesh.type[e])) std::reverse(at + corners, at + 2 * corners);
+}
+
+void drop(SurfaceMesh& mesh, std::size_t e) {
+  SurfaceMesh rest;
+  rest.node = mesh.node;
+  rest.index_base = mesh.index_base;
+  for (std::size_t i = 0; i < mesh.type.size(); ++i) {
+    const auto nodes = mesh.element(static_cast<std::int64_t>(i));
+    if (i != e) add(rest, mesh.type[i], {nodes.begin(), nodes.end()});
+  }
+  mesh = rest;
+}
+
+SurfaceMesh join(SurfaceMesh a, const SurfaceMesh& b, const Vec3& shift = {0, 0, 0}) {
+  const auto n = static_cast<std::int32_t>(a.nodes());
+  for (const Vec3& x : b.node) a.node.push_back(x + shift);
+  for (std::int64_t e = 0; e < b.elements(); ++e) {
+    std::vector<std::int32_t> nodes(b.element(e).begin(), b.element(e).end());
+    for (std::int32_t& k : nodes) k += n;
+    add(a, b.type[static_cast<std::size_t>(e)], nodes);
+  }
+  return a;
+}
+
+SurfaceMesh tetrahedron() {
+  SurfaceMesh mesh;
+  mesh.node = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  add(mesh, ElementType::tri3, {0, 2, 1});
+  add(mesh, ElementType::tri3, {0, 1, 3});
+  add(mesh, ElementType::tri3, {1, 2, 3});
+  add(mesh, ElementType::tri3, {0, 3, 2});
+  return mesh;
+}
+
+SurfaceMesh cube(ElementType type, int n = 2, double size = 1) {
+  return surfaces::block(surfaces::brick({n, n, n}, {size, size, size}), type);
+}
+
+/// One element on given nodes, as an open surface.
+SurfaceMesh alone(ElementType type, std::vector<Vec3> nodes) {
+  SurfaceMesh mesh;
+  mesh.node = std::move(nodes);
+  std::vector<std::int32_t> all(mesh.node.size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<std::int32_t>(i);
+  add(mesh, type, all);
+  return mesh;
+}
+
+TEST(SurfaceCheck, SoundBodiesPass) {
+  expect_accepted(tetrahedron(), "tetrahedron");
+  for (ElementType type : all_types) {
+    const std::string name = std::to_string(static_cast<int>(type));
+    expect_accepted(cube(type, 1), "cube " + name);
+    expect_accepted(surfaces::cube_sphere(type, 2, 1), "sphere " + name);
+    expect_accepted(surfaces::distort(cube(type, 4), 0.3, 11), "distorted cube " + name);
+    expect_accepted(surfaces::ring({}, type), "ring " + name);
+    expect_accepted(surfaces::wheel(300, type), "wheel " + name);
+  }
+  for (ElementType type : {ElementType::tri3, ElementType::tri6})
+    expect_accepted(surfaces::icosphere(type, 3, 1), "icosphere");
+  for (bool quadratic : {false, true})
+    expect_accepted(surfaces::mixed_block(surfaces::brick({3, 4, 5}, {1, 1, 1}), quadratic),
+                    "mixed");
+}
+
+TEST(SurfaceCheck, CavitiesLookInwards) {
+  for (ElementType type : all_types) {
+    SurfaceMesh one =
+        surfaces::with_cavity(cube(type, 3, 4), surfaces::transform(cube(type), [](const Vec3& x) {
+                                return x + Vec3{1, 1, 1};
+                              }));
+    expect_accepted(one, "cavity");
+    // Two cavities side by side.
+    SurfaceMesh two =
+        surfaces::with_cavity(one, surfaces::transform(cube(type, 1, 0.5), [](const Vec3& x) {
+                                return x + Vec3{3, 3, 3};
+                              }));
+    expect_accepted(two, "two cavities");
+    // Thin wall: a sphere in a sphere, closer than the sagitta of the elements' facets.
+    if (is_quadratic(type))
+      expect_accepted(surfaces::with_cavity(surfaces::cube_sphere(type, 3, 1),
+                                            surfaces::cube_sphere(type, 3, 0.99)),
+                      "thin wall");
+  }
+}
+
+TEST(SurfaceCheck, SlenderSmallAndLargeBodiesPass) {
+  for (ElementType type : all_types)
+    for (double unit : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
+      for (const Vec3& size :
+           {Vec3{1, 1, 1}, Vec3{1e4, 1, 1}, Vec3{1, 1e4, 1e4}, Vec3{1, 1e2, 1e4}})
+        expect_accepted(surfaces::block(surfaces::brick({2, 2, 2}, unit * size), type),
+                        "slender brick");
+      // A sheared brick: slender in no direction of the axes.
+      expect_accepted(surfaces::transform(cube(type),
+                                          [unit](const Vec3& x) {
+                                            return unit * Vec3{x[0] + 1e4 * x[1], x[1], x[2]};
+                                          }),
+                      "sheared cube");
+      // Far from the origin: the rounding of coordinates is 1e-10 of the size.
+      expect_accepted(surfaces::transform(surfaces::cube_sphere(type, 3, 1),
+                                          [unit](const Vec3& x) {
+                                            return unit * (x + Vec3{1e6, -1e6, 1e6});
+                                          }),
+                      "far away");
+    }
+}
+
+TEST(SurfaceCheck, OpenSurfacesPassWhenTheyAreNotBodies) {
+  SurfaceMesh mesh = cube(ElementType::quad8, 2);
+  drop(mesh, 5);
+  expect_accepted(mesh, "open", SurfaceKind::open);
+  mesh.index_base = 1;
+  expect_refused(mesh,
+                 "open edge: only one element has it, but a body's surface must be closed; 4 "
+                 "such in the surface; first: edge ");
+  expect_refused(mesh, "edge 24-25 of element 5 (quad8)");
+}
+
+TEST(SurfaceCheck, NoElements) {
+  SurfaceMesh mesh;
+  mesh.offset = {0};
+  expect_refused(mesh, "no elements");
+}
+
+TEST(SurfaceCheck, ConnectivityIsCheckedFirst) {
+  SurfaceMesh mesh = tetrahedron();
+  mesh.index_base = 1;
+  mesh.connectivity[4] = 9;
+  expect_refused(mesh,
+                 "does not exist; 1 such in the surface; first: element 2 (tri3), node 10 of "
+                 "1..4");
+  mesh = tetrahedron();
+  mesh.connectivity[4] = 0;
+  expect_refused(mesh,
+                 "a node is repeated within an element; 1 such in the surface; first: "
+                 "element 1 (tri3), node 0");
+  mesh = tetrahedron();
+  add(mesh, ElementType::tri3, {3, 1, 0});
+  expect_refused(mesh,
+                 "the same element is given twice; 1 such in the surface; first: elements 1 "
+                 "and 4");
+}
+
+TEST(SurfaceCheck, NodesOfNoElement) {
+  SurfaceMesh mesh = tetrahedron();
+  mesh.index_base = 1;
+  mesh.node.insert(mesh.node.begin() + 4, {{3, 3, 3}, {4, 4, 4}});
+  expect_refused(mesh, "a node belongs to no element; 2 such in the surface; first: node 5");
+}
+
+TEST(SurfaceCheck, TwoNodesAtOnePlace) {
+  for (double unit : {1e-9, 1.0, 1e9}) {
+    // Six faces meshed one by one, not merged: 8 corners with three nodes each.
+    const SurfaceMesh whole = surfaces::transform(cube(ElementType::quad4, 1),
+                                                  [unit](const Vec3& x) { return unit * x; });
+    SurfaceMesh mesh;
+    for (std::int64_t e = 0; e < whole.elements(); ++e) {
+      const auto n = static_cast<std::int32_t>(mesh.node.size());
+      for (std::int32_t k : whole.element(e))
+        mesh.node.push_back(whole.node[static_cast<std::size_t>(k)]);
+      add(mesh, ElementType::quad4, {n, n + 1, n + 2, n + 3});
+    }
+    expect_refused(mesh,
+                   "two nodes lie at the same place: give the elements one node there; 24 "
+                   "such in the surface; first: nodes ");
+    // As far apart as the digits of a text file leave them.
+    for (std::size_t k = 0; k < mesh.node.size(); ++k) mesh.node[k][k % 3] *= 1 + 3e-7;
+    expect_refused(mesh, "two nodes lie at the same place");
+  }
+  // A thin plate's faces are not one.
+  expect_accepted(surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 1e-4}), ElementType::quad4),
+                  "thin plate");
+}
+
+TEST(SurfaceCheck, ManyNodesInOnePlaneTakeNoTime) {
+  // 60,000 nodes, a sixth of them with the same x: comparing all of those would take minutes.
+  expect_accepted(cube(ElementType::quad4, 100), "fine cube");
+}
+
+TEST(SurfaceCheck, ElementsWithoutArea) {
+  const auto open = SurfaceKind::open;
+  expect_refused(
+      alone(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}),
+      "degenerate element: its Jacobian vanishes (no area, a corner of 180 degrees, or a "
+      "midside node at a quarter of its edge); 1 such in the surface; first: element 0 "
+      "(tri3)",
+      open);
+  expect_refused(alone(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {1, 1e-15, 0}}),
+                 "degenerate element: two of its nodes coincide; 1 such in the surface; first: "
+                 "element 0 (tri3), nodes 1 and 2",
+                 open);
+  // A corner of 180 degrees: a linear element, and a disc's four arcs as one quadratic element.
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}),
+                 "element 0 (quad4) at node 1", open);
+  const double c = std::numbers::sqrt2 / 2;
+  const std::vector<Vec3> disc = {{-c, -c, 0}, {c, -c, 0}, {c, c, 0},  {-c, c, 0}, {0, -1, 0},
+                                  {1, 0, 0},   {0, 1, 0},  {-1, 0, 0}, {0, 0, 0}};
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, -1e-9, 0}, {2, 0, 0}, {1, 1, 0}}),
+                 "its Jacobian vanishes", open);
+  expect_accepted(alone(ElementType::quad9, disc), "a disc: corners of 169 degrees", open);
+}
+
+TEST(SurfaceCheck, MidsideNodesStayWithinTheMiddleHalfOfTheirEdge) {
+  const auto open = SurfaceKind::open;
+  for (double at : {0.0, 0.2, 0.25, 0.26, 0.5, 0.74, 0.75, 0.8}) {
+    const std::vector<Vec3> six = {{0, 0, 0},  {1, 0, 0},     {0, 1, 0},
+                                   {at, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}};
+    const std::vector<Vec3> eight = {{0, 0, 0},  {1, 0, 0},   {1, 1, 0},   {0, 1, 0},
+                                     {at, 0, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {0, 0.5, 0}};
+    const std::string node = at < 0.5 ? "at node 0" : "at node 1";
+    for (const auto& [type, points] :
+         {std::pair{ElementType::tri6, six}, std::pair{ElementType::quad8, eight}}) {
+      for (double narrow : {1.0, 1e-4}) {
+        std::vector<Vec3> nodes = points;
+        for (Vec3& x : nodes) x = {x[0], 0.6 * narrow * x[1], 0.8 * narrow * x[1]};
+        const SurfaceMesh mesh = alone(type, nodes);
+        if (at == 0)
+          expect_refused(mesh, "two of its nodes coincide", open);
+        else if (at == 0.25 || at == 0.75)
+          expect_refused(mesh, "its Jacobian vanishes", open);
+        else if (at < 0.25 || at > 0.75)
+          expect_refused(mesh, "its normal turns over within it", open);
+        else
+          expect_accepted(mesh, "midside node at " + std::to_string(at), open);
+        if (at != 0 && (at <= 0.25 || at >= 0.75)) expect_refused(mesh, node, open);
+      }
+    }
+  }
+}
+
+TEST(SurfaceCheck, FoldedElements) {
+  const auto open = SurfaceKind::open;
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}),
+                 "degenerate element: its normal turns over within it (folded, concave, or ", open);
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}}),
+                 "first: element 0 (quad4) at node 2", open);
+  // A warped element is none of these.
+  expect_accepted(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}}),
+                  "warped", open);
+  // One quadratic element half round a cylinder: coarse, but sound.
+  std::vector<Vec3> nodes;
+  for (const ReferencePoint& r : reference_nodes(ElementType::quad8)) {
+    const double angle = 0.5 * std::numbers::pi * r.xi;
+    nodes.push_back({std::sin(angle), r.eta, std::cos(angle)});
+  }
+  expect_accepted(alone(ElementType::quad8, nodes), "half a cylinder", open);
+}
+
+TEST(SurfaceCheck, MoreThanTwoElementsOnAnEdge) {
+  // Two cubes with a common edge; and a fin on a cube.
+  SurfaceMesh mesh = cube(ElementType::quad4, 1);
+  const std::int32_t a = mesh.element(0)[0], b = mesh.element(0)[1];
+  mesh.node.push_back({-1, -1, -1});
+  add(mesh, ElementType::tri3, {a, b, static_cast<std::int32_t>(mesh.node.size() - 1)});
+  for (SurfaceKind kind : {SurfaceKind::closed, SurfaceKind::open})
+    expect_refused(mesh,
+                   "more than two elements share an edge; 1 such in the surface; first: edge "
+                   "0-",
+                   kind);
+}
+
+TEST(SurfaceCheck, EdgesShareAllTheirNodes) {
+  for (SurfaceKind kind : {SurfaceKind::closed, SurfaceKind::open}) {
+    // A second midside node at the place of the first, moved aside a little.
+    SurfaceMesh mesh = cube(ElementType::quad8, 1);
+    mesh.node.push_back(mesh.node[static_cast<std::size_t>(mesh.connectivity[4])] +
+                        Vec3{0.01, 0.01, 0.01});
+    mesh.connectivity[4] = static_cast<std::int32_t>(mesh.node.size() - 1);
+    expect_refused(mesh,
+                   "two elements share an edge but not its midside node; 1 such in the "
+                   "surface; first: edge ",
+                   kind);
+    // One face linear: its four edges.
+    mesh = cube(ElementType::quad8, 1);
+    const std::vector<std::int32_t> corners(mesh.connectivity.begin(),
+                                            mesh.connectivity.begin() + 4);
+    drop(mesh, 0);
+    add(mesh, ElementType::quad4, corners);
+    expect_refused(mesh,
+                   "two elements share an edge but not its midside node; 4 such in the "
+                   "surface",
+                   kind);
+    expect_refused(mesh, "(quad4)", kind);
+    // One face of four linear elements: its edges only look closed.
+    mesh = cube(ElementType::quad9, 1);
+    const std::vector<std::int32_t> n(mesh.connectivity.begin(), mesh.connectivity.begin() + 9);
+    drop(mesh, 0);
+    for (std::size_t i = 0; i < 4; ++i)
+      add(mesh, ElementType::quad4, {n[i], n[4 + i], n[8], n[4 + (i + 3) % 4]});
+    expect_refused(mesh,
+                   "a quadratic element's edge lies on shorter edges of its neighbours: "
+                   "elements on both sides of an edge must share all of its nodes; 4 such",
+                   kind);
+    expect_refused(mesh, "(quad9) on element 6 (quad4)", kind);
+  }
+}
+
+TEST(SurfaceCheck, FlippedElementsAreCounted) {
+  for (ElementType type : all_types) {
+    const SurfaceMesh sound = surfaces::cube_sphere(type, 3, 1);
+    const auto n = static_cast<std::size_t>(sound.elements());
+    SurfaceMesh mesh = sound;
+    mesh.index_base = 1;
+    for (std::size_t e = 17; e < 30; ++e) reverse(mesh, e);
+    expect_refused(mesh,
+                   "flipped element: its normal looks into the body; reverse the order of its "
+                   "nodes (counter-clockwise seen from outside); 13 such in the surface; "
+                   "first: element 18 (");
+    // Most of them: it is not the majority that decides.
+    mesh = sound;
+    for (std::size_t e = 2; e < n; ++e) reverse(mesh, e);
+    expect_refused(mesh, std::to_string(n - 2) + " such in the surface; first: element 2 (");
+    expect_refused(surfaces::turn_inside_out(sound),
+                   "the normals of all elements look into the body: reverse the order of their "
+                   "nodes (counter-clockwise seen from outside); " +
+                       std::to_string(n) + " such");
+  }
+  // Without an inside, the majority does.
+  SurfaceMesh open = cube(ElementType::quad4, 2);
+  drop(open, 0);
+  reverse(open, 4);
+  expect_refused(open,
+                 "flipped element: its normal is opposite to that of most elements it hangs "
+                 "together with; reverse the order of its nodes; 1 such in the surface; "
+                 "first: element 4 (quad4)",
+                 SurfaceKind::open);
+}
+
+TEST(SurfaceCheck, CavitiesThatLookTheWrongWay) {
+  for (ElementType type : all_types) {
+    const SurfaceMesh outer = surfaces::cube_sphere(type, 2, 1);
+    const SurfaceMesh inner = surfaces::cube_sphere(type, 1, 0.5);
+    const auto n = std::to_string(inner.elements());
+    expect_refused(join(outer, inner), n + " such in the surface; first: element " +
+                                           std::to_string(outer.elements()) + " (");
+    expect_refused(join(outer, inner), "on the wall of a cavity");
+    // The order of the shells does not matter, nor that both are wrong.
+    expect_refused(join(inner, outer), n + " such in the surface; first: element 0 (");
+    expect_refused(surfaces::turn_inside_out(join(surfaces::turn_inside_out(inner), outer)),
+                   "the normals of all elements look into the body");
+  }
+}
+
+TEST(SurfaceCheck, BodiesHangTogether) {
+  for (ElementType type : all_types) {
+    const SurfaceMesh ball = surfaces::cube_sphere(type, 1, 1);
+    SurfaceMesh mesh = join(join(ball, ball, {5, 0, 0}), ball, {0, 5, 0});
+    mesh.index_base = 1;
+    const auto n = ball.elements();
+    expect_refused(mesh,
+                   "the surface encloses 3 bodies that do not hang together; give each its "
+                   "own body; first: those of elements 1 and " +
+                       std::to_string(n + 1));
+    // A ball that rattles in a cavity.
+    mesh = join(
+        surfaces::with_cavity(surfaces::cube_sphere(type, 2, 3), surfaces::cube_sphere(type, 2, 2)),
+        ball);
+    expect_refused(mesh, "encloses 2 bodies that do not hang together");
+  }
+}
+
+TEST(SurfaceCheck, ShellsThatCross) {
+  const SurfaceMesh ball = surfaces::cube_sphere(ElementType::quad8, 3, 1);
+  expect_refused(join(ball, surfaces::cube_sphere(ElementType::quad8, 2, 0.7), {0.6, 0.2, 0.1}),
+                 "two closed parts of the surface cross: those of elements 0 and 54");
+}
+
+TEST(SurfaceCheck, PartsThatTouchAtANode) {
+  // Two cubes, corner at corner.
+  for (ElementType type : all_types) {
+    SurfaceMesh mesh = join(cube(type, 1), cube(type, 1), {1, 1, 1});
+    mesh.index_base = 1;
+    const std::int32_t a = surfaces::node_at(mesh, {1, 1, 1});
+    for (std::size_t k = 0; k < mesh.node.size(); ++k)
+      if (static_cast<std::int32_t>(k) != a && length(mesh.node[k] - Vec3{1, 1, 1}) < 1e-9) {
+        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(),
+                     static_cast<std::int32_t>(k), a);
+        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(),
+                     static_cast<std::int32_t>(mesh.node.size() - 1), static_cast<std::int32_t>(k));
+        mesh.node[k] = mesh.node.back();
+        mesh.node.pop_back();
+        break;
+      }
+    const std::int32_t now = surfaces::node_at(mesh, {1, 1, 1});
+    expect_refused(mesh,
+                   "two parts of the surface touch at a node without sharing an edge; 1 such "
+                   "in the surface; first: node " +
+                       std::to_string(now + 1) + " (elements ");
+  }
+}
+
+TEST(SurfaceCheck, ClosedPartsWithoutVolume) {
+  SurfaceMesh mesh = tetrahedron();
+  mesh.node[3] = {0.3, 0.3, 1e-13};
+  mesh.index_base = 1;
+  expect_refused(mesh,
+                 "a closed part encloses no volume; 1 such in the surface; first: the one of "
+                 "element 1");
+  mesh.node[3] = {0.3, 0.3, 1e-6};
+  expect_accepted(mesh, "flat tetrahedron");
+}
+
+TEST(SurfaceCheck, OneSidedSurfaces) {
+  // A Moebius strip of 9 quadrilaterals.
+  SurfaceMesh mesh;
+  constexpr int n = 9;
+  for (int i = 0; i < n; ++i)
+    for (double s : {-0.3, 0.3}) {
+      const double t = 2 * std::numbers::pi * i / n;
+      mesh.node.push_back({(1 + s * std::cos(t / 2)) * std::cos(t),
+                           (1 + s * std::cos(t / 2)) * std::sin(t), s * std::sin(t / 2)});
+    }
+  for (std::int32_t i = 0; i + 1 < n; ++i)
+    add(mesh, ElementType::quad4, {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  add(mesh, ElementType::quad4, {2 * n - 2, 1, 0, 2 * n - 1});
+  expect_refused(mesh,
+                 "one-sided surface (a Moebius strip): its elements cannot all look outwards; "
+                 "1 such in the surface; first: edge ",
+                 SurfaceKind::open);
+}
+
+}  // namespace
+}  // namespace rollcon

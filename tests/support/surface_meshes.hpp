@@ -1,0 +1,110 @@
+#pragma once
+/// Closed surface meshes of bodies for tests and benches: bricks, spheres, rings, wheels, blocks
+/// with a fine zone; every element type, nodes 0-based, normals outwards. Reproducible.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon::surfaces {
+
+inline constexpr std::array<ElementType, 5> all_types{ElementType::tri3, ElementType::tri6,
+                                                      ElementType::quad4, ElementType::quad8,
+                                                      ElementType::quad9};
+std::string name_of(ElementType type);
+
+using Map = std::function<Vec3(const Vec3&)>;
+
+/// n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but
+/// not beyond `largest` (0: no bound).
+std::vector<double> graded(int n, double a, double b, double first, double largest = 0);
+/// The same from b to a, listed ascending from a: fine at b.
+std::vector<double> graded_to(int n, double a, double b, double last, double largest = 0);
+
+/// The surface of a block divided by lines along its three coordinates, bent by a right-handed map.
+struct Block {
+  std::array<std::vector<double>, 3> line;
+  bool ring = false;                                  ///< the first coordinate runs full circle
+  std::array<std::int32_t, 6> tag{1, 2, 3, 4, 5, 6};  ///< first least, first most, second least...
+  std::array<int, 2> zone_from{0, 0}, zone_to{0, 0};  ///< elements of the last face with ...
+  std::int32_t zone_tag = 0;                          ///< ... this tag
+  Map map;                                            ///< none: as it is
+};
+
+/// Triangles halve the quadrilaterals. All nodes lie on the mapped surface.
+SurfaceMesh block(const Block& shape, ElementType type);
+/// Triangles and quadrilaterals by turns: tri3 with quad4, or tri6 with quad8 and quad9.
+SurfaceMesh mixed_block(const Block& shape, bool quadratic);
+
+/// [0, size] in n elements; tags 1 to 6: x = 0, x = size, y = 0, ...
+Block brick(const std::array<int, 3>& n, const Vec3& size);
+/// Moves every node of a brick at random within the plane or line that it lies in, by up to
+/// `fraction` of its shortest edge: corner nodes first, other nodes follow, then those too by a
+/// fifth of it. Faces stay flat.
+SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed);
+
+/// Cubes bent to a sphere around the origin, 6 n^2 quadrilaterals or twice as many triangles.
+SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag = 1);
+/// tri3 or tri6 from an icosahedron, every edge cut into n.
+SurfaceMesh icosphere(ElementType type, int n, double radius, std::int32_t tag = 1);
+/// The body between two closed surfaces: the inner one is turned inside out.
+SurfaceMesh with_cavity(SurfaceMesh outer, SurfaceMesh inner);
+
+/// The ring of examples/ring_mesh.h, whose shape this repeats; tags there. Any element type.
+struct Ring {
+  double inner = 25, outer = 50, width = 8;
+  double sector = 0, zone = 2.4;
+  int around = 46, zone_around = 12, across = 12, deep = 4;
+  double largest = 16, top_layer = 1.2, side_grading = 0;
+};
+SurfaceMesh ring(const Ring& shape, ElementType type);
+/// The wheel of examples/wheel_mesh.h with its standard shape and counts.
+SurfaceMesh wheel(double crown, ElementType type);
+
+/// Block [-side/2, side/2]^2 x [-depth, 0] with a fine zone of n x n elements, [-zone/2, zone/2]^2,
+/// in the middle of its top; `grade` elements from there to each side, `deep` downwards. Tags: 1
+/// top outside the zone, 2 zone, 3 bottom, 4 to 7 the sides at least x, most x, least y, most y.
+struct ZoneBlock {
+  double side = 1, depth = 1, zone = 0.1;
+  int n = 8, grade = 4, deep = 4;
+};
+SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type);
+
+/// Every node x -> map(x); the map must keep handedness.
+SurfaceMesh transform(SurfaceMesh mesh, const Map& map);
+/// The same surface seen from the other side.
+SurfaceMesh turn_inside_out(SurfaceMesh mesh);
+
+/// Nodes of the elements with one of these tags, ascending.
+std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh,
+                                         std::span<const std::int32_t> tags);
+std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh,
+                                      const std::function<bool(const Vec3&)>& wanted);
+/// The node nearest to a point.
+std::int32_t node_at(const SurfaceMesh& mesh, const Vec3& x);
+std::vector<std::int64_t> elements_with_tag(const SurfaceMesh& mesh, std::int32_t tag);
+
+/// Some elements as a mesh of their own; node: their nodes' numbers in the whole.
+SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements,
+                    std::vector<std::int32_t>& node);
+
+/// Integrals of the shape functions over the surface, by node.
+std::vector<double> nodal_areas(const SurfaceMesh& mesh);
+
+/// What a mesh encloses, by quadrature on its own elements.
+struct Facts {
+  double area = 0, volume = 0;
+  Vec3 centroid{0, 0, 0};           ///< of the volume
+  std::int64_t euler = 0;           ///< corners - edges + elements: 2 sphere, 0 torus, 4 shell
+  std::int64_t open_edges = 0;      ///< edges of one element
+  std::int64_t clashing_edges = 0;  ///< edges run through twice in the same direction
+  std::int64_t unused_nodes = 0, triangles = 0, quadrilaterals = 0;
+};
+Facts facts(const SurfaceMesh& mesh);
+
+}  // namespace rollcon::surfaces
