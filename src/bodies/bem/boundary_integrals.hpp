@@ -35,7 +35,9 @@ constexpr int lanes = 8;
 
 class BoundaryIntegrals {
  public:
-  /// tolerance: relative accuracy of each element's integrals against the largest entry of the row.
+  /// tolerance: relative accuracy of each element's integrals against the largest entry of the row:
+  /// of T against the free term of a smooth point, of U against the largest integral of an element
+  /// whose traction is wanted. Each element gets a fifth of it, so that sums keep it as well.
   /// The mesh must outlive the object. Lengths may have any unit (1e-60 to 1e60).
   BoundaryIntegrals(const SurfaceMesh& mesh, double poisson, double tolerance);
   ~BoundaryIntegrals();
@@ -48,7 +50,8 @@ class BoundaryIntegrals {
   ///   g (null: not wanted): g[((3 * k + c) * 3 + i) * lanes + p], the same for component c of the
   ///     traction over G of column k = g_column[entry of the mesh's connectivity]; entries with
   ///     g_column -1 carry no wanted traction and their elements are skipped when all are -1.
-  /// Both are overwritten. g has g_columns columns.
+  /// Both are overwritten. g has g_columns columns. Fails with err_internal on more than `lanes`
+  /// points, or h at a point that is not on the mesh.
   void rows(std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column,
             std::int64_t g_columns, double* g) const;
 
@@ -58,6 +61,7 @@ class BoundaryIntegrals {
 
  private:
   struct Data;
+  class Rows;
   std::unique_ptr<Data> data_;
 };
 

@@ -1,0 +1,49 @@
+#pragma once
+/// What the choice of a rule needs to know of an element or a part of one.
+
+#include "bodies/halfspace/cell.hpp"
+#include "bodies/halfspace/element.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon::bem {
+
+using halfspace::Cell;
+using halfspace::MapKind;
+using halfspace::Vec2;
+
+/// Positions on a cell: corners, edge midpoints (after the edge's first corner's index), centre.
+struct CellShape {
+  int corners = 4;
+  Vec3 corner[4], middle[4], centre;
+  double area = 0;
+  double half_length = 0;  ///< of the longest side
+  int depth = 0;           ///< how often the element was cut
+};
+
+struct ElementGeometry {
+  ElementType type = ElementType::tri3;
+  MapKind map = MapKind::affine;
+  int nodes = 3, corners = 3;
+  double node[3][max_element_nodes];  ///< node[component][k]
+  CellShape shape;                    ///< of the whole element
+  double half[2] = {0, 0};            ///< largest half-length along xi and along eta
+  double radius = 0;                  ///< of the ball about the centre with all points of shape
+  /// Degree in one direction of N times the Jacobian: of an affine element, and what the map adds.
+  int degree = 1, extra = 0;
+  double log_departure = 0;  ///< log of the relative change of the normal vector, negative
+  double bend = 0;           ///< largest squared change of the unit normal
+  /// Along xi and eta: log of the ellipse's parameter up to which |normal vector| is analytic.
+  double jacobian_log_rho[2] = {1, 1};
+
+  Vec3 position(Vec2 reference) const;
+  /// Position and tangents.
+  void tangents(Vec2 reference, Vec3& x, Vec3& d_xi, Vec3& d_eta) const;
+};
+
+/// The element with all coordinates multiplied by `scale`.
+ElementGeometry element_geometry(const SurfaceMesh& mesh, std::int64_t element, double scale);
+
+/// The shape of a part of the element.
+CellShape measure(const ElementGeometry& element, const Cell& cell);
+
+}  // namespace rollcon::bem

@@ -1,0 +1,299 @@
+// The kernels, written once and compiled for each instruction set by the kelvin_*.cpp files.
+// Internal linkage throughout; only the table of functions leaves the file.
+#pragma once
+
+#include "bodies/bem/kelvin.hpp"
+#include "bodies/halfspace/pack.hpp"
+#include "bodies/halfspace/pack_shape.hpp"
+
+namespace {
+
+using rollcon::max_element_nodes;
+using rollcon::bem::both_layers;
+using rollcon::bem::double_layer;
+using rollcon::bem::far_capacity;
+using rollcon::bem::FarPoints;
+using rollcon::bem::KelvinConstants;
+using rollcon::bem::near_capacity;
+using rollcon::bem::NearElement;
+using rollcon::bem::NearIntegrals;
+using rollcon::bem::NearPoints;
+using rollcon::bem::pack_points;
+using rollcon::bem::PointPack;
+using rollcon::bem::RuleTable;
+using rollcon::bem::single_layer;
+
+constexpr int kernel_count(int terms) {
+  return 9 * (terms & 1) + 3 * (terms & 2);
+}
+
+/// Entries of T (nine, if wanted) and then of U (six, if wanted) at r = y - x, for n and w with the
+/// weight in them; `share` scales all of them.
+template <int terms>
+inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const KelvinConstants& c,
+                   Pack* f) {
+  const Pack r2 = fma(r[0], r[0], fma(r[1], r[1], r[2] * r[2]));
+  const Pack inverse = splat(1) / root(r2);
+  const Pack e[3] = {r[0] * inverse, r[1] * inverse, r[2] * inverse};
+  const Pack near = share * inverse;
+  if constexpr ((terms & double_layer) != 0) {
+    const Pack scale = near * inverse;
+    const Pack m[3] = {scale * n[0], scale * n[1], scale * n[2]};
+    const Pack dn = fma(e[0], m[0], fma(e[1], m[1], e[2] * m[2]));
+    const Pack skew = splat(c.skew), b = splat(c.triple) * dn, iso = skew * dn;
+    const Pack be[3] = {b * e[0], b * e[1], b * e[2]};
+    const Pack s[3] = {skew * e[0], skew * e[1], skew * e[2]};
+    // Entry 3 c + i is T_ic.
+    for (int i = 0; i < 3; ++i) f[4 * i] = fma(be[i], e[i], iso);
+    constexpr int pair[3][2] = {{0, 1}, {0, 2}, {1, 2}};
+    for (const auto& p : pair) {
+      const int i = p[0], j = p[1];
+      const Pack even = be[i] * e[j], odd = s[i] * m[j] - s[j] * m[i];
+      f[3 * j + i] = even - odd;
+      f[3 * i + j] = even + odd;
+    }
+    f += 9;
+  }
+  if constexpr ((terms & single_layer) != 0) {
+    const Pack scale = near * w, iso = splat(c.iso) * scale, single = splat(c.single) * scale;
+    const Pack s[3] = {single * e[0], single * e[1], single * e[2]};
+    f[0] = fma(s[0], e[0], iso);
+    f[1] = s[0] * e[1];
+    f[2] = s[0] * e[2];
+    f[3] = fma(s[1], e[1], iso);
+    f[4] = s[1] * e[2];
+    f[5] = fma(s[2], e[2], iso);
+  }
+}
+
+/// Position, and tangents' cross product times weight, from shape functions and nodes.
+template <int nodes, class Node>
+inline void surface(const Pack* value, const Pack* d_xi, const Pack* d_eta, Pack w, Node node,
+                    Pack* y, Pack* n, Pack* area) {
+  Pack u[3], v[3];
+  for (int j = 0; j < 3; ++j) {
+    const Pack first = node(j, 0);
+    y[j] = value[0] * first;
+    u[j] = d_xi[0] * first;
+    v[j] = d_eta[0] * first;
+  }
+  for (int k = 1; k < nodes; ++k)
+    for (int j = 0; j < 3; ++j) {
+      const Pack a = node(j, k);
+      y[j] = fma(value[k], a, y[j]);
+      u[j] = fma(d_xi[k], a, u[j]);
+      v[j] = fma(d_eta[k], a, v[j]);
+    }
+  for (int j = 0; j < 3; ++j) {
+    const int a = (j + 1) % 3, b = (j + 2) % 3;
+    n[j] = u[a] * v[b] - u[b] * v[a];
+  }
+  *area = w * root(fma(n[0], n[0], fma(n[1], n[1], n[2] * n[2])));
+  for (int j = 0; j < 3; ++j) n[j] = w * n[j];
+}
+
+template <int nodes>
+void place_points(const RuleTable& rule, const double (*node)[max_element_nodes],
+                  FarPoints& points) {
+  for (int q = 0; q < rule.n; q += lanes) {
+    Pack value[nodes], u[nodes], v[nodes], y[3], n[3], area;
+    for (int k = 0; k < nodes; ++k) {
+      value[k] = load(rule.value + k * rule.padded + q);
+      u[k] = load(rule.d_xi + k * rule.padded + q);
+      v[k] = load(rule.d_eta + k * rule.padded + q);
+    }
+    surface<nodes>(
+        value, u, v, load(rule.w + q), [node](int j, int k) { return splat(node[j][k]); }, y, n,
+        &area);
+    for (int j = 0; j < 3; ++j) {
+      store(points.y[j] + q, y[j]);
+      store(points.n[j] + q, n[j]);
+    }
+    store(points.w + q, area);
+  }
+}
+
+void place(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes],
+           FarPoints& points) {
+  switch (nodes) {
+    case 3:
+      return place_points<3>(rule, node, points);
+    case 4:
+      return place_points<4>(rule, node, points);
+    case 6:
+      return place_points<6>(rule, node, points);
+    case 8:
+      return place_points<8>(rule, node, points);
+    default:
+      return place_points<9>(rule, node, points);
+  }
+}
+
+/// Kernel values of a block of quadrature points, staged between the kernel and the product with
+/// the shape functions: all of it together would not fit the registers.
+constexpr int block = 16;
+
+/// block[k][entry] += sum over q of f[q][entry] value[k][q] for `group` entries at once.
+template <int nodes, int group>
+inline void accumulate(const Pack (*f)[15], int first, int n, const double* value, int padded,
+                       double* const* target, const int (*entry)[2]) {
+  Pack total[nodes][group];
+  for (int k = 0; k < nodes; ++k)
+    for (int j = 0; j < group; ++j) total[k][j] = load(target[k] + entry[j][0] * pack_points);
+  for (int q = 0; q < n; ++q) {
+    Pack v[group];
+    for (int j = 0; j < group; ++j) v[j] = f[q][first + j];
+    for (int k = 0; k < nodes; ++k) {
+      const Pack s = splat(value[k * padded + q]);
+      for (int j = 0; j < group; ++j) total[k][j] = fma(v[j], s, total[k][j]);
+    }
+  }
+  for (int k = 0; k < nodes; ++k)
+    for (int j = 0; j < group; ++j) {
+      store(target[k] + entry[j][0] * pack_points, total[k][j]);
+      if (entry[j][1] != entry[j][0]) store(target[k] + entry[j][1] * pack_points, total[k][j]);
+    }
+}
+
+template <int nodes, int terms>
+void far_points(const FarPoints& points, const RuleTable& rule, const PointPack& pack,
+                const KelvinConstants& constants, double* const* h, double* const* g) {
+  // As many accumulators as there are registers for.
+  constexpr int group = lanes == 8 || nodes <= 4 ? 3 : 1;
+  constexpr int t_entry[9][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4},
+                                 {5, 5}, {6, 6}, {7, 7}, {8, 8}};
+  constexpr int u_entry[6][2] = {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}};
+  for (int part = 0; part < pack_points; part += lanes) {
+    const Pack x[3] = {load(pack.x[0] + part), load(pack.x[1] + part), load(pack.x[2] + part)};
+    const Pack mask = load(pack.mask + part);
+    double *hp[nodes] = {}, *gp[nodes] = {};
+    for (int k = 0; k < nodes; ++k) {
+      if constexpr ((terms & double_layer) != 0) hp[k] = h[k] + part;
+      if constexpr ((terms & single_layer) != 0) gp[k] = g[k] + part;
+    }
+    for (int start = 0; start < rule.n; start += block) {
+      const int n = rule.n - start < block ? rule.n - start : block;
+      Pack f[block][15];
+      for (int q = 0; q < n; ++q) {
+        const int at = start + q;
+        const Pack r[3] = {splat(points.y[0][at]) - x[0], splat(points.y[1][at]) - x[1],
+                           splat(points.y[2][at]) - x[2]};
+        const Pack normal[3] = {splat(points.n[0][at]), splat(points.n[1][at]),
+                                splat(points.n[2][at])};
+        kelvin<terms>(r, normal, splat(points.w[at]), mask, constants, f[q]);
+      }
+      const double* value = rule.value + start;
+      if constexpr ((terms & double_layer) != 0)
+        for (int i = 0; i < 9; i += group)
+          accumulate<nodes, group>(f, i, n, value, rule.padded, hp, t_entry + i);
+      if constexpr ((terms & single_layer) != 0)
+        for (int i = 0; i < 6; i += group)
+          accumulate<nodes, group>(f, i + 9 * (terms & 1), n, value, rule.padded, gp, u_entry + i);
+    }
+  }
+}
+
+template <int nodes>
+void far_terms(const FarPoints& points, const RuleTable& rule, const PointPack& pack,
+               const KelvinConstants& constants, int terms, double* const* h, double* const* g) {
+  switch (terms) {
+    case double_layer:
+      return far_points<nodes, double_layer>(points, rule, pack, constants, h, g);
+    case single_layer:
+      return far_points<nodes, single_layer>(points, rule, pack, constants, h, g);
+    default:
+      return far_points<nodes, both_layers>(points, rule, pack, constants, h, g);
+  }
+}
+
+void far(const FarPoints& points, const RuleTable& rule, int nodes, const PointPack& pack,
+         const KelvinConstants& constants, int terms, double* const* h, double* const* g) {
+  switch (nodes) {
+    case 3:
+      return far_terms<3>(points, rule, pack, constants, terms, h, g);
+    case 4:
+      return far_terms<4>(points, rule, pack, constants, terms, h, g);
+    case 6:
+      return far_terms<6>(points, rule, pack, constants, terms, h, g);
+    case 8:
+      return far_terms<8>(points, rule, pack, constants, terms, h, g);
+    default:
+      return far_terms<9>(points, rule, pack, constants, terms, h, g);
+  }
+}
+
+/// rows x nodes dot products over packs of quadrature points, three rows at once.
+template <int nodes>
+inline void products(const Pack (*f)[near_capacity / lanes], int rows,
+                     const Pack (*value)[near_capacity / lanes], int packs,
+                     double (*sums)[max_element_nodes]) {
+  for (int i = 0; i < rows; i += 3)
+    for (int k = 0; k < nodes; ++k) {
+      Pack a = splat(0), b = a, c = a;
+      for (int q = 0; q < packs; ++q) {
+        a = fma(f[i][q], value[k][q], a);
+        b = fma(f[i + 1][q], value[k][q], b);
+        c = fma(f[i + 2][q], value[k][q], c);
+      }
+      sums[i][k] += sum(a);
+      sums[i + 1][k] += sum(b);
+      sums[i + 2][k] += sum(c);
+    }
+}
+
+template <ElementType type, int terms>
+void near_points(const NearElement& element, const NearPoints& points,
+                 const KelvinConstants& constants, NearIntegrals& integrals) {
+  constexpr int nodes = rollcon::node_count(type), count = kernel_count(terms);
+  Pack f[count][near_capacity / lanes], shape[nodes][near_capacity / lanes];
+  int packs = 0;
+  for (int q = 0; q < points.n; q += lanes, ++packs) {
+    Pack value[nodes], u[nodes], v[nodes], r[3], n[3], area, entry[count];
+    PackShape<type>::evaluate(load(points.xi + q), load(points.eta + q), value, u, v);
+    surface<nodes>(
+        value, u, v, load(points.w + q),
+        [&element](int j, int k) { return splat(element.node[j][k]); }, r, n, &area);
+    kelvin<terms>(r, n, area, splat(1), constants, entry);
+    for (int i = 0; i < count; ++i) f[i][packs] = entry[i];
+    for (int k = 0; k < nodes; ++k) shape[k][packs] = value[k];
+  }
+  if constexpr ((terms & double_layer) != 0) products<nodes>(f, 9, shape, packs, integrals.t);
+  if constexpr ((terms & single_layer) != 0)
+    products<nodes>(f + 9 * (terms & 1), 6, shape, packs, integrals.u);
+}
+
+template <ElementType type>
+void near_terms(const NearElement& element, const NearPoints& points,
+                const KelvinConstants& constants, int terms, NearIntegrals& integrals) {
+  switch (terms) {
+    case double_layer:
+      return near_points<type, double_layer>(element, points, constants, integrals);
+    case single_layer:
+      return near_points<type, single_layer>(element, points, constants, integrals);
+    default:
+      return near_points<type, both_layers>(element, points, constants, integrals);
+  }
+}
+
+void near(const NearElement& element, NearPoints& points, const KelvinConstants& constants,
+          int terms, NearIntegrals& integrals) {
+  for (int q = points.n; q % lanes != 0; ++q) {
+    points.xi[q] = points.xi[points.n - 1];
+    points.eta[q] = points.eta[points.n - 1];
+    points.w[q] = 0;
+  }
+  switch (element.type) {
+    case ElementType::tri3:
+      return near_terms<ElementType::tri3>(element, points, constants, terms, integrals);
+    case ElementType::tri6:
+      return near_terms<ElementType::tri6>(element, points, constants, terms, integrals);
+    case ElementType::quad4:
+      return near_terms<ElementType::quad4>(element, points, constants, terms, integrals);
+    case ElementType::quad8:
+      return near_terms<ElementType::quad8>(element, points, constants, terms, integrals);
+    case ElementType::quad9:
+      return near_terms<ElementType::quad9>(element, points, constants, terms, integrals);
+  }
+}
+
+}  // namespace
