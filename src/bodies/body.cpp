@@ -1,7 +1,12 @@
 #include "bodies/body.hpp"
 
+#include <algorithm>
+#include <map>
 #include <utility>
 
+#include "bodies/bem/system.hpp"
+#include "bodies/supports.hpp"
+#include "mesh/surface_check.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -10,13 +15,13 @@ namespace {
 
 BodyKind checked_kind(std::int32_t kind) {
   switch (static_cast<BodyKind>(kind)) {
+    case BodyKind::bem:
     case BodyKind::halfspace:
     case BodyKind::rigid:
       return static_cast<BodyKind>(kind);
     case BodyKind::fem:
-    case BodyKind::bem:
-      fail(Status::err_unsupported, "kind is %d (%s); this build has 3 (half-space) and 4 (rigid)",
-           kind, kind == static_cast<std::int32_t>(BodyKind::fem) ? "FEM" : "BEM");
+      fail(Status::err_unsupported,
+           "kind is 1 (FEM); this build has 2 (BEM), 3 (half-space) and 4 (rigid)");
   }
   fail(Status::err_argument, "kind is %d; allowed: 1 (FEM), 2 (BEM), 3 (half-space), 4 (rigid)",
        kind);
@@ -38,18 +43,53 @@ void Body::set_elastic(std::int32_t /*tag*/, double young, double poisson) {
   if (!(poisson > -1 && poisson <= 0.5))
     fail(Status::err_argument, "poisson is %g; allowed: -1 < poisson <= 0.5", poisson);
   const std::lock_guard lock(mutex_);
-  if (prepared()) fail(Status::err_state, "the body is prepared: its material is fixed");
+  require_unprepared("material is");
   young_ = young;
   poisson_ = poisson;
   elastic_set_ = true;
 }
 
+SurfaceMesh Body::surface_copy() const {
+  const std::lock_guard lock(mutex_);
+  return mesh_.surface;
+}
+
 void Body::prepare() {
   const std::lock_guard lock(mutex_);
+  if (prepared()) return;
   if (!rigid() && !elastic_set_)
     fail(Status::err_state,
-         "the half-space has no elastic constants: rollcon_body_set_elastic was not called");
+         "the body has no elastic constants: rollcon_body_set_elastic was not called");
+  if (kind_ == BodyKind::bem && mesh_.surface.elements() == 0)
+    fail(Status::err_state,
+         "the body has no mesh: rollcon_body_set_nodes and rollcon_body_add_elements");
+  if (mesh_.surface.elements() > 0) prepare_mesh();
   prepared_.store(true);
+}
+
+void Body::prepare_mesh() {
+  check_surface(mesh_.surface, rigid() ? SurfaceKind::open : SurfaceKind::closed);
+  // Held faces and free ones with the same tag carry tractions of their own.
+  SurfaceMesh parts = mesh_.surface;
+  const std::vector<std::uint8_t> held = held_elements(mesh_);
+  std::map<std::pair<std::int32_t, std::uint8_t>, std::int32_t> part_number;
+  for (std::size_t e = 0; e < parts.tag.size(); ++e)
+    parts.tag[e] =
+        part_number
+            .try_emplace({parts.tag[e], held[e]}, static_cast<std::int32_t>(part_number.size()))
+            .first->second;
+  traction_nodes_ = split_at_edges(parts, options_.edge_angle);
+  std::fill(parts.tag.begin(), parts.tag.end(), 0);
+  smooth_fans_ = split_at_edges(parts, options_.edge_angle);
+  search_ = std::make_unique<SurfaceSearch>(mesh_.surface, contact_elements(mesh_));
+  if (rigid()) return;
+  require_supports(mesh_);
+  response_ = std::make_unique<bem::System>(mesh_, traction_nodes_, young_, poisson_, options_,
+                                            context_->threads());
+  context_->log(LogLevel::info, "boundary-element body: %lld unknowns, condition %.1e, %.3f s",
+                static_cast<long long>(response_->statistics().unknowns),
+                response_->statistics().condition,
+                response_->statistics().seconds_assembly + response_->statistics().seconds_factor);
 }
 
 }  // namespace rollcon

@@ -56,11 +56,15 @@ class Body {
   double young() const { return young_; }
   double poisson() const { return poisson_; }
   const BodyMesh& mesh() const { return mesh_; }
+  /// The surface as it is now; also while another thread gives more of it or prepares the body.
+  SurfaceMesh surface_copy() const;
   const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }
 
   // Of a prepared body with a mesh.
   const TractionNodes& traction_nodes() const { return traction_nodes_; }
+  /// Fans that tags and supports do not divide: normals of the surface itself.
+  const TractionNodes& smooth_fans() const { return smooth_fans_; }
   /// Over the faces that may come into contact.
   const SurfaceSearch& search() const { return *search_; }
   /// Null for rigid bodies.
@@ -68,16 +72,17 @@ class Body {
 
  private:
   void require_unprepared(const char* what) const;
+  void prepare_mesh();
 
   std::shared_ptr<Context> context_;
   BodyKind kind_;
-  std::mutex mutex_;  ///< of everything below until prepared
+  mutable std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
   bool elastic_set_ = false;
   double young_ = 0, poisson_ = 0;
   BodyMesh mesh_;
   BodyOptions options_;
-  TractionNodes traction_nodes_;
+  TractionNodes traction_nodes_, smooth_fans_;
   std::unique_ptr<SurfaceSearch> search_;
   std::unique_ptr<SurfaceResponse> response_;
 };

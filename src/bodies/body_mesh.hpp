@@ -31,4 +31,10 @@ struct BodyOptions {
       1;  ///< "keep_factors": 0 frees the factors once a frame has its compliance
 };
 
+/// Held components common to all nodes of each element: bit c.
+std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
+
+/// Elements that may come into contact, ascending.
+std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
+
 }  // namespace rollcon

@@ -5,10 +5,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 
 namespace rollcon {
 
-/// Points of the contact surface, in the frame's axes (t1, t2). x.size() == y.size().
+/// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2):
+/// on a curved frame, the points of the surface above them. x.size() == y.size().
 struct Points {
   std::span<const double> x, y;
   std::size_t size() const { return x.size(); }
@@ -16,7 +18,8 @@ struct Points {
 
 /// Destination of dense rows. a[i][j] (null: not wanted) holds the displacement component i at
 /// point p per unit traction component j of node k, at a[i][j][p * stride + k]. Components are
-/// 0 = t1, 1 = t2, 2 = n.
+/// 0 = t1, 1 = t2, 2 = n: of the frame's axes, or on a curved frame of the local ones at point and
+/// node.
 struct ComplianceBlock {
   double* a[3][3] = {};
   std::ptrdiff_t stride = 0;
@@ -35,6 +38,11 @@ class Compliance {
   virtual void block(Points points, const ComplianceBlock& out) const = 0;
   /// u = A t at any points, without forming A: traction[3*k+j], displacement[3*p+i].
   virtual void apply(Points points, const double* traction, double* displacement) const = 0;
+  /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements
+  /// of the bodies elsewhere. False: zero everywhere, u not written.
+  virtual bool offset(Points /*points*/, double* /*u*/) const { return false; }
+  /// One line for the plan: model, how the frame lies on it.
+  virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.
   virtual void set_threads(int threads) = 0;
   /// Kernel evaluations (point times quadrature point) since construction; for statistics.

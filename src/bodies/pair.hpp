@@ -1,20 +1,13 @@
 #pragma once
 /// The compliance of the pair of bodies of a contact, or of one of them, on a frame.
 
-#include <array>
 #include <memory>
 
-#include "bodies/body.hpp"
 #include "bodies/compliance.hpp"
+#include "bodies/contact_surface.hpp"
 #include "mesh/frame.hpp"
-#include "mesh/pose.hpp"
 
 namespace rollcon {
-
-struct PairOfBodies {
-  std::array<const Body*, 2> body{};  ///< prepared
-  std::array<Pose, 2> pose{};
-};
 
 /// u1 - u2 under tractions on body 1 (-traction on body 2). frame must outlive it. accuracy: of
 /// half-space integrals.

@@ -1,0 +1,303 @@
+#include "bodies/bem/system.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "linalg/blas_threads.hpp"
+#include "mesh/surface_geometry.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+
+namespace rollcon::bem {
+namespace {
+
+/// Beyond it no digit of a solution can be trusted.
+constexpr double worst_condition = 1e14;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+void require_memory(std::int64_t unknowns) {
+  const double gigabytes = 8e-9 * static_cast<double>(unknowns) * static_cast<double>(unknowns);
+  const double machine = 1e-9 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
+                         static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (gigabytes > machine)
+    fail(Status::err_memory,
+         "the matrix of a boundary-element body with %lld unknowns needs %.1f GB, this machine has "
+         "%.1f GB",
+         static_cast<long long>(unknowns), gigabytes, machine);
+}
+
+/// Calls work(first point, count, thread's buffers) for packs of points, in parallel.
+template <class Work>
+void for_packs(std::int64_t points, int threads, Work work) {
+  std::exception_ptr failure;
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<double> h, g;
+#pragma omp for schedule(dynamic, 4)
+    for (std::int64_t first = 0; first < points; first += lanes) {
+      try {
+        work(first, std::min<std::int64_t>(lanes, points - first), h, g);
+      } catch (...) {
+#pragma omp critical(rollcon_bem_packs)
+        failure = std::current_exception();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
+               const BodyOptions& options, int threads)
+    : mesh_(mesh),
+      fans_(fans),
+      shear_(young / (2 * (1 + poisson))),
+      poisson_(poisson),
+      options_(options),
+      integrals_(mesh.surface, poisson, options.accuracy),
+      unknowns_(choose_unknowns(mesh, fans)) {
+  require_memory(unknowns_.columns);
+  fan_size_.assign(at(fans.size()), 0);
+  for (std::int64_t e = 0; e < mesh.surface.elements(); ++e) {
+    const double size = element_diameter(mesh.surface, e);
+    for (std::int64_t k = mesh.surface.offset[at(e)]; k < mesh.surface.offset[at(e) + 1]; ++k) {
+      double& of_fan = fan_size_[at(fans.of[at(k)])];
+      of_fan = std::max(of_fan, size);
+    }
+  }
+  factorize(threads);
+}
+
+void System::factorize(int threads) {
+  const BlasThreads blas(threads);
+  std::vector<double> own_load;
+  if (!own_solved_) own_load.assign(at(unknowns_.columns), 0.0);
+  {
+    const Stopwatch watch(statistics_.seconds_assembly);
+    assemble(threads, own_load);
+    ++statistics_.assemblies;
+  }
+  const Stopwatch watch(statistics_.seconds_factor);
+  ++statistics_.factorizations;
+  const bool regular = matrix_.factor();
+  statistics_.unknowns = unknowns_.columns;
+  statistics_.condition = matrix_.condition();
+  statistics_.peak_bytes =
+      std::max(statistics_.peak_bytes,
+               matrix_.bytes() + at(threads) * (at(mesh_.surface.nodes()) + at(fans_.size())) * 9 *
+                                     lanes * sizeof(double));
+  if (!regular || !(matrix_.condition() < worst_condition)) {
+    matrix_.release();
+    fail(Status::err_singular,
+         "the equations of the boundary-element body are singular (condition %.1e): check its "
+         "supports and its mesh",
+         statistics_.condition);
+  }
+  if (!own_solved_) solve_own_load(own_load);
+  own_solved_ = true;
+}
+
+// Traction over G that the caller prescribed, by traction node and component.
+std::vector<double> System::given_tractions() const {
+  std::vector<double> given;
+  for (std::int64_t e = 0; e < mesh_.surface.elements(); ++e)
+    for (const FaceLoad& load : mesh_.load) {
+      if (load.tag != mesh_.surface.tag[at(e)]) continue;
+      if (given.empty()) given.assign(3 * at(fans_.size()), 0.0);
+      for (std::int64_t k = mesh_.surface.offset[at(e)]; k < mesh_.surface.offset[at(e) + 1]; ++k) {
+        const auto f = at(fans_.of[at(k)]);
+        for (std::size_t c = 0; c < 3; ++c)
+          given[3 * f + c] = (load.traction[c] - load.pressure * fans_.normal[f][c]) / shear_;
+      }
+    }
+  return given;
+}
+
+// Row by row of packs: H and the needed columns of G, then each column to its place: unknown, or
+// times a given value to the right side.
+void System::assemble(int threads, std::vector<double>& own_load) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const std::vector<double> given = given_tractions();
+  std::vector<std::int32_t> column_of_fan(at(fans_.size()), -1);
+  std::int32_t g_columns = 0;
+  for (std::size_t f = 0; f < column_of_fan.size(); ++f) {
+    bool needed = false;
+    for (std::size_t c = 0; c < 3; ++c)
+      needed =
+          needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
+    if (needed) column_of_fan[f] = g_columns++;
+  }
+  std::vector<std::int32_t> g_column(fans_.of.size());
+  for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
+
+  const std::int64_t n = unknowns_.columns;
+  double* a = matrix_.prepare(n);
+  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
+  for_packs(
+      points, threads,
+      [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
+        h.resize(at(surface.nodes()) * 9 * lanes);
+        g.resize(at(g_columns) * 9 * lanes);
+        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_column.data(),
+                        g_columns, g_columns > 0 ? g.data() : nullptr);
+        const std::int32_t* row = unknowns_.row.data() + 3 * first;
+        const auto put = [&](const double* block, double factor, std::int64_t column,
+                             double value) {
+          for (std::int64_t i = 0; i < 3; ++i)
+            for (std::int64_t p = 0; p < count; ++p) {
+              const std::int32_t r = row[3 * p + i];
+              if (r < 0) continue;
+              const double entry = factor * block[i * lanes + p];
+              if (column >= 0)
+                a[r + column * n] = entry;
+              else
+                own_load[at(r)] -= value * entry;
+            }
+        };
+        for (std::int64_t k = 0; k < surface.nodes(); ++k)
+          for (std::int64_t c = 0; c < 3; ++c) {
+            const std::int32_t column = unknowns_.displacement[at(3 * k + c)];
+            const double value = column < 0 ? mesh_.held_value[at(k)][at(c)] : 0;
+            if (column < 0 && (value == 0 || own_load.empty())) continue;
+            put(h.data() + (3 * k + c) * 3 * lanes, 1, column, value);
+          }
+        for (std::size_t f = 0; f < column_of_fan.size(); ++f) {
+          if (column_of_fan[f] < 0) continue;
+          for (std::int64_t c = 0; c < 3; ++c) {
+            const std::int32_t column = unknowns_.traction[3 * f + at(c)];
+            const double value = column < 0 && !given.empty() ? given[3 * f + at(c)] : 0;
+            if (column < 0 && (value == 0 || own_load.empty())) continue;
+            // Unknown: traction times size over G, so that all entries are of order one.
+            put(g.data() + (3 * std::int64_t{column_of_fan[f]} + c) * 3 * lanes,
+                column >= 0 ? -1 / fan_size_[f] : -1, column, value);
+          }
+        }
+      });
+}
+
+void System::solve_own_load(std::vector<double>& b) {
+  const std::vector<double> given = given_tractions();
+  const bool moved =
+      std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+        return v != Vec3{0, 0, 0};
+      });
+  if (given.empty() && !moved) return;
+  matrix_.solve(b.data(), 1);
+  own_displacement_.resize(unknowns_.displacement.size());
+  for (std::size_t k = 0; k < own_displacement_.size(); ++k) {
+    const std::int32_t column = unknowns_.displacement[k];
+    own_displacement_[k] = column >= 0 ? b[at(column)] : mesh_.held_value[k / 3][k % 3];
+  }
+  own_traction_.assign(unknowns_.traction.size(), 0.0);
+  for (std::size_t k = 0; k < own_traction_.size(); ++k) {
+    const std::int32_t column = unknowns_.traction[k];
+    if (column >= 0)
+      own_traction_[k] = shear_ * b[at(column)] / fan_size_[k / 3];
+    else if (!given.empty())
+      own_traction_[k] = shear_ * given[k];
+  }
+}
+
+void System::condense(const BoundaryIntegrals& integrals, const std::vector<std::int32_t>& g_column,
+                      bool on_the_mesh, SurfaceRows& rows, int threads) {
+  if (!matrix_.factored()) factorize(threads);
+  const Stopwatch watch(statistics_.seconds_condense);
+  const BlasThreads blas(threads);
+  ++statistics_.condensations;
+  const std::int64_t n = unknowns_.columns;
+  const auto columns = static_cast<std::int64_t>(rows.column.size());
+  std::vector<double> b(at(n * 3 * columns), 0.0);
+  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
+  for_packs(
+      points, threads,
+      [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
+        g.resize(at(columns) * 9 * lanes);
+        CollocationPoint pack[lanes];
+        for (std::int64_t p = 0; p < count; ++p) {
+          pack[p] = unknowns_.point[at(first + p)];
+          if (!on_the_mesh) pack[p].node = pack[p].element = -1;
+        }
+        integrals.rows({pack, at(count)}, nullptr, g_column.data(), columns, g.data());
+        const std::int32_t* row = unknowns_.row.data() + 3 * first;
+        for (std::int64_t k = 0; k < 3 * columns; ++k)
+          for (std::int64_t i = 0; i < 3; ++i)
+            for (std::int64_t p = 0; p < count; ++p)
+              if (row[3 * p + i] >= 0)
+                b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
+      });
+  matrix_.solve(b.data(), 3 * columns);
+  rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * columns);
+  for (std::size_t r = 0; r < rows.row.size(); ++r)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int32_t unknown = unknowns_.displacement[3 * at(rows.row[r]) + c];
+      double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c));
+      for (std::int64_t k = 0; k < 3 * columns; ++k)
+        out[k] = unknown >= 0 ? b[at(unknown + k * n)] : 0;
+    }
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes,
+                                    matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
+  if (options_.keep_factors == 0) matrix_.release();
+}
+
+std::shared_ptr<const SurfaceRows> System::faces(std::span<const std::int64_t> face, int threads) {
+  const std::lock_guard lock(mutex_);
+  std::shared_ptr<const SurfaceRows>& kept = kept_[{face.begin(), face.end()}];
+  if (kept) return kept;
+  const SurfaceMesh& surface = mesh_.surface;
+  auto rows = std::make_shared<SurfaceRows>();
+  std::vector<std::int32_t> column_of_node(at(surface.nodes()), -1);
+  for (const std::int64_t e : face)
+    for (const std::int32_t k : surface.element(e)) column_of_node[at(k)] = 0;
+  std::vector<std::uint8_t> near(at(surface.nodes()), 0);
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const auto nodes = surface.element(e);
+    if (std::any_of(nodes.begin(), nodes.end(),
+                    [&](std::int32_t k) { return column_of_node[at(k)] >= 0; }))
+      for (const std::int32_t k : nodes) near[at(k)] = 1;
+  }
+  for (std::int32_t k = 0; k < static_cast<std::int32_t>(surface.nodes()); ++k) {
+    if (near[at(k)]) rows->row.push_back(k);
+    if (column_of_node[at(k)] < 0) continue;
+    column_of_node[at(k)] = static_cast<std::int32_t>(rows->column.size());
+    rows->column.push_back(k);
+  }
+  std::vector<std::int32_t> g_column(surface.connectivity.size(), -1);
+  for (const std::int64_t e : face)
+    for (std::int64_t k = surface.offset[at(e)]; k < surface.offset[at(e) + 1]; ++k)
+      g_column[at(k)] = column_of_node[at(surface.connectivity[at(k)])];
+  condense(integrals_, g_column, true, *rows, threads);
+  kept = std::move(rows);
+  return kept;
+}
+
+std::shared_ptr<const SurfaceRows> System::layer(const SurfaceMesh& layer,
+                                                 std::span<const std::int32_t> row, int threads) {
+  const std::lock_guard lock(mutex_);
+  auto rows = std::make_shared<SurfaceRows>();
+  rows->row.assign(row.begin(), row.end());
+  rows->column.resize(at(layer.nodes()));
+  for (std::size_t k = 0; k < rows->column.size(); ++k)
+    rows->column[k] = static_cast<std::int32_t>(k);
+  const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
+  condense(integrals, layer.connectivity, false, *rows, threads);
+  statistics_.kernel_evaluations += integrals.kernel_evaluations();
+  return rows;
+}
+
+BodyStatistics System::statistics() const {
+  const std::lock_guard lock(mutex_);
+  BodyStatistics s = statistics_;
+  s.kernel_evaluations += integrals_.kernel_evaluations();
+  s.bytes = matrix_.bytes() + integrals_.bytes();
+  for (const auto& [face, rows] : kept_) s.bytes += rows->u.bytes();
+  return s;
+}
+
+}  // namespace rollcon::bem

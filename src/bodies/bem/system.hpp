@@ -1,0 +1,57 @@
+#pragma once
+/// The algebraic system of a boundary-element body, H u = G t (58): assembled for its supports,
+/// factorised once, condensed to the surface nodes that contact needs. docs/theory.md, section 9.
+
+#include <map>
+#include <mutex>
+
+#include "bodies/bem/boundary_integrals.hpp"
+#include "bodies/bem/unknowns.hpp"
+#include "bodies/body_mesh.hpp"
+#include "bodies/surface_response.hpp"
+#include "linalg/factored_matrix.hpp"
+#include "mesh/traction_nodes.hpp"
+
+namespace rollcon::bem {
+
+class System final : public SurfaceResponse {
+ public:
+  /// Assembles and factorises. The mesh (checked, held) and fans must outlive it. Throws
+  /// err_singular and err_memory.
+  System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
+         const BodyOptions& options, int threads);
+
+  std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
+                                           int threads) override;
+  std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
+                                           std::span<const std::int32_t> row, int threads) override;
+  std::span<const double> own_displacement() const override { return own_displacement_; }
+  std::span<const double> own_traction() const override { return own_traction_; }
+  BodyStatistics statistics() const override;
+
+ private:
+  void factorize(int threads);
+  void assemble(int threads, std::vector<double>& own_load);
+  void solve_own_load(std::vector<double>& b);
+  std::vector<double> given_tractions() const;
+  /// Solves for unit tractions whose single-layer rows `integrals` gives, and keeps some rows.
+  void condense(const BoundaryIntegrals& integrals, const std::vector<std::int32_t>& g_column,
+                bool on_the_mesh, SurfaceRows& rows, int threads);
+
+  const BodyMesh& mesh_;
+  const TractionNodes& fans_;
+  double shear_ = 1, poisson_ = 0;
+  BodyOptions options_;
+  BoundaryIntegrals integrals_;
+  Unknowns unknowns_;
+  std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
+  FactoredMatrix matrix_;
+  std::vector<double> own_displacement_, own_traction_;
+  bool own_solved_ = false;
+
+  mutable std::mutex mutex_;  ///< of what follows, and of matrix_ after construction
+  std::map<std::vector<std::int64_t>, std::shared_ptr<const SurfaceRows>> kept_;
+  BodyStatistics statistics_;
+};
+
+}  // namespace rollcon::bem

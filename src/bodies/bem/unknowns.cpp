@@ -1,0 +1,140 @@
+#include "bodies/bem/unknowns.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "mesh/shape.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon::bem {
+namespace {
+
+/// Part of the way from a node to the middle of its element at which an extra equation is written.
+constexpr double inward = 0.3;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Position along a space-filling (Morton) curve through the box of all points.
+std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& point) {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (const CollocationPoint& p : point)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], p.x[c]);
+      high[c] = std::max(high[c], p.x[c]);
+    }
+  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  constexpr int bits = 20;
+  std::vector<std::uint64_t> position(point.size(), 0);
+  for (std::size_t k = 0; k < point.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double part = extent > 0 ? (point[k].x[c] - low[c]) / extent : 0;
+      const auto cell = static_cast<std::uint64_t>(part * ((1U << bits) - 1));
+      for (unsigned b = 0; b < bits; ++b)
+        position[k] |= ((cell >> b) & 1U) << (3 * b + static_cast<unsigned>(c));
+    }
+  return position;
+}
+
+/// Where the extra equation of a fan is written: inside an element of the fan, preferably one whose
+/// nodes are all held.
+CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std::size_t local) {
+  const ElementType type = mesh.type[at(element)];
+  const ReferencePoint node = reference_nodes(type)[local];
+  const bool triangle = corner_count(type) == 3;
+  const double middle = triangle ? 1.0 / 3 : 0.0;
+  CollocationPoint p;
+  p.element = static_cast<std::int32_t>(element);
+  p.xi = node.xi + inward * (middle - node.xi);
+  p.eta = node.eta + inward * (middle - node.eta);
+  p.x = evaluate_surface(mesh, element, p.xi, p.eta).x;
+  return p;
+}
+
+}  // namespace
+
+Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
+  const SurfaceMesh& surface = mesh.surface;
+  const std::vector<std::uint8_t> held_element = held_elements(mesh);
+  std::vector<std::uint8_t> held_fan(at(fans.size()), 0);
+  struct Entry {
+    std::int64_t element = -1;
+    std::size_t local = 0;
+  };
+  std::vector<Entry> of_fan(at(fans.size()));
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const auto nodes = surface.element(e);
+    for (std::size_t a = 0; a < nodes.size(); ++a) {
+      const auto f = at(fans.of[at(surface.offset[at(e)]) + a]);
+      held_fan[f] |= held_element[at(e)];
+      Entry& entry = of_fan[f];
+      if (entry.element < 0 || held_element[at(e)] > held_element[at(entry.element)])
+        entry = {e, a};
+    }
+  }
+
+  Unknowns u;
+  u.displacement.assign(3 * at(surface.nodes()), -1);
+  u.traction.assign(3 * at(fans.size()), -1);
+  std::vector<std::uint8_t> extra(at(fans.size()), 0);  // components with an equation of the fan's
+  std::vector<std::uint8_t> at_node(at(surface.nodes()), 0);
+  std::int32_t column = 0;
+  for (std::int64_t i = 0; i < surface.nodes(); ++i)
+    for (unsigned c = 0; c < 3; ++c) {
+      const auto bit = static_cast<std::uint8_t>(1U << c);
+      if (!(mesh.held[at(i)] & bit)) {
+        u.displacement[3 * at(i) + c] = column++;
+        at_node[at(i)] |= bit;
+        continue;
+      }
+      const std::int64_t first = fans.start[at(i)], last = fans.start[at(i) + 1];
+      const auto unknown = std::count_if(held_fan.begin() + first, held_fan.begin() + last,
+                                         [&](std::uint8_t held) { return (held & bit) != 0; });
+      for (std::int64_t f = first; f < last; ++f) {
+        // A node held alone, without a face: its reaction spreads over its first fan.
+        const bool takes = unknown > 0 ? (held_fan[at(f)] & bit) != 0 : f == first;
+        if (!takes) continue;
+        u.traction[3 * at(f) + c] = column++;
+        if (unknown > 1) extra[at(f)] |= bit;
+      }
+      if (unknown <= 1) at_node[at(i)] |= bit;
+    }
+  u.columns = column;
+
+  std::vector<std::uint8_t> wanted;
+  for (std::int64_t i = 0; i < surface.nodes(); ++i) {
+    if (!at_node[at(i)]) continue;
+    CollocationPoint p;
+    p.x = surface.node[at(i)];
+    p.node = static_cast<std::int32_t>(i);
+    u.point.push_back(p);
+    wanted.push_back(at_node[at(i)]);
+  }
+  for (std::size_t f = 0; f < extra.size(); ++f) {
+    if (!extra[f]) continue;
+    u.point.push_back(inner_point(surface, of_fan[f].element, of_fan[f].local));
+    wanted.push_back(extra[f]);
+  }
+  const std::vector<std::uint64_t> position = curve_positions(u.point);
+  std::vector<std::size_t> order(u.point.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
+  std::vector<CollocationPoint> sorted;
+  sorted.reserve(order.size());
+  u.row.assign(3 * order.size(), -1);
+  std::int32_t row = 0;
+  // Rows of a pack run over its points first: the integrals come in that order.
+  for (std::size_t first = 0; first < order.size(); first += lanes) {
+    const std::size_t last = std::min(order.size(), first + lanes);
+    for (std::size_t k = first; k < last; ++k) sorted.push_back(u.point[order[k]]);
+    for (unsigned c = 0; c < 3; ++c)
+      for (std::size_t k = first; k < last; ++k)
+        if (wanted[order[k]] & (1U << c)) u.row[3 * k + c] = row++;
+  }
+  u.point = std::move(sorted);
+  return u;
+}
+
+}  // namespace rollcon::bem

@@ -1,0 +1,31 @@
+#pragma once
+/// Which displacements and tractions of a boundary-element body are unknown, and where its
+/// equations are written.
+///
+/// A free displacement component is unknown, and so is the traction component of every fan of a
+/// held face (all nodes of one of the fan's elements held in that component). A held component with
+/// one such fan takes the equation of its node. Where several held faces meet there are more
+/// unknown tractions than a node has equations: each fan then gets an equation at a point inside
+/// one of its own elements, so that the matrix is regular at clamped-clamped edges and corners.
+
+#include <cstdint>
+#include <vector>
+
+#include "bodies/bem/boundary_integrals.hpp"
+#include "bodies/body_mesh.hpp"
+#include "mesh/traction_nodes.hpp"
+
+namespace rollcon::bem {
+
+struct Unknowns {
+  std::vector<std::int32_t> displacement;  ///< column of (node, component), -1: held
+  std::vector<std::int32_t> traction;      ///< column of (traction node, component), -1: known
+  std::int64_t columns = 0;
+
+  std::vector<CollocationPoint> point;  ///< neighbours in space stand together
+  std::vector<std::int32_t> row;        ///< row of (point, component), -1: not an equation
+};
+
+Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans);
+
+}  // namespace rollcon::bem

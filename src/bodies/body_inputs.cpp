@@ -1,0 +1,175 @@
+/// What a caller gives for a body with a mesh, and its options.
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "bodies/body.hpp"
+#include "bodies/body_options.hpp"
+#include "mesh/mesh_inputs.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+
+namespace {
+
+void require_mesh_kind(BodyKind kind, const char* what) {
+  if (kind == BodyKind::halfspace)
+    fail(Status::err_state, "a half-space has no mesh and takes no %s", what);
+}
+
+void require_elastic_mesh_kind(BodyKind kind, const char* what) {
+  require_mesh_kind(kind, what);
+  if (kind == BodyKind::rigid) fail(Status::err_state, "a rigid body takes no %s", what);
+}
+
+/// err_state without elements, err_argument if none has the tag. entry: how messages name the tag.
+void require_tag(const SurfaceMesh& mesh, std::int32_t tag, const std::string& entry) {
+  if (mesh.elements() == 0)
+    fail(Status::err_state,
+         "the body has no elements: call rollcon_body_add_elements before naming their tags");
+  if (std::find(mesh.tag.begin(), mesh.tag.end(), tag) != mesh.tag.end()) return;
+  constexpr std::size_t most_named = 16;
+  const std::set<std::int32_t> present(mesh.tag.begin(), mesh.tag.end());
+  std::string names;
+  std::size_t named = 0;
+  for (const std::int32_t p : present) {
+    if (named++ == most_named) {
+      names += ", ...";
+      break;
+    }
+    names += (names.empty() ? "" : ", ") + std::to_string(p);
+  }
+  fail(Status::err_argument, "%s is %d, which no element has; tags of this body: %s", entry.c_str(),
+       tag, names.c_str());
+}
+
+FaceLoad& load_of(std::vector<FaceLoad>& load, std::int32_t tag) {
+  const auto found =
+      std::find_if(load.begin(), load.end(), [&](const FaceLoad& l) { return l.tag == tag; });
+  if (found != load.end()) return *found;
+  load.push_back({.tag = tag});
+  return load.back();
+}
+
+}  // namespace
+
+void Body::require_unprepared(const char* what) const {
+  if (prepared()) fail(Status::err_state, "the body is prepared: its %s fixed", what);
+}
+
+void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
+                     std::int64_t component_stride) {
+  require_mesh_kind(kind_, "nodes");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("mesh is");
+  BodyMesh mesh;
+  mesh.surface = mesh_of_nodes(n, x, node_stride, component_stride, mesh_.surface.index_base);
+  mesh.held.assign(static_cast<std::size_t>(n), 0);
+  mesh.held_value.assign(static_cast<std::size_t>(n), Vec3{0, 0, 0});
+  std::swap(mesh_, mesh);
+}
+
+void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
+                        std::int32_t index_base, std::int32_t tag) {
+  require_mesh_kind(kind_, "elements");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("mesh is");
+  append_elements(mesh_.surface, type, n, connectivity, index_base, tag, "body",
+                  "rollcon_body_set_nodes");
+}
+
+void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                       std::int32_t dof_mask, const double* value) {
+  require_elastic_mesh_kind(kind_, "supports");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("supports are");
+  require_count(n, "n");
+  require_index_base(index_base);
+  if (dof_mask < 1 || dof_mask > 7)
+    fail(Status::err_argument, "dof_mask is %d; allowed: 1 to 7, a sum of 1 (x), 2 (y), 4 (z)",
+         dof_mask);
+  const std::int64_t nodes = mesh_.surface.nodes();
+  if (nodes == 0)
+    fail(Status::err_state,
+         "the body has no nodes: call rollcon_body_set_nodes before its supports");
+  if (n == 0) return;
+  require_pointer(node, "nodes");
+  for (std::int64_t i = 0; i < n; ++i) {
+    const std::int64_t id = std::int64_t{node[i]} - index_base;
+    if (id < 0 || id >= nodes)
+      fail(Status::err_mesh,
+           "entry %lld of nodes (counting from %d) has id %d; allowed: %d to %lld",
+           static_cast<long long>(i) + index_base, index_base, node[i], index_base,
+           static_cast<long long>(nodes) - 1 + index_base);
+    for (int c = 0; c < 3 && value; ++c) {
+      if (dof_mask >> c & 1 && !std::isfinite(value[3 * i + c]))
+        fail(Status::err_nonfinite, "component %c of entry %lld of values (counting from %d) is %g",
+             "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c]);
+    }
+  }
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto id = static_cast<std::size_t>(node[i] - index_base);
+    mesh_.held[id] = static_cast<std::uint8_t>(mesh_.held[id] | dof_mask);
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (dof_mask >> c & 1)
+        mesh_.held_value[id][c] = value ? value[3 * static_cast<std::size_t>(i) + c] : 0;
+    }
+  }
+}
+
+void Body::set_traction(std::int32_t tag, const double* traction) {
+  require_elastic_mesh_kind(kind_, "tractions");
+  require_finite_vector(traction, "traction");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("loads are");
+  require_tag(mesh_.surface, tag, "tag");
+  load_of(mesh_.load, tag).traction = {traction[0], traction[1], traction[2]};
+}
+
+void Body::set_pressure(std::int32_t tag, double pressure) {
+  require_elastic_mesh_kind(kind_, "pressures");
+  require_finite(pressure, "pressure");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("loads are");
+  require_tag(mesh_.surface, tag, "tag");
+  load_of(mesh_.load, tag).pressure = pressure;
+}
+
+void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {
+  require_mesh_kind(kind_, "contact faces");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("contact faces are");
+  require_count(n, "n");
+  if (n > 0) require_pointer(tag, "tags");
+  std::vector<std::int32_t> named;
+  for (std::int64_t i = 0; i < n; ++i) {
+    require_tag(mesh_.surface, tag[i], "entry " + std::to_string(i) + " of tags (counting from 0)");
+    if (std::find(named.begin(), named.end(), tag[i]) == named.end()) named.push_back(tag[i]);
+  }
+  std::swap(mesh_.contact_tag, named);
+}
+
+void Body::set_int(const char* option, std::int64_t value) {
+  const std::lock_guard lock(mutex_);
+  require_unprepared("options are");
+  body_option_table().set_int(options_, option, value);
+}
+
+void Body::set_real(const char* option, double value) {
+  const std::lock_guard lock(mutex_);
+  require_unprepared("options are");
+  body_option_table().set_real(options_, option, value);
+}
+
+// No lock: prepare only reads options, and calls on a handle that set them exclude each other.
+std::int64_t Body::get_int(const char* option) const {
+  return body_option_table().get_int(options_, option);
+}
+
+double Body::get_real(const char* option) const {
+  return body_option_table().get_real(options_, option);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,11 @@
+#pragma once
+/// Settings of a body by name.
+
+#include "bodies/body_mesh.hpp"
+#include "support/setting_table.hpp"
+
+namespace rollcon {
+
+const SettingTable<BodyOptions>& body_option_table();
+
+}  // namespace rollcon

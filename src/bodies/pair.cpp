@@ -1,0 +1,52 @@
+#include "bodies/pair.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "bodies/halfspace/halfspace.hpp"
+#include "bodies/meshed_compliance.hpp"
+#include "bodies/sum_compliance.hpp"
+
+namespace rollcon {
+namespace {
+
+HalfspaceConstants constants_of(const Body& body, int which) {
+  if (body.kind() != BodyKind::halfspace) return {};
+  return halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
+}
+
+}  // namespace
+
+std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair,
+                                                 double accuracy, int threads) {
+  std::vector<std::unique_ptr<Compliance>> parts;
+  const HalfspaceConstants c1 = constants_of(*pair.body[0], 0), c2 = constants_of(*pair.body[1], 1);
+  HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
+  // Equal (1 - 2 nu)/G decouples; rounding of two equal materials must not couple them again.
+  if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
+  if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
+  for (int which = 0; which < 2; ++which)
+    if (pair.body[static_cast<std::size_t>(which)]->response())
+      parts.push_back(make_meshed_compliance(frame, pair, which, accuracy, threads));
+  if (parts.size() == 1) return std::move(parts.front());
+  return std::make_unique<SumCompliance>(std::move(parts));
+}
+
+std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair,
+                                                 int which, double accuracy, int threads) {
+  const Body& body = *pair.body[static_cast<std::size_t>(which)];
+  if (body.response()) return make_meshed_compliance(frame, pair, which, accuracy, threads);
+  if (body.kind() != BodyKind::halfspace) return nullptr;
+  return make_halfspace_compliance(frame, constants_of(body, which), accuracy, threads);
+}
+
+double contact_modulus(const PairOfBodies& pair) {
+  double cn = 0;
+  for (int which = 0; which < 2; ++which) {
+    const Body& body = *pair.body[static_cast<std::size_t>(which)];
+    if (!body.rigid()) cn += halfspace_constants(body.young(), body.poisson(), 1).cn;
+  }
+  return 1 / (std::numbers::pi * cn);
+}
+
+}  // namespace rollcon

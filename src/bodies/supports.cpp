@@ -1,0 +1,81 @@
+#include "bodies/supports.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "linalg/lapack.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+/// A motion counts as free when it moves the held components by less than this part (its square
+/// root) of what it moves the body.
+constexpr double least_eigenvalue = 1e-13;
+
+struct Box {
+  Vec3 middle{0, 0, 0};
+  double size = 0;
+};
+
+Box bounding_box(const SurfaceMesh& mesh) {
+  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
+  for (const Vec3& x : mesh.node)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], x[c]);
+      high[c] = std::max(high[c], x[c]);
+    }
+  return {0.5 * (low + high), 0.5 * length(high - low)};
+}
+
+}  // namespace
+
+void require_supports(const BodyMesh& mesh) {
+  const Box box = bounding_box(mesh.surface);
+  // Motions: translations e_c, rotations about the middle scaled by the size. gram = sum of r r^T
+  // over the held components, r = what each motion moves them by.
+  double gram[6][6] = {};
+  std::int64_t held = 0;
+  for (std::size_t k = 0; k < mesh.held.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (!(mesh.held[k] & (1U << c))) continue;
+      ++held;
+      const Vec3 arm = mesh.surface.node[k] - box.middle;
+      double r[6] = {};
+      r[c] = 1;
+      Vec3 unit{0, 0, 0};
+      unit[c] = 1;
+      const Vec3 moment = cross(arm, unit);
+      for (std::size_t j = 0; j < 3; ++j) r[3 + j] = moment[j] / box.size;
+      for (int i = 0; i < 6; ++i)
+        for (int j = 0; j < 6; ++j) gram[i][j] += r[i] * r[j];
+    }
+  const char* remedy =
+      "hold it with rollcon_body_set_support: all three components of one face, or at least six "
+      "components that stop every translation and rotation";
+  if (held == 0)
+    fail(Status::err_singular, "the body has no supports and can move as a rigid body; %s", remedy);
+  const int n = 6, work_size = 64;
+  double value[6] = {}, work[work_size];
+  int info = 0;
+  dsyev_("V", "U", &n, &gram[0][0], &n, value, work, &work_size, &info);
+  if (info == 0 && value[0] > least_eigenvalue * value[5]) return;
+  const auto free = std::count_if(std::begin(value), std::end(value),
+                                  [&](double v) { return !(v > least_eigenvalue * value[5]); });
+  // Column-major eigenvectors: gram[0] is the first.
+  const double* motion = gram[0];
+  const double largest = std::abs(*std::max_element(
+      motion, motion + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  double shown[6];
+  for (int i = 0; i < 6; ++i) {
+    shown[i] = motion[i] / largest;
+    if (std::abs(shown[i]) < 1e-6) shown[i] = 0;
+  }
+  fail(Status::err_singular,
+       "the body is not held: %d rigid motion(s) are free, such as translation (%.3g, %.3g, %.3g) "
+       "with rotation (%.3g, %.3g, %.3g) about (%.6g, %.6g, %.6g) over its size; %s",
+       static_cast<int>(free), shown[0], shown[1], shown[2], shown[3], shown[4], shown[5],
+       box.middle[0], box.middle[1], box.middle[2], remedy);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,35 @@
+#pragma once
+/// A large dense matrix, factorised once and solved for many right sides (LAPACK getrf, getrs,
+/// gecon). Column-major; the storage is not cleared.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace rollcon {
+
+class FactoredMatrix {
+ public:
+  /// Storage for an n by n matrix, entry (i, j) at [i + j * n], to be filled before factor().
+  double* prepare(std::int64_t n);
+  /// False when a pivot is zero or something is not finite.
+  bool factor();
+  /// Overwrites `count` right sides of length size(), one after the other.
+  void solve(double* b, std::int64_t count) const;
+  void release();
+
+  std::int64_t size() const { return n_; }
+  bool factored() const { return factored_; }
+  /// Estimate of the condition in the 1-norm, from the last factor().
+  double condition() const { return condition_; }
+  std::size_t bytes() const { return a_ ? static_cast<std::size_t>(n_ * n_) * sizeof(double) : 0; }
+
+ private:
+  std::int64_t n_ = 0;
+  bool factored_ = false;
+  double condition_ = 0;
+  std::unique_ptr<double[]> a_;
+  std::vector<int> pivot_;
+};
+
+}  // namespace rollcon
