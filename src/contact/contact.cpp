@@ -79,7 +79,7 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
       state_(std::make_unique<SolverState>()) {
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument,
-         "body1 and body2 are both rigid: at least one body must be elastic (HALFSPACE)");
+         "body1 and body2 are both rigid: at least one body must be elastic (HALFSPACE or BEM)");
 }
 
 Contact::~Contact() = default;
@@ -87,6 +87,17 @@ Contact::~Contact() = default;
 void Contact::set_progress(ProgressFunction function, void* user) {
   progress_ = function;
   progress_user_ = user;
+}
+
+void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
+  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
+  const Body& body = which == 1 ? *body1_ : *body2_;
+  const SurfaceMesh surface = body.surface_copy();
+  if (surface.nodes() == 0)
+    fail(Status::err_state,
+         "body %d has no mesh: the frame needs one of its own (rollcon_contact_set_frame_nodes)",
+         which);
+  scene.set_frame_from(which - 1, surface, tag);
 }
 
 std::int64_t Contact::nodes() const {

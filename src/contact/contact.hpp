@@ -51,6 +51,10 @@ class Contact {
 
   Scene scene;  ///< setters live here
 
+  /// Takes the faces of body `which` (1 or 2) with a tag for the frame, as they are now. err_state:
+  /// the body has no mesh; err_argument: no such faces.
+  void frame_from_body(std::int32_t which, std::int32_t tag);
+
   void set_progress(ProgressFunction function, void* user);
   /// Stops the solve that is running, if one is. Any thread.
   void request_cancel() noexcept { cancel_.store(true); }
@@ -69,7 +73,8 @@ class Contact {
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
   void motion(double* approach, double* creep) const;
-  /// Displacement of body 1 or 2 at any points of the contact surface; x: (t1, t2) pairs.
+  /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a
+  /// curved frame in the local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();

@@ -27,21 +27,13 @@ std::vector<double> displacements(const SolverState& s, const std::vector<double
 // D (A lambda)_t per unit speed at every node, from displacements.
 void convect(const SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
   const ContactOperators& op = s.problem.op;
-  const std::size_t n = at(s.problem.nodes);
-  for (auto& v : image) v.assign(n, 0.0);
+  std::vector<double> ahead;
   if (!op.upstream.empty()) {
     std::vector<double> x = s.frame.x;
-    for (std::size_t k = 0; k < n; ++k) x[k] += op.upstream[k];
-    const std::vector<double> ahead = displacements(s, x, s.frame.y);
-    for (std::size_t k = 0; k < n; ++k)
-      for (std::size_t c = 0; c < 2; ++c)
-        if (op.upstream[k] > 0) image[c][k] = (u[3 * k + c] - ahead[3 * k + c]) / op.upstream[k];
-    return;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += op.upstream[k];
+    ahead = displacements(s, x, s.frame.y);
   }
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t c = 0; c < 2; ++c)
-      for (auto j = at(op.convection.start[k]); j < at(op.convection.start[k + 1]); ++j)
-        image[c][k] += op.convection.value[j] * u[3 * at(op.convection.column[j]) + c];
+  convect(op, u.data(), ahead.data(), image);
 }
 
 }  // namespace
@@ -61,7 +53,7 @@ void derive_fields(SolverState& s) {
     if (!p.used[k]) {
       s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
       it.update_gap(p, i);
-      s.gap[k] = p.gap[k] - it.motion[approach] - it.image[2][k];
+      s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
       continue;
     }
     it.update_gap(p, i);
@@ -69,7 +61,7 @@ void derive_fields(SolverState& s) {
     const double w1 = p.op.tangential ? it.image[0][k] : image[0][k];
     const double w2 = p.op.tangential ? it.image[1][k] : image[1][k];
     const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
-    s.gap[k] = p.gap[k] - it.motion[approach] - it.image[2][k];
+    s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
     s.slip[0][k] = s.speed * s1;
     s.slip[1][k] = s.speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
@@ -119,7 +111,7 @@ void check_laws(SolverState& s) {
   for (std::size_t k = 0; k < n; ++k) {
     if (!p.used[k]) continue;
     const double ln = it.lambda[2][k];
-    const double kn = p.gap[k] - it.motion[approach] - u[3 * k + 2];
+    const double kn = p.rigid_gap(k, it.motion[approach]) - u[3 * k + 2];
     if (pressure > 0) normal = std::max(normal, ln / pressure);
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
     const double tangential = std::hypot(it.lambda[0][k], it.lambda[1][k]);

@@ -49,7 +49,7 @@ Newton::Residual Newton::evaluate(Part part) {
     double augmented = ln;
     if (part != Part::tangential) {
       it.update_gap(p, i);
-      augmented = ln + p.rn[k] * (p.gap[k] - delta - it.image[2][k]);
+      augmented = ln + p.rn[k] * (p.rigid_gap(k, delta) - it.image[2][k]);
       worst_n = std::max(worst_n, std::abs(ln - std::min(augmented, 0.0)));
     }
     pressure = std::max(pressure, -ln);
@@ -124,7 +124,7 @@ double Newton::trial_merit(Part part, double alpha) const {
     double augmented = ln;
     if (part != Part::tangential) {
       augmented =
-          ln + p.rn[k] * (p.gap[k] - motion[approach] - blend(it.image[2], next_image_[2], k));
+          ln + p.rn[k] * (p.rigid_gap(k, motion[approach]) - blend(it.image[2], next_image_[2], k));
       const double rn = ln - std::min(augmented, 0.0);
       sum_n += rn * rn;
     }
@@ -174,7 +174,7 @@ bool Newton::newton_step(Part part, double forcing) {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
   const std::size_t na = active_.size();
-  system_.gather(p, part, active_, operators_changed_);
+  system_.gather(p, part, active_, it.lambda, operators_changed_);
   operators_changed_ = false;
   std::array<double, 4> known = it.motion;
   for (int m = 0; m < 4; ++m) known[at(m)] = p.by_force[at(m)] ? 0 : p.value[at(m)];
@@ -184,12 +184,12 @@ bool Newton::newton_step(Part part, double forcing) {
     const std::int32_t i = active_[a];
     const std::size_t k = at(i);
     if (part != Part::tangential)
-      known_[2][a] = p.gap[k] - known[approach] - (has_frozen_ ? frozen_[2][k] : 0);
+      known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
     if (part == Part::normal) continue;
     double bound = -p.mu[k] * it.lambda[2][k];
     if (part == Part::full)
       bound = -p.mu[k] *
-              (it.lambda[2][k] + p.rn[k] * (p.gap[k] - it.motion[approach] - it.image[2][k]));
+              (it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
     const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
     const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
     system_.law(static_cast<std::int64_t>(a)) =
@@ -299,17 +299,18 @@ void Newton::advance(Part part, double alpha) {
 void Newton::guess_start() {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
+  const auto gap = [&](std::size_t k) { return p.gap[k] / p.closing(k); };  // as an approach
   double low = INFINITY, high = -INFINITY;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
-    low = std::min(low, p.gap[k]);
-    high = std::max(high, p.gap[k]);
+    low = std::min(low, gap(k));
+    high = std::max(high, gap(k));
   }
   if (!(low <= high)) return;
   const auto overlap = [&](double depth) {
     double area = 0;
     for (std::size_t k = 0; k < at(p.nodes); ++k)
-      if (p.used[k] && p.gap[k] < low + depth) area += p.cell_area[k];
+      if (p.used[k] && gap(k) < low + depth) area += p.cell_area[k];
     return area;
   };
   // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
@@ -337,10 +338,26 @@ void Newton::guess_start() {
   if (!(half > 0)) return;
   const double p0 = peak(half, overlap(half));
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
-    const double depth = p.used[k] ? 1 - (p.gap[k] - low) / half : 0;
+    const double depth = p.used[k] ? 1 - (gap(k) - low) / half : 0;
     it.lambda[2][k] = depth > 0 ? -p0 * std::sqrt(depth) : 0.0;
   }
   it.invalidate();
+}
+
+// A body that gives way more than a half-space (a rim, a ring) parts everywhere under the guessed
+// pressures at the guessed approach. Moves the bodies together until the gap of the loaded nodes
+// closes on average.
+void Newton::fit_approach() {
+  const Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  double sum = 0, weight = 0;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    if (!(it.lambda[2][k] < 0)) continue;
+    it.update_gap(p, static_cast<std::int64_t>(k));
+    sum += it.lambda[2][k] * (p.gap[k] - it.image[2][k]) / p.closing(k);
+    weight += it.lambda[2][k];
+  }
+  if (weight < 0) it.motion[approach] = sum / weight;
 }
 
 }  // namespace rollcon

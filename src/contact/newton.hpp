@@ -81,6 +81,7 @@ class Newton {
   double trial_merit(Part part, double alpha) const;
   double load_residual(Part part, double alpha) const;
   void guess_start();
+  void fit_approach();
   void start_cold();
   void reserve(std::size_t nodes);
   Outcome attempt(bool cold, double tolerance, std::int64_t max_iterations);

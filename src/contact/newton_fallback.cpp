@@ -89,7 +89,9 @@ Outcome Newton::continue_in_friction(bool from_above, double tolerance,
     for (std::size_t k = 0; k < mu.size(); ++k) p.mu[k] = s * mu[k];
     for (const int m : {xi1, xi2, spin}) {
       const auto i = static_cast<std::size_t>(m);
-      if (p.by_force[i]) p.value[i] = s * value[i];
+      if (!p.by_force[i]) continue;
+      const double carried = load_of_pressures(p, m, iterate_->lambda[2]);
+      p.value[i] = part < 1 ? carried + s * (value[i] - carried) : value[i];
     }
     continuing_ = part < 1;
   };

@@ -45,8 +45,9 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
         it.clear_tractions();
         continue;
       }
+      if (k > 1) return Outcome::not_converged;
       guess_start();
-      if (k > 0) return Outcome::not_converged;
+      if (k == 1) fit_approach();
       continue;
     }
     if (worst <= tolerance) return Outcome::converged;
@@ -83,26 +84,45 @@ bool Newton::pressures_settled(Part part, double residual) const {
 }
 
 // ||F_t|| >= mu F_n has no steady solution; neither has a spin moment beyond what full sliding
-// about the origin can give.
+// about the origin can give. On a curved frame pressures carry a part of these loads.
 bool Newton::load_beyond_friction() const {
   const Problem& p = *problem_;
   const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2], m = p.by_force[spin];
   if (!f1 && !f2 && !m) return false;
+  const bool curved = !p.turn.empty();
+  double scale = 1;
+  if (p.by_force[approach]) {  // to the load that will be carried in the end
+    const double carried = load_on_body1(p, approach, iterate_->lambda).value;
+    if (!(carried > 0)) return false;
+    scale = p.value[approach] / carried;
+  }
+  const auto by_friction = [&](int motion) {
+    const auto k = static_cast<std::size_t>(motion);
+    if (!p.by_force[k]) return 0.0;
+    return p.value[k] - scale * load_of_pressures(p, motion, iterate_->lambda[2]);
+  };
+  const double along = by_friction(xi1), across = by_friction(xi2);
+  const double force = std::hypot(along, across);
+  // The part of a node's friction that can act in the direction of the force.
+  const auto share = [&](std::size_t k) {
+    if (!curved || !(force > 0)) return 1.0;
+    const Turn& t = p.turn[k];
+    return std::hypot(t[0][0] * along + t[0][1] * across, t[1][0] * along + t[1][1] * across) /
+           force;
+  };
   double capacity = 0, moment = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     const double limit = -p.mu[k] * iterate_->lambda[2][k] * p.weight[k];
-    capacity += limit;
+    capacity += limit * share(k);
     moment += std::abs(limit) * std::hypot(p.op.slip_x[k], p.op.slip_y[k]);
   }
-  if (p.by_force[approach]) {  // scale to the load that will be carried in the end
-    const double carried = load_on_body1(p, approach, iterate_->lambda).value;
-    if (!(carried > 0)) return false;
-    capacity *= p.value[approach] / carried;
-    moment *= p.value[approach] / carried;
-  }
-  const double force = std::hypot(f1 ? p.value[xi1] : 0, f2 ? p.value[xi2] : 0);
-  return (force > 0 && force >= capacity * (1 - 1e-12)) ||
-         (m && std::abs(p.value[spin]) > 0 && std::abs(p.value[spin]) >= moment);
+  capacity *= scale;
+  moment *= scale;
+  // On a curved frame the share of friction in the normal load is not settled before the end.
+  const double margin = curved && p.by_force[approach] ? 2 * settled : -1e-12;
+  const double spin_moment = std::abs(by_friction(spin));
+  return (force > 0 && force >= capacity * (1 + margin)) ||
+         (m && spin_moment > 0 && spin_moment >= moment);
 }
 
 void Newton::remember_best(Part part, double worst) {
@@ -134,7 +154,7 @@ void Newton::start_cold() {
   if (!problem_->by_force[approach]) return;
   double low = INFINITY;
   for (std::size_t k = 0; k < problem_->gap.size(); ++k)
-    if (problem_->used[k]) low = std::min(low, problem_->gap[k]);
+    if (problem_->used[k]) low = std::min(low, problem_->gap[k] / problem_->closing(k));
   if (std::isfinite(low)) it.motion[approach] = low;
 }
 
@@ -176,7 +196,9 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   monitor_ = &monitor;
   report_ = {};
   iterations_left_ = max_iterations;
-  goal_ = frictionless ? Part::normal : problem.op.coupled ? Part::full : Part::tangential;
+  // Tangential tractions carry a part of the normal load of a curved frame.
+  const bool together = problem.op.coupled || (!problem.turn.empty() && problem.by_force[approach]);
+  goal_ = frictionless ? Part::normal : together ? Part::full : Part::tangential;
   best_.worst = INFINITY;
   pressures_found_ = false;
   reserve(static_cast<std::size_t>(problem.nodes));

@@ -56,10 +56,11 @@ std::vector<double> spacing_along_flow(const Frame& frame) {
       high[i] = std::max(high[i], frame.y[i] + half * (y_high - frame.y[i]));
     }
   }
+  const std::vector<double> area = projected_cell_area(frame);
   for (std::size_t i = 0; i < n; ++i) {
-    const double side = std::sqrt(frame.cell_area[i]);
+    const double side = std::sqrt(area[i]);
     const double across = 0.5 * (high[i] - low[i]);
-    const double along = across > 0 ? frame.cell_area[i] / across : side;
+    const double along = across > 0 ? area[i] / across : side;
     spacing[i] = frame.used[i] ? along : 0;
   }
   return spacing;
@@ -73,6 +74,49 @@ void scatter(const Users& users, std::int64_t first, std::int64_t count, const d
       axpy(users.value[static_cast<std::size_t>(k)], rows + p * stride,
            out.row(users.row[static_cast<std::size_t>(k)]), out.columns());
   }
+}
+
+// Derivatives along the surface instead of along its projection.
+void follow_surface(const Frame& frame, ContactOperators& op) {
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  op.upstream_path.resize(op.upstream.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    const double cosine = dot(frame.t1[i], frame.axes.t1);
+    if (!op.upstream.empty()) {
+      op.upstream_path[i] = op.upstream[i] / cosine;
+      continue;
+    }
+    for (auto k = static_cast<std::size_t>(op.convection.start[i]);
+         k < static_cast<std::size_t>(op.convection.start[i + 1]); ++k)
+      op.convection.value[k] *= cosine;
+  }
+}
+
+double largest(const RowMatrix<double>& block) {
+  double value = 0;
+  for (std::int64_t k = 0; k < block.rows() * block.columns(); ++k)
+    value = std::max(value, std::abs(block.data()[k]));
+  return value;
+}
+
+void drop_vanished_coupling(ContactOperators& op) {
+  constexpr double rounding = 1e-12;
+  const auto vanishes = [&](double coupling, double direct) {
+    return coupling <= rounding * direct;
+  };
+  const double along = std::max(largest(op.block[0][0]), largest(op.block[0][1]));
+  const double across = std::max(largest(op.block[1][0]), largest(op.block[1][1]));
+  if (!vanishes(std::max(largest(op.block[2][0]), largest(op.block[2][1])),
+                largest(op.block[2][2])) ||
+      !vanishes(std::max(largest(op.block[0][2]), largest(op.block[1][2])),
+                std::max(along, across)))
+    return;
+  for (int c = 0; c < 2; ++c) {
+    op.block[2][c].release();
+    op.block[c][2].release();
+  }
+  op.coupled = false;
+  op.coupling_vanished = true;
 }
 
 // Says what is needed before the machine starts to swap or an allocation fails half way.
@@ -103,29 +147,47 @@ void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactO
   op.slip_x = frame.x;
   op.slip_y = frame.y;
   op.upstream.clear();
+  op.upstream_path.clear();
   op.convection = SparseRows{};
   switch (scheme) {
     case Scheme::godunov:
       op.convection = godunov(frame, 1, 0);
-      return;
+      break;
     case Scheme::least_squares:
       op.convection = least_squares(frame, 1, 0);
-      return;
-    case Scheme::characteristic:
       break;
+    case Scheme::characteristic:
+      op.upstream = spacing_along_flow(frame);
+      for (std::size_t i = 0; i < n; ++i) {
+        op.upstream[i] *= step;
+        op.slip_x[i] += op.upstream[i] / 2;  // second order: the difference is centred there
+      }
   }
-  op.upstream = spacing_along_flow(frame);
-  for (std::size_t i = 0; i < n; ++i) {
-    op.upstream[i] *= step;
-    op.slip_x[i] += op.upstream[i] / 2;  // second order: the difference is centred there
-  }
+  if (frame.curved()) follow_surface(frame, op);
+}
+
+void convect(const ContactOperators& op, const double* w, const double* ahead,
+             std::vector<double> (&slip)[2]) {
+  const std::size_t n = op.slip_x.size();
+  for (auto& v : slip) v.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c) {
+      if (!op.upstream.empty()) {
+        if (op.upstream[k] > 0) slip[c][k] = (w[3 * k + c] - ahead[3 * k + c]) / op.path(k);
+        continue;
+      }
+      for (auto j = static_cast<std::size_t>(op.convection.start[k]);
+           j < static_cast<std::size_t>(op.convection.start[k + 1]); ++j)
+        slip[c][k] +=
+            op.convection.value[j] * w[3 * static_cast<std::size_t>(op.convection.column[j]) + c];
+    }
 }
 
 void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
                         ContactOperators& op) {
   const std::int64_t n = frame.nodes();
   op.nodes = n;
-  op.coupled = compliance.couples();
+  op.coupled = compliance.couples() && !op.coupling_vanished;
   const bool normal = !op.normal;
   const bool tangential = want_tangential && !op.tangential;
   // With coupling, a frictionless scene still needs no tangential column.
@@ -190,7 +252,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
       for (int c = 0; c < 3; ++c) {
         if (!rows[r][c]) continue;
         for (std::int64_t p = 0; p < count; ++p) {
-          const double delta = op.upstream[at + static_cast<std::size_t>(p)];
+          const double delta = op.path(at + static_cast<std::size_t>(p));
           const double factor = delta > 0 ? 1 / delta : 0;
           double* s = op.block[r][c].row(first + p);
           const double* w = buffer[r][c].row(p);
@@ -200,6 +262,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   }
   op.normal = true;
   if (tangential) op.tangential = true;
+  if (tangential && op.coupled) drop_vanished_coupling(op);
 }
 
 }  // namespace rollcon

@@ -17,16 +17,23 @@ enum class Scheme { godunov, least_squares, characteristic };
 
 /// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row
 /// r = 2 is the normal displacement (A lambda)_n. Columns c: traction components t1, t2, n.
-/// Blocks that vanish or are not needed are empty.
+/// Blocks that vanish or are not needed are empty. On a curved frame derivatives are taken along
+/// the surface: those in the projection times t1 . (rolling direction).
 struct ContactOperators {
   std::int64_t nodes = 0;
   bool coupled = false;
+  bool coupling_vanished = false;           ///< assembled and found to be zero to rounding
   bool normal = false, tangential = false;  ///< which rows are assembled
   RowMatrix<double> block[3][3];
-  SparseRows convection;               ///< empty for the characteristic scheme
-  std::vector<double> upstream;        ///< characteristic scheme: distance to the upstream point
+  SparseRows convection;  ///< empty for the characteristic scheme
+  /// Characteristic scheme: distance to the upstream point, in the projection and (curved frames;
+  /// else empty) along the surface.
+  std::vector<double> upstream, upstream_path;
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 
+  double path(std::size_t k) const {
+    return upstream_path.empty() ? upstream[k] : upstream_path[k];
+  }
   std::size_t bytes() const;
 };
 
@@ -34,7 +41,13 @@ struct ContactOperators {
 /// local spacing along the flow, characteristic scheme only.
 void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op);
 
-/// Assembles the rows asked for that are not there yet. docs/theory.md, sections 3 and 5.
+/// Slip per unit speed, D w, of displacements w at all nodes: w[3 * k + c], and for the
+/// characteristic scheme those at the upstream points. Tangential components.
+void convect(const ContactOperators& op, const double* w, const double* ahead,
+             std::vector<double> (&slip)[2]);
+
+/// Assembles the rows asked for that are not there yet. Coupling blocks that turn out to be zero
+/// (two bodies that mirror each other) are dropped. docs/theory.md, sections 3 and 5.
 void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
                         ContactOperators& op);
 

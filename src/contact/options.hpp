@@ -6,19 +6,11 @@
 #include <span>
 #include <string>
 
+#include "support/setting_table.hpp"
+
 namespace rollcon {
 
-enum class OptionType : std::int32_t { integer = 1, real = 2, text = 3 };
-
-struct OptionInfo {
-  const char* name;
-  OptionType type;
-  double low, high, standard;  ///< numbers; for text: unused
-  const char* choices;         ///< text: allowed values "a|b|c", the first is the default
-  const char* doc;
-};
-
-std::span<const OptionInfo> option_table();
+std::span<const Setting> option_table();
 
 struct Options {
   double tolerance = 1e-10;                   // "tolerance"

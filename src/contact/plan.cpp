@@ -1,7 +1,10 @@
 /// The plan as text: one line for each thing that the scene did not need, and what was used.
 
+#include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <numbers>
 
 #include "contact/state.hpp"
 
@@ -20,18 +23,61 @@ void line(std::string& text, const char* format, ...) {
   text += '\n';
 }
 
+void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
+                     const Body& body2) {
+  int number = 1;
+  for (const Body* body : {&body1, &body2}) {
+    if (body->rigid())
+      line(text, "body %d: rigid%s, no compliance", number,
+           body->meshed() ? " surface of its own" : "");
+    else if (body->meshed())
+      line(text, "body %d: boundary elements, %lld nodes, %lld elements", number,
+           static_cast<long long>(body->mesh().surface.nodes()),
+           static_cast<long long>(body->mesh().surface.elements()));
+    ++number;
+  }
+  if (body1.kind() == BodyKind::halfspace && body2.kind() == BodyKind::halfspace)
+    line(text, "both half-spaces: one compliance with summed constants");
+  const std::string compliance = s.compliance->description();
+  if (!compliance.empty()) text += compliance + '\n';
+}
+
+void describe_frame(std::string& text, const SolverState& s, const Scene& scene, bool meshed) {
+  if (s.frame_source.body >= 0)
+    line(text, "frame: the %lld faces of body %d with tag %d",
+         static_cast<long long>(s.frame.elements()), s.frame_source.body + 1, s.frame_source.tag);
+  if (s.frame.curved()) {
+    double cosine = 1;
+    for (const Vec3& n : s.frame.n) cosine = std::min(cosine, dot(n, s.frame.axes.n));
+    line(text, "frame: curved, local axes at every node, normals up to %.2g degrees off",
+         std::acos(cosine) * 180 / std::numbers::pi);
+  } else {
+    line(text, "frame: flat, one triad for all nodes");
+  }
+  if (meshed)
+    line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
+  if (!s.offset_depth.empty())
+    line(text, "loads and given displacements of the bodies: added to gap and slip");
+}
+
 }  // namespace
 
-std::string describe_plan(const SolverState& s, const Body& body1, const Body& body2) {
+std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
+                          const Body& body2) {
   std::string text;
   const ContactOperators& op = s.problem.op;
-  for (const Body* body : {&body1, &body2})
-    if (body->rigid()) line(text, "body %d: rigid, no compliance", body == &body1 ? 1 : 2);
-  if (!body1.rigid() && !body2.rigid())
-    line(text, "both half-spaces: one compliance with summed constants");
+  describe_bodies(text, s, body1, body2);
+  describe_frame(text, s, scene, body1.meshed() || body2.meshed());
   if (s.frictionless) {
     line(text, "friction is zero: no tangential unknowns%s",
          op.tangential ? "" : ", no convective operator assembled");
+  } else if (!op.coupled && s.frame.curved() && s.problem.by_force[approach]) {
+    line(text,
+         "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
+         "solved together");
+  } else if (op.coupling_vanished) {
+    line(text,
+         "coupling blocks vanish (the bodies mirror each other): normal problem first, alone");
   } else if (!op.coupled) {
     line(text, "(1-2nu)/G equal on both sides: normal problem first, alone; no coupling blocks");
   } else {

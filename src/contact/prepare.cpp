@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "bodies/halfspace/halfspace.hpp"
-#include "contact/moments.hpp"
+#include "contact/geometry.hpp"
 #include "contact/state.hpp"
 #include "support/clock.hpp"
 
@@ -17,15 +15,53 @@ Scheme scheme_of(const std::string& name) {
   return name == "characteristic" ? Scheme::characteristic : Scheme::least_squares;
 }
 
-HalfspaceConstants constants_of(const Body& body, int sign) {
-  if (body.rigid()) return {};
-  return halfspace_constants(body.young(), body.poisson(), sign);
+// A pose matters to bodies with a mesh only, and that of a rigid body which neither carries the
+// frame nor gives its normals changes the gap alone.
+bool poses_leave_frame(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
+  const int normals = normal_source(pair);
+  bool leave = true;
+  for (std::size_t b = 0; b < 2; ++b) {
+    if (state.pose_revision[b] == scene.revision.pose[b]) continue;
+    const Body& body = *pair.body[b];
+    if (!body.meshed()) continue;
+    if (!scene.has_gap()) state.gap_revision = -1;
+    const bool own =
+        static_cast<int>(b) == normals || static_cast<int>(b) == scene.frame_source().body;
+    leave = leave && body.rigid() && !own;
+  }
+  state.pose_revision = scene.revision.pose;
+  return leave;
 }
 
-void build_frame_part(SolverState& state, const Scene& scene) {
-  if (state.mesh_revision == scene.revision.mesh && state.axes_revision == scene.revision.axes)
+// A body may have got another mesh between the call that took a frame from it and its preparation:
+// the frame is then one of its own.
+FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
+  const FrameSource& source = scene.frame_source();
+  if (source.body < 0) return {};
+  const SurfaceMesh& mesh = pair.body[static_cast<std::size_t>(source.body)]->mesh().surface;
+  for (std::size_t k = 0; k < source.node.size(); ++k) {
+    if (source.node[k] >= mesh.nodes() ||
+        mesh.node[static_cast<std::size_t>(source.node[k])] != source.place[k])
+      return {};
+  }
+  if (source.element.back() >= mesh.elements()) return {};
+  std::vector<std::uint8_t> known(static_cast<std::size_t>(mesh.nodes()), 0);
+  for (const std::int32_t k : source.node) known[static_cast<std::size_t>(k)] = 1;
+  for (const std::int64_t e : source.element)
+    for (const std::int32_t k : mesh.element(e))
+      if (!known[static_cast<std::size_t>(k)]) return {};
+  return source;
+}
+
+void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
+  const bool same_poses = poses_leave_frame(state, scene, pair);
+  if (state.mesh_revision == scene.revision.mesh && state.axes_revision == scene.revision.axes &&
+      same_poses)
     return;
   Frame frame = build_frame(scene.mesh(), scene.axes());
+  state.frame_source = present_source(scene, pair);
+  if (normal_source(pair) >= 0)
+    curve_frame(frame, surface_normals(frame, state.frame_source, pair));
   const bool same_size =
       frame.nodes() == state.frame.nodes() && state.mesh_revision == scene.revision.mesh;
   state.frame = std::move(frame);
@@ -35,12 +71,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   state.body_compliance[0].reset();
   state.body_compliance[1].reset();
   Problem& p = state.problem;
-  p.nodes = state.frame.nodes();
-  p.weight = state.frame.weight;
-  p.cell_area = state.frame.cell_area;
-  p.used = state.frame.used;
-  p.length = std::sqrt(state.frame.area);
-  moment_weights(state.frame, p.moment_x, p.moment_y);
+  take_frame(p, state.frame);
   state.gap_revision = state.kinematics_revision = state.friction_revision = -1;
   if (!same_size) {
     state.iterate.resize(p.nodes);
@@ -48,24 +79,21 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   }
 }
 
-void build_compliance(SolverState& state, const Scene& scene, const Body& body1, const Body& body2,
+void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies& pair,
                       int threads) {
   if (state.compliance && state.accuracy == scene.options.accuracy) {
     state.compliance->set_threads(threads);
     return;
   }
   const Stopwatch watch(state.timings.compliance);
-  const HalfspaceConstants c1 = constants_of(body1, 1), c2 = constants_of(body2, -1);
-  HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
-  // Equal (1 - 2 nu)/G decouples; rounding of two equal materials must not couple them again.
-  if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
-  state.compliance = make_halfspace_compliance(state.frame, sum, scene.options.accuracy, threads);
+  state.compliance = make_pair_compliance(state.frame, pair, scene.options.accuracy, threads);
   state.body_compliance[0].reset();
   state.body_compliance[1].reset();
   state.accuracy = scene.options.accuracy;
-  state.problem.stiffness = 1 / (std::numbers::pi * sum.cn);
+  state.problem.stiffness = contact_modulus(pair);
   state.problem.op = ContactOperators{};
   state.scheme.reset();
+  state.offset_known = false;
 }
 
 void build_operators(SolverState& state, const Scene& scene) {
@@ -85,6 +113,7 @@ void build_operators(SolverState& state, const Scene& scene) {
     state.friction_revision = -1;  // the inflow rim may be another one
     state.kinematics_revision = -1;
     state.field_rows = {};
+    state.offset_known = false;
   }
   const bool missing = !op.normal || (!state.frictionless && !op.tangential);
   const Options& o = scene.options;
@@ -123,6 +152,29 @@ void read_friction(SolverState& state, const Scene& scene) {
   state.inflow_masked = false;
 }
 
+// What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
+void find_offset(SolverState& state) {
+  if (state.offset_known) return;
+  state.offset_known = true;
+  state.gap_revision = state.kinematics_revision = -1;
+  state.offset_depth.clear();
+  for (auto& v : state.offset_slip) v.clear();
+  const Frame& frame = state.frame;
+  const ContactOperators& op = state.problem.op;
+  const std::size_t n = frame.x.size();
+  std::vector<double> u(3 * n), ahead;
+  if (!state.compliance->offset({frame.x, frame.y}, u.data())) return;
+  if (!op.upstream.empty()) {
+    ahead.resize(3 * n);
+    std::vector<double> x = frame.x;
+    for (std::size_t k = 0; k < n; ++k) x[k] += op.upstream[k];
+    state.compliance->offset({x, frame.y}, ahead.data());
+  }
+  convect(op, u.data(), ahead.data(), state.offset_slip);
+  state.offset_depth.resize(n);
+  for (std::size_t k = 0; k < n; ++k) state.offset_depth[k] = u[3 * k + 2];
+}
+
 void mask_inflow_rim(SolverState& state) {
   const SparseRows& d = state.problem.op.convection;
   if (state.inflow_masked || d.start.empty()) return;
@@ -149,16 +201,24 @@ void shift_field(SolverState& state) {
   }
 }
 
-void read_kinematics(SolverState& state, const Scene& scene) {
+void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
+  if (state.gap_revision == scene.revision.gap) return;
   Problem& p = state.problem;
-  if (state.gap_revision != scene.revision.gap) {
+  if (scene.has_gap()) {
     p.gap.resize(static_cast<std::size_t>(p.nodes));
     for (std::int64_t i = 0; i < p.nodes; ++i) {
       const auto k = static_cast<std::size_t>(i);
       p.gap[k] = scene.gap(i, state.frame.x[k], state.frame.y[k]);
     }
-    state.gap_revision = scene.revision.gap;
+  } else {
+    p.gap = undeformed_gap(state.frame, state.frame_source, pair);
   }
+  for (std::size_t k = 0; k < state.offset_depth.size(); ++k) p.gap[k] -= state.offset_depth[k];
+  state.gap_revision = scene.revision.gap;
+}
+
+void read_kinematics(SolverState& state, const Scene& scene) {
+  Problem& p = state.problem;
   if (state.kinematics_revision != scene.revision.kinematics) {
     const auto& field = scene.creep_field();
     const std::size_t n = field.size() / 2;
@@ -169,6 +229,11 @@ void read_kinematics(SolverState& state, const Scene& scene) {
       p.slip2[k] = field[2 * k + 1] / scene.speed();
     }
     if (n > 0 && !p.op.upstream.empty()) shift_field(state);
+    for (std::size_t k = 0; k < state.offset_depth.size(); ++k) {
+      if (k == 0) p.slip1.resize(state.offset_depth.size()), p.slip2.resize(p.slip1.size());
+      p.slip1[k] += state.offset_slip[0][k];
+      p.slip2[k] += state.offset_slip[1][k];
+    }
     state.kinematics_revision = scene.revision.kinematics;
   }
   for (const Direction d :
@@ -188,15 +253,22 @@ std::size_t SolverState::bytes() const {
 }
 
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads) {
-  scene.require_complete();
-  body1.prepare();
-  body2.prepare();
-  build_frame_part(state, scene);
+  scene.require_complete(body1.meshed() || body2.meshed());
+  {
+    const Stopwatch watch(state.timings.compliance);
+    body1.prepare();
+    body2.prepare();
+  }
+  state.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
+  const PairOfBodies& pair = state.pair;
+  build_frame_part(state, scene, pair);
   read_friction(state, scene);
-  build_compliance(state, scene, body1, body2, threads);
+  build_compliance(state, scene, pair, threads);
   build_operators(state, scene);
+  find_offset(state);
   read_friction(state, scene);
   mask_inflow_rim(state);
+  read_gap(state, scene, pair);
   read_kinematics(state, scene);
   state.speed = scene.speed();
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/moments.hpp"
+
 namespace rollcon {
 
 void Iterate::resize(std::int64_t n) {
@@ -55,8 +57,82 @@ void Iterate::update_gap(const Problem& problem, std::int64_t i) {
   gap_valid[k] = 1;
 }
 
+std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
+  std::array<double, 2> axes{0, 0};
+  switch (m) {
+    case xi1:
+      axes = {1, 0};
+      break;
+    case xi2:
+      axes = {0, 1};
+      break;
+    case spin:
+      axes = {-op.slip_y[k], op.slip_x[k]};
+      break;
+    default:
+      return axes;
+  }
+  if (turn.empty()) return axes;
+  const Turn& t = turn[k];
+  return {t[0][0] * axes[0] + t[0][1] * axes[1], t[1][0] * axes[0] + t[1][1] * axes[1]};
+}
+
+std::array<double, 3> Problem::load_row(int m, std::size_t k) const {
+  std::array<double, 3> axes{0, 0, 0};
+  switch (m) {
+    case xi1:
+      axes[0] = weight[k];
+      break;
+    case xi2:
+      axes[1] = weight[k];
+      break;
+    case approach:
+      axes[2] = -weight[k];
+      break;
+    default:
+      axes[0] = -moment_y[k];
+      axes[1] = moment_x[k];
+  }
+  if (turn.empty()) return axes;
+  std::array<double, 3> row{};
+  for (std::size_t c = 0; c < 3; ++c)
+    row[c] = turn[k][c][0] * axes[0] + turn[k][c][1] * axes[1] + turn[k][c][2] * axes[2];
+  return row;
+}
+
+double load_of_pressures(const Problem& p, int motion, const std::vector<double>& normal) {
+  double sum = 0;
+  for (std::size_t k = 0; k < p.turn.size(); ++k) sum += p.load_row(motion, k)[2] * normal[k];
+  return sum;
+}
+
+void take_frame(Problem& p, const Frame& frame) {
+  p.nodes = frame.nodes();
+  p.weight = frame.weight;
+  p.cell_area = frame.cell_area;
+  p.used = frame.used;
+  p.length = std::sqrt(frame.area);
+  moment_weights(frame, p.moment_x, p.moment_y, p.moment_z);
+  const Axes& axes = frame.axes;
+  const auto in_axes = [&](const Vec3& v) {
+    return std::array{dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
+  };
+  p.turn.clear();
+  for (std::size_t k = 0; k < frame.n.size(); ++k)
+    p.turn.push_back({in_axes(frame.t1[k]), in_axes(frame.t2[k]), in_axes(frame.n[k])});
+}
+
 LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&lambda)[3]) {
   LoadSum sum;
+  for (std::size_t k = 0; k < p.turn.size(); ++k) {
+    const std::array<double, 3> row = p.load_row(motion, k);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double term = row[c] * lambda[c][k];
+      sum.value += term;
+      sum.magnitude += std::abs(term);
+    }
+  }
+  if (!p.turn.empty()) return sum;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     double term = 0;
     switch (motion) {

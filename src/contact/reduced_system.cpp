@@ -6,7 +6,7 @@
 namespace rollcon {
 
 void ReducedSystem::gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
-                           bool changed) {
+                           const std::vector<double> (&lambda)[3], bool changed) {
   const bool same = !changed && part == part_ && active.size() == nodes_.size() &&
                     std::equal(active.begin(), active.end(), nodes_.begin());
   if (!same) {
@@ -49,23 +49,23 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
         }
       }
   }
-  gather_borders(problem);
+  gather_borders(problem, lambda);
 }
 
-void ReducedSystem::gather_borders(const Problem& problem) {
+void ReducedSystem::gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]) {
   borders_ = 0;
   if (tangential())
     for (const int m : {xi1, xi2, spin})
-      if (problem.by_force[static_cast<std::size_t>(m)]) add_border(problem, m);
-  if (normal() && problem.by_force[approach]) add_border(problem, approach);
+      if (problem.by_force[static_cast<std::size_t>(m)]) add_border(problem, m, lambda);
+  if (normal() && problem.by_force[approach]) add_border(problem, approach, lambda);
   size_ = count_ * active() + borders_;
 }
 
-void ReducedSystem::add_border(const Problem& problem, int m) {
+void ReducedSystem::add_border(const Problem& problem, int m,
+                               const std::vector<double> (&lambda)[3]) {
   Border& border = border_[static_cast<std::size_t>(borders_++)];
   const std::size_t na = nodes_.size();
   border.motion = m;
-  for (int c = 0; c < 3; ++c) border.column[c].clear(), border.row[c].clear();
   double mean = 0, area = 0;
   for (std::size_t a = 0; a < na; ++a) {
     mean += m == approach ? rn_[a] : rt_[a];
@@ -74,38 +74,35 @@ void ReducedSystem::add_border(const Problem& problem, int m) {
   mean = na > 0 ? mean / static_cast<double>(na) : 1;
   border.scale = m == spin ? mean * problem.length : mean;
   const double unit = m == spin ? area * problem.length : area;
-  border.right =
-      (m == approach ? -problem.value[approach] : problem.value[static_cast<std::size_t>(m)]) /
-      unit;
-  const auto put = [&](int c, auto column, auto row) {
+  const double sign = m == approach ? -1 : 1;  // of the load row: symmetric with the column
+  border.right = sign * problem.value[static_cast<std::size_t>(m)] / unit;
+  for (int c = 0; c < 3; ++c) {
+    border.column[c].clear();
+    border.row[c].clear();
+    const bool own = c == 2 ? normal() : tangential();
+    if (!own) {
+      for (std::size_t k = 0; k < problem.turn.size(); ++k)
+        border.right -=
+            sign * problem.load_row(m, k)[static_cast<std::size_t>(c)] * lambda[c][k] / unit;
+      continue;
+    }
     border.column[c].resize(na);
     border.row[c].resize(na);
+    bool any_column = false, any_row = false;
     for (std::size_t a = 0; a < na; ++a) {
       const auto i = static_cast<std::size_t>(nodes_[a]);
-      border.column[c][a] = column(a, i) / border.scale;
-      border.row[c][a] = row(i) / unit;
+      double column = 0;
+      if (c < 2)
+        column = rt_[a] * problem.slip_column(m, i)[static_cast<std::size_t>(c)];
+      else if (m == approach)
+        column = rn_[a] * problem.closing(i);
+      border.column[c][a] = column / border.scale;
+      border.row[c][a] = sign * problem.load_row(m, i)[static_cast<std::size_t>(c)] / unit;
+      any_column = any_column || border.column[c][a] != 0;
+      any_row = any_row || border.row[c][a] != 0;
     }
-  };
-  const auto weight = [&](std::size_t i) { return problem.weight[i]; };
-  const auto rt = [&](std::size_t a, std::size_t) { return rt_[a]; };
-  switch (m) {
-    case xi1:
-      put(0, rt, weight);
-      break;
-    case xi2:
-      put(1, rt, weight);
-      break;
-    case approach:
-      put(
-          2, [&](std::size_t a, std::size_t) { return rn_[a]; }, weight);
-      break;
-    default:
-      put(
-          0, [&](std::size_t a, std::size_t i) { return -rt_[a] * problem.op.slip_y[i]; },
-          [&](std::size_t i) { return -problem.moment_y[i]; });
-      put(
-          1, [&](std::size_t a, std::size_t i) { return rt_[a] * problem.op.slip_x[i]; },
-          [&](std::size_t i) { return problem.moment_x[i]; });
+    if (!any_column) border.column[c].clear();
+    if (!any_row) border.row[c].clear();
   }
 }
 
@@ -141,13 +138,10 @@ void ReducedSystem::apply(const double* x, double* y) {
     double sum = 0;
     for (int c = 0; c < count_; ++c) {
       const auto& column = border.column[component(c)];
-      if (column.empty()) continue;
       const auto& row = border.row[component(c)];
       const std::size_t first = static_cast<std::size_t>(c) * na;
-      for (std::size_t a = 0; a < na; ++a) {
-        y[first + a] += column[a] * motion[k];
-        sum += row[a] * x[first + a];
-      }
+      for (std::size_t a = 0; a < column.size(); ++a) y[first + a] += column[a] * motion[k];
+      for (std::size_t a = 0; a < row.size(); ++a) sum += row[a] * x[first + a];
     }
     y[rows + k] = sum;
   }

@@ -20,8 +20,10 @@ class ReducedSystem final : public LinearOperator {
  public:
   /// Copies the rows and columns of the active nodes, scaled by rn and rt; keeps the storage.
   /// Nothing is copied when part and nodes are those of the last call and `changed` is false.
+  /// lambda: current tractions; on a curved frame those that the part holds fixed carry a share of
+  /// its loads.
   void gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
-              bool changed);
+              const std::vector<double> (&lambda)[3], bool changed);
 
   /// Linearised law of active node a; to be set for all before use when tangential.
   TangentialLaw& law(std::int64_t a) { return law_[static_cast<std::size_t>(a)]; }
@@ -57,11 +59,11 @@ class ReducedSystem final : public LinearOperator {
     int motion = 0;
     double scale = 1;               ///< unknown = motion times scale, a traction
     std::vector<double> column[3];  ///< by component, scaled like the rows; empty: zero
-    std::vector<double> row[3];
+    std::vector<double> row[3];     ///< likewise
     double right = 0;
   };
-  void gather_borders(const Problem& problem);
-  void add_border(const Problem& problem, int motion);
+  void gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]);
+  void add_border(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
   bool tangential() const { return part_ != Part::normal; }
   bool normal() const { return part_ != Part::tangential; }
 

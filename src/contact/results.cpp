@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bodies/halfspace/halfspace.hpp"
 #include "contact/contact.hpp"
 #include "contact/state.hpp"
 #include "io/vtu.hpp"
@@ -18,16 +17,20 @@ void require_solution(const SolverState& s, const Scene& scene) {
          "change the frame, or a failed solve, discard the last one)");
 }
 
-// Vector from the axes (t1, t2, n) to global coordinates.
-Vec3 to_global(const Axes& a, double v1, double v2, double vn) {
+// Vector from local directions to global coordinates.
+Vec3 to_global(const Triad& a, double v1, double v2, double vn) {
   Vec3 g;
   for (std::size_t c = 0; c < 3; ++c) g[c] = v1 * a.t1[c] + v2 * a.t2[c] + vn * a.n[c];
   return g;
 }
 
-void put(const Axes& axes, InAxes in, double v1, double v2, double vn, double* out) {
-  const Vec3 v = in == InAxes::global ? to_global(axes, v1, v2, vn) : Vec3{v1, v2, vn};
+void put(const Triad& local, InAxes in, double v1, double v2, double vn, double* out) {
+  const Vec3 v = in == InAxes::global ? to_global(local, v1, v2, vn) : Vec3{v1, v2, vn};
   std::copy(v.begin(), v.end(), out);
+}
+
+Triad triad_of(const Axes& axes) {
+  return {axes.t1, axes.t2, axes.n};
 }
 
 void require_capacity(std::int64_t capacity, std::int64_t needed, const char* unit) {
@@ -43,7 +46,8 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
   const Iterate& it = state_->iterate;
   require_capacity(capacity, state_->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
-    put(state_->frame.axes, axes, it.lambda[0][k], it.lambda[1][k], std::min(it.lambda[2][k], 0.0),
+    put(state_->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k],
+        std::min(it.lambda[2][k], 0.0),
         t + 3 * k);  // within the tolerance a node about to open may pull
 }
 
@@ -82,28 +86,31 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
       xy[2 * k + 1] = s.frame.y[k];
     }
     displacements_at(field == Field::displacement1 ? 1 : 2, n, xy.data(), v);
-    for (std::int64_t k = 0; k < n; ++k)
-      put(s.frame.axes, axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+      put(s.frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
     return needed;
   }
+  const auto offset = [&](std::size_t c, std::size_t k) {
+    return s.offset_slip[c].empty() ? 0 : s.offset_slip[c][k];
+  };
   for (std::int64_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     double* out = v + components * i;
     const auto pair = [&](double v1, double v2) {
       if (components == 3)
-        put(s.frame.axes, axes, v1, v2, 0, out);
+        put(s.frame.triad(k), axes, v1, v2, 0, out);
       else
         out[0] = v1, out[1] = v2;
     };
     switch (field) {
       case Field::point:
         if (axes == InAxes::local)
-          put(s.frame.axes, axes, s.frame.x[k], s.frame.y[k], s.frame.z[k], out);
+          out[0] = s.frame.x[k], out[1] = s.frame.y[k], out[2] = s.frame.z[k];
         else
           std::copy(s.frame.mesh.node[k].begin(), s.frame.mesh.node[k].end(), out);
         break;
       case Field::traction:
-        put(s.frame.axes, axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
+        put(s.frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
         break;
       case Field::gap:
         *out = s.gap[k];
@@ -112,7 +119,8 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
         pair(s.slip[0][k], s.slip[1][k]);
         break;
       case Field::rigid_slip:
-        pair(s.speed * p.rigid_slip1(i, it.motion), s.speed * p.rigid_slip2(i, it.motion));
+        pair(s.speed * (p.rigid_slip1(i, it.motion) - offset(0, k)),
+             s.speed * (p.rigid_slip2(i, it.motion) - offset(1, k)));
         break;
       case Field::area:
         *out = p.cell_area[k];
@@ -148,15 +156,23 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
   const Problem& p = state_->problem;
   const Iterate& it = state_->iterate;
   double f[3] = {}, m[3] = {};
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+  for (std::size_t k = 0; k < p.turn.size(); ++k) {
+    const Turn& turn = p.turn[k];
+    Vec3 t{};  // traction in the axes
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t c = 0; c < 3; ++c) t[j] += it.lambda[c][k] * turn[c][j];
+    const Vec3 moment = cross({p.moment_x[k], p.moment_y[k], p.moment_z[k]}, t);
+    for (std::size_t j = 0; j < 3; ++j) f[j] += p.weight[k] * t[j], m[j] += moment[j];
+  }
+  for (std::size_t k = 0; p.turn.empty() && k < static_cast<std::size_t>(p.nodes); ++k) {
     for (int c = 0; c < 3; ++c) f[c] += p.weight[k] * it.lambda[c][k];
     const double height = p.weight[k] * state_->frame.z[k];
     m[0] += p.moment_y[k] * it.lambda[2][k] - height * it.lambda[1][k];
     m[1] += height * it.lambda[0][k] - p.moment_x[k] * it.lambda[2][k];
     m[2] += p.moment_x[k] * it.lambda[1][k] - p.moment_y[k] * it.lambda[0][k];
   }
-  if (force) put(state_->frame.axes, axes, f[0], f[1], f[2], force);
-  if (moment) put(state_->frame.axes, axes, m[0], m[1], m[2], moment);
+  if (force) put(triad_of(state_->frame.axes), axes, f[0], f[1], f[2], force);
+  if (moment) put(triad_of(state_->frame.axes), axes, m[0], m[1], m[2], moment);
 }
 
 void Contact::motion(double* depth, double* creep) const {
@@ -176,15 +192,16 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   if (which.rigid()) return;
   auto& compliance = s.body_compliance[body - 1];
   if (!compliance)
-    compliance = make_halfspace_compliance(
-        s.frame, halfspace_constants(which.young(), which.poisson(), body == 1 ? 1 : -1),
-        s.accuracy, context_->threads());
+    compliance = make_body_compliance(s.frame, s.pair, body - 1, s.accuracy, context_->threads());
   compliance->set_threads(context_->threads());
   std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.problem.nodes));
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
   compliance->apply({x, y}, t.data(), u);
+  std::vector<double> own(3 * points);
+  if (compliance->offset({x, y}, own.data()))
+    for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
   // A lambda is u1 - u2: the second body's part carries the opposite sign.
   if (body == 2)
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
@@ -196,7 +213,7 @@ std::span<const double> Contact::history() const {
 
 std::string Contact::plan() const {
   require_solution(*state_, scene);
-  return describe_plan(*state_, *body1_, *body2_);
+  return describe_plan(*state_, scene, *body1_, *body2_);
 }
 
 void Contact::write(const char* path) const {

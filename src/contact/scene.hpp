@@ -8,6 +8,7 @@
 
 #include "contact/options.hpp"
 #include "mesh/frame.hpp"
+#include "mesh/pose.hpp"
 
 namespace rollcon {
 
@@ -23,8 +24,19 @@ struct Load {
 
 /// Revision counters tell the solver what changed since it last looked. Setting equal values again
 /// counts nothing. kinematics: speed and creep field; load: what is prescribed, creepages included.
+/// mesh: nodes and elements of the frame; a frame that moves with its body counts as pose alone.
 struct Revisions {
   std::int64_t mesh = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
+  std::array<std::int64_t, 2> pose{};
+};
+
+/// Where a frame that was taken from a body comes from.
+struct FrameSource {
+  int body = -1;  ///< 0 or 1; -1: the caller's own mesh
+  std::int32_t tag = 0;
+  std::vector<std::int64_t> element;  ///< the body's, of each frame element
+  std::vector<std::int32_t> node;     ///< the body's, of each frame node
+  std::vector<Vec3> place;            ///< frame nodes in the body's coordinates
 };
 
 /// Setters throw Error and then leave everything as it was. Those of a time loop (all but frame
@@ -39,6 +51,12 @@ class Scene {
                        std::int64_t component_stride);
   void add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                           std::int32_t index_base, std::int32_t tag);
+  /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order;
+  /// those of body 2 are turned over. They follow the body's pose. Forgets what set_frame_nodes
+  /// forgets.
+  void set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag);
+  /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
+  void set_pose(std::int32_t which, const double* rotation, const double* translation);
   void set_axes(const double* origin, const double* rolling, const double* normal);
   void set_gap(std::int64_t n, const double* gap);  ///< replaces a quadratic gap, and the reverse
   void set_gap_quadratic(double a, double b, double c);
@@ -51,6 +69,8 @@ class Scene {
   void set_friction_field(std::int64_t n, const double* mu);
 
   const SurfaceMesh& mesh() const { return mesh_; }
+  const FrameSource& frame_source() const { return frame_source_; }
+  const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
   const Axes& axes() const { return axes_; }
   double speed() const { return speed_; }
   const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
@@ -61,17 +81,21 @@ class Scene {
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
-  /// Throws err_state naming what is missing: nodes, elements, gap, friction. (Arrays always fit
-  /// the frame: their length is checked when they are set, and new nodes forget them.)
-  void require_complete() const;
+  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh),
+  /// friction. (Arrays always fit the frame: their length is checked when they are set, and new
+  /// nodes forget them.)
+  void require_complete(bool body_meshed = false) const;
 
   Options options;
   Revisions revision;
 
  private:
   void require_frame_size(std::int64_t n, const char* what) const;
+  void replace_frame(SurfaceMesh mesh, FrameSource source);
 
   SurfaceMesh mesh_;
+  FrameSource frame_source_;
+  std::array<Pose, 2> pose_{};
   Axes axes_;
   bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;
   std::vector<double> gap_;

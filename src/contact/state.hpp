@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/pair.hpp"
 #include "contact/contact.hpp"
 #include "contact/newton.hpp"
 #include "contact/problem.hpp"
@@ -21,7 +22,10 @@ struct Timings {
 struct SolverState {
   // Built from the scene; each part remembers the revisions it was built from.
   Frame frame;
+  FrameSource frame_source;  ///< as far as the body still has these faces
+  PairOfBodies pair;         ///< where the bodies stood
   std::int64_t mesh_revision = -1, axes_revision = -1;
+  std::array<std::int64_t, 2> pose_revision{-1, -1};
   std::unique_ptr<Compliance> compliance;          ///< of the pair
   std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
   double accuracy = 0;
@@ -32,6 +36,9 @@ struct SolverState {
   bool inflow_masked = false;
   std::vector<double> field_copy;
   SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
+  /// From displacements of the bodies without any contact traction; empty: none.
+  bool offset_known = false;
+  std::vector<double> offset_depth, offset_slip[2];
 
   Problem problem;
   Iterate iterate;
@@ -71,6 +78,7 @@ void derive_fields(SolverState& state);
 /// solver's operators: complementarity, friction bound, slip direction, loads; each relative.
 void check_laws(SolverState& state);
 
-std::string describe_plan(const SolverState& state, const Body& body1, const Body& body2);
+std::string describe_plan(const SolverState& state, const Scene& scene, const Body& body1,
+                          const Body& body2);
 
 }  // namespace rollcon

@@ -1,0 +1,119 @@
+#include "contact/geometry.hpp"
+
+#include <algorithm>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Frame nodes from which a line does not lead to the body's surface.
+struct Missed {
+  int body = 0;
+  std::int32_t index_base = 0;
+  long long count = 0, first = -1;
+
+  void add(std::size_t k) {
+    if (count++ == 0) first = static_cast<long long>(k) + index_base;
+  }
+  void fail_if_any() const {
+    if (count > 0)
+      fail(Status::err_mesh,
+           "node %lld of the frame (counting from %d) does not lie over the contact faces of body "
+           "%d: the line along its normal meets none of them; %lld such node(s)",
+           first, index_base, body + 1, count);
+  }
+};
+
+/// Direction in which a body's contact faces look, for n out of body 1.
+Vec3 outward(int body, const Vec3& n) {
+  return body == 0 ? n : -1.0 * n;
+}
+
+std::optional<SurfacePoint> along(const PairOfBodies& pair, int body, const Vec3& from,
+                                  const Vec3& n) {
+  const auto b = static_cast<std::size_t>(body);
+  const Vec3 direction = pair.pose[b].turn_back(n);
+  return pair.body[b]->search().along(pair.pose[b].to_body(from), direction,
+                                      outward(body, direction));
+}
+
+/// Sum of the normals of the faces' fans at each frame node, in the body's axes.
+std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
+  const SurfaceMesh& mesh = body.mesh().surface;
+  const TractionNodes& fans = body.smooth_fans();
+  std::vector<std::int32_t> number(static_cast<std::size_t>(mesh.nodes()), -1);
+  for (std::size_t k = 0; k < source.node.size(); ++k)
+    number[static_cast<std::size_t>(source.node[k])] = static_cast<std::int32_t>(k);
+  std::vector<Vec3> sum(source.node.size(), Vec3{});
+  for (const std::int64_t e : source.element) {
+    const auto nodes = mesh.element(e);
+    const auto first = static_cast<std::size_t>(mesh.offset[static_cast<std::size_t>(e)]);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto fan = static_cast<std::size_t>(fans.of[first + i]);
+      const auto k = static_cast<std::size_t>(number[static_cast<std::size_t>(nodes[i])]);
+      sum[k] = sum[k] + fans.normal[fan];
+    }
+  }
+  return sum;
+}
+
+}  // namespace
+
+int normal_source(const PairOfBodies& pair) {
+  for (int b = 0; b < 2; ++b)
+    if (pair.body[static_cast<std::size_t>(b)]->meshed()) return b;
+  return -1;
+}
+
+std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
+                                  const PairOfBodies& pair) {
+  const int which = normal_source(pair);
+  const Body& body = *pair.body[static_cast<std::size_t>(which)];
+  const Pose& pose = pair.pose[static_cast<std::size_t>(which)];
+  if (source.body == which) {
+    std::vector<Vec3> normal = own_normals(source, body);
+    for (Vec3& n : normal) n = outward(which, pose.turn(n));
+    return normal;
+  }
+  std::vector<Vec3> normal(static_cast<std::size_t>(frame.nodes()), frame.axes.n);
+  Missed missed{which, frame.mesh.index_base};
+  for (std::size_t k = 0; k < normal.size(); ++k) {
+    if (!frame.used[k]) continue;
+    const auto hit = along(pair, which, frame.mesh.node[k], frame.axes.n);
+    if (hit)
+      normal[k] = outward(which, pose.turn(smooth_normal(body, *hit)));
+    else
+      missed.add(k);
+  }
+  missed.fail_if_any();
+  return normal;
+}
+
+std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
+                                   const PairOfBodies& pair) {
+  std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0);
+  for (int body = 0; body < 2; ++body) {
+    if (source.body == body) continue;  // the nodes are on it
+    const bool meshed = pair.body[static_cast<std::size_t>(body)]->meshed();
+    const double sign = body == 0 ? -1 : 1;
+    Missed missed{body, frame.mesh.index_base};
+    for (std::size_t k = 0; k < gap.size(); ++k) {
+      if (!frame.used[k]) continue;
+      const Vec3 n = frame.triad(k).n;
+      if (!meshed) {
+        gap[k] -= sign * frame.z[k] / dot(n, frame.axes.n);
+        continue;
+      }
+      const auto hit = along(pair, body, frame.mesh.node[k], n);
+      if (hit)
+        gap[k] += sign * hit->distance;
+      else
+        missed.add(k);
+    }
+    missed.fail_if_any();
+  }
+  return gap;
+}
+
+}  // namespace rollcon

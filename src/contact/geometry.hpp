@@ -1,0 +1,30 @@
+#pragma once
+/// From the surfaces of the bodies to local normals and the undeformed gap of a contact frame.
+
+#include <vector>
+
+#include "bodies/contact_surface.hpp"
+#include "contact/scene.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+/// Body (0 or 1) whose surface gives the normals: the first that has a mesh; -1: none has.
+int normal_source(const PairOfBodies& pair);
+
+/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it
+/// has a mesh, else minus those of body 2. At nodes that were taken from that body the mean normal
+/// of the fan of its faces, else what the line along the axes' normal meets (smooth_normal). One
+/// body at least must have a mesh. Throws err_mesh naming the first frame node, and their count,
+/// that do not lie over the body's contact faces.
+std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
+                                  const PairOfBodies& pair);
+
+/// Distance from the surface of body 1 to that of body 2 along the normals of the frame's nodes
+/// (the axes' on a flat frame), negative where they overlap; 0 at nodes of no element. The surface
+/// of a body without a mesh is the plane through the axes' origin normal to n. Throws err_mesh
+/// likewise.
+std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
+                                   const PairOfBodies& pair);
+
+}  // namespace rollcon
