@@ -1,137 +1,30 @@
-!> Bodies. A variable of this type is one reference to the object, as for `rc_context`.
+!> Bodies: preparation and results, added to what the caller gives (module rollcon_body_inputs).
 module rollcon_body
-  use, intrinsic :: iso_c_binding, only: c_associated, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_support
-  use rollcon_context
+  use rollcon_body_inputs
   implicit none
   private
   public :: rc_body
 
-  type :: rc_body
-    private
-    type(c_ptr) :: p = c_null_ptr
-    type(c_ptr) :: context = c_null_ptr  ! a reference of its own, for the texts of failures
+  type, extends(rc_body_inputs) :: rc_body
   contains
-    procedure :: create
-    procedure :: free => release
-    procedure :: from_id
-    procedure :: id
-    procedure :: handle
-    procedure :: set_elastic
     procedure :: prepare
     procedure :: get_kind
-    procedure, private :: assign
-    generic :: assignment(=) => assign
-    final :: finalize
+    procedure :: get_size
+    procedure :: get_displacements
+    procedure :: get_reaction
+    procedure :: get_stat
   end type
 
 contains
 
-  !> kind: ROLLCON_BODY_HALFSPACE, ROLLCON_BODY_RIGID, ...
-  subroutine create(self, context, kind, stat, errmsg)
-    class(rc_body), intent(inout) :: self
-    type(rc_context), intent(in) :: context
-    integer(rc_int), intent(in) :: kind
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    integer(rc_int) :: status
-    type(c_ptr) :: ctx
-    call self%free()
-    ctx = context%handle()
-    status = rollcon_body_create(ctx, kind, self%p)
-    if (status /= ROLLCON_OK) then
-      self%p = c_null_ptr
-    else if (rollcon_context_retain(ctx) == ROLLCON_OK) then
-      self%context = ctx
-    end if
-    call finish(status, ctx, 'rc_body%create', stat, errmsg)
-  end subroutine
-
-  !> Gives the reference back; the object lives on while a contact or another variable uses it.
-  impure elemental subroutine release(self)
-    class(rc_body), intent(inout) :: self
-    if (c_associated(self%p)) call rollcon_body_release(self%p)
-    if (c_associated(self%context)) call rollcon_context_release(self%context)
-    self%p = c_null_ptr
-    self%context = c_null_ptr
-  end subroutine
-
-  impure elemental subroutine finalize(self)
-    type(rc_body), intent(inout) :: self
-    call self%free()
-  end subroutine
-
-  impure elemental subroutine assign(self, other)
-    class(rc_body), intent(inout) :: self
-    class(rc_body), intent(in) :: other
-    type(c_ptr) :: p, context
-    p = other%p
-    context = other%context
-    if (c_associated(p)) then
-      if (rollcon_body_retain(p) /= ROLLCON_OK) p = c_null_ptr
-    end if
-    if (c_associated(context)) then
-      if (rollcon_context_retain(context) /= ROLLCON_OK) context = c_null_ptr
-    end if
-    call self%free()
-    self%p = p
-    self%context = context
-  end subroutine
-
-  !> Adds a reference to the body that `id` names; texts of failures come from `context`.
-  subroutine from_id(self, context, id, stat, errmsg)
-    class(rc_body), intent(inout) :: self
-    type(rc_context), intent(in) :: context
-    integer, intent(in) :: id
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    type(c_ptr) :: p, ctx
-    integer(rc_int) :: status
-    p = rollcon_body_from_id(int(id, rc_int))
-    ctx = context%handle()
-    status = rollcon_body_retain(p)
-    call self%free()
-    if (status == ROLLCON_OK) then
-      self%p = p
-      if (c_associated(ctx)) then
-        if (rollcon_context_retain(ctx) == ROLLCON_OK) self%context = ctx
-      end if
-    end if
-    call finish(status, c_null_ptr, 'rc_body%from_id', stat, errmsg)
-  end subroutine
-
-  integer function id(self)
-    class(rc_body), intent(in) :: self
-    id = int(rollcon_id_of(self%p))
-  end function
-
-  !> The C handle, for calls of module rollcon_c; the reference stays here.
-  function handle(self) result(p)
-    class(rc_body), intent(in) :: self
-    type(c_ptr) :: p
-    p = self%p
-  end function
-
-  !> Young's modulus > 0 and Poisson's ratio in (-1, 0.5] of the elements with `tag` (0, all of a half-space, if absent).
-  subroutine set_elastic(self, young, poisson, tag, stat, errmsg)
-    class(rc_body), intent(inout) :: self
-    real(rc_real), intent(in) :: young, poisson
-    integer, intent(in), optional :: tag
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    integer(rc_int) :: t
-    t = 0
-    if (present(tag)) t = int(tag, rc_int)
-    call finish(rollcon_body_set_elastic(self%p, t, young, poisson), self%context, 'rc_body%set_elastic', stat, errmsg)
-  end subroutine
-
-  !> Checks that the body is complete and freezes it; a solve does it if nobody did.
+  !> Checks that the body is complete, assembles and factorises its equations and freezes it; a solve does it if nobody did.
   subroutine prepare(self, stat, errmsg)
     class(rc_body), intent(inout) :: self
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_prepare(self%p), self%context, 'rc_body%prepare', stat, errmsg)
+    call finish(rollcon_body_prepare(self%handle()), self%owner(), 'rc_body%prepare', stat, errmsg)
   end subroutine
 
   subroutine get_kind(self, kind, stat, errmsg)
@@ -140,7 +33,61 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     kind = 0
-    call finish(rollcon_body_get_kind(self%p, kind), self%context, 'rc_body%get_kind', stat, errmsg)
+    call finish(rollcon_body_get_kind(self%handle(), kind), self%owner(), 'rc_body%get_kind', stat, errmsg)
+  end subroutine
+
+  !> Nodes and elements of the mesh.
+  subroutine get_size(self, nodes, elements, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    integer, intent(out) :: nodes
+    integer, intent(out), optional :: elements
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: n, m
+    n = 0
+    m = 0
+    call finish(rollcon_body_get_size(self%handle(), n, m), self%owner(), 'rc_body%get_size', stat, errmsg)
+    nodes = int(n)
+    if (present(elements)) elements = int(m)
+  end subroutine
+
+  !> Displacements u(3,n) of a prepared body under its own loads and given displacements, no contact acting.
+  subroutine get_displacements(self, u, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    integer(rc_long) :: n, m
+    n = 0
+    m = 0
+    status = rollcon_body_get_size(self%handle(), n, m)
+    allocate (u(3, n))
+    u = 0
+    if (status == ROLLCON_OK) status = rollcon_body_get_displacements(self%handle(), n, u)
+    call finish(status, self%owner(), 'rc_body%get_displacements', stat, errmsg)
+  end subroutine
+
+  !> Force of the supports on a prepared body and its moment about the origin, no contact acting.
+  subroutine get_reaction(self, force, moment, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    real(rc_real), intent(out) :: force(3), moment(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    force = 0
+    moment = 0
+    call finish(rollcon_body_get_reaction(self%handle(), force, moment), self%owner(), 'rc_body%get_reaction', stat, errmsg)
+  end subroutine
+
+  !> Counters and timings of a prepared body by name; rc_body_stat_name lists them.
+  subroutine get_stat(self, name, value, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_stat(self%handle(), c_text(name), value), self%owner(), 'rc_body%get_stat', stat, errmsg)
   end subroutine
 
 end module rollcon_body

@@ -46,6 +46,12 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_quad8 = 218_c_int32_t
   integer(c_int32_t), parameter :: rollcon_quad9 = 219_c_int32_t
 
+  ! dof
+  integer(c_int32_t), parameter :: rollcon_dof_x = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_dof_y = 2_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_dof_z = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_dof_xyz = 7_c_int32_t
+
   ! direction
   integer(c_int32_t), parameter :: rollcon_longitudinal = 1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_lateral = 2_c_int32_t
@@ -264,6 +270,200 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_get_kind
 
+    function rollcon_body_set_nodes(body, n, x, node_stride, component_stride) &
+        result(rc) bind(C, name="rollcon_body_set_nodes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: x(*)
+      integer(c_int64_t), value :: node_stride
+      integer(c_int64_t), value :: component_stride
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_nodes
+
+    function rollcon_body_add_elements(body, type, n, connectivity, index_base, tag) &
+        result(rc) bind(C, name="rollcon_body_add_elements")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: type
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: connectivity(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_body_add_elements
+
+    function rollcon_body_set_support(body, n, nodes, index_base, dof_mask, values) &
+        result(rc) bind(C, name="rollcon_body_set_support")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: nodes(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int32_t), value :: dof_mask
+      real(c_double), intent(in) :: values(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_support
+
+    function rollcon_body_set_traction(body, tag, traction) &
+        result(rc) bind(C, name="rollcon_body_set_traction")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), intent(in) :: traction(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_traction
+
+    function rollcon_body_set_pressure(body, tag, pressure) &
+        result(rc) bind(C, name="rollcon_body_set_pressure")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), value :: pressure
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_pressure
+
+    function rollcon_body_set_contact_faces(body, n, tags) &
+        result(rc) bind(C, name="rollcon_body_set_contact_faces")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: tags(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_contact_faces
+
+    function rollcon_body_set_int(body, name, value) result(rc) bind(C, name="rollcon_body_set_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_int
+
+    function rollcon_body_set_real(body, name, value) &
+        result(rc) bind(C, name="rollcon_body_set_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), value :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_real
+
+    function rollcon_body_get_int(body, name, value) result(rc) bind(C, name="rollcon_body_get_int")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int64_t), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_int
+
+    function rollcon_body_get_real(body, name, value) &
+        result(rc) bind(C, name="rollcon_body_get_real")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_real
+
+    function rollcon_body_option_count() result(rc) bind(C, name="rollcon_body_option_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_body_option_count
+
+    function rollcon_body_option_info(i, capacity, name, type, low, high, standard) &
+        result(rc) bind(C, name="rollcon_body_option_info")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: name(*)
+      integer(c_int32_t), intent(out) :: type
+      real(c_double), intent(out) :: low
+      real(c_double), intent(out) :: high
+      real(c_double), intent(out) :: standard
+      integer(c_int32_t) :: rc
+    end function rollcon_body_option_info
+
+    function rollcon_body_option_doc(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_body_option_doc")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_body_option_doc
+
+    function rollcon_body_get_size(body, nodes, elements) &
+        result(rc) bind(C, name="rollcon_body_get_size")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), intent(out) :: nodes
+      integer(c_int64_t), intent(out) :: elements
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_size
+
+    function rollcon_body_get_displacements(body, capacity, u) &
+        result(rc) bind(C, name="rollcon_body_get_displacements")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: u(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_displacements
+
+    function rollcon_body_get_reaction(body, force, moment) &
+        result(rc) bind(C, name="rollcon_body_get_reaction")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(out) :: force(*)
+      real(c_double), intent(out) :: moment(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_reaction
+
+    function rollcon_body_get_stat(body, name, value) &
+        result(rc) bind(C, name="rollcon_body_get_stat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(out) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_stat
+
+    function rollcon_body_stat_count() result(rc) bind(C, name="rollcon_body_stat_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_body_stat_count
+
+    function rollcon_body_stat_name(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_body_stat_name")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_body_stat_name
+
     function rollcon_contact_create(context, body1, body2, contact) &
         result(rc) bind(C, name="rollcon_contact_create")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -312,6 +512,27 @@ module rollcon_c
       integer(c_int32_t), value :: tag
       integer(c_int32_t) :: rc
     end function rollcon_contact_add_frame_elements
+
+    function rollcon_contact_frame_from_body(contact, which, tag) &
+        result(rc) bind(C, name="rollcon_contact_frame_from_body")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_frame_from_body
+
+    function rollcon_contact_set_pose(contact, which, rotation, translation) &
+        result(rc) bind(C, name="rollcon_contact_set_pose")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      real(c_double), intent(in) :: rotation(*)
+      real(c_double), intent(in) :: translation(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_pose
 
     function rollcon_contact_set_axes(contact, origin, rolling, normal) &
         result(rc) bind(C, name="rollcon_contact_set_axes")

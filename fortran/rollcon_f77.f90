@@ -1,4 +1,4 @@
-! FORTRAN 77 layer of rollcon, first part: contexts, bodies and what a caller gives for a contact.
+! FORTRAN 77 layer of rollcon, first part: contexts and what a caller gives for a contact.
 !
 ! Plain external subroutines: name mangling, integer width and hidden CHARACTER lengths are those of the compiler and the
 ! options that build this file, which must be the caller's. Handles are INTEGERs > 0, the last argument is always IERR, the
@@ -132,45 +132,6 @@ subroutine rchas(name, ihas)
   ihas = rollcon_has_feature(c_text(name))
 end subroutine
 
-!> New body of a kind: 3 half-space, 4 rigid.
-subroutine rcbody(ictx, kind, ibody, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ictx, kind, ibody, ierr
-  type(c_ptr) :: p
-  ibody = 0
-  ierr = rollcon_body_create(context_of(ictx), narrow(kind), p)
-  if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
-end subroutine
-
-!> Young's modulus and Poisson's ratio; ITAG 0 for half-spaces.
-subroutine rcelas(ibody, itag, young, poiss, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ibody, itag, ierr
-  double precision :: young, poiss
-  ierr = rollcon_body_set_elastic(body_of(ibody), narrow(itag), young, poiss)
-end subroutine
-
-!> Checks and freezes a body.
-subroutine rcprep(ibody, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ibody, ierr
-  ierr = rollcon_body_prepare(body_of(ibody))
-end subroutine
-
-!> Kind of a body.
-subroutine rckind(ibody, kind, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ibody, kind, ierr
-  integer(c_int32_t) :: k
-  k = 0
-  ierr = rollcon_body_get_kind(body_of(ibody), k)
-  kind = k
-end subroutine
-
 !> New contact of two bodies.
 subroutine rcpair(ictx, ibody1, ibody2, icon, ierr)
   use rollcon_f77_support
@@ -211,21 +172,26 @@ subroutine rcelem(icon, itype, n, ic, ldc, itag, ierr)
   integer :: icon, itype, n, ldc, itag, ierr
   integer :: ic(max(ldc, 1), *)
   integer(c_int32_t), allocatable :: packed(:, :)
-  integer :: i, j, npe, no_room
-  npe = nodes_77(itype)
-  ierr = ROLLCON_ERR_ARGUMENT
-  if (ldc < npe .or. n < 0) return
-  allocate (packed(npe, n), stat=no_room)
-  if (no_room /= 0) then
-    ierr = ROLLCON_ERR_MEMORY
-    return
-  end if
-  do j = 1, n
-    do i = 1, npe
-      packed(i, j) = narrow(ic(i, j))
-    end do
-  end do
+  call pack_77(itype, n, ic, ldc, packed, ierr)
+  if (ierr /= ROLLCON_OK) return
   ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
+end subroutine
+
+!> The faces of body IWHICH (1 or 2, not a handle) that carry a tag become the frame.
+subroutine rcfram(icon, iwhich, itag, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, itag, ierr
+  ierr = rollcon_contact_frame_from_body(contact_of(icon), narrow(iwhich), narrow(itag))
+end subroutine
+
+!> Where body IWHICH (1 or 2) stands: X(I) = sum over J of ROT(I,J)*XB(J) + TRANS(I).
+subroutine rcpose(icon, iwhich, rot, trans, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, ierr
+  double precision :: rot(3, 3), trans(3)
+  ierr = rollcon_contact_set_pose(contact_of(icon), narrow(iwhich), transpose(rot), trans)
 end subroutine
 
 !> Origin, rolling direction and outward normal of body 1.

@@ -1,4 +1,4 @@
-! FORTRAN 77 layer of rollcon, second part: solver settings, the solve and its results. See rollcon_f77.f90.
+! FORTRAN 77 layer of rollcon, third part: solver settings, the solve and its results. See rollcon_f77.f90.
 
 !> Solver settings by name: integer, real, text.
 subroutine rcseti(icon, name, i, ierr)

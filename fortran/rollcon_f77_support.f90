@@ -3,7 +3,7 @@ module rollcon_f77_support
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, c_loc, &
     c_null_char, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
-  use rollcon_support, only: c_text, f_text, f_text_at, usual_text
+  use rollcon_support, only: c_text, f_text, f_text_at, nodes_of, usual_text
   implicit none
   public
 
@@ -55,24 +55,33 @@ contains
     contact_of = rollcon_contact_from_id(narrow(id))
   end function
 
-  !> Nodes of one element; 0 for types that the library does not know.
+  !> As nodes_of, for INTEGERs of the caller's width.
   pure integer function nodes_77(type)
     integer, intent(in) :: type
-    select case (type)
-    case (int(ROLLCON_TRI3))
-      nodes_77 = 3
-    case (int(ROLLCON_TRI6))
-      nodes_77 = 6
-    case (int(ROLLCON_QUAD4))
-      nodes_77 = 4
-    case (int(ROLLCON_QUAD8))
-      nodes_77 = 8
-    case (int(ROLLCON_QUAD9))
-      nodes_77 = 9
-    case default
-      nodes_77 = 0
-    end select
+    nodes_77 = 0
+    if (type > 0 .and. type < 1000) nodes_77 = int(nodes_of(int(type, c_int32_t)))
   end function
+
+  !> Node numbers of N elements without gaps between them.
+  subroutine pack_77(itype, n, ic, ldc, packed, ierr)
+    integer, intent(in) :: itype, n, ldc
+    integer, intent(in) :: ic(max(ldc, 1), *)
+    integer(c_int32_t), allocatable, intent(out) :: packed(:, :)
+    integer, intent(out) :: ierr
+    integer :: i, j, npe, no_room
+    npe = nodes_77(itype)
+    ierr = ROLLCON_ERR_ARGUMENT
+    if (ldc < npe .or. n < 0) return
+    ierr = ROLLCON_ERR_MEMORY
+    allocate (packed(npe, n), stat=no_room)
+    if (no_room /= 0) return
+    do j = 1, n
+      do i = 1, npe
+        packed(i, j) = narrow(ic(i, j))
+      end do
+    end do
+    ierr = ROLLCON_OK
+  end subroutine
 
   !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
   subroutine give_text(buffer, text, status)

@@ -29,6 +29,8 @@ module rollcon_scene
     procedure, private :: add_frame_elements_int32
     procedure, private :: add_frame_elements_int64
     generic :: add_frame_elements => add_frame_elements_int32, add_frame_elements_int64
+    procedure :: frame_from_body
+    procedure :: set_pose
     procedure :: set_axes
     procedure :: set_gap
     procedure :: set_gap_quadratic
@@ -205,11 +207,29 @@ contains
     integer, intent(in), optional :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    integer(c_int32_t), allocatable :: narrow(:, :)
-    ! numbers beyond 32 bits become 0, which the library reports as out of range
-    allocate (narrow(size(nodes, 1), size(nodes, 2)))
-    narrow = int(merge(nodes, 0_c_int64_t, abs(nodes) <= huge(narrow)), c_int32_t)
-    call self%add_frame_elements_int32(type, narrow, tag, stat, errmsg)
+    call self%add_frame_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
+  end subroutine
+
+  !> The faces of body 1 or 2 that carry a tag become the frame.
+  subroutine frame_from_body(self, which, tag, stat, errmsg)
+    class(rc_scene), intent(inout) :: self
+    integer, intent(in) :: which, tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_frame_from_body(self%p, int(which, rc_int), int(tag, rc_int)), self%context, &
+      'rc_contact%frame_from_body', stat, errmsg)
+  end subroutine
+
+  !> Where body 1 or 2 stands: x = matmul(rotation, x_body) + translation.
+  subroutine set_pose(self, which, rotation, translation, stat, errmsg)
+    class(rc_scene), intent(inout) :: self
+    integer, intent(in) :: which
+    real(rc_real), intent(in) :: rotation(3, 3), translation(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    ! C wants it by rows
+    call finish(rollcon_contact_set_pose(self%p, int(which, rc_int), transpose(rotation), translation), self%context, &
+      'rc_contact%set_pose', stat, errmsg)
   end subroutine
 
   !> Origin of the local axes, rolling direction and outward normal of body 1.
@@ -392,24 +412,5 @@ contains
     value = f_text(buffer)
     call finish(status, self%context, 'rc_contact%get', stat, errmsg)
   end subroutine
-
-  !> Nodes of one element; 0 for types that the library does not know.
-  pure integer function nodes_of(type)
-    integer(rc_int), intent(in) :: type
-    select case (type)
-    case (ROLLCON_TRI3)
-      nodes_of = 3
-    case (ROLLCON_TRI6)
-      nodes_of = 6
-    case (ROLLCON_QUAD4)
-      nodes_of = 4
-    case (ROLLCON_QUAD8)
-      nodes_of = 8
-    case (ROLLCON_QUAD9)
-      nodes_of = 9
-    case default
-      nodes_of = 0
-    end select
-  end function
 
 end module rollcon_scene

@@ -12,7 +12,7 @@ module rollcon_support
   !> Room that holds nearly every text of the library; longer ones are asked for a second time.
   integer(rc_long), parameter, public :: usual_text = 512_rc_long
 
-  public :: c_text, f_text, f_text_at, context_message, finish
+  public :: c_text, f_text, f_text_at, context_message, finish, nodes_of, narrow_ids
   public :: rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
 
 contains
@@ -112,6 +112,31 @@ contains
     write (error_unit, '(2a)') 'rollcon: ', text
     error stop 1
   end subroutine
+
+  !> Nodes of one element; 0 for types that the library does not know.
+  pure integer function nodes_of(type)
+    integer(rc_int), intent(in) :: type
+    select case (type)
+    case (ROLLCON_TRI3)
+      nodes_of = 3
+    case (ROLLCON_TRI6)
+      nodes_of = 6
+    case (ROLLCON_QUAD4)
+      nodes_of = 4
+    case (ROLLCON_QUAD8)
+      nodes_of = 8
+    case (ROLLCON_QUAD9)
+      nodes_of = 9
+    case default
+      nodes_of = 0
+    end select
+  end function
+
+  !> Node ids that fit 32 bits; others become 0, which the library reports as out of range.
+  elemental integer(rc_int) function narrow_ids(id)
+    integer(rc_long), intent(in) :: id
+    narrow_ids = int(merge(id, 0_rc_long, abs(id) <= huge(narrow_ids)), rc_int)
+  end function
 
   !> major * 10000 + minor * 100 + patch of the library that runs.
   integer function rc_version()

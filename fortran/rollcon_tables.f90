@@ -1,4 +1,5 @@
-!> The tables of solver settings and of counters, and what a progress callback may read. Entries count from 1.
+!> The tables of settings and of counters, of contacts and of bodies, and what a progress callback may read. Entries count
+!> from 1.
 module rollcon_tables
   use, intrinsic :: iso_c_binding, only: c_char, c_null_char, c_null_ptr, c_ptr
   use rollcon_c
@@ -6,6 +7,7 @@ module rollcon_tables
   implicit none
   private
   public :: rc_option_count, rc_option_info, rc_option_doc, rc_stat_count, rc_stat_name, rc_event_int, rc_event_real
+  public :: rc_body_option_count, rc_body_option_info, rc_body_option_doc, rc_body_stat_count, rc_body_stat_name
 
 contains
 
@@ -13,7 +15,7 @@ contains
     rc_option_count = int(rollcon_option_count())
   end function
 
-  !> Name, type (ROLLCON_OPTION_INT, ...), range and standard value of option i.
+  !> Name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i.
   subroutine rc_option_info(i, name, type, low, high, standard, stat, errmsg)
     integer, intent(in) :: i
     character(len=:), allocatable, intent(out) :: name
@@ -67,6 +69,68 @@ contains
     buffer(1) = c_null_char
     needed = 0
     call finish(rollcon_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, 'rc_stat_name', stat, errmsg)
+    name = f_text(buffer)
+  end subroutine
+
+  integer function rc_body_option_count()
+    rc_body_option_count = int(rollcon_body_option_count())
+  end function
+
+  !> Name, type (ROLLCON_TYPE_INT, ...), range and standard value of option i of a body.
+  subroutine rc_body_option_info(i, name, type, low, high, standard, stat, errmsg)
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: name
+    integer(rc_int), intent(out) :: type
+    real(rc_real), intent(out) :: low, high, standard
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char) :: buffer(usual_text)
+    buffer(1) = c_null_char
+    type = 0
+    low = 0
+    high = 0
+    standard = 0
+    call finish(rollcon_body_option_info(int(i - 1, rc_int), usual_text, buffer, type, low, high, standard), c_null_ptr, &
+      'rc_body_option_info', stat, errmsg)
+    name = f_text(buffer)
+  end subroutine
+
+  subroutine rc_body_option_doc(i, text, stat, errmsg)
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: text
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), allocatable :: buffer(:)
+    integer(rc_long) :: needed
+    integer(rc_int) :: status
+    allocate (buffer(usual_text))
+    buffer(1) = c_null_char
+    needed = 0
+    status = rollcon_body_option_doc(int(i - 1, rc_int), usual_text, buffer, needed)
+    if (status == ROLLCON_ERR_CAPACITY) then
+      deallocate (buffer)
+      allocate (buffer(needed))
+      status = rollcon_body_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
+    end if
+    text = f_text(buffer)
+    call finish(status, c_null_ptr, 'rc_body_option_doc', stat, errmsg)
+  end subroutine
+
+  integer function rc_body_stat_count()
+    rc_body_stat_count = int(rollcon_body_stat_count())
+  end function
+
+  subroutine rc_body_stat_name(i, name, stat, errmsg)
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: name
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char) :: buffer(usual_text)
+    integer(rc_long) :: needed
+    buffer(1) = c_null_char
+    needed = 0
+    call finish(rollcon_body_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, 'rc_body_stat_name', stat, &
+      errmsg)
     name = f_text(buffer)
   end subroutine
 

@@ -77,7 +77,7 @@ enum {
   ROLLCON_ERR_STATE       = -5,   /* calls in the wrong order, or something is missing */
   ROLLCON_ERR_OPTION      = -6,   /* unknown name, wrong type or value out of range */
   ROLLCON_ERR_CAPACITY    = -7,   /* the caller's array is too small; the need is reported */
-  ROLLCON_ERR_SINGULAR    = -8,   /* a linear system is singular */
+  ROLLCON_ERR_SINGULAR    = -8,   /* a linear system is singular; a body is not held */
   ROLLCON_ERR_MEMORY      = -9,   /* out of memory or of handles */
   ROLLCON_ERR_UNSUPPORTED = -10,  /* not in this build of the library */
   ROLLCON_ERR_BUSY        = -11,  /* the object is in use by another call */
@@ -90,19 +90,29 @@ typedef int32_t rollcon_status;
 /* Model of a body. */
 enum {
   ROLLCON_BODY_FEM       = 1,    /* finite elements (ROLLCON_ERR_UNSUPPORTED in this version) */
-  ROLLCON_BODY_BEM       = 2,    /* boundary elements (ROLLCON_ERR_UNSUPPORTED in this version) */
+  ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material only, no mesh */
-  ROLLCON_BODY_RIGID     = 4     /* rigid: no mesh, no material */
+  ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh only to compute gaps */
 };
 
-/* Elements of a contact frame. Corners counter-clockwise seen from the tip of the normal, then
-   the edge midpoints in the same order (the first between corners 1 and 2), then the centre. */
+/* Elements of contact frames and of the surfaces of bodies. Corners counter-clockwise seen from
+   the tip of the normal (of bodies: the outward one), then the edge midpoints in the same order
+   (the first between corners 1 and 2), then the centre. */
 enum {
   ROLLCON_TRI3  = 203,  /* linear triangle */
   ROLLCON_TRI6  = 206,  /* quadratic triangle */
   ROLLCON_QUAD4 = 214,  /* bilinear quadrilateral */
   ROLLCON_QUAD8 = 218,  /* serendipity quadrilateral */
   ROLLCON_QUAD9 = 219   /* biquadratic quadrilateral */
+};
+
+/* Displacement components that a support holds, in the axes of the body's nodes; they may be
+   added. */
+enum {
+  ROLLCON_DOF_X   = 1,    /* along x */
+  ROLLCON_DOF_Y   = 2,    /* along y */
+  ROLLCON_DOF_Z   = 4,    /* along z */
+  ROLLCON_DOF_XYZ = 7     /* all three */
 };
 
 /* Directions of loads and motions, in the axes (t1, t2, n) of the contact. */
@@ -121,7 +131,7 @@ enum {
 
 /* Components of results. */
 enum {
-  ROLLCON_LOCAL  = 0,    /* (t1, t2, n) of the contact */
+  ROLLCON_LOCAL  = 0,    /* (t1, t2, n) of the contact; on curved frames that of each node */
   ROLLCON_GLOBAL = 1     /* (x, y, z) in which the frame's nodes were given */
 };
 
@@ -160,9 +170,9 @@ enum {
 
 /* Type of a solver setting. */
 enum {
-  ROLLCON_TYPE_INT  = 1,    /* integer, rollcon_contact_set_int */
-  ROLLCON_TYPE_REAL = 2,    /* real, rollcon_contact_set_real */
-  ROLLCON_TYPE_STR  = 3     /* text, rollcon_contact_set_str */
+  ROLLCON_TYPE_INT  = 1,    /* integer: ..._set_int */
+  ROLLCON_TYPE_REAL = 2,    /* real: ..._set_real */
+  ROLLCON_TYPE_STR  = 3     /* text: ..._set_str */
 };
 
 /* What a progress callback can ask an event: below 100 integers, above 100 reals. */
@@ -278,7 +288,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_log(rollcon_context 
     int32_t max_level, rollcon_log_fn fn, void *user);
 
 /*
- * Sets the number of threads that each solve in this context may use.
+ * Sets the number of threads that each solve, and each preparation of a body, in this context may
+ * use.
  *   n        0 to 4096; 0 (standard): OpenMP decides
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
@@ -298,9 +309,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_cont
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_get_error(const rollcon_context *context,
     int64_t capacity, char *text, int64_t *needed);
 
-/* -------------------------------------------------------------------------------------- Body */
+/* -------------------------------------------------------------- Body: making, material, life */
 /* One of the two bodies of a contact. A prepared body is frozen and may be shared by contacts in
-   many threads. */
+   many threads. Half-spaces need a material only and rigid planes nothing; all others have a
+   mesh. */
 
 /*
  * Makes a body.
@@ -333,7 +345,8 @@ ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
 /*
  * Sets an isotropic linear elastic material.
  *   body     not rigid, not prepared (ROLLCON_ERR_STATE)
- *   tag      elements that get the material; half-spaces ignore it
+ *   tag      elements that get the material; half-spaces and boundary-element bodies, of one
+ *            material, ignore it
  *   young    Young's modulus E > 0, force/length^2
  *   poisson  Poisson's ratio, -1 < nu <= 0.5
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
@@ -344,11 +357,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
     double young, double poisson);
 
 /*
- * Checks that the body is complete and freezes it. Optional: the first solve does it. Calling it
- * again does nothing.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY.
+ * Checks that the body is complete and its mesh and supports sound, assembles and factorises its
+ * equations, and freezes it. Optional: the first solve does it. Calling it again does nothing.
+ * ROLLCON_ERR_MESH names the offending elements or nodes: double nodes, degenerate or repeated
+ * elements, neighbours of opposite orientation, and for elastic bodies open edges, normals that
+ * point inwards, more than one outer shell. ROLLCON_ERR_SINGULAR: the supports leave the body
+ * free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what
+ * is held is also what approach and creepage move.
+ * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
+ *   again.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, section 9; equations (53) to (57) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body);
 
@@ -361,13 +382,259 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body)
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body *body,
     int32_t *kind);
 
+/* ------------------------------------------------------------ Body: mesh, supports and loads */
+/* What bodies with a mesh are made of, in the body's own axes (rollcon_contact_set_pose says
+   where it stands). Nodes first, then elements, then what refers to them; nothing after
+   rollcon_body_prepare (ROLLCON_ERR_STATE). Half-spaces take none of it and rigid bodies no
+   supports and loads (ROLLCON_ERR_STATE). */
+
+/*
+ * Sets the nodes and forgets elements, supports, loads and contact faces. Component j of node i
+ * is x[i * node_stride + j * component_stride]: packed x[n][3] has strides 3 and 1, Fortran's
+ * X(n,3) 1 and n.
+ *   n                 nodes, 1 to 2147483647
+ *   x                 [n*3]; coordinates, length
+ *   node_stride       >= 1, in doubles
+ *   component_stride  >= 1, in doubles
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_nodes(rollcon_body *body, int64_t n,
+    const double *x, int64_t node_stride, int64_t component_stride);
+
+/*
+ * Adds surface elements of one type; types may be mixed by several calls. Corners run
+ * counter-clockwise seen from outside the body, so that normals point outwards. Shapes,
+ * orientation and closedness are checked by rollcon_body_prepare (ROLLCON_ERR_MESH there).
+ *   type          ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9
+ *   n             elements, >= 0
+ *   connectivity  [n][nodes of the type]; node ids
+ *   index_base    0 or 1: id of the first node; messages count the same way
+ *   tag           names these faces in loads, contact faces and rollcon_contact_frame_from_body;
+ *                 tractions may jump where tags meet
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_elements(rollcon_body *body,
+    int32_t type, int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag);
+
+/*
+ * Holds displacement components of nodes, at zero or at given values. Adds to what is held
+ * already; a component held twice takes the last value. A face is held where all its nodes are. A
+ * contact moves what is held rigidly with approach and creepage; values deform the body on top of
+ * that.
+ *   n           nodes to hold, >= 0
+ *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
+ *   index_base  0 or 1: id of the first node
+ *   dof_mask    sum of ROLLCON_DOF_X, DOF_Y, DOF_Z: the components held, 1 to 7
+ *   values      [n][3]; displacements x y z, length; components outside of dof_mask are ignored;
+ *               NULL: zero
+ * Ownership: The arrays are copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_support(rollcon_body *body, int64_t n,
+    const int32_t *nodes, int32_t index_base, int32_t dof_mask, const double *values);
+
+/*
+ * Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the
+ * same tag is added to it. Faces without load or support are free.
+ *   tag       of some element (else ROLLCON_ERR_ARGUMENT)
+ *   traction  [3]; force/length^2 along x y z
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *body,
+    int32_t tag, const double *traction);
+
+/*
+ * Prescribes a pressure on the faces with a tag, against their outward normals; replaces an
+ * earlier one and adds to a traction on the same tag.
+ *   tag       of some element (else ROLLCON_ERR_ARGUMENT)
+ *   pressure  force/length^2; > 0 compresses
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *body,
+    int32_t tag, double pressure);
+
+/*
+ * Says which faces may come into contact: on them gaps are computed and frames laid. Standard:
+ * all faces that are neither held nor loaded.
+ *   n     tags, >= 0; 0 returns to the standard
+ *   tags  [n]; each of some element (else ROLLCON_ERR_ARGUMENT); NULL only with n = 0
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_body *body,
+    int64_t n, const int32_t *tags);
+
+/* ---------------------------------------------------------------------------- Body: settings */
+/* Settings of a body by name, in the manner of those of a contact: unknown name, wrong type and
+   out of range are errors. Bodies without equations of their own have them too and ignore them. */
+
+/*
+ * Sets an integer option.
+ *   body   not prepared (ROLLCON_ERR_STATE)
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_int(rollcon_body *body,
+    const char *name, int64_t value);
+
+/*
+ * Sets a real option.
+ *   body   not prepared (ROLLCON_ERR_STATE)
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_real(rollcon_body *body,
+    const char *name, double value);
+
+/*
+ * Value of an integer option.
+ *   value  out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_int(const rollcon_body *body,
+    const char *name, int64_t *value);
+
+/*
+ * Value of a real option.
+ *   value  out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_real(const rollcon_body *body,
+    const char *name, double *value);
+
+/*
+ * Number of options of bodies.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_body_option_count(void);
+
+/*
+ * Row of the table of options of bodies.
+ *   i         0 to rollcon_body_option_count() - 1
+ *   capacity  bytes at name; 32 are enough for every name
+ *   name      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   type      out, may be NULL; ROLLCON_TYPE_...
+ *   low       out, may be NULL; least value allowed
+ *   high      out, may be NULL; greatest value allowed
+ *   standard  out, may be NULL; value of a new body
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int64_t capacity,
+    char *name, int32_t *type, double *low, double *high, double *standard);
+
+/*
+ * What an option of bodies means.
+ *   i         0 to rollcon_body_option_count() - 1
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64_t capacity,
+    char *text, int64_t *needed);
+
+/* ----------------------------------------------------------------------------- Body: results */
+/* Of a prepared body by itself: statics under its own loads and given displacements, no contact
+   acting; in the body's axes. ROLLCON_ERR_STATE before rollcon_body_prepare or a solve that did
+   it, and for half-spaces. */
+
+/*
+ * Nodes and elements given so far; 0 for bodies without a mesh. Works before
+ * rollcon_body_prepare.
+ *   nodes     out, may be NULL
+ *   elements  out, may be NULL
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_size(const rollcon_body *body,
+    int64_t *nodes, int64_t *elements);
+
+/*
+ * Displacement of every node under the body's own loads and given displacements; zero when there
+ * are none, and for rigid bodies.
+ *   capacity  nodes that fit into u; at least those of the body
+ *   u         [capacity][3], out; displacement x y z, length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, section 9.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rollcon_body *body,
+    int64_t capacity, double *u);
+
+/*
+ * Resultant of the forces that the supports exert on the body under its own loads and given
+ * displacements, and its moment about the origin of the body's axes. It balances the loads up to
+ * the error of the discretisation: a measure of it.
+ *   force   [3], out, may be NULL; force
+ *   moment  [3], out, may be NULL; force x length
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_body *body,
+    double *force, double *moment);
+
+/*
+ * One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds,
+ * bytes; 0 for bodies without equations. Names: rollcon_body_stat_name.
+ *   value  out
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_stat(const rollcon_body *body,
+    const char *name, double *value);
+
+/*
+ * Number of statistics of bodies.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_body_stat_count(void);
+
+/*
+ * Name of a statistic of bodies.
+ *   i         0 to rollcon_body_stat_count() - 1
+ *   capacity  bytes at text; 0 only asks for the need
+ *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
+ *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
+ * Threads: any thread at any time.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_t capacity,
+    char *text, int64_t *needed);
+
 /* ----------------------------------------------------------- Contact: making, frame and axes */
 /* A pair of bodies, the frame (mesh) on which their tractions live, and what happens there. */
 
 /*
  * Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
- * creepages and spin 0, all by motion. Frame, gap and friction have no standard: solving without
- * them is ROLLCON_ERR_STATE. At least one of the bodies must be elastic.
+ * creepages and spin 0, all by motion, bodies posed as given. Frame and friction have no
+ * standard, the gap only if a body has a mesh: solving without them is ROLLCON_ERR_STATE. At
+ * least one of the bodies must be elastic.
  *   body1    tractions are those on this body; n points out of it
  *   body2    may be of another context, and the same as body1
  *   contact  new handle
@@ -428,6 +695,37 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
     int32_t index_base, int32_t tag);
 
 /*
+ * Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame
+ * and forgets the gap array and the creep and friction fields. Its nodes are those of the faces,
+ * in the order of their ids in the body, and follow the body's pose. Faces of body 2 are turned
+ * over, so that the frame's normals point out of body 1.
+ *   which    1 or 2: the body, prepared or not
+ *   tag      of some element of it (else ROLLCON_ERR_ARGUMENT)
+ * Ownership: The faces are copied: later changes of an unprepared body do not reach the frame.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_contact *contact,
+    int32_t which, int32_t tag);
+
+/*
+ * Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0.
+ * Standard: identity and zero. Half-spaces ignore it: their surface is the frame's.
+ *   which        1 or 2: the body
+ *   rotation     [3][3]; by rows; orthonormal with determinant +1 to 1e-6 (else
+ *                ROLLCON_ERR_ARGUMENT), then made exactly so
+ *   translation  [3]; length
+ * Ownership: The arrays are copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_pose(rollcon_contact *contact,
+    int32_t which, const double *rotation, const double *translation);
+
+/*
  * Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent plane, t2
  * = n x t1. Vectors need not have unit length. Creepages, spin and moments belong to the origin.
  *   origin   [3]; length
@@ -444,6 +742,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact
 
 /*
  * Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap.
+ * Where a body has a mesh and no gap is given, it is measured along the frame's normals between
+ * the surfaces; a half-space or rigid body without a mesh is then the plane through the origin of
+ * the axes.
  *   n        nodes of the frame
  *   gap      [n]; length
  * Ownership: The array is copied.
@@ -695,7 +996,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by
  * force. Starts from the last solution unless the option "warm_start" is 0. After
  * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
- * the scene as it was but discards the last solution.
+ * the scene as it was but discards the last solution. Bodies that are not prepared are prepared
+ * first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the
+ * text names the body.
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY,
@@ -789,7 +1092,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
 
 /*
  * Elastic displacement of a body at any points of the contact surface, on the frame or off it, in
- * local axes.
+ * local axes (of the point, if curved).
  *   body     1 or 2
  *   n        points, >= 0
  *   xy       [n][2]; positions along t1 and t2 from the origin, length

@@ -58,6 +58,17 @@ rollcon_status rollcon_contact_add_frame_elements(rollcon_contact* contact, int3
   });
 }
 
+rollcon_status rollcon_contact_frame_from_body(rollcon_contact* contact, int32_t which,
+                                               int32_t tag) {
+  return with_contact(__func__, contact, [&](Contact& c) { c.frame_from_body(which, tag); });
+}
+
+rollcon_status rollcon_contact_set_pose(rollcon_contact* contact, int32_t which,
+                                        const double* rotation, const double* translation) {
+  return with_contact(__func__, contact,
+                      [&](Contact& c) { c.scene.set_pose(which, rotation, translation); });
+}
+
 rollcon_status rollcon_contact_set_axes(rollcon_contact* contact, const double* origin,
                                         const double* rolling, const double* normal) {
   return with_contact(__func__, contact,

@@ -57,9 +57,9 @@ static_assert(same(NodeStatus::slip, ROLLCON_SLIP) && same(NodeStatus::excluded,
 static_assert(same(LogLevel::error, ROLLCON_LOG_ERROR));
 static_assert(same(LogLevel::warning, ROLLCON_LOG_WARNING));
 static_assert(same(LogLevel::info, ROLLCON_LOG_INFO) && same(LogLevel::debug, ROLLCON_LOG_DEBUG));
-static_assert(same(OptionType::integer, ROLLCON_TYPE_INT));
-static_assert(same(OptionType::real, ROLLCON_TYPE_REAL));
-static_assert(same(OptionType::text, ROLLCON_TYPE_STR));
+static_assert(same(SettingType::integer, ROLLCON_TYPE_INT));
+static_assert(same(SettingType::real, ROLLCON_TYPE_REAL));
+static_assert(same(SettingType::text, ROLLCON_TYPE_STR));
 static_assert(same(Phase::compliance, ROLLCON_PHASE_COMPLIANCE));
 static_assert(same(Phase::normal, ROLLCON_PHASE_NORMAL));
 static_assert(same(Phase::tangential, ROLLCON_PHASE_TANGENTIAL));

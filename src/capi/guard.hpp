@@ -66,6 +66,12 @@ std::int32_t with_contact(const char* function, const rollcon_contact* handle, F
                      [&](Object& object) { return body(*object.contact); });
 }
 
+template <class F>
+std::int32_t with_body(const char* function, const rollcon_body* handle, F&& body) noexcept {
+  return with_object(function, Kind::body, handle,
+                     [&](Object& object) { return body(*object.body); });
+}
+
 std::int32_t retain(Kind kind, const void* handle) noexcept;
 void release(Kind kind, const void* handle) noexcept;
 

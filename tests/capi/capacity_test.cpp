@@ -52,6 +52,12 @@ TEST_F(capacity, texts) {
   check_text_getter("stat_name", [](auto n, auto* text, auto* needed) {
     return rollcon_stat_name(0, n, text, needed);
   });
+  check_text_getter("body_option_doc", [](auto n, auto* text, auto* needed) {
+    return rollcon_body_option_doc(0, n, text, needed);
+  });
+  check_text_getter("body_stat_name", [](auto n, auto* text, auto* needed) {
+    return rollcon_body_stat_name(0, n, text, needed);
+  });
   check_text_getter("get_str", [&](auto n, auto* text, auto* needed) {
     return rollcon_contact_get_str(contact, "convection", n, text, needed);
   });

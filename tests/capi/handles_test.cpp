@@ -22,6 +22,8 @@ void with_each_contact_call(const void* handle, F&& check) {
   check("retain", rollcon_contact_retain(c));
   check("set_frame_nodes", rollcon_contact_set_frame_nodes(c, 3, x, 3, 1));
   check("add_frame_elements", rollcon_contact_add_frame_elements(c, ROLLCON_TRI3, 1, nodes, 0, 0));
+  check("frame_from_body", rollcon_contact_frame_from_body(c, 1, 0));
+  check("set_pose", rollcon_contact_set_pose(c, 1, x, x));
   check("set_axes", rollcon_contact_set_axes(c, x, x + 3, x + 6));
   check("set_gap", rollcon_contact_set_gap(c, 3, x));
   check("set_gap_quadratic", rollcon_contact_set_gap_quadratic(c, 1, 1, 0));
@@ -57,11 +59,29 @@ void with_each_contact_call(const void* handle, F&& check) {
 template <class F>
 void with_each_body_call(const void* handle, F&& check) {
   auto* b = static_cast<rollcon_body*>(const_cast<void*>(handle));
+  const double x[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  const std::int32_t nodes[3] = {0, 1, 2};
+  double v[9];
+  std::int64_t n = 0;
   std::int32_t kind = 0;
   check("retain", rollcon_body_retain(b));
   check("set_elastic", rollcon_body_set_elastic(b, 0, 1, 0.3));
+  check("set_nodes", rollcon_body_set_nodes(b, 3, x, 3, 1));
+  check("add_elements", rollcon_body_add_elements(b, ROLLCON_TRI3, 1, nodes, 0, 0));
+  check("set_support", rollcon_body_set_support(b, 3, nodes, 0, ROLLCON_DOF_XYZ, nullptr));
+  check("set_traction", rollcon_body_set_traction(b, 0, x));
+  check("set_pressure", rollcon_body_set_pressure(b, 0, 1));
+  check("set_contact_faces", rollcon_body_set_contact_faces(b, 1, nodes));
+  check("set_int", rollcon_body_set_int(b, "keep_factors", 1));
+  check("set_real", rollcon_body_set_real(b, "accuracy", 1e-6));
+  check("get_int", rollcon_body_get_int(b, "keep_factors", &n));
+  check("get_real", rollcon_body_get_real(b, "accuracy", v));
   check("prepare", rollcon_body_prepare(b));
   check("get_kind", rollcon_body_get_kind(b, &kind));
+  check("get_size", rollcon_body_get_size(b, &n, &n));
+  check("get_displacements", rollcon_body_get_displacements(b, 3, v));
+  check("get_reaction", rollcon_body_get_reaction(b, v, v + 3));
+  check("get_stat", rollcon_body_get_stat(b, "unknowns", v));
 }
 
 template <class F>

@@ -36,6 +36,7 @@ TEST(library, every_status_has_its_own_text) {
 TEST(library, features_are_yes_no_or_unknown) {
   EXPECT_EQ(rollcon_has_feature("halfspace"), 1);
   EXPECT_EQ(rollcon_has_feature("rigid"), 1);
+  EXPECT_EQ(rollcon_has_feature("bem"), 1);
   EXPECT_EQ(rollcon_has_feature("fem"), 0);
   EXPECT_EQ(rollcon_has_feature("no such feature"), 0);
   EXPECT_EQ(rollcon_has_feature(""), 0);

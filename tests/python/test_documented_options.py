@@ -1,4 +1,4 @@
-"""The table of solver settings in docs/api.md is the one that the library has."""
+"""The tables of settings in docs/api.md are those that the library has."""
 
 import pathlib
 import re
@@ -10,15 +10,21 @@ DOCUMENT = pathlib.Path(__file__).resolve().parents[2] / "docs" / "api.md"
 TYPES = {rc.TYPE_INT: "int", rc.TYPE_REAL: "real", rc.TYPE_STR: "text"}
 
 
+def documented(title):
+    """Rows of the table whose first column has the title: name -> type, range, standard."""
+    _, _, rest = DOCUMENT.read_text().partition(f"\n| {title} | type | range | standard |")
+    rows = {}
+    for line in rest.partition("\n\n")[0].splitlines():
+        match = re.match(r"\| `(\w+)` \| (int|real|text) \| ([^|]*) \| ([^|]*) \|", line)
+        if match:
+            rows[match[1]] = match.groups()[1:]
+    return rows
+
+
 class DocumentedOptions(unittest.TestCase):
 
-    def test_names_types_ranges_and_standards(self):
-        rows = {}
-        for line in DOCUMENT.read_text().splitlines():
-            match = re.match(r"\| `(\w+)` \| (int|real|text) \| ([^|]*) \| ([^|]*) \|", line)
-            if match:
-                rows[match[1]] = match.groups()[1:]
-        options = rc.option_table()
+    def same(self, rows, options):
+        self.assertTrue(rows)
         self.assertEqual(sorted(rows), sorted(option.name for option in options))
         for option in options:
             kind, allowed, standard = rows[option.name]
@@ -28,6 +34,12 @@ class DocumentedOptions(unittest.TestCase):
             low, high = (float(v) for v in allowed.split(" to "))
             self.assertEqual((low, high, float(standard)),
                              (option.low, option.high, option.standard), option.name)
+
+    def test_of_contacts(self):
+        self.same(documented("name"), rc.option_table())
+
+    def test_of_bodies(self):
+        self.same(documented("body option"), rc.body_option_table())
 
 
 if __name__ == "__main__":

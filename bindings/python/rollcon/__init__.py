@@ -12,10 +12,10 @@ from ._library import (RollconError, build_info, has_feature, library_path, stat
 from .body import Body
 from .contact import Contact
 from .context import Context
-from .options import option_table, stat_names
+from .options import body_option_table, body_stat_names, option_table, stat_names
 
 __version__ = ".".join(str(part) for part in _api.VERSION)
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
-__all__ += ["Body", "Contact", "Context", "RollconError", "build_info", "has_feature",
-            "library_path", "option_table", "stat_names", "status_string", "version",
-            "version_string"]
+__all__ += ["Body", "Contact", "Context", "RollconError", "body_option_table", "body_stat_names",
+            "build_info", "has_feature", "library_path", "option_table", "stat_names",
+            "status_string", "version", "version_string"]

@@ -43,6 +43,12 @@ QUAD4 = 214
 QUAD8 = 218
 QUAD9 = 219
 
+# dof
+DOF_X = 1
+DOF_Y = 2
+DOF_Z = 4
+DOF_XYZ = 7
+
 # direction
 LONGITUDINAL = 1
 LATERAL = 2
@@ -144,6 +150,31 @@ FUNCTIONS = {
     "rollcon_body_set_elastic": (c_int32, [c_void_p, c_int32, c_double, c_double]),
     "rollcon_body_prepare": (c_int32, [c_void_p]),
     "rollcon_body_get_kind": (c_int32, [c_void_p, POINTER(c_int32)]),
+    "rollcon_body_set_nodes": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_int64, c_int64]),
+    "rollcon_body_add_elements": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_int32), c_int32, c_int32]),
+    "rollcon_body_set_support": (c_int32, [
+        c_void_p, c_int64, POINTER(c_int32),
+        c_int32, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_traction": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
+    "rollcon_body_set_int": (c_int32, [c_void_p, c_char_p, c_int64]),
+    "rollcon_body_set_real": (c_int32, [c_void_p, c_char_p, c_double]),
+    "rollcon_body_get_int": (c_int32, [c_void_p, c_char_p, POINTER(c_int64)]),
+    "rollcon_body_get_real": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
+    "rollcon_body_option_count": (c_int32, []),
+    "rollcon_body_option_info": (c_int32, [
+        c_int32, c_int64, c_char_p, POINTER(c_int32),
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_option_doc": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_body_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
+    "rollcon_body_get_displacements": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_body_get_reaction": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
+    "rollcon_body_stat_count": (c_int32, []),
+    "rollcon_body_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_create": (c_int32, [c_void_p, c_void_p, c_void_p, POINTER(c_void_p)]),
     "rollcon_contact_retain": (c_int32, [c_void_p]),
     "rollcon_contact_release": (None, [c_void_p]),
@@ -153,6 +184,10 @@ FUNCTIONS = {
     "rollcon_contact_add_frame_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_int32), c_int32, c_int32]),
+    "rollcon_contact_frame_from_body": (c_int32, [c_void_p, c_int32, c_int32]),
+    "rollcon_contact_set_pose": (c_int32, [
+        c_void_p, c_int32,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_set_axes": (c_int32, [
         c_void_p, POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),

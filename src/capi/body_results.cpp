@@ -1,0 +1,57 @@
+/// Results of bodies.
+
+#include "bodies/body_results.hpp"
+
+#include <algorithm>
+
+#include "capi/guard.hpp"
+#include "capi/results.hpp"
+
+using namespace rollcon;
+using namespace rollcon::capi;
+
+rollcon_status rollcon_body_get_size(const rollcon_body* body, int64_t* nodes, int64_t* elements) {
+  return with_body(__func__, body, [&](const Body& b) {
+    if (nodes) *nodes = b.mesh().surface.nodes();
+    if (elements) *elements = b.mesh().surface.elements();
+  });
+}
+
+rollcon_status rollcon_body_get_displacements(const rollcon_body* body, int64_t capacity,
+                                              double* u) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_count(capacity, "capacity");
+    require_pointer(u, "u");
+    body_displacements(b, capacity, u);
+  });
+}
+
+rollcon_status rollcon_body_get_reaction(const rollcon_body* body, double* force, double* moment) {
+  return with_body(__func__, body, [&](const Body& b) {
+    Vec3 f, m;
+    body_reaction(b, f, m);
+    if (force) std::copy(f.begin(), f.end(), force);
+    if (moment) std::copy(m.begin(), m.end(), moment);
+  });
+}
+
+rollcon_status rollcon_body_get_stat(const rollcon_body* body, const char* name, double* value) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_pointer(name, "name");
+    require_pointer(value, "value");
+    *value = body_statistic(b, name);
+  });
+}
+
+int32_t rollcon_body_stat_count(void) {
+  return static_cast<int32_t>(body_statistic_count());
+}
+
+rollcon_status rollcon_body_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
+  return guarded(__func__, nullptr, [&] {
+    if (i < 0 || i >= body_statistic_count())
+      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i,
+           static_cast<long long>(body_statistic_count()) - 1);
+    copy_text(body_statistic_name(i), capacity, text, needed);
+  });
+}

@@ -1,0 +1,87 @@
+/// Poses of bodies, and frames made of their faces.
+
+#include <cmath>
+#include <limits>
+
+#include "body_fixture.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr double identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, zero[3] = {0, 0, 0};
+
+}  // namespace
+
+class pose : public BodyApi {
+ protected:
+  void SetUp() override {
+    BodyApi::SetUp();
+    set_mesh(body);
+    ASSERT_EQ(rollcon_contact_create(context, plane, body, &pair), ROLLCON_OK);
+  }
+
+  void TearDown() override {
+    rollcon_contact_release(pair);
+    BodyApi::TearDown();
+  }
+
+  void expect_frame(std::int64_t nodes, std::int64_t elements) {
+    std::int64_t n = -1, m = -1;
+    ASSERT_EQ(rollcon_contact_get_size(pair, &n, &m), ROLLCON_OK);
+    EXPECT_EQ(n, nodes);
+    EXPECT_EQ(m, elements);
+  }
+
+  rollcon_contact* pair = nullptr;
+};
+
+TEST_F(pose, arguments) {
+  for (const std::int32_t which : {0, 3, -1})
+    EXPECT_FAILS(rollcon_contact_set_pose(pair, which, identity, zero), ROLLCON_ERR_ARGUMENT,
+                 "which is", "1, 2");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, nullptr, zero), ROLLCON_ERR_ARGUMENT,
+               "rotation is NULL");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, identity, nullptr), ROLLCON_ERR_ARGUMENT,
+               "translation is NULL");
+  const double nowhere[3] = {0, not_a_number, 0};
+  double bad[9] = {1, 0, 0, 0, 1, 0, 0, not_a_number, 1};
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, bad, zero), ROLLCON_ERR_NONFINITE, "rotation");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, identity, nowhere), ROLLCON_ERR_NONFINITE,
+               "component y of translation");
+}
+
+TEST_F(pose, rotations_only) {
+  const double mirrored[9] = {1, 0, 0, 0, 1, 0, 0, 0, -1}, larger[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2},
+               sheared[9] = {1, 2e-6, 0, 0, 1, 0, 0, 0, 1}, nothing[9] = {};
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 2, mirrored, zero), ROLLCON_ERR_ARGUMENT,
+               "determinant");
+  for (const double* r : {larger, sheared, nothing})
+    EXPECT_FAILS(rollcon_contact_set_pose(pair, 2, r, zero), ROLLCON_ERR_ARGUMENT, "orthonormal");
+  const double rounded[9] = {1, 4e-7, 0, -4e-7, 1, 0, 0, 0, 1 + 4e-7};
+  EXPECT_EQ(rollcon_contact_set_pose(pair, 2, rounded, zero), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_pose(pair, 2, identity, zero), ROLLCON_OK);
+}
+
+TEST_F(pose, frames_from_bodies_are_their_tagged_faces) {
+  for (const std::int32_t which : {0, 3, -7})
+    EXPECT_FAILS(rollcon_contact_frame_from_body(pair, which, 6), ROLLCON_ERR_ARGUMENT, "which is",
+                 "1, 2");
+  EXPECT_FAILS(rollcon_contact_frame_from_body(pair, 2, 9), ROLLCON_ERR_ARGUMENT, "tag is 9");
+  EXPECT_FAILS(rollcon_contact_frame_from_body(pair, 1, 6), ROLLCON_ERR_STATE);
+  expect_frame(0, 0);
+  ASSERT_EQ(rollcon_contact_frame_from_body(pair, 2, 6), ROLLCON_OK);
+  expect_frame(9, 4);
+  EXPECT_FAILS(rollcon_contact_frame_from_body(pair, 2, 9), ROLLCON_ERR_ARGUMENT, "tag is 9");
+  expect_frame(9, 4);
+  const double other[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+  ASSERT_EQ(rollcon_body_set_nodes(body, 3, other, 3, 1), ROLLCON_OK);
+  expect_frame(9, 4);
+  ASSERT_EQ(rollcon_contact_set_frame_nodes(pair, 3, other, 3, 1), ROLLCON_OK);
+  expect_frame(3, 0);
+}
+
+TEST_F(pose, half_spaces_have_no_faces) {
+  EXPECT_FAILS(rollcon_contact_frame_from_body(contact, 1, 0), ROLLCON_ERR_STATE);
+}
