@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# From nothing to a result: installs what is missing, builds the library, rolls an elastic sphere over
-# a rigid plane through the public C API, prints the numbers and draws the tractions.
+# From nothing to a result: installs what is missing, builds the library, rolls a wheel meshed by
+# boundary elements over a rigid rail head through the public C API, prints the numbers and draws
+# tractions and slip; then the same for a sphere on a plane.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/demo
@@ -12,11 +13,22 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DROLLCON_TESTS
   -DROLLCON_FORTRAN=OFF | grep -A6 -E '^-- rollcon [0-9]'
 cmake --build "$build" -j "$jobs"
 
-say "a sphere rolls on a plane (examples/sphere_on_plane.c)"
 mkdir -p "$out"
 cd "$out"
-"$build/examples/sphere_on_plane_c" "$out"
-gnuplot "$root/examples/plot_contact.gp"
-picture=$(find "$out" -name '*.png' -newer "$build/examples/sphere_on_plane_c" | head -n 1)
-[ -n "$picture" ] || fail "no picture was drawn in $out"
-say "picture: $picture"
+rm -f ./*.png
+
+# run PROGRAM PICTURE SCRIPT...
+run() {
+  local program=$1 picture=$out/$2 script
+  shift 2
+  say "examples/$program.c"
+  "$build/examples/${program}_c" "$out"
+  for script in "$@"; do
+    gnuplot "$root/examples/$script"
+  done
+  [ -s "$picture" ] || fail "no picture was drawn: $picture"
+}
+
+run sphere_on_plane sphere_on_plane.png plot_contact.gp
+run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
+say "pictures: $out/wheel_on_rail.png (and wheel_on_rail_fields.png, sphere_on_plane.png)"
