@@ -53,6 +53,7 @@ std::vector<Case> steady_rolling_cases();
 std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
 std::vector<Case> linear_solver_cases();
+std::vector<Case> body_cases();
 
 double now();  ///< seconds, monotonic
 

@@ -139,7 +139,7 @@ static void graded_lines(double* line, int n, double from, double to, double fir
   double low = 1e-3, high = 1e3, sum = 0, step;
   int k, i;
   if (largest <= 0) largest = length;
-  if (n * largest < length) largest = 1.05 * length / n;
+  if (n * largest < length) largest = 2 * length / n;
   for (i = 0; i < 200; ++i) {
     const double factor = sqrt(low * high);
     for (k = 0, sum = 0, step = first; k < n; ++k, step *= factor)

@@ -75,7 +75,7 @@ static void semi_axes(double semi[2]) {
 
 static measures solve(void) {
   measures m;
-  must_solve(contact, 0);
+  must_solve(contact);
   read_results(&r, contact);
   must(rollcon_contact_get_motion(contact, NULL, m.creep));
   must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, m.force, NULL));

@@ -69,7 +69,7 @@ enum {
   ROLLCON_NOT_CONVERGED   = 1,    /* iteration limit reached; the best iterate is kept */
   ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
-  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it */
+  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it (a body's own edge does not count) */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs */
@@ -799,7 +799,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
     double longitudinal, double lateral, double spin);
 
 /*
- * Adds a rigid slip velocity given node by node to that of creepages and spin.
+ * Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame
+ * its components are along the local axes of each node.
  *   n        nodes of the frame; 0 removes the field
  *   slip     [n][2]; velocity along t1 and t2, length/time; NULL only with n = 0
  * Ownership: The array is copied.

@@ -84,6 +84,7 @@ void Body::prepare_mesh() {
   search_ = std::make_unique<SurfaceSearch>(mesh_.surface, contact_elements(mesh_));
   if (rigid()) return;
   require_supports(mesh_);
+  refuse_incompressible_cavities(mesh_, poisson_);
   response_ = std::make_unique<bem::System>(mesh_, traction_nodes_, young_, poisson_, options_,
                                             context_->threads());
   context_->log(LogLevel::info, "boundary-element body: %lld unknowns, condition %.1e, %.3f s",

@@ -19,20 +19,27 @@ struct PairOfBodies {
 /// element's nodes, interpolated. In the body's axes.
 Vec3 smooth_normal(const Body& body, const SurfacePoint& point);
 
-/// Smooth normals of a body over the plane of the axes, turned to the outward side of body 1. Each
-/// body's displacements are taken in its own local directions: those turn with its particles as
-/// they roll through, so that its radial displacement is no slip.
+/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a
+/// mesh, else minus those of body 2. They follow the profile across the rolling direction, but
+/// along it all have the inclination found at the origin: the bodies flatten each other there, so
+/// that pressure acts along one direction and radial displacements are no slip (docs/theory.md,
+/// section 10).
 class NormalField {
  public:
-  /// The body must have a mesh. which: 0 or 1.
-  NormalField(const Axes& axes, const Body& body, const Pose& pose, int which);
+  /// One body at least must have a mesh.
+  NormalField(const Axes& axes, const PairOfBodies& pair);
   Vec3 at(double x, double y) const;
+  /// Gives a normal, in space, the inclination along the rolling direction that all have.
+  Vec3 level(const Vec3& normal) const;
 
  private:
+  Vec3 surface_normal(double x, double y) const;
+
   Axes axes_;
-  const Body& body_;
+  const Body* body_ = nullptr;
   Pose pose_;
-  double sign_;
+  double sign_ = 1;
+  double sine_ = 0, cosine_ = 1;  ///< of that inclination
 };
 
 /// Point of the axes' plane at (x, y), in space.

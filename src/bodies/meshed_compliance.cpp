@@ -78,7 +78,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       which_(which),
       accuracy_(accuracy),
       threads_(threads),
-      normals_(frame.axes, body_, pose_, which),
+      normals_(frame.axes, pair),
       on_body_(lay_on_body(frame, body_, pose_, which)) {
   SurfaceResponse& body = *body_.response();
   const std::shared_ptr<const SurfaceRows> rows =

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linalg/lapack.hpp"
+#include "mesh/shell_nesting.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -76,6 +77,28 @@ void require_supports(const BodyMesh& mesh) {
        "with rotation (%.3g, %.3g, %.3g) about (%.6g, %.6g, %.6g) over its size; %s",
        static_cast<int>(free), shown[0], shown[1], shown[2], shown[3], shown[4], shown[5],
        box.middle[0], box.middle[1], box.middle[2], remedy);
+}
+
+void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
+  constexpr double most = 0.49;
+  if (poisson <= most) return;
+  const SurfaceMesh& surface = mesh.surface;
+  const Shells shells = find_shells(surface, sorted_sides(corner_cells(surface)));
+  if (shells.size() < 2) return;
+  const std::vector<double> volume = shell_volumes(surface, shells);
+  const std::vector<std::uint8_t> held = held_elements(mesh);
+  std::vector<std::uint8_t> shell_held(shells.size(), 0);
+  for (std::size_t e = 0; e < held.size(); ++e)
+    if (held[e]) shell_held[static_cast<std::size_t>(shells.shell[e])] = 1;
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    if (volume[s] > 0 || shell_held[s]) continue;
+    fail(Status::err_unsupported,
+         "poisson is %g and the cavity of element %lld (counting from %d) is not held: boundary "
+         "elements cannot tell its volume in a nearly incompressible body; allowed: poisson <= %g, "
+         "or a held cavity",
+         poisson, static_cast<long long>(shells.first[s]) + surface.index_base, surface.index_base,
+         most);
+  }
 }
 
 }  // namespace rollcon

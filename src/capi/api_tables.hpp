@@ -27,7 +27,7 @@ constexpr StatusText status_table[] = {
     {1, "iteration limit reached; the best iterate is kept"},
     {2, "the bodies do not touch; tractions are zero"},
     {3, "stopped by the progress callback or by a cancel request"},
-    {4, "the contact reaches the rim of the frame: enlarge it"},
+    {4, "the contact reaches the rim of the frame: enlarge it (a body's own edge does not count)"},
     {-1, "NULL, negative count, value out of range, unknown number"},
     {-2, "released, garbage or wrong-kind handle"},
     {-3, "NaN or infinity among the inputs"},

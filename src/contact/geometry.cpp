@@ -71,9 +71,10 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   const int which = normal_source(pair);
   const Body& body = *pair.body[static_cast<std::size_t>(which)];
   const Pose& pose = pair.pose[static_cast<std::size_t>(which)];
+  const NormalField field(frame.axes, pair);
   if (source.body == which) {
     std::vector<Vec3> normal = own_normals(source, body);
-    for (Vec3& n : normal) n = outward(which, pose.turn(n));
+    for (Vec3& n : normal) n = field.level(outward(which, pose.turn(n)));
     return normal;
   }
   std::vector<Vec3> normal(static_cast<std::size_t>(frame.nodes()), frame.axes.n);
@@ -82,12 +83,21 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
     if (!frame.used[k]) continue;
     const auto hit = along(pair, which, frame.mesh.node[k], frame.axes.n);
     if (hit)
-      normal[k] = outward(which, pose.turn(smooth_normal(body, *hit)));
+      normal[k] = field.level(outward(which, pose.turn(smooth_normal(body, *hit))));
     else
       missed.add(k);
   }
   missed.fail_if_any();
   return normal;
+}
+
+void clear_rim_at_edges(Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
+  if (source.body < 0) return;
+  const TractionNodes& fans = pair.body[static_cast<std::size_t>(source.body)]->smooth_fans();
+  for (std::size_t k = 0; k < source.node.size(); ++k) {
+    const auto node = static_cast<std::size_t>(source.node[k]);
+    if (fans.start[node + 1] - fans.start[node] > 1) frame.rim[k] = 0;
+  }
 }
 
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,

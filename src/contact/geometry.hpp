@@ -27,4 +27,8 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
                                    const PairOfBodies& pair);
 
+/// Contact that reaches the edge of its body is not cut off by the frame: nodes of a frame taken
+/// from a body that lie on a sharp edge of it do not count as rim.
+void clear_rim_at_edges(Frame& frame, const FrameSource& source, const PairOfBodies& pair);
+
 }  // namespace rollcon

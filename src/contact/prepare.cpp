@@ -62,6 +62,7 @@ void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies
   state.frame_source = present_source(scene, pair);
   if (normal_source(pair) >= 0)
     curve_frame(frame, surface_normals(frame, state.frame_source, pair));
+  clear_rim_at_edges(frame, state.frame_source, pair);
   const bool same_size =
       frame.nodes() == state.frame.nodes() && state.mesh_revision == scene.revision.mesh;
   state.frame = std::move(frame);

@@ -188,7 +188,7 @@ TEST(gap_from_geometry, a_rigid_sphere_given_as_a_mesh) {
   std::array<double, 3> expected{};
   for (std::size_t k = 0; k < weight.size(); ++k) {
     const double x = mesh.node[k][0] / 50, y = mesh.node[k][1] / 50;
-    const Triad local = local_triad({}, {-x, -y, std::sqrt(1 - x * x - y * y)});
+    const Triad local = local_triad({}, leveled({-x, -y, std::sqrt(1 - x * x - y * y)}));
     for (std::size_t c = 0; c < 3; ++c)
       expected[c] += weight[k] * (t[3 * k] * local.t1[c] + t[3 * k + 1] * local.t2[c] +
                                   t[3 * k + 2] * local.n[c]);
@@ -241,7 +241,7 @@ TEST(gap_from_geometry, results_are_in_the_triads_of_their_nodes) {
     const Vec3 g{global[3 * k], global[3 * k + 1], global[3 * k + 2]};
     // Outward normal of body 1: against the sphere's.
     const Vec3 radial{point[3 * k], point[3 * k + 1], point[3 * k + 2] - 50};
-    const Vec3 normal = (-1 / length(radial)) * radial;
+    const Vec3 normal = leveled((-1 / length(radial)) * radial);
     turned = std::max(turned, std::abs(dot(g, normal) - local[3 * k + 2]));
     tilt = std::max(tilt, std::abs(g[2] - local[3 * k + 2]));
     for (std::size_t c = 0; c < 3; ++c) resultant[c] += weight[k] * g[c];

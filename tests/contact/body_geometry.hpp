@@ -42,6 +42,12 @@ inline std::shared_ptr<Body> rigid_body(const std::shared_ptr<Context>& context,
   return body;
 }
 
+/// What local axes make of a normal where the surface is level at the origin: its inclination along
+/// x is taken out, that across stays.
+inline Vec3 leveled(const Vec3& n) {
+  return {0, n[1], std::hypot(n[0], n[2])};
+}
+
 /// Least |t| for which from + t * direction (unit) lies on the sphere.
 inline double to_sphere(const Vec3& from, const Vec3& direction, const Vec3& centre,
                         double radius) {

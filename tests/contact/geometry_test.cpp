@@ -22,7 +22,7 @@ constexpr std::int32_t zone_tag = 7;
 
 /// Sphere 1 below, touching z = 0; sphere 2 above, touching z = clearance.
 Vec3 normal_of_1(double x, double y) {
-  return {x / radius1, y / radius1, std::sqrt(1 - (x * x + y * y) / (radius1 * radius1))};
+  return leveled({x / radius1, y / radius1, std::sqrt(1 - (x * x + y * y) / (radius1 * radius1))});
 }
 double distance_to_1(const Vec3& p, const Vec3& n) {
   return to_sphere(p, n, {0, 0, -radius1}, radius1);
@@ -163,7 +163,7 @@ TEST(geometry, a_body_without_mesh_is_the_plane_of_the_axes) {
       const double up = which == 1 ? 1 : -1;  // where the centre lies
       const Vec3 centre{0, 0, up * (clearance + radius2)};
       const double rim = std::sqrt(radius2 * radius2 - p[0] * p[0] - p[1] * p[1]);
-      const Vec3 n = (1 / radius2) * Vec3{-up * p[0], -up * p[1], rim};
+      const Vec3 n = leveled((1 / radius2) * Vec3{-up * p[0], -up * p[1], rim});
       const double sphere_at = to_sphere(p, n, centre, radius2), plane_at = -p[2] / n[2];
       const double expected = which == 1 ? sphere_at - plane_at : plane_at - sphere_at;
       worst = std::max(worst, std::abs(gap[k] - expected));

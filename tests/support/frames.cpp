@@ -138,7 +138,7 @@ SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<con
 }
 
 SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
-                 double core_fraction) {
+                   double core_fraction) {
   if (is_triangle(type)) throw std::invalid_argument("o_grid: quadrilaterals only");
   SurfaceMesh mesh;
   // Half way between a square and a disc: no corner of the core is flat, no element skewed.
@@ -182,7 +182,8 @@ SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
   return stretch(as_type(std::move(mesh), type), ax, ay);
 }
 
-SurfaceMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count) {
+SurfaceMesh ring_disc(ElementType type, std::span<const double> radius,
+                      std::span<const int> count) {
   if (!is_triangle(type) || radius.size() != count.size() || radius.empty())
     throw std::invalid_argument("ring_disc: triangles, one count per radius");
   SurfaceMesh mesh;

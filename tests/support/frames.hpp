@@ -24,7 +24,7 @@ SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<con
 /// 4 core elements around it. Semi-axes ax, ay; the core's half-diagonal is core_fraction of them.
 /// core = 16, rings = 6: 673 nodes (quad4) or 1985 (quad8), 640 elements. Midside nodes straight.
 SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
-                 double core_fraction = 0.6);
+                   double core_fraction = 0.6);
 
 /// Disc of triangles: a node at the centre, then rings of count[k] nodes at radius[k] (ascending),
 /// each ring turned by half its spacing against the one before.

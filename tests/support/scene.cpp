@@ -1,23 +1,99 @@
 #include "support/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 #include <stdexcept>
 
 namespace rollcon::scenes {
 
-RollingPair::RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads) {
+namespace {
+
+AnyBody half_space_or_rigid(const std::optional<Elastic>& material) {
+  if (material) return HalfspaceBody{*material};
+  return RigidBody{};
+}
+
+std::vector<std::int32_t> nodes_of_tags(const SurfaceMesh& mesh,
+                                        const std::vector<std::int32_t>& tag) {
+  std::set<std::int32_t> nodes;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e)
+    if (std::find(tag.begin(), tag.end(), mesh.tag[static_cast<std::size_t>(e)]) != tag.end())
+      for (const std::int32_t k : mesh.element(e)) nodes.insert(k);
+  return {nodes.begin(), nodes.end()};
+}
+
+/// Calls add(type, tag, first element, count) for runs of elements of one type and tag.
+template <class Add>
+void for_runs(const SurfaceMesh& mesh, Add add) {
+  const auto same = [&](std::int64_t a, std::int64_t b) {
+    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
+    return mesh.type[i] == mesh.type[j] && mesh.tag[i] == mesh.tag[j];
+  };
+  for (std::int64_t first = 0; first < mesh.elements();) {
+    std::int64_t last = first;
+    while (last < mesh.elements() && same(last, first)) ++last;
+    add(static_cast<std::int32_t>(mesh.type[static_cast<std::size_t>(first)]),
+        mesh.tag[static_cast<std::size_t>(first)], first, last - first);
+    first = last;
+  }
+}
+
+}  // namespace
+
+RollingPair::RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads)
+    : RollingPair(half_space_or_rigid(body1), half_space_or_rigid(body2), threads) {}
+
+RollingPair::RollingPair(const AnyBody& body1, const AnyBody& body2, int threads) {
   if (rollcon_context_create(rollcon_abi(), &context_) != 0)
     throw std::runtime_error("rollcon_context_create failed");
   check(rollcon_context_set_threads(context_, threads), "set_threads");
-  const std::optional<Elastic> material[2] = {body1, body2};
-  for (int i = 0; i < 2; ++i) {
-    const std::int32_t kind = material[i] ? ROLLCON_BODY_HALFSPACE : ROLLCON_BODY_RIGID;
-    check(rollcon_body_create(context_, kind, &body_[i]), "body_create");
-    if (material[i])
-      check(rollcon_body_set_elastic(body_[i], 0, material[i]->young(), material[i]->poisson),
-            "body_set_elastic");
+  body_[0] = make(body1);
+  if (std::holds_alternative<TwinBody>(body2)) {
+    body_[1] = body_[0];
+    check(rollcon_body_retain(body_[0]), "body_retain");
+  } else {
+    body_[1] = make(body2);
   }
   check(rollcon_contact_create(context_, body_[0], body_[1], &contact_), "contact_create");
+}
+
+rollcon_body* RollingPair::make(const AnyBody& body) {
+  rollcon_body* made = nullptr;
+  const auto elastic = [&](const Elastic& material) {
+    check(rollcon_body_set_elastic(made, 0, material.young(), material.poisson),
+          "body_set_elastic");
+  };
+  if (const auto* half = std::get_if<HalfspaceBody>(&body)) {
+    check(rollcon_body_create(context_, ROLLCON_BODY_HALFSPACE, &made), "body_create");
+    elastic(half->material);
+    return made;
+  }
+  const auto* meshed = std::get_if<MeshedBody>(&body);
+  const bool rigid = !meshed || !meshed->material;
+  check(rollcon_body_create(context_, rigid ? ROLLCON_BODY_RIGID : ROLLCON_BODY_BEM, &made),
+        "body_create");
+  if (!meshed) return made;
+  if (meshed->material) elastic(*meshed->material);
+  const SurfaceMesh& mesh = meshed->mesh;
+  check(rollcon_body_set_nodes(made, mesh.nodes(), mesh.node[0].data(), 3, 1), "body_set_nodes");
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t first, std::int64_t count) {
+    check(rollcon_body_add_elements(made, type, count, mesh.element(first).data(), 0, tag),
+          "body_add_elements");
+  });
+  const std::vector<std::int32_t> held = nodes_of_tags(mesh, meshed->held_tag);
+  if (!held.empty())
+    check(rollcon_body_set_support(made, static_cast<std::int64_t>(held.size()), held.data(), 0, 7,
+                                   nullptr),
+          "body_set_support");
+  if (!meshed->contact_tag.empty())
+    check(
+        rollcon_body_set_contact_faces(made, static_cast<std::int64_t>(meshed->contact_tag.size()),
+                                       meshed->contact_tag.data()),
+        "body_set_contact_faces");
+  for (const auto& [name, value] : meshed->option)
+    check(rollcon_body_set_real(made, name.c_str(), value), name.c_str());
+  return made;
 }
 
 RollingPair::~RollingPair() {
@@ -37,27 +113,36 @@ std::int32_t RollingPair::check(std::int32_t status, const char* what) const {
 }
 
 RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
-  nodes_ = mesh.node.size();
   check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1),
         "set_frame_nodes");
-  // Runs of elements of one type go in together.
-  for (std::int64_t first = 0; first < mesh.elements();) {
-    std::int64_t last = first;
-    const auto at = [&](std::int64_t e) { return mesh.type[static_cast<std::size_t>(e)]; };
-    while (last < mesh.elements() && at(last) == at(first)) ++last;
-    check(rollcon_contact_add_frame_elements(contact_, static_cast<std::int32_t>(at(first)),
-                                             last - first, mesh.element(first).data(), 0, 0),
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t first, std::int64_t count) {
+    check(rollcon_contact_add_frame_elements(contact_, type, count, mesh.element(first).data(), 0,
+                                             tag),
           "add_frame_elements");
-    first = last;
-  }
+  });
+  return *this;
+}
+
+RollingPair& RollingPair::frame_from_body(int which, std::int32_t tag) {
+  check(rollcon_contact_frame_from_body(contact_, which, tag), "frame_from_body");
+  return *this;
+}
+
+RollingPair& RollingPair::pose(int which, const std::array<Vec3, 3>& rotation,
+                               const Vec3& translation) {
+  check(rollcon_contact_set_pose(contact_, which, rotation[0].data(), translation.data()),
+        "set_pose");
+  return *this;
+}
+
+RollingPair& RollingPair::axes(const Vec3& origin, const Vec3& rolling, const Vec3& normal) {
+  check(rollcon_contact_set_axes(contact_, origin.data(), rolling.data(), normal.data()),
+        "set_axes");
   return *this;
 }
 
 RollingPair& RollingPair::rolling_at(double angle) {
-  const double origin[3] = {0, 0, 0}, normal[3] = {0, 0, 1};
-  const double rolling[3] = {std::cos(angle), std::sin(angle), 0};
-  check(rollcon_contact_set_axes(contact_, origin, rolling, normal), "set_axes");
-  return *this;
+  return axes({0, 0, 0}, {std::cos(angle), std::sin(angle), 0}, {0, 0, 1});
 }
 
 RollingPair& RollingPair::gap(const std::vector<double>& h) {
@@ -130,8 +215,9 @@ void RollingPair::reset() {
 }
 
 std::vector<double> RollingPair::field(std::int32_t which, std::size_t components) const {
-  std::vector<double> values(components * nodes_);
-  std::int64_t count = 0;
+  std::int64_t nodes = 0, count = 0;
+  check(rollcon_contact_get_size(contact_, &nodes, nullptr), "get_size");
+  std::vector<double> values(components * static_cast<std::size_t>(nodes));
   check(rollcon_contact_get_field(contact_, which, ROLLCON_LOCAL,
                                   static_cast<std::int64_t>(values.size()), values.data(), &count),
         "get_field");
@@ -140,10 +226,12 @@ std::vector<double> RollingPair::field(std::int32_t which, std::size_t component
 
 Solution RollingPair::solution() const {
   Solution s;
-  s.traction.resize(nodes_);
-  s.slip.resize(nodes_);
-  s.state.resize(nodes_);
-  const auto n = static_cast<std::int64_t>(nodes_);
+  std::int64_t n = 0;
+  check(rollcon_contact_get_size(contact_, &n, nullptr), "get_size");
+  const auto nodes = static_cast<std::size_t>(n);
+  s.traction.resize(nodes);
+  s.slip.resize(nodes);
+  s.state.resize(nodes);
   check(rollcon_contact_get_tractions(contact_, ROLLCON_LOCAL, n, s.traction[0].data()),
         "get_tractions");
   check(rollcon_contact_get_status(contact_, n, s.state.data()), "get_status");
@@ -152,7 +240,7 @@ Solution RollingPair::solution() const {
   check(rollcon_contact_get_motion(contact_, &s.approach, s.creep.data()), "get_motion");
   const std::vector<double> point = field(ROLLCON_FIELD_POINT, 3);
   const std::vector<double> slip = field(ROLLCON_FIELD_SLIP, 2);
-  for (std::size_t k = 0; k < nodes_; ++k) {
+  for (std::size_t k = 0; k < nodes; ++k) {
     s.x.push_back(point[3 * k]);
     s.y.push_back(point[3 * k + 1]);
     s.slip[k] = {slip[2 * k], slip[2 * k + 1]};
@@ -176,6 +264,21 @@ double RollingPair::stat(const char* name) const {
   double value = 0;
   check(rollcon_contact_get_stat(contact_, name, &value), name);
   return value;
+}
+
+double RollingPair::body_stat(int which, const char* name) const {
+  double value = 0;
+  check(rollcon_body_get_stat(body_[which - 1], name, &value), name);
+  return value;
+}
+
+std::string RollingPair::plan() const {
+  std::string text(4000, '\0');
+  std::int64_t needed = 0;
+  check(rollcon_contact_get_plan(contact_, static_cast<std::int64_t>(text.size()), text.data(),
+                                 &needed),
+        "get_plan");
+  return text.c_str();
 }
 
 }  // namespace rollcon::scenes

@@ -1,13 +1,14 @@
 #pragma once
-/// A pair of half-spaces (or half-space and rigid body) in rolling contact, for tests and benches:
-/// RAII over the public C API and nothing else. Failures (status < 0) throw std::runtime_error
-/// with the library's message.
+/// A pair of bodies in rolling contact, for tests and benches: RAII over the public C API and
+/// nothing else. Failures (status < 0) throw std::runtime_error with the library's message.
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "mesh/frame.hpp"
@@ -32,8 +33,26 @@ struct Solution {
   std::size_t nodes() const { return x.size(); }
 };
 
+/// A boundary-element body, or a rigid one with a surface (no material).
+struct MeshedBody {
+  SurfaceMesh mesh;
+  std::optional<Elastic> material;
+  std::vector<std::int32_t> held_tag;     ///< faces held in all directions
+  std::vector<std::int32_t> contact_tag;  ///< empty: the library's choice
+  std::vector<std::pair<std::string, double>> option;
+};
+
+struct HalfspaceBody {
+  Elastic material;
+};
+struct RigidBody {};
+/// The same body as body 1, with a pose of its own.
+struct TwinBody {};
+using AnyBody = std::variant<HalfspaceBody, RigidBody, MeshedBody, TwinBody>;
+
 class RollingPair {
  public:
+  RollingPair(const AnyBody& body1, const AnyBody& body2, int threads);
   /// No material: rigid.
   RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads = 1);
   ~RollingPair();
@@ -41,6 +60,9 @@ class RollingPair {
   RollingPair& operator=(const RollingPair&) = delete;
 
   RollingPair& frame(const SurfaceMesh& mesh);
+  RollingPair& frame_from_body(int which, std::int32_t tag);
+  RollingPair& pose(int which, const std::array<Vec3, 3>& rotation, const Vec3& translation);
+  RollingPair& axes(const Vec3& origin, const Vec3& rolling, const Vec3& normal);
   /// Rolling direction at `angle` (radian) to the frame's x axis, normal along z.
   RollingPair& rolling_at(double angle);
   RollingPair& gap(const std::vector<double>& h);
@@ -63,17 +85,19 @@ class RollingPair {
   /// Displacements (three per point) of body 1 or 2 at (x, y) pairs.
   std::vector<double> displacements_at(int body, const std::vector<double>& xy) const;
   double stat(const char* name) const;
+  double body_stat(int which, const char* name) const;
+  std::string plan() const;
 
   rollcon_contact* handle() const { return contact_; }
 
  private:
   std::int32_t check(std::int32_t status, const char* what) const;
   std::vector<double> field(std::int32_t which, std::size_t components) const;
+  rollcon_body* make(const AnyBody& body);
 
   rollcon_context* context_ = nullptr;
   rollcon_body* body_[2] = {};
   rollcon_contact* contact_ = nullptr;
-  std::size_t nodes_ = 0;
 };
 
 }  // namespace rollcon::scenes

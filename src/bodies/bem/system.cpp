@@ -120,20 +120,89 @@ std::vector<double> System::given_tractions() const {
   return given;
 }
 
-// Row by row of packs: H and the needed columns of G, then each column to its place: unknown, or
-// times a given value to the right side.
-void System::assemble(int threads, std::vector<double>& own_load) {
-  const SurfaceMesh& surface = mesh_.surface;
-  const std::vector<double> given = given_tractions();
-  std::vector<std::int32_t> column_of_fan(at(fans_.size()), -1);
-  std::int32_t g_columns = 0;
-  for (std::size_t f = 0; f < column_of_fan.size(); ++f) {
+// Fans whose tractions are unknown or given: columns of G; -1: none.
+std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given,
+                                              std::int32_t& columns) const {
+  std::vector<std::int32_t> column(at(fans_.size()), -1);
+  columns = 0;
+  for (std::size_t f = 0; f < column.size(); ++f) {
     bool needed = false;
     for (std::size_t c = 0; c < 3; ++c)
       needed =
           needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
-    if (needed) column_of_fan[f] = g_columns++;
+    if (needed) column[f] = columns++;
   }
+  for (const SpreadReaction& spread : unknowns_.spread)
+    for (const auto& [f, part] : spread.others)
+      if (column[at(f)] < 0) column[at(f)] = columns++;
+  return column;
+}
+
+/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given
+/// ones times their value to the right side.
+struct System::PackTarget {
+  const std::int32_t* row;  ///< (point, component) to row, -1: none
+  std::int64_t count;       ///< points
+  double* matrix;
+  std::int64_t n;
+  std::vector<double>& own_load;  ///< empty: not wanted
+
+  template <class Entry>
+  void for_rows(const double* block, Entry entry) const {
+    for (std::int64_t i = 0; i < 3; ++i)
+      for (std::int64_t p = 0; p < count; ++p)
+        if (const std::int32_t r = row[3 * p + i]; r >= 0) entry(r, block[i * lanes + p]);
+  }
+  void set(const double* block, double factor, std::int64_t column) const {
+    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] = factor * v; });
+  }
+  void add(const double* block, double factor, std::int64_t column) const {
+    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] += factor * v; });
+  }
+  void load(const double* block, double value) const {
+    if (value == 0 || own_load.empty()) return;
+    for_rows(block, [&](std::int32_t r, double v) { own_load[at(r)] += value * v; });
+  }
+};
+
+void System::place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
+                   const std::vector<double>& given, const PackTarget& to) const {
+  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k) {
+    const double* block = h + k * 3 * lanes;
+    if (const std::int32_t column = unknowns_.displacement[k]; column >= 0)
+      to.set(block, 1, column);
+    else
+      to.load(block, -mesh_.held_value[k / 3][k % 3]);
+  }
+  const auto block_of = [&](std::int32_t fan, int c) {
+    return g + (3 * at(column_of_fan[at(fan)]) + at(c)) * 3 * lanes;
+  };
+  for (std::int32_t f = 0; f < fans_.size(); ++f) {
+    if (column_of_fan[at(f)] < 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t k = 3 * at(f) + at(c);
+      // Unknown: traction times size over G, so that all entries are of order one.
+      if (const std::int32_t column = unknowns_.traction[k]; column >= 0)
+        to.set(block_of(f, c), -1 / fan_size_[at(f)], column);
+      else if (!given.empty())
+        to.load(block_of(f, c), given[k]);
+    }
+  }
+  for (const SpreadReaction& spread : unknowns_.spread) {
+    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
+    // The reaction comes on top of what is given there.
+    if (!given.empty()) to.load(block_of(spread.fan, spread.component), given[own]);
+    for (const auto& [f, part] : spread.others)
+      to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)],
+             unknowns_.traction[own]);
+  }
+}
+
+void System::assemble(int threads, std::vector<double>& own_load) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const std::vector<double> given = given_tractions();
+  std::int32_t g_columns = 0;
+  const std::vector<std::int32_t> column_of_fan = needed_fans(given, g_columns);
   std::vector<std::int32_t> g_column(fans_.of.size());
   for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
 
@@ -147,38 +216,8 @@ void System::assemble(int threads, std::vector<double>& own_load) {
         g.resize(at(g_columns) * 9 * lanes);
         integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_column.data(),
                         g_columns, g_columns > 0 ? g.data() : nullptr);
-        const std::int32_t* row = unknowns_.row.data() + 3 * first;
-        const auto put = [&](const double* block, double factor, std::int64_t column,
-                             double value) {
-          for (std::int64_t i = 0; i < 3; ++i)
-            for (std::int64_t p = 0; p < count; ++p) {
-              const std::int32_t r = row[3 * p + i];
-              if (r < 0) continue;
-              const double entry = factor * block[i * lanes + p];
-              if (column >= 0)
-                a[r + column * n] = entry;
-              else
-                own_load[at(r)] -= value * entry;
-            }
-        };
-        for (std::int64_t k = 0; k < surface.nodes(); ++k)
-          for (std::int64_t c = 0; c < 3; ++c) {
-            const std::int32_t column = unknowns_.displacement[at(3 * k + c)];
-            const double value = column < 0 ? mesh_.held_value[at(k)][at(c)] : 0;
-            if (column < 0 && (value == 0 || own_load.empty())) continue;
-            put(h.data() + (3 * k + c) * 3 * lanes, 1, column, value);
-          }
-        for (std::size_t f = 0; f < column_of_fan.size(); ++f) {
-          if (column_of_fan[f] < 0) continue;
-          for (std::int64_t c = 0; c < 3; ++c) {
-            const std::int32_t column = unknowns_.traction[3 * f + at(c)];
-            const double value = column < 0 && !given.empty() ? given[3 * f + at(c)] : 0;
-            if (column < 0 && (value == 0 || own_load.empty())) continue;
-            // Unknown: traction times size over G, so that all entries are of order one.
-            put(g.data() + (3 * std::int64_t{column_of_fan[f]} + c) * 3 * lanes,
-                column >= 0 ? -1 / fan_size_[f] : -1, column, value);
-          }
-        }
+        place(h.data(), g.data(), column_of_fan, given,
+              {unknowns_.row.data() + 3 * first, count, a, n, own_load});
       });
 }
 
@@ -202,6 +241,13 @@ void System::solve_own_load(std::vector<double>& b) {
       own_traction_[k] = shear_ * b[at(column)] / fan_size_[k / 3];
     else if (!given.empty())
       own_traction_[k] = shear_ * given[k];
+  }
+  for (const SpreadReaction& spread : unknowns_.spread) {
+    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
+    const double value = shear_ * b[at(unknowns_.traction[own])] / fan_size_[at(spread.fan)];
+    if (!given.empty()) own_traction_[own] += shear_ * given[own];
+    for (const auto& [f, part] : spread.others)
+      own_traction_[3 * at(f) + at(spread.component)] += part * value;
   }
 }
 

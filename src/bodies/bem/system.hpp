@@ -31,6 +31,11 @@ class System final : public SurfaceResponse {
 
  private:
   void factorize(int threads);
+  struct PackTarget;
+  std::vector<std::int32_t> needed_fans(const std::vector<double>& given,
+                                        std::int32_t& columns) const;
+  void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
+             const std::vector<double>& given, const PackTarget& to) const;
   void assemble(int threads, std::vector<double>& own_load);
   void solve_own_load(std::vector<double>& b);
   std::vector<double> given_tractions() const;

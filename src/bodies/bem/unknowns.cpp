@@ -1,6 +1,7 @@
 #include "bodies/bem/unknowns.hpp"
 
 #include <algorithm>
+#include <map>
 #include <numeric>
 
 #include "mesh/shape.hpp"
@@ -52,6 +53,30 @@ CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std:
   return p;
 }
 
+/// Adds the midside nodes (1/2) and the centre (1/4) next to the corners: with them the corner's
+/// shape function becomes the bilinear one.
+void find_others(const SurfaceMesh& mesh, const TractionNodes& fans,
+                 std::vector<SpreadReaction>& spread) {
+  if (spread.empty()) return;
+  std::map<std::int32_t, std::vector<std::size_t>> spread_of_fan;
+  for (std::size_t s = 0; s < spread.size(); ++s) spread_of_fan[spread[s].fan].push_back(s);
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const ElementType type = mesh.type[at(e)];
+    if (!is_quadratic(type)) continue;
+    const int corners = corner_count(type);
+    const std::int32_t* fan = fans.of.data() + mesh.offset[at(e)];
+    for (int i = 0; i < corners; ++i) {
+      const auto found = spread_of_fan.find(fan[i]);
+      if (found == spread_of_fan.end()) continue;
+      for (const std::size_t s : found->second) {
+        spread[s].others[fan[corners + i]] = 0.5;
+        spread[s].others[fan[corners + (i + corners - 1) % corners]] = 0.5;
+        if (type == ElementType::quad9) spread[s].others[fan[8]] = 0.25;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
@@ -96,11 +121,14 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
         const bool takes = unknown > 0 ? (held_fan[at(f)] & bit) != 0 : f == first;
         if (!takes) continue;
         u.traction[3 * at(f) + c] = column++;
+        if (unknown == 0)
+          u.spread.push_back({static_cast<std::int32_t>(f), static_cast<int>(c), {}});
         if (unknown > 1) extra[at(f)] |= bit;
       }
       if (unknown <= 1) at_node[at(i)] |= bit;
     }
   u.columns = column;
+  find_others(surface, fans, u.spread);
 
   std::vector<std::uint8_t> wanted;
   for (std::int64_t i = 0; i < surface.nodes(); ++i) {

@@ -9,6 +9,7 @@
 /// one of its own elements, so that the matrix is regular at clamped-clamped edges and corners.
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "bodies/bem/boundary_integrals.hpp"
@@ -17,9 +18,18 @@
 
 namespace rollcon::bem {
 
+/// A node held alone, without a held face: its reaction is spread over its first fan like a linear
+/// shape function. (That of a quadratic element's corner has no mean, or a negative one.)
+struct SpreadReaction {
+  std::int32_t fan = 0;  ///< the node's own; the unknown is its traction's
+  int component = 0;
+  std::map<std::int32_t, double> others;  ///< fans of other nodes, and their part of the value
+};
+
 struct Unknowns {
   std::vector<std::int32_t> displacement;  ///< column of (node, component), -1: held
   std::vector<std::int32_t> traction;      ///< column of (traction node, component), -1: known
+  std::vector<SpreadReaction> spread;
   std::int64_t columns = 0;
 
   std::vector<CollocationPoint> point;  ///< neighbours in space stand together

@@ -1,0 +1,55 @@
+#pragma once
+/// What every body model owes the contact: one set of checks over Compliance.
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bodies/compliance.hpp"
+#include "mesh/frame.hpp"
+#include "mesh/pose.hpp"
+
+namespace rollcon {
+
+/// Where the body and its frame stand, and in which units their numbers are.
+struct Placement {
+  Pose pose;
+  double length = 1, stress = 1;  ///< sizes of the standard's units in these units
+};
+
+/// A body's compliance on a frame; what it refers to is kept alive.
+struct PlacedCompliance {
+  std::vector<std::shared_ptr<const void>> keep;
+  std::shared_ptr<const Frame> frame;
+  std::shared_ptr<Compliance> compliance;
+};
+
+struct ComplianceCase {
+  std::string name;
+  /// Finer with the level; unit length and Young's modulus are those of the placement.
+  std::function<PlacedCompliance(int level, const Placement&)> make;
+  /// The same body carried along by a rigid motion of all that is held; null: none (a half-space).
+  std::function<PlacedCompliance(const std::function<Vec3(const Vec3&)>& motion)> moved;
+  double young = 1;
+  // Bounds.
+  double superposition = 1e-12;  ///< apply of a sum; of the largest displacement
+  double block = 1e-12;          ///< block against apply
+  double placement = 1e-10;      ///< turned and shifted
+  double units = 1e-12;
+  std::vector<double> reciprocity;  ///< one bound per level; errors must fall
+  double least_order = 0;           ///< of reciprocity from first to last level, halving each time
+  double rigid_motion = 1e-8;
+};
+void PrintTo(const ComplianceCase& c, std::ostream* out);
+
+// Each prints errors and bounds and fails the running test.
+void check_superposition(const ComplianceCase& c);
+void check_reciprocity(const ComplianceCase& c);
+void check_positive_definite(const ComplianceCase& c);
+void check_placement(const ComplianceCase& c);
+void check_units(const ComplianceCase& c);
+void check_rigid_motion(const ComplianceCase& c);
+
+}  // namespace rollcon

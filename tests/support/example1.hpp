@@ -1,0 +1,51 @@
+#pragma once
+/// The first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two
+/// equal rings roll on each other. N, mm, MPa, s.
+
+#include <cmath>
+#include <memory>
+
+#include "support/scene.hpp"
+#include "support/surface_meshes.hpp"
+
+namespace rollcon::scenes::example1 {
+
+inline constexpr double radius = 50, width = 8, young = 1e4, poisson = 0.3, mu = 0.1;
+inline constexpr double load = 1233.85, force_ratio = 0.6271, speed = 0.2 * radius;
+inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson)),
+                                            .poisson = poisson};
+/// Two long cylinders under the same load per length (Hertz), and the creepage that Carter's
+/// closed form gives for the same force; body 1 is driven by a force along +t1.
+inline const double hertz_a = std::sqrt(4 * (load / width) * (radius / 2) * 2 *
+                                        (1 - poisson * poisson) / (std::acos(-1.0) * young));
+inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
+inline const double carter_creepage =
+    -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
+
+/// The paper's ring: 1472 nodes and quadrilaterals, 12 x 12 of them in the zone.
+inline surfaces::Ring paper_ring() {
+  return {};
+}
+
+inline MeshedBody ring_body(const surfaces::Ring& shape, ElementType type) {
+  MeshedBody body;
+  body.mesh = surfaces::ring(shape, type);
+  body.material = material;
+  body.held_tag = {3};
+  if (shape.sector > 0) body.held_tag.insert(body.held_tag.end(), {6, 7});
+  body.contact_tag = {1, 2};
+  return body;
+}
+
+/// Rings one above the other, the axle of each along y; the second is turned upside down.
+inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type,
+                                         const char* scheme, int threads = 1) {
+  auto p = std::make_unique<RollingPair>(ring_body(shape, type), TwinBody{}, threads);
+  p->pose(2, {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {0, 0, 2 * radius});
+  p->axes({0, 0, radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
+  p->friction(mu).load(load).speed(speed);
+  p->tangential_force(ROLLCON_LONGITUDINAL, force_ratio * mu * load).option("convection", scheme);
+  return p;
+}
+
+}  // namespace rollcon::scenes::example1

@@ -1,0 +1,75 @@
+#pragma once
+/// A boundary-element body under loads and given displacements, without contact: set up from a mesh
+/// in a few lines, solved, and asked for displacements and tractions.
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bodies/body.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon::statics {
+
+/// Stress tensor of a uniform strain field, and the like: symmetric 3 x 3.
+using Tensor = std::array<Vec3, 3>;
+inline Vec3 times(const Tensor& a, const Vec3& x) {
+  return {dot(a[0], x), dot(a[1], x), dot(a[2], x)};
+}
+/// Hooke's law. nu < 0.5.
+Tensor stress_of(const Tensor& strain, double young, double poisson);
+Tensor strain_of(const Tensor& stress, double young, double poisson);
+
+class StaticBody {
+ public:
+  StaticBody(SurfaceMesh mesh, double young, double poisson, double accuracy = 1e-6);
+
+  const SurfaceMesh& mesh() const { return mesh_; }
+  Body& body() { return *body_; }
+
+  /// Components by bits 1 x, 2 y, 4 z; zero, or value(x) there.
+  StaticBody& hold(std::span<const std::int32_t> nodes, std::int32_t dof_mask = 7,
+                   const std::function<Vec3(const Vec3&)>& value = {});
+  StaticBody& hold_tags(std::initializer_list<std::int32_t> tags, std::int32_t dof_mask = 7,
+                        const std::function<Vec3(const Vec3&)>& value = {});
+  /// Six components at three nodes that are no neighbours, which take no load when the load is
+  /// balanced.
+  StaticBody& hold_statically(const std::function<Vec3(const Vec3&)>& value = {});
+  StaticBody& traction(std::int32_t tag, const Vec3& t);
+  StaticBody& pressure(std::int32_t tag, double p);
+  /// Throws rollcon::Error.
+  StaticBody& solve();
+
+  Vec3 displacement(std::int32_t node) const;
+  Vec3 displacement(const Vec3& near) const;  ///< of the node nearest to it
+  /// Of a traction node.
+  Vec3 traction_at(std::int64_t fan) const;
+  /// Sum over all elements of integral t, and of x cross t about the origin.
+  struct Resultant {
+    Vec3 force{0, 0, 0}, moment{0, 0, 0};
+  };
+  Resultant resultant(std::initializer_list<std::int32_t> tags) const;
+
+  /// Largest difference from a field over all nodes, over the field's largest length.
+  double displacement_error(const std::function<Vec3(const Vec3&)>& exact) const;
+  /// The same for tractions sigma(x) n, over all traction nodes of faces with flat normals.
+  double traction_error(const std::function<Tensor(const Vec3&)>& stress) const;
+
+ private:
+  SurfaceMesh mesh_;
+  std::shared_ptr<Context> context_;
+  std::unique_ptr<Body> body_;
+};
+
+/// Displacements of nodes of the body, u[3 r + c], under tractions given at the nodes of its faces.
+struct Loaded {
+  std::vector<std::int32_t> node;  ///< ascending
+  std::vector<Vec3> u;
+  Vec3 at(std::int32_t node_of_body) const;
+};
+Loaded load_faces(Body& body, std::span<const std::int64_t> faces,
+                  const std::function<Vec3(const Vec3&)>& traction, int threads = 1);
+
+}  // namespace rollcon::statics
