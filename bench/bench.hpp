@@ -54,6 +54,7 @@ std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
 std::vector<Case> linear_solver_cases();
 std::vector<Case> body_cases();
+std::vector<Case> ring_load_cases();
 
 double now();  ///< seconds, monotonic
 

@@ -15,8 +15,8 @@ namespace steady_rolling = scenes::steady_rolling;
 using scenes::RollingPair;
 
 /// Cold, then warm after 1 % more creepage and back, as CONTACT's times are warm.
-void roll(Runner& runner, const std::string& which, const SurfaceMesh& mesh, const std::string& name,
-          const char* scheme, int n) {
+void roll(Runner& runner, const std::string& which, const SurfaceMesh& mesh,
+          const std::string& name, const char* scheme, int n) {
   Record record{.case_name = "case_" + which, .method = scheme, .model = "half-spaces"};
   record.mesh = name;
   record.threads = runner.threads;

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Runs rollcon-bench and rewrites docs/accuracy.md and its plots.
-#   scripts/accuracy.sh [--quick] [BUILD_DIR]     (build/accuracy unless given)
+# Runs rollcon-bench and rewrites docs/accuracy.md (half-spaces) and docs/accuracy_bodies.md (bodies
+# with a mesh) with their plots.
+#   scripts/accuracy.sh [--quick] [half-spaces|bodies|all] [BUILD_DIR]   (all, build/accuracy)
 set -euo pipefail
 cd "$(dirname "$0")/.."
 quick=()
@@ -10,7 +11,10 @@ if [[ "${1:-}" == "--quick" ]]; then
   command+=" --quick"
   shift
 fi
-build="${1:-build/accuracy}"
+part="${1:-all}"
+build="${2:-build/accuracy}"
+half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
+bodies=(ring_loads rings wheel growth)
 
 mkdir -p "$build"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
@@ -18,7 +22,16 @@ cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_T
   || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
-export OPENBLAS_NUM_THREADS=1
-"$bench" run all "${quick[@]}" --threads 1 --json "$build/records.jsonl"
-python3 bench/report.py "$build/records.jsonl" docs "$command"
-echo "wrote docs/accuracy.md"
+
+if [[ $part == half-spaces || $part == all ]]; then
+  "$bench" run "${half_spaces[@]}" "${quick[@]}" --threads 1 --json "$build/records.jsonl"
+  python3 bench/report.py "$build/records.jsonl" docs "$command half-spaces"
+  echo "wrote docs/accuracy.md"
+fi
+if [[ $part == bodies || $part == all ]]; then
+  "$bench" run "${bodies[@]}" "${quick[@]}" --threads 1 --json "$build/bodies1.jsonl"
+  "$bench" run growth "${quick[@]}" --threads 2 --json "$build/bodies2.jsonl"
+  cat "$build/bodies1.jsonl" "$build/bodies2.jsonl" > "$build/bodies.jsonl"
+  python3 bench/report_bodies.py "$build/bodies.jsonl" docs "$command bodies"
+  echo "wrote docs/accuracy_bodies.md"
+fi

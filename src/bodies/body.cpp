@@ -49,6 +49,12 @@ void Body::set_elastic(std::int32_t /*tag*/, double young, double poisson) {
   elastic_set_ = true;
 }
 
+bool Body::meshed() const {
+  if (prepared()) return mesh_.surface.nodes() > 0;
+  const std::lock_guard lock(mutex_);
+  return mesh_.surface.nodes() > 0;
+}
+
 SurfaceMesh Body::surface_copy() const {
   const std::lock_guard lock(mutex_);
   return mesh_.surface;

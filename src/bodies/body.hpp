@@ -52,7 +52,8 @@ class Body {
   BodyKind kind() const { return kind_; }
   bool prepared() const { return prepared_.load(); }
   bool rigid() const { return kind_ == BodyKind::rigid; }
-  bool meshed() const { return mesh_.surface.nodes() > 0; }
+  /// Also while another thread gives the mesh or prepares the body.
+  bool meshed() const;
   double young() const { return young_; }
   double poisson() const { return poisson_; }
   const BodyMesh& mesh() const { return mesh_; }

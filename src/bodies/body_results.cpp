@@ -25,7 +25,8 @@ void require_prepared_mesh(const Body& body) {
   require_prepared(body);
 }
 
-/// Tractions that supports exert, by node of element e; zero on components that are not held.
+/// Tractions that supports exert, by node of element e: what is there beyond the given ones. (That
+/// of a node held alone is spread over its neighbours, which are not held.)
 std::vector<Vec3> support_tractions(const Body& body, std::int64_t e,
                                     std::span<const double> traction) {
   const BodyMesh& mesh = body.mesh();
@@ -41,10 +42,7 @@ std::vector<Vec3> support_tractions(const Body& body, std::int64_t e,
     const auto at = static_cast<std::size_t>(split.of[first + k]);
     Vec3 given{0, 0, 0};
     if (load != mesh.load.end()) given = load->traction - load->pressure * split.normal[at];
-    for (std::size_t c = 0; c < 3; ++c) {
-      if (mesh.held[static_cast<std::size_t>(nodes[k])] >> c & 1)
-        result[k][c] = traction[3 * at + c] - given[c];
-    }
+    for (std::size_t c = 0; c < 3; ++c) result[k][c] = traction[3 * at + c] - given[c];
   }
   return result;
 }

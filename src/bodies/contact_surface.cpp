@@ -39,9 +39,11 @@ NormalField::NormalField(const Axes& axes, const PairOfBodies& pair) : axes_(axe
 Vec3 NormalField::surface_normal(double x, double y) const {
   const Vec3 from = pose_.to_body(plane_point(axes_, x, y));
   const Vec3 direction = pose_.turn_back(axes_.n);
-  const auto hit = body_->search().along(from, direction, sign_ * direction);
-  const SurfacePoint point = hit ? *hit : body_->search().nearest(from);
-  return sign_ * pose_.turn(smooth_normal(*body_, point));
+  auto hit = body_->search().along(from, direction, sign_ * direction);
+  // Beyond the surface's edge: as at the edge, where a wall of the body is as near as the face.
+  if (!hit)
+    hit = body_->search().along(body_->search().nearest(from).x, direction, sign_ * direction);
+  return hit ? sign_ * pose_.turn(smooth_normal(*body_, *hit)) : axes_.n;
 }
 
 Vec3 NormalField::level(const Vec3& normal) const {

@@ -110,9 +110,14 @@ void refuse_held_faces(const BodyMesh& mesh, const std::vector<SurfacePoint>& po
 
 FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, int which) {
   const SurfaceMesh& mesh = body.mesh().surface;
+  const std::vector<std::int64_t> candidates = contact_elements(body.mesh());
+  if (candidates.empty())
+    fail(Status::err_state,
+         "body %d has no face that may come into contact: all are held or loaded; "
+         "rollcon_body_set_contact_faces names those that may all the same",
+         which + 1);
   const std::vector<SurfacePoint> point = project(frame, body, pose, which);
   refuse_held_faces(body.mesh(), point, which);
-  const std::vector<std::int64_t> candidates = contact_elements(body.mesh());
   FrameOnBody result;
   result.node.assign(at(frame.nodes()), -1);
   bool all = true;

@@ -37,6 +37,7 @@ class SurfaceResponse {
   virtual std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
                                                    int threads) = 0;
   /// Tractions on a mesh of its own that lies on the body's surface (in the body's coordinates).
+  /// The last one is kept.
   virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
                                                    std::span<const std::int32_t> row,
                                                    int threads) = 0;

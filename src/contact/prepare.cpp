@@ -97,6 +97,28 @@ void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies
   state.offset_known = false;
 }
 
+// A node that a support keeps from moving along its normal can carry any pressure: Newton's
+// iteration would not end.
+void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
+  constexpr double rounding = 1e-12;
+  const auto diagonal = [&](std::size_t k) {
+    return op.block[2][2].row(static_cast<std::int64_t>(k))[k];
+  };
+  double largest = 0;
+  for (std::size_t k = 0; k < frame.used.size(); ++k)
+    if (frame.used[k]) largest = std::max(largest, diagonal(k));
+  long long held = 0, first = -1;
+  for (std::size_t k = 0; k < frame.used.size(); ++k)
+    if (frame.used[k] && !(diagonal(k) > rounding * largest) && held++ == 0)
+      first = static_cast<long long>(k) + frame.mesh.index_base;
+  if (held > 0)
+    fail(Status::err_state,
+         "node %lld of the frame (counting from %d) does not move along its normal under pressure: "
+         "a support holds the body there; %lld such node(s); end the frame before them or hold the "
+         "body elsewhere",
+         first, frame.mesh.index_base, held);
+}
+
 void build_operators(SolverState& state, const Scene& scene) {
   ContactOperators& op = state.problem.op;
   const Scheme scheme = scheme_of(scene.options.convection);
@@ -121,6 +143,7 @@ void build_operators(SolverState& state, const Scene& scene) {
   if (missing) {
     const Stopwatch watch(state.timings.compliance);
     assemble_operators(state.frame, *state.compliance, !state.frictionless, op);
+    refuse_held_nodes(state.frame, op);
     ++state.assemblies;
     state.iterate.invalidate();
   }

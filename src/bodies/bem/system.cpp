@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 #include "linalg/blas_threads.hpp"
 #include "mesh/surface_geometry.hpp"
@@ -229,6 +230,9 @@ void System::solve_own_load(std::vector<double>& b) {
       });
   if (given.empty() && !moved) return;
   matrix_.solve(b.data(), 1);
+  if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
+    fail(Status::err_argument,
+         "the body's loads are too large for its elastic constants: its displacements overflow");
   own_displacement_.resize(unknowns_.displacement.size());
   for (std::size_t k = 0; k < own_displacement_.size(); ++k) {
     const std::int32_t column = unknowns_.displacement[k];
@@ -294,8 +298,8 @@ void System::condense(const BoundaryIntegrals& integrals, const std::vector<std:
 
 std::shared_ptr<const SurfaceRows> System::faces(std::span<const std::int64_t> face, int threads) {
   const std::lock_guard lock(mutex_);
-  std::shared_ptr<const SurfaceRows>& kept = kept_[{face.begin(), face.end()}];
-  if (kept) return kept;
+  std::vector<std::int64_t> key(face.begin(), face.end());
+  if (const auto kept = kept_.find(key); kept != kept_.end()) return kept->second;
   const SurfaceMesh& surface = mesh_.surface;
   auto rows = std::make_shared<SurfaceRows>();
   std::vector<std::int32_t> column_of_node(at(surface.nodes()), -1);
@@ -319,13 +323,18 @@ std::shared_ptr<const SurfaceRows> System::faces(std::span<const std::int64_t> f
     for (std::int64_t k = surface.offset[at(e)]; k < surface.offset[at(e) + 1]; ++k)
       g_column[at(k)] = column_of_node[at(surface.connectivity[at(k)])];
   condense(integrals_, g_column, true, *rows, threads);
-  kept = std::move(rows);
-  return kept;
+  return kept_.emplace(std::move(key), std::move(rows)).first->second;
 }
 
 std::shared_ptr<const SurfaceRows> System::layer(const SurfaceMesh& layer,
                                                  std::span<const std::int32_t> row, int threads) {
   const std::lock_guard lock(mutex_);
+  // Both the pair's compliance and that of the body alone ask for it.
+  if (last_layer_rows_ && last_layer_.node == layer.node && last_layer_.type == layer.type &&
+      last_layer_.connectivity == layer.connectivity &&
+      std::equal(row.begin(), row.end(), last_layer_rows_->row.begin(),
+                 last_layer_rows_->row.end()))
+    return last_layer_rows_;
   auto rows = std::make_shared<SurfaceRows>();
   rows->row.assign(row.begin(), row.end());
   rows->column.resize(at(layer.nodes()));
@@ -334,6 +343,9 @@ std::shared_ptr<const SurfaceRows> System::layer(const SurfaceMesh& layer,
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
   condense(integrals, layer.connectivity, false, *rows, threads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
+  last_layer_rows_.reset();
+  last_layer_ = layer;
+  last_layer_rows_ = rows;
   return rows;
 }
 
@@ -343,6 +355,7 @@ BodyStatistics System::statistics() const {
   s.kernel_evaluations += integrals_.kernel_evaluations();
   s.bytes = matrix_.bytes() + integrals_.bytes();
   for (const auto& [face, rows] : kept_) s.bytes += rows->u.bytes();
+  if (last_layer_rows_) s.bytes += last_layer_rows_->u.bytes();
   return s;
 }
 

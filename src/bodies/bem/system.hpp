@@ -56,6 +56,8 @@ class System final : public SurfaceResponse {
 
   mutable std::mutex mutex_;  ///< of what follows, and of matrix_ after construction
   std::map<std::vector<std::int64_t>, std::shared_ptr<const SurfaceRows>> kept_;
+  SurfaceMesh last_layer_;
+  std::shared_ptr<const SurfaceRows> last_layer_rows_;
   BodyStatistics statistics_;
 };
 
