@@ -102,7 +102,8 @@ void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies
 void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {
-    return op.block[2][2].row(static_cast<std::int64_t>(k))[k];
+    // A corner function of a quad8 has a negative mean: its node may even rise under pressure.
+    return std::abs(op.block[2][2].row(static_cast<std::int64_t>(k))[k]);
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)

@@ -151,7 +151,8 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
 
 }  // namespace
 
-void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
+void write_vtu(const std::string& path, const SurfaceMesh& mesh,
+               std::span<const PointArray> arrays) {
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
   const std::string text = file_text(mesh, arrays);

@@ -21,6 +21,7 @@ struct PointArray {
 /// Writes the mesh, its tags (cell data "tag") and the arrays. The file appears complete or not at
 /// all: it is written beside its place and renamed. Throws Error(err_io) naming the path and the
 /// reason, Error(err_nonfinite) naming the array and the node (in the mesh's index base).
-void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays);
+void write_vtu(const std::string& path, const SurfaceMesh& mesh,
+               std::span<const PointArray> arrays);
 
 }  // namespace rollcon
