@@ -50,7 +50,13 @@ class MeshedCompliance final : public Compliance {
   std::int64_t row_of_node(double x, double y) const;
   void collect_response(const SurfaceRows& rows);
   void require_correction() const;
-  Triad triad(double x, double y) const { return local_triad(frame_.axes, normals_.at(x, y)); }
+  /// The frame's own at its nodes: at a ridge the field knows only one of the faces that meet
+  /// there.
+  Triad triad(double x, double y) const {
+    const auto found = node_at_.find({x, y});
+    return found == node_at_.end() ? local_triad(frame_.axes, normals_.at(x, y))
+                                   : frame_.triad(at(found->second));
+  }
 
   const Frame& frame_;
   const Body& body_;
@@ -62,7 +68,7 @@ class MeshedCompliance final : public Compliance {
   FrameOnBody on_body_;
   std::vector<double> zone_x_, zone_y_;  ///< of the response's rows, in the axes
   std::vector<std::int64_t> row_of_body_node_;
-  std::map<std::pair<double, double>, std::int64_t> row_at_;  ///< frame nodes that are rows
+  std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
   RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
   std::unique_ptr<SurfaceSearch> zone_;
   // Made when a point between nodes is asked for.
@@ -99,10 +105,14 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       usable.push_back(e);
   }
   zone_ = std::make_unique<SurfaceSearch>(body_.mesh().surface, usable);
-  if (on_body_.matches())
-    for (std::int64_t k = 0; k < frame.nodes(); ++k)
-      if (on_body_.node[at(k)] >= 0)
-        row_at_[{frame.x[at(k)], frame.y[at(k)]}] = row_of_body_node_[at(on_body_.node[at(k)])];
+  for (std::int64_t k = 0; k < frame.nodes(); ++k) {
+    if (!frame.used[at(k)]) continue;
+    node_at_[{frame.x[at(k)], frame.y[at(k)]}] = k;
+    if (!on_body_.matches()) continue;
+    const std::size_t row = at(row_of_body_node_[at(on_body_.node[at(k)])]);
+    zone_x_[row] = frame.x[at(k)];  // without rounding: they share the node's triad
+    zone_y_[row] = frame.y[at(k)];
+  }
   collect_response(*rows);
 }
 
@@ -174,8 +184,9 @@ void MeshedCompliance::require_correction() const {
 }
 
 std::int64_t MeshedCompliance::row_of_node(double x, double y) const {
-  const auto found = row_at_.find({x, y});
-  return found == row_at_.end() ? -1 : found->second;
+  if (!on_body_.matches()) return -1;
+  const auto found = node_at_.find({x, y});
+  return found == node_at_.end() ? -1 : row_of_body_node_[at(on_body_.node[at(found->second)])];
 }
 
 MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) const {
