@@ -61,7 +61,7 @@ SurfaceMesh Body::surface_copy() const {
 }
 
 void Body::prepare() {
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
   if (prepared()) return;
   if (!rigid() && !elastic_set_)
     fail(Status::err_state,
@@ -71,6 +71,12 @@ void Body::prepare() {
          "the body has no mesh: rollcon_body_set_nodes and rollcon_body_add_elements");
   if (mesh_.surface.elements() > 0) prepare_mesh();
   prepared_.store(true);
+  lock.unlock();  // the log sink may ask the body
+  if (!response_) return;
+  const BodyStatistics s = response_->statistics();
+  context_->log(LogLevel::info, "boundary-element body: %lld unknowns, condition %.1e, %.3f s",
+                static_cast<long long>(s.unknowns), s.condition,
+                s.seconds_assembly + s.seconds_factor);
 }
 
 void Body::prepare_mesh() {
@@ -93,10 +99,6 @@ void Body::prepare_mesh() {
   refuse_incompressible_cavities(mesh_, poisson_);
   response_ = std::make_unique<bem::System>(mesh_, traction_nodes_, young_, poisson_, options_,
                                             context_->threads());
-  context_->log(LogLevel::info, "boundary-element body: %lld unknowns, condition %.1e, %.3f s",
-                static_cast<long long>(response_->statistics().unknowns),
-                response_->statistics().condition,
-                response_->statistics().seconds_assembly + response_->statistics().seconds_factor);
 }
 
 }  // namespace rollcon

@@ -19,6 +19,11 @@ struct PairOfBodies {
 /// element's nodes, interpolated. In the body's axes.
 Vec3 smooth_normal(const Body& body, const SurfacePoint& point);
 
+/// The same where a line meets the contact faces that look towards `facing`; at a sharp edge the
+/// mean of the faces that meet there. Nothing when it meets none. All in the body's axes.
+std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3& direction,
+                                 const Vec3& facing);
+
 /// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a
 /// mesh, else minus those of body 2. They follow the profile across the rolling direction, but
 /// along it all have the inclination found at the origin: the bodies flatten each other there, so

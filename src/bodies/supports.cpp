@@ -83,6 +83,14 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
   constexpr double most = 0.49;
   if (poisson <= most) return;
   const SurfaceMesh& surface = mesh.surface;
+  constexpr double incompressible = 0.5 - 1e-9;
+  constexpr std::uint8_t everything = 7;
+  if (poisson > incompressible && std::all_of(mesh.held.begin(), mesh.held.end(),
+                                              [](std::uint8_t held) { return held == everything; }))
+    fail(Status::err_unsupported,
+         "poisson is %g and every node of the body is held: the pressure of an incompressible body "
+         "is then undetermined; allowed: poisson < 0.5, or a free face",
+         poisson);
   const Shells shells = find_shells(surface, sorted_sides(corner_cells(surface)));
   if (shells.size() < 2) return;
   const std::vector<double> volume = shell_volumes(surface, shells);

@@ -81,9 +81,11 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   Missed missed{which, frame.mesh.index_base};
   for (std::size_t k = 0; k < normal.size(); ++k) {
     if (!frame.used[k]) continue;
-    const auto hit = along(pair, which, frame.mesh.node[k], frame.axes.n);
-    if (hit)
-      normal[k] = field.level(outward(which, pose.turn(smooth_normal(body, *hit))));
+    const Vec3 direction = pose.turn_back(frame.axes.n);
+    const auto n =
+        normal_along(body, pose.to_body(frame.mesh.node[k]), direction, outward(which, direction));
+    if (n)
+      normal[k] = field.level(outward(which, pose.turn(*n)));
     else
       missed.add(k);
   }
