@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "fixture.hpp"
+#include "body_fixture.hpp"
 
 namespace {
 
@@ -122,6 +122,43 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
     EXPECT_EQ(counted, 0);
     EXPECT_GT(iterations, 0) << "the solves had something to do";
   }
+}
+
+TEST_F(allocation, solves_with_a_meshed_body_allocate_nothing) {
+  const CubeSurface cube(6);
+  rollcon_body* body = nullptr;
+  rollcon_contact* c = nullptr;
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_BEM, &body), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_elastic(body, 0, 200, 0.3), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_nodes(body, cube.nodes(), cube.x.data(), 3, 1), ROLLCON_OK);
+  for (std::int32_t f = 0; f < 6; ++f)
+    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_QUAD4, cube.face_elements(),
+                                        cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1),
+              ROLLCON_OK);
+  const std::vector<std::int32_t> bottom = cube.nodes_at(2, 0);
+  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(bottom.size()), bottom.data(),
+                                     0, ROLLCON_DOF_XYZ, nullptr),
+            ROLLCON_OK);
+  const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1}, mu = 0.3;
+  ASSERT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06), ROLLCON_OK);
+  std::int64_t counted = 0;
+  for (int step = 0; step <= 10; ++step) {
+    ASSERT_EQ(rollcon_contact_set_creep(c, 1e-2 * (1 + 0.02 * step), 0, 0), ROLLCON_OK);
+    allocations = 0;
+    ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+    if (step > 0) counted += allocations;
+  }
+  std::printf("boundary elements: allocations in 10 warm solves: %lld (bound 0)\n",
+              static_cast<long long>(counted));
+  EXPECT_EQ(counted, 0);
+  rollcon_contact_release(c);
+  rollcon_body_release(body);
 }
 
 TEST_F(allocation, a_solve_that_ran_out_of_memory_can_be_repeated) {

@@ -1,0 +1,85 @@
+/// A boundary-element body shared by contacts in many threads, and new creepages on it.
+
+#include <cmath>
+#include <thread>
+
+#include "body_fixture.hpp"
+
+using namespace capi_test;
+
+class body_threads : public BodyApi {
+ protected:
+  void SetUp() override {
+    BodyApi::SetUp();
+    cube = CubeSurface(6);
+    set_mesh(body);
+    ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  }
+
+  /// A rigid sphere of radius 1 on the cube's top.
+  rollcon_contact* roll(rollcon_context* own) {
+    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
+    const double mu = 0.3;
+    rollcon_contact* c = nullptr;
+    EXPECT_EQ(rollcon_contact_create(own, body, plane, &c), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
+    return c;
+  }
+
+  double count(const char* name) {
+    double value = -1;
+    EXPECT_EQ(rollcon_body_get_stat(body, name, &value), ROLLCON_OK);
+    return value;
+  }
+};
+
+TEST_F(body_threads, one_body_is_assembled_once_for_contacts_in_many_threads) {
+  const int contacts = 3;
+  std::vector<std::array<double, 3>> force(contacts);
+  std::vector<std::thread> pool;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    pool.emplace_back([&, i] {
+      rollcon_context* own = nullptr;
+      rollcon_context_create(ROLLCON_ABI, &own);
+      rollcon_context_set_threads(own, 1);
+      rollcon_contact* c = roll(own);
+      EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
+                ROLLCON_OK);
+      rollcon_contact_release(c);
+      rollcon_context_release(own);
+    });
+  }
+  for (std::thread& t : pool) t.join();
+  EXPECT_LT(force[0][2], 0);
+  for (const auto& f : force)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
+  for (const char* name : {"assemblies", "factorizations", "condensations"})
+    EXPECT_EQ(count(name), 1) << name;
+}
+
+TEST_F(body_threads, without_factors_another_frame_assembles_again) {
+  ASSERT_EQ(rollcon_body_set_int(body, "keep_factors", 0), ROLLCON_OK);
+  rollcon_contact* c = roll(context);
+  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_creep(c, 2e-2, 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  EXPECT_EQ(count("assemblies"), 1) << "new creepages need none";
+  const double first = count("bytes");
+  const double origin[3] = {0.5, 1, 0.5}, rolling[3] = {1, 0, 0}, normal[3] = {0, 1, 0};
+  const double mu = 0.3;
+  ASSERT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_frame_from_body(c, 1, 4), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+  // The side reaches down to the held bottom: its nodes there cannot be part of a frame.
+  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "support");
+  EXPECT_EQ(count("assemblies"), 2) << "the factors were not kept";
+  EXPECT_GE(count("bytes"), first) << "the compliance of both frames is";
+  rollcon_contact_release(c);
+}
