@@ -83,3 +83,32 @@ TEST_F(body_threads, without_factors_another_frame_assembles_again) {
   EXPECT_GE(count("bytes"), first) << "the compliance of both frames is";
   rollcon_contact_release(c);
 }
+
+TEST_F(body_threads, the_log_sink_may_ask_the_body_that_is_prepared) {
+  struct Seen {
+    rollcon_body* body;
+    int messages = 0;
+    std::int32_t status = 1;
+  } seen{body};
+  const auto sink = [](std::int32_t, const char*, void* user) {
+    auto& s = *static_cast<Seen*>(user);
+    if (s.messages++ == 0) s.status = rollcon_body_set_int(s.body, "keep_factors", 1);
+  };
+  ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_INFO, sink, &seen), ROLLCON_OK);
+  rollcon_contact* c = roll(context);
+  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  EXPECT_GT(seen.messages, 0);
+  EXPECT_EQ(seen.status, ROLLCON_ERR_STATE) << "prepared: refused, but answered";
+  ASSERT_EQ(rollcon_context_set_log(context, 0, nullptr, nullptr), ROLLCON_OK);
+  rollcon_contact_release(c);
+}
+
+TEST_F(body_threads, a_body_held_all_over_carries_no_frame) {
+  std::vector<std::int32_t> all(static_cast<std::size_t>(cube.nodes()));
+  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
+  ASSERT_EQ(rollcon_body_set_support(body, cube.nodes(), all.data(), 0, ROLLCON_DOF_XYZ, nullptr),
+            ROLLCON_OK);
+  rollcon_contact* c = roll(context);
+  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
+  rollcon_contact_release(c);
+}
