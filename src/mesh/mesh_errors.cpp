@@ -24,6 +24,24 @@ const char* name(ElementType type) {
   return "?";
 }
 
+const char* name(VolumeType type) {
+  switch (type) {
+    case VolumeType::tet4:
+      return "tet4";
+    case VolumeType::tet10:
+      return "tet10";
+    case VolumeType::wedge6:
+      return "wedge6";
+    case VolumeType::wedge15:
+      return "wedge15";
+    case VolumeType::hex8:
+      return "hex8";
+    case VolumeType::hex20:
+      return "hex20";
+  }
+  return "?";
+}
+
 void check_connectivity(const SurfaceMesh& mesh, const char* where) {
   const int base = mesh.index_base;
   Tally range, repeated, twice;

@@ -5,11 +5,13 @@
 #include <string>
 
 #include "mesh/surface_mesh.hpp"
+#include "mesh/volume_type.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 
 const char* name(ElementType type);
+const char* name(VolumeType type);
 
 /// Counts the offenders and remembers the first; fails at the end of the sweep.
 struct Tally {
@@ -23,7 +25,7 @@ struct Tally {
     std::snprintf(text, sizeof text, format, args...);
     first = text;
   }
-  /// where: "frame" or "surface".
+  /// where: "frame", "surface" or "volume".
   void fail_if_any(const char* what, const char* where) const {
     if (count > 0)
       fail(Status::err_mesh, "%s; %lld such in the %s; first: %s", what, count, where,

@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <vector>
 
+#include "mesh/coinciding_nodes.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "mesh/shape.hpp"
 #include "mesh/surface_shells.hpp"
@@ -20,9 +20,6 @@ namespace {
 constexpr double smallest_ratio = 1e-10;
 /// Smallest Jacobian within an element over its mean: does not see how slender the element is.
 constexpr double smallest_jacobian = 1e-6;
-/// Nodes of different elements closer than this part of the distance to their own elements' nodes
-/// are one node given twice.
-constexpr double coincidence = 1e-6;
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 /// Points where the Jacobian is checked. A linear element's normal is linear in each variable, so
@@ -157,57 +154,45 @@ void check_shapes(const SurfaceMesh& mesh) {
       "surface");
 }
 
-/// Different nodes at one place. Nodes are swept along a direction in which no usual mesh has its
-/// layers, so that few of them share a strip.
-void check_coinciding_nodes(const SurfaceMesh& mesh) {
-  std::vector<double> tolerance(mesh.node.size(), std::numeric_limits<double>::infinity());
+std::vector<double> nearest_of_own_elements(const SurfaceMesh& mesh) {
+  std::vector<double> nearest(mesh.node.size(), std::numeric_limits<double>::infinity());
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto nodes = mesh.element(e);
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const auto a = static_cast<std::size_t>(nodes[i]), b = static_cast<std::size_t>(nodes[j]);
         const double d = length(mesh.node[a] - mesh.node[b]);
-        tolerance[a] = std::min(tolerance[a], d);
-        tolerance[b] = std::min(tolerance[b], d);
+        nearest[a] = std::min(nearest[a], d);
+        nearest[b] = std::min(nearest[b], d);
       }
   }
-  const Vec3 direction{0.577, 0.626, 0.523};
-  std::vector<double> position(mesh.node.size());
-  for (std::size_t k = 0; k < position.size(); ++k) {
-    double magnitude = 0;
-    for (double c : mesh.node[k]) magnitude = std::max(magnitude, std::abs(c));
-    tolerance[k] = coincidence * tolerance[k] + rounding * magnitude;
-    position[k] = dot(direction, mesh.node[k]);
-  }
-  std::vector<std::int32_t> order(mesh.node.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-    return position[static_cast<std::size_t>(a)] < position[static_cast<std::size_t>(b)];
+  return nearest;
+}
+
+/// Numbers of faces mean nothing to the caller: the message names nodes.
+void check_boundary_edges(const SurfaceMesh& mesh) {
+  const auto base = static_cast<long long>(mesh.index_base);
+  Tally crowded;
+  for_each_edge(sorted_sides(corner_cells(mesh)), [&](const Side& s, std::size_t count) {
+    if (count > 2)
+      crowded.add("nodes %lld and %lld, with %lld faces", s.low() + base, s.high() + base,
+                  static_cast<long long>(count));
   });
-  Tally together;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const auto a = static_cast<std::size_t>(order[i]);
-    for (std::size_t j = i + 1; j < order.size(); ++j) {
-      const auto b = static_cast<std::size_t>(order[j]);
-      // The direction is not longer than 1: nodes within the tolerance are within the strip.
-      if (position[b] - position[a] > tolerance[a]) break;
-      if (length(mesh.node[a] - mesh.node[b]) > std::min(tolerance[a], tolerance[b])) continue;
-      together.add("nodes %lld and %lld", static_cast<long long>(std::min(a, b)) + mesh.index_base,
-                   static_cast<long long>(std::max(a, b)) + mesh.index_base);
-    }
-  }
-  together.fail_if_any("two nodes lie at the same place: give the elements one node there",
-                       "surface");
+  crowded.fail_if_any(
+      "the body touches itself along an edge: more than two of its boundary faces meet there; join "
+      "its parts by a common face or give each its own nodes",
+      "volume");
 }
 
 }  // namespace
 
 void check_surface(const SurfaceMesh& mesh, SurfaceKind kind) {
   if (mesh.elements() == 0) fail(Status::err_mesh, "the surface has no elements");
+  if (kind == SurfaceKind::boundary) return check_boundary_edges(mesh);
   check_connectivity(mesh, "surface");
   check_nodes_used(mesh);
   check_shapes(mesh);
-  check_coinciding_nodes(mesh);
+  check_coinciding_nodes(mesh.node, nearest_of_own_elements(mesh), mesh.index_base, "surface");
 
   const std::vector<Side> sides = sorted_sides(corner_cells(mesh));
   check_edges(mesh, sides);

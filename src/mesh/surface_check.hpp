@@ -8,6 +8,8 @@ namespace rollcon {
 enum class SurfaceKind {
   closed,  ///< the whole boundary of a solid, cavities included
   open,    ///< a rigid surface to roll on
+  /// The boundary of a volume mesh that has passed check_volume, in that one's node numbering.
+  boundary,
 };
 
 /// Throws Error(err_mesh) naming, in the caller's index base, the first offending elements or nodes
@@ -20,7 +22,8 @@ enum class SurfaceKind {
 /// the other side than most of those they hang together with. Closed ones: open edges; parts that
 /// touch only at a node; parts that enclose no volume or cross; more than one outer shell (a body
 /// must be connected); elements whose normals look into the body (the outer shell encloses positive
-/// volume, cavities negative).
+/// volume, cavities negative). Boundaries of volumes: only edges of more than two faces, which the
+/// volume's elements leave where they touch along an edge.
 void check_surface(const SurfaceMesh& mesh, SurfaceKind kind);
 
 }  // namespace rollcon

@@ -1,0 +1,221 @@
+#include "mesh/volume_jacobian.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "mesh/mesh_errors.hpp"
+#include "mesh/volume_shape.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Smallest distance of two nodes over the element's length; smallest Jacobian over the product of
+/// its columns' lengths, which does not see how slender the element is.
+constexpr double smallest_ratio = 1e-10;
+/// Smallest Jacobian within an element over its mean.
+constexpr double smallest_jacobian = 1e-6;
+constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+
+/// Columns: derivatives of the position to xi, eta, zeta.
+struct Jacobian {
+  Vec3 u{0, 0, 0}, v{0, 0, 0}, w{0, 0, 0};
+  double det() const { return dot(u, cross(v, w)); }
+  double scale() const { return length(u) * length(v) * length(w); }
+};
+
+struct CheckPoint {
+  Vec3 at;
+  int node = -1;  ///< local node that lies there
+  VolumeShape shape;
+  std::array<double, max_volume_nodes> slope{};  ///< |grad N_i|
+};
+
+/// Where the Jacobian of one type is looked at.
+struct CheckPoints {
+  std::vector<CheckPoint> point;
+  VolumeShape centre;
+  Vec3 centre_at{};
+  double gradient = 0;  ///< largest sum over the nodes of |grad N_i| at a point
+
+  explicit CheckPoints(VolumeType type) {
+    // Linear tetrahedra have one Jacobian; their nodes name the place.
+    const int steps = is_quadratic(type) ? 4 : corner_count(type) == 4 ? 1 : 2;
+    for (int i = 0; i <= steps; ++i)
+      for (int j = 0; j <= steps; ++j)
+        for (int k = 0; k <= steps; ++k) {
+          const double x = static_cast<double>(i) / steps, y = static_cast<double>(j) / steps,
+                       z = static_cast<double>(k) / steps;
+          if (corner_count(type) == 8)
+            add(type, {2 * x - 1, 2 * y - 1, 2 * z - 1});
+          else if (corner_count(type) == 6 && i + j <= steps)
+            add(type, {x, y, 2 * z - 1});
+          else if (corner_count(type) == 4 && i + j + k <= steps)
+            add(type, {x, y, z});
+        }
+    for (const Vec3& x : volume_rule(type, is_quadratic(type) ? 5 : 2).point) add(type, x);
+    const auto nodes = reference_nodes(type);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(corner_count(type)); ++i)
+      centre_at = centre_at + (1.0 / corner_count(type)) * nodes[i];
+    evaluate_shape(type, centre_at, centre);
+  }
+
+ private:
+  void add(VolumeType type, const Vec3& at) {
+    CheckPoint p;
+    p.at = at;
+    const auto nodes = reference_nodes(type);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (nodes[i] == at) p.node = static_cast<int>(i);
+    evaluate_shape(type, at, p.shape);
+    double sum = 0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) sum += p.slope[i] = length(p.shape.d[i]);
+    gradient = std::max(gradient, sum);
+    point.push_back(p);
+  }
+};
+
+/// An element's nodes relative to its first one.
+struct Element {
+  std::array<Vec3, max_volume_nodes> x;
+  std::size_t n = 0;
+  double size = 0, magnitude = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  std::size_t near_i = 0, near_j = 0;
+
+  Jacobian jacobian(const VolumeShape& s) const {
+    Jacobian j;
+    for (std::size_t i = 1; i < n; ++i)
+      for (std::size_t c = 0; c < 3; ++c) {
+        j.u[c] += s.d[i][0] * x[i][c];
+        j.v[c] += s.d[i][1] * x[i][c];
+        j.w[c] += s.d[i][2] * x[i][c];
+      }
+    return j;
+  }
+};
+
+/// Also lowers nearest[k], the least distance of node k to another one of its elements.
+Element measure(std::span<const Vec3> node, std::span<const std::int32_t> of,
+                std::vector<double>& nearest) {
+  Element e;
+  for (std::int32_t k : of) {
+    const Vec3& x = node[static_cast<std::size_t>(k)];
+    for (double c : x) e.magnitude = std::max(e.magnitude, std::abs(c));
+    e.x[e.n++] = x - node[static_cast<std::size_t>(of[0])];
+  }
+  for (std::size_t i = 0; i < e.n; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double d = length(e.x[i] - e.x[j]);
+      e.size = std::max(e.size, d);
+      if (d < e.nearest) e.nearest = d, e.near_i = j, e.near_j = i;
+      for (const std::size_t k : {i, j}) {
+        double& least = nearest[static_cast<std::size_t>(of[k])];
+        least = std::min(least, d);
+      }
+    }
+  return e;
+}
+
+/// A cheap sufficient condition: the element differs from an affine image of the reference element
+/// by displacements d_i there, so that J = J_0 (1 + sum d_i grad N_i), and the sum's norm is well
+/// below 1 at all points.
+bool surely_sound(const Element& e, const CheckPoints& points, std::span<const Vec3> reference) {
+  constexpr double bound = 0.9;
+  const Jacobian j = e.jacobian(points.centre);
+  const double det = j.det();
+  if (!(det > 1e-6 * j.scale())) return false;
+  // Rows of the inverse.
+  const Vec3 a = (1 / det) * cross(j.v, j.w), b = (1 / det) * cross(j.w, j.u),
+             c = (1 / det) * cross(j.u, j.v);
+  Vec3 centre{0, 0, 0};
+  for (std::size_t i = 1; i < e.n; ++i) centre = centre + points.centre.value[i] * e.x[i];
+  std::array<double, max_volume_nodes> d{};
+  double largest = 0;
+  for (std::size_t i = 0; i < e.n; ++i) {
+    const Vec3 x = e.x[i] - centre;
+    d[i] = length(Vec3{dot(a, x), dot(b, x), dot(c, x)} - (reference[i] - points.centre_at));
+    largest = std::max(largest, d[i]);
+  }
+  if (largest * points.gradient < bound) return true;
+  return std::all_of(points.point.begin(), points.point.end(), [&](const CheckPoint& p) {
+    double sum = 0;
+    for (std::size_t i = 0; i < e.n; ++i) sum += d[i] * p.slope[i];
+    return sum < bound;
+  });
+}
+
+enum class Defect { none, flat, inverted, folded };
+
+/// worst: the check point of the smallest Jacobian.
+Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst) {
+  double mean = 0, least = std::numeric_limits<double>::infinity(), most = -least;
+  bool flat = true;
+  for (std::size_t p = 0; p < points.point.size(); ++p) {
+    const Jacobian j = e.jacobian(points.point[p].shape);
+    const double det = j.det();
+    mean += det / static_cast<double>(points.point.size());
+    if (det < least) least = det, worst = p;
+    most = std::max(most, det);
+    // Coordinates carry the rounding of their magnitude, whatever the columns' lengths.
+    const double shortest = std::min({length(j.u), length(j.v), length(j.w)});
+    const double noise = std::max(smallest_ratio * shortest, rounding * e.magnitude);
+    flat = flat && !(std::abs(det) * shortest > noise * j.scale());
+  }
+  if (flat) return Defect::flat;
+  if (most < 0 && most < smallest_jacobian * mean) return Defect::inverted;
+  return least > smallest_jacobian * std::abs(mean) ? Defect::none : Defect::folded;
+}
+
+}  // namespace
+
+std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume,
+                                 std::int32_t index_base) {
+  const auto base = static_cast<long long>(index_base);
+  std::vector<double> nearest(node.size(), std::numeric_limits<double>::infinity());
+  std::map<VolumeType, CheckPoints> tables;
+  Tally coincident, flat, inverted, folded;
+  for (std::int64_t i = 0; i < volume.elements(); ++i) {
+    const VolumeType type = volume.type[static_cast<std::size_t>(i)];
+    const auto nodes = volume.element(i);
+    const long long id = i + base;
+    const Element e = measure(node, nodes, nearest);
+    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
+    const double noise = rounding * e.magnitude / e.size;
+    if (!(e.nearest > std::max(smallest_ratio, noise) * e.size)) {
+      coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type),
+                     nodes[e.near_i] + base, nodes[e.near_j] + base);
+      continue;
+    }
+    const CheckPoints& points = tables.try_emplace(type, type).first->second;
+    if (surely_sound(e, points, reference_nodes(type))) continue;
+    std::size_t worst = 0;
+    const Defect defect = defect_of(e, points, worst);
+    if (defect == Defect::flat) flat.add("element %lld (%s)", id, name(type));
+    if (defect == Defect::inverted) inverted.add("element %lld (%s)", id, name(type));
+    if (defect != Defect::folded) continue;
+    const CheckPoint& at = points.point[worst];
+    if (at.node >= 0)
+      folded.add("element %lld (%s) at node %lld", id, name(type),
+                 nodes[static_cast<std::size_t>(at.node)] + base);
+    else
+      folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), at.at[0],
+                 at.at[1], at.at[2]);
+  }
+  coincident.fail_if_any("degenerate element: two of its nodes coincide", "volume");
+  flat.fail_if_any("degenerate element: it has no volume", "volume");
+  inverted.fail_if_any(
+      "element turned inside out: its Jacobian is negative; mirror the order of its nodes "
+      "(exchange the bottom and the top face of wedges and hexahedra, the second and the third "
+      "corner of tetrahedra, and their midside nodes with them)",
+      "volume");
+  folded.fail_if_any(
+      "degenerate element: its Jacobian is not positive everywhere (folded, corners of 180 degrees "
+      "or more, nodes in a wrong order, or a midside node at or beyond the quarter of its edge)",
+      "volume");
+  return nearest;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,205 @@
+#include "mesh/volume_shape.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "mesh/shape.hpp"
+#include "support/frames.hpp"
+#include "support/volume_meshes.hpp"
+#include "validation/report.hpp"
+
+namespace rollcon {
+namespace {
+
+using validation::expect_error;
+using volumes::all_types;
+using volumes::name_of;
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Random points of the reference element.
+std::vector<Vec3> points(VolumeType type) {
+  frames::Random random(7);
+  std::vector<Vec3> p;
+  while (p.size() < 50) {
+    Vec3 x{random(), random(), random()};
+    const int corners = corner_count(type);
+    if (corners < 8) x[0] = 0.5 * (1 + x[0]), x[1] = 0.5 * (1 + x[1]);
+    if (corners == 4) x[2] = 0.5 * (1 + x[2]);
+    if (corners < 8 && x[0] + x[1] + (corners == 4 ? x[2] : 0) > 1) continue;
+    p.push_back(x);
+  }
+  return p;
+}
+
+TEST(VolumeShape, PartitionOfUnityAndZeroGradientSum) {
+  for (const VolumeType type : all_types) {
+    double error = 0;
+    for (const Vec3& x : points(type)) {
+      VolumeShape s;
+      evaluate_shape(type, x, s);
+      double sum = -1;
+      Vec3 gradient{0, 0, 0};
+      for (int i = 0; i < node_count(type); ++i) {
+        sum += s.value[at(i)];
+        gradient = gradient + s.d[at(i)];
+      }
+      error = std::max({error, std::abs(sum), length(gradient)});
+    }
+    expect_error("partition of unity, " + name_of(type), error, 1e-14);
+  }
+}
+
+TEST(VolumeShape, OneAtOwnNodeZeroAtOthers) {
+  for (const VolumeType type : all_types) {
+    double error = 0;
+    const auto nodes = reference_nodes(type);
+    ASSERT_EQ(nodes.size(), at(node_count(type)));
+    for (std::size_t j = 0; j < nodes.size(); ++j) {
+      VolumeShape s;
+      evaluate_shape(type, nodes[j], s);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
+    }
+    expect_error("nodal values, " + name_of(type), error, 1e-15);
+  }
+}
+
+TEST(VolumeShape, DerivativesMatchDifferences) {
+  // Central differences are exact for degree 2 in each variable; what remains is rounding / h.
+  const double h = 1e-4;
+  for (const VolumeType type : all_types) {
+    double error = 0;
+    for (const Vec3& x : points(type)) {
+      VolumeShape s, a, b;
+      evaluate_shape(type, x, s);
+      for (std::size_t c = 0; c < 3; ++c) {
+        Vec3 more = x, less = x;
+        more[c] += h;
+        less[c] -= h;
+        evaluate_shape(type, more, a);
+        evaluate_shape(type, less, b);
+        for (std::size_t i = 0; i < at(node_count(type)); ++i)
+          error = std::max(error, std::abs((a.value[i] - b.value[i]) / (2 * h) - s.d[i][c]));
+      }
+    }
+    expect_error("derivatives against differences, " + name_of(type), error, 2e-11);
+  }
+}
+
+TEST(VolumeShape, ReproducePolynomials) {
+  const auto linear = [](const Vec3& x) { return 1 - 2 * x[0] + 3 * x[1] + 0.7 * x[2]; };
+  const auto quadratic = [&](const Vec3& x) {
+    return linear(x) + x[0] * x[0] - 2 * x[0] * x[1] + 0.5 * x[1] * x[1] + 0.3 * x[1] * x[2] -
+           x[2] * x[2] + 1.5 * x[2] * x[0];
+  };
+  for (const VolumeType type : all_types) {
+    double error = 0;
+    const auto nodes = reference_nodes(type);
+    const auto f = [&](const Vec3& x) { return is_quadratic(type) ? quadratic(x) : linear(x); };
+    for (const Vec3& x : points(type)) {
+      VolumeShape s;
+      evaluate_shape(type, x, s);
+      double sum = -f(x);
+      for (std::size_t i = 0; i < nodes.size(); ++i) sum += s.value[i] * f(nodes[i]);
+      error = std::max(error, std::abs(sum));
+    }
+    expect_error(
+        std::string(is_quadratic(type) ? "quadratic" : "linear") + " field, " + name_of(type),
+        error, 3e-14);
+  }
+}
+
+TEST(VolumeShape, MidsideNodesLieInTheMiddleOfTheirEdges) {
+  for (const VolumeType type : all_types) {
+    const auto nodes = reference_nodes(type);
+    const auto edges = edges_of(type);
+    double error = 0;
+    for (std::size_t k = 0; is_quadratic(type) && k < edges.size(); ++k)
+      error = std::max(error, length(nodes[at(corner_count(type)) + k] -
+                                     0.5 * (nodes[at(edges[k][0])] + nodes[at(edges[k][1])])));
+    expect_error("midside nodes, " + name_of(type), error, 0);
+    const auto corners = at(corner_count(type));
+    EXPECT_EQ(edges.size(), corners == 4 ? 6u : corners == 6 ? 9u : 12u);
+    EXPECT_EQ(nodes.size(), corners + (is_quadratic(type) ? edges.size() : 0));
+  }
+}
+
+TEST(VolumeShape, FacesLookOutwards) {
+  for (const VolumeType type : all_types) {
+    const auto nodes = reference_nodes(type);
+    Vec3 centre{0, 0, 0};
+    for (int i = 0; i < corner_count(type); ++i)
+      centre = centre + (1.0 / corner_count(type)) * nodes[at(i)];
+    Vec3 closed{0, 0, 0};
+    for (const VolumeFace& f : faces_of(type)) {
+      const Vec3 a = nodes[at(f.node[0])], b = nodes[at(f.node[1])], c = nodes[at(f.node[2])];
+      const Vec3 normal = cross(b - a, c - a);
+      EXPECT_GT(dot(normal, a - centre), 0) << name_of(type);
+      // The faces' areas as vectors cancel.
+      closed = closed + (corner_count(f.type) == 3 ? 0.5 : 1) * normal;
+      // All nodes of the face, and no others, lie in its plane.
+      std::set<int> own(f.node.begin(), f.node.begin() + node_count(f.type));
+      EXPECT_EQ(own.size(), at(node_count(f.type))) << name_of(type);
+      for (int i = 0; i < node_count(type); ++i)
+        EXPECT_EQ(std::abs(dot(normal, nodes[at(i)] - a)) < 1e-14, own.contains(i))
+            << name_of(type) << " node " << i;
+    }
+    expect_error("closed surface, " + name_of(type), length(closed), 0);
+  }
+}
+
+TEST(VolumeShape, OnFacesTheyAreTheSurfaceElements) {
+  frames::Random random(3);
+  for (const VolumeType type : all_types) {
+    double error = 0;
+    const auto nodes = reference_nodes(type);
+    for (const VolumeFace& f : faces_of(type)) {
+      EXPECT_EQ(is_quadratic(f.type), is_quadratic(type));
+      for (int k = 0; k < 20; ++k) {
+        double u = random(), v = random();
+        if (corner_count(f.type) == 3) u = 0.5 * (1 + u), v = 0.5 * (1 - u) * (1 + v);
+        Shape s;
+        evaluate_shape(f.type, u, v, s);
+        // Reference faces are flat and straight: their nodes interpolate the place.
+        Vec3 x{0, 0, 0};
+        for (int i = 0; i < node_count(f.type); ++i)
+          x = x + s.value[at(i)] * nodes[at(f.node[at(i)])];
+        VolumeShape volume;
+        evaluate_shape(type, x, volume);
+        std::array<double, max_volume_nodes> expected{};
+        for (int i = 0; i < node_count(f.type); ++i) expected[at(f.node[at(i)])] = s.value[at(i)];
+        for (int i = 0; i < node_count(type); ++i)
+          error = std::max(error, std::abs(volume.value[at(i)] - expected[at(i)]));
+      }
+    }
+    expect_error("faces as surface elements, " + name_of(type), error, 2e-15);
+  }
+}
+
+TEST(VolumeShape, FacesAreInTheDocumentedOrder) {
+  const auto corners = [](VolumeType type) {
+    std::vector<std::set<int>> sets;
+    for (const VolumeFace& f : faces_of(type))
+      sets.emplace_back(f.node.begin(), f.node.begin() + corner_count(f.type));
+    return sets;
+  };
+  using Sets = std::vector<std::set<int>>;
+  for (const VolumeType type : {VolumeType::tet4, VolumeType::tet10})
+    EXPECT_EQ(corners(type), (Sets{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}));
+  for (const VolumeType type : {VolumeType::wedge6, VolumeType::wedge15})
+    EXPECT_EQ(corners(type),
+              (Sets{{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}));
+  for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20})
+    EXPECT_EQ(
+        corners(type),
+        (Sets{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {0, 3, 4, 7}}));
+}
+
+}  // namespace
+}  // namespace rollcon
