@@ -1,16 +1,13 @@
 #include "bodies/frame_on_body.hpp"
 
 #include <algorithm>
-#include <map>
 
-#include "mesh/surface_geometry.hpp"
+#include "bodies/missed_nodes.hpp"
+#include "mesh/turned_over.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 namespace {
-
-/// Nodes this part of an element's diameter apart are one.
-constexpr double coincidence = 1e-6;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -18,34 +15,30 @@ std::size_t at(std::int64_t i) {
 
 std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Pose& pose,
                                   int which) {
-  const Vec3 direction = pose.turn_back(frame.axes.n);
-  const Vec3 facing = (which == 0 ? 1.0 : -1.0) * direction;
   std::vector<SurfacePoint> on_body(at(frame.nodes()));
-  std::int64_t missing = 0, first = -1;
-  for (std::int64_t k = 0; k < frame.nodes(); ++k) {
-    if (!frame.used[at(k)]) continue;
-    const auto hit = body.search().along(pose.to_body(frame.mesh.node[at(k)]), direction, facing);
-    if (hit) {
-      on_body[at(k)] = *hit;
-    } else if (missing++ == 0) {
-      first = k;
-    }
+  MissedNodes missed(frame, body, pose, which);
+  for (std::size_t k = 0; k < on_body.size(); ++k) {
+    if (!frame.used[k]) continue;
+    const auto hit = meet_contact_faces(frame, k, frame.axes.n, body, pose, which);
+    if (hit)
+      on_body[k] = *hit;
+    else
+      missed.add(k, frame.axes.n);
   }
-  if (missing > 0)
-    fail(Status::err_mesh,
-         "node %lld of the contact frame (counting from %d) and %lld others have no contact face "
-         "of body %d above or below them, along the normal of the axes: check axes, poses and "
-         "rollcon_body_set_contact_faces",
-         static_cast<long long>(first) + frame.mesh.index_base, frame.mesh.index_base,
-         static_cast<long long>(missing) - 1, which + 1);
+  missed.fail_if_any();
   return on_body;
 }
 
-/// The body's node at a point found on it; -1: none.
-std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point) {
+/// The node of the element found that stands on the line to it; -1: none.
+std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point, const Vec3& from,
+                     const Vec3& direction) {
   const double reach = coincidence * element_diameter(mesh, point.element);
-  for (const std::int32_t k : mesh.element(point.element))
-    if (length(mesh.node[at(k)] - point.x) <= reach) return k;
+  for (const std::int32_t k : mesh.element(point.element)) {
+    const Vec3 d = mesh.node[at(k)] - from;
+    if (length(d - dot(d, direction) * direction) <= reach &&
+        length(mesh.node[at(k)] - point.x) <= 4 * reach)
+      return k;
+  }
   return -1;
 }
 
@@ -53,23 +46,31 @@ std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point) {
 std::vector<std::int64_t> matching_faces(const Frame& frame, const SurfaceMesh& mesh,
                                          const std::vector<std::int64_t>& candidates,
                                          const std::vector<std::int32_t>& node) {
-  std::map<std::vector<std::int32_t>, std::int64_t> face_of_nodes;
-  const auto sorted = [](std::vector<std::int32_t> nodes) {
-    std::sort(nodes.begin(), nodes.end());
-    return nodes;
-  };
-  for (const std::int64_t e : candidates) {
+  // Faces by their nodes with the least number.
+  const auto least = [&](std::int64_t e) {
     const auto nodes = mesh.element(e);
-    face_of_nodes[sorted({nodes.begin(), nodes.end()})] = e;
-  }
+    return at(*std::min_element(nodes.begin(), nodes.end()));
+  };
+  std::vector<std::int64_t> start(at(mesh.nodes()) + 1, 0), of(candidates.size());
+  for (const std::int64_t e : candidates) ++start[least(e)];
+  for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
+  for (const std::int64_t e : candidates) of[at(--start[least(e)])] = e;
   std::vector<std::int64_t> face;
+  std::vector<std::int32_t> nodes;
   for (std::int64_t e = 0; e < frame.elements(); ++e) {
-    std::vector<std::int32_t> nodes;
+    nodes.clear();
     for (const std::int32_t k : frame.mesh.element(e)) nodes.push_back(node[at(k)]);
-    const auto found = face_of_nodes.find(sorted(nodes));
-    if (found == face_of_nodes.end() || mesh.type[at(found->second)] != frame.mesh.type[at(e)])
-      return {};
-    face.push_back(found->second);
+    const auto first = at(*std::min_element(nodes.begin(), nodes.end()));
+    std::int64_t found = -1;
+    for (std::int64_t i = start[first]; i < start[first + 1]; ++i) {
+      const std::int64_t f = of[at(i)];
+      const auto own = mesh.element(f);
+      if (mesh.type[at(f)] == frame.mesh.type[at(e)] &&
+          std::is_permutation(own.begin(), own.end(), nodes.begin(), nodes.end()))
+        found = f;
+    }
+    if (found < 0) return {};
+    face.push_back(found);
   }
   std::sort(face.begin(), face.end());
   if (std::adjacent_find(face.begin(), face.end()) != face.end()) return {};
@@ -99,11 +100,8 @@ void refuse_held_faces(const BodyMesh& mesh, const std::vector<SurfacePoint>& po
   const std::vector<std::uint8_t> held = held_elements(mesh);
   for (const SurfacePoint& p : point)
     if (p.element >= 0 && held[at(p.element)] == 7)
-      fail(Status::err_state,
-           "the contact frame lies on element %lld (counting from %d) of body %d, which is held by "
-           "a support",
-           static_cast<long long>(p.element) + mesh.surface.index_base, mesh.surface.index_base,
-           which + 1);
+      fail(Status::err_state, "the contact frame lies on %s of body %d, which is held by a support",
+           face_name(mesh, p.element).c_str(), which + 1);
 }
 
 }  // namespace
@@ -121,14 +119,17 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
   FrameOnBody result;
   result.node.assign(at(frame.nodes()), -1);
   bool all = true;
+  const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
-    result.node[at(k)] = node_at(mesh, point[at(k)]);
+    result.node[at(k)] =
+        node_at(mesh, point[at(k)], pose.to_body(frame.mesh.node[at(k)]), direction);
     all = all && result.node[at(k)] >= 0;
   }
   if (all) result.face = matching_faces(frame, mesh, candidates, result.node);
   if (result.matches()) return result;
   result.layer = frame.mesh;
+  if (which == 1) turn_over(result.layer);  // the frame looks out of body 1
   for (std::int64_t k = 0; k < frame.nodes(); ++k)
     result.layer.node[at(k)] = frame.used[at(k)] ? point[at(k)].x : Vec3{0, 0, 0};
   result.row = nodes_around(mesh, candidates, point);

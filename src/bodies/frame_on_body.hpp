@@ -21,8 +21,8 @@ struct FrameOnBody {
   bool matches() const { return !face.empty(); }
 };
 
-/// Projects the frame along its axes' normal. Throws err_mesh naming the first frame node that has
-/// no contact face of the body above or below it, and err_state when the frame lies on held faces.
+/// Projects the frame along its axes' normal. Throws err_mesh naming the frame nodes that have no
+/// contact face of the body above or below them, and err_state when the frame lies on held faces.
 FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, int which);
 
 }  // namespace rollcon

@@ -1,41 +1,16 @@
 #include "contact/geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "support/error.hpp"
+#include "bodies/missed_nodes.hpp"
 
 namespace rollcon {
 namespace {
 
-/// Frame nodes from which a line does not lead to the body's surface.
-struct Missed {
-  int body = 0;
-  std::int32_t index_base = 0;
-  long long count = 0, first = -1;
-
-  void add(std::size_t k) {
-    if (count++ == 0) first = static_cast<long long>(k) + index_base;
-  }
-  void fail_if_any() const {
-    if (count > 0)
-      fail(Status::err_mesh,
-           "node %lld of the frame (counting from %d) does not lie over the contact faces of body "
-           "%d: the line along its normal meets none of them; %lld such node(s)",
-           first, index_base, body + 1, count);
-  }
-};
-
 /// Direction in which a body's contact faces look, for n out of body 1.
 Vec3 outward(int body, const Vec3& n) {
   return body == 0 ? n : -1.0 * n;
-}
-
-std::optional<SurfacePoint> along(const PairOfBodies& pair, int body, const Vec3& from,
-                                  const Vec3& n) {
-  const auto b = static_cast<std::size_t>(body);
-  const Vec3 direction = pair.pose[b].turn_back(n);
-  return pair.body[b]->search().along(pair.pose[b].to_body(from), direction,
-                                      outward(body, direction));
 }
 
 /// Sum of the normals of the faces' fans at each frame node, in the body's axes.
@@ -78,16 +53,18 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
     return normal;
   }
   std::vector<Vec3> normal(static_cast<std::size_t>(frame.nodes()), frame.axes.n);
-  Missed missed{which, frame.mesh.index_base};
+  MissedNodes missed(frame, body, pose, which);
+  const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::size_t k = 0; k < normal.size(); ++k) {
     if (!frame.used[k]) continue;
-    const Vec3 direction = pose.turn_back(frame.axes.n);
-    const auto n =
-        normal_along(body, pose.to_body(frame.mesh.node[k]), direction, outward(which, direction));
+    const auto n = look_aside(
+        pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k), [&](const Vec3& from) {
+          return normal_along(body, from, direction, outward(which, direction));
+        });
     if (n)
       normal[k] = field.level(outward(which, pose.turn(*n)));
     else
-      missed.add(k);
+      missed.add(k, frame.axes.n);
   }
   missed.fail_if_any();
   return normal;
@@ -107,25 +84,37 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
   std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0);
   for (int body = 0; body < 2; ++body) {
     if (source.body == body) continue;  // the nodes are on it
-    const bool meshed = pair.body[static_cast<std::size_t>(body)]->meshed();
+    const Body& surface = *pair.body[static_cast<std::size_t>(body)];
+    const Pose& pose = pair.pose[static_cast<std::size_t>(body)];
     const double sign = body == 0 ? -1 : 1;
-    Missed missed{body, frame.mesh.index_base};
+    MissedNodes missed(frame, surface, pose, body);
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!frame.used[k]) continue;
       const Vec3 n = frame.triad(k).n;
-      if (!meshed) {
+      if (!surface.meshed()) {
         gap[k] -= sign * frame.z[k] / dot(n, frame.axes.n);
         continue;
       }
-      const auto hit = along(pair, body, frame.mesh.node[k], n);
+      const auto hit = meet_contact_faces(frame, k, n, surface, pose, body);
       if (hit)
         gap[k] += sign * hit->distance;
       else
-        missed.add(k);
+        missed.add(k, n);
     }
     missed.fail_if_any();
   }
   return gap;
+}
+
+InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& gap) {
+  constexpr double rounding = 1e-9;  // over the distance of nodes
+  InitialOverlap overlap;
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    if (!frame.used[k] || -gap[k] <= rounding * std::sqrt(frame.cell_area[k])) continue;
+    ++overlap.nodes;
+    overlap.depth = std::max(overlap.depth, -gap[k]);
+  }
+  return overlap;
 }
 
 }  // namespace rollcon

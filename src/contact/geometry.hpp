@@ -15,8 +15,8 @@ int normal_source(const PairOfBodies& pair);
 /// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it
 /// has a mesh, else minus those of body 2. At nodes that were taken from that body the mean normal
 /// of the fan of its faces, else what the line along the axes' normal meets (smooth_normal). One
-/// body at least must have a mesh. Throws err_mesh naming the first frame node, and their count,
-/// that do not lie over the body's contact faces.
+/// body at least must have a mesh. Throws err_mesh naming the frame nodes that do not lie over the
+/// body's contact faces, see MissedNodes.
 std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
                                   const PairOfBodies& pair);
 
@@ -26,6 +26,13 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 /// likewise.
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
                                    const PairOfBodies& pair);
+
+/// Frame nodes where the bodies overlap before they approach each other, and the greatest depth.
+struct InitialOverlap {
+  std::int64_t nodes = 0;
+  double depth = 0;
+};
+InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& gap);
 
 /// Contact that reaches the edge of its body is not cut off by the frame: nodes of a frame taken
 /// from a body that lie on a sharp edge of it do not count as rim.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "contact/geometry.hpp"
 #include "contact/state.hpp"
 
 namespace rollcon {
@@ -56,6 +57,10 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
   }
   if (meshed)
     line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
+  if (const InitialOverlap overlap = initial_overlap(s.frame, s.problem.gap); overlap.nodes > 0)
+    line(text,
+         "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
+         static_cast<long long>(overlap.nodes), overlap.depth);
   if (!s.offset_depth.empty())
     line(text, "loads and given displacements of the bodies: added to gap and slip");
 }

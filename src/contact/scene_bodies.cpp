@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/scene.hpp"
+#include "mesh/turned_over.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -22,25 +23,6 @@ std::array<Vec3, 3> nearest_rotation(std::array<Vec3, 3> r) {
     for (std::size_t k = 0; k < 3; ++k) r[k] = 0.5 * (r[k] + scale * cofactor[k]);
   }
   return r;
-}
-
-/// Node order of an element seen from its other side; the first node stays.
-std::span<const int> turned_over(ElementType type) {
-  static constexpr int tri3[] = {0, 2, 1}, tri6[] = {0, 2, 1, 5, 4, 3}, quad4[] = {0, 3, 2, 1},
-                       quad8[] = {0, 3, 2, 1, 7, 6, 5, 4}, quad9[] = {0, 3, 2, 1, 7, 6, 5, 4, 8};
-  switch (type) {
-    case ElementType::tri3:
-      return tri3;
-    case ElementType::tri6:
-      return tri6;
-    case ElementType::quad4:
-      return quad4;
-    case ElementType::quad8:
-      return quad8;
-    case ElementType::quad9:
-      return quad9;
-  }
-  return {};
 }
 
 }  // namespace

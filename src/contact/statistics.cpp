@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "contact/contact.hpp"
+#include "contact/geometry.hpp"
 #include "contact/state.hpp"
 
 namespace rollcon {
@@ -91,6 +92,9 @@ constexpr Statistic table[] = {
        return sum_in_contact(s, [&](std::size_t k) { return s.frame.rim[k] ? 1.0 : 0.0; });
      }},
     {"nodes_near_change", near_change},
+    {"nodes_overlap",
+     [](SolverState& s) { return number(initial_overlap(s.frame, s.problem.gap).nodes); }},
+    {"overlap_depth", [](SolverState& s) { return initial_overlap(s.frame, s.problem.gap).depth; }},
     {"contact_area",
      [](SolverState& s) {
        return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; });

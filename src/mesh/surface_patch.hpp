@@ -28,6 +28,8 @@ class SurfacePatch {
   };
   Derivatives at(double xi, double eta) const;
   const Vec3& origin() const { return origin_; }
+  /// Of xi^i eta^j, i and j up to 2, relative to origin().
+  const Vec3& coefficient(int i, int j) const { return c_[i][j]; }
   double size() const { return size_; }  ///< longest distance of a node from the first
   bool triangle() const { return triangle_; }
   int parts() const { return quadratic_ ? 4 : 1; }

@@ -1,9 +1,14 @@
 #include "mesh/surface_search.hpp"
 
 #include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/geometries/segment.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -12,6 +17,13 @@
 
 namespace rollcon {
 namespace {
+
+namespace geometry = boost::geometry;
+using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
+
+Corner corner(const Vec3& x) {
+  return {x[0], x[1], x[2]};
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
@@ -50,13 +62,16 @@ struct Line {
     b = normalized(cross(direction, a));
   }
 
-  /// Least |t| at which the line may be within the box; infinity: never.
-  double reach(const Box& box) const {
+  struct Stretch {
+    double first, last;  ///< first > last: none
+  };
+  /// Where the line may be within the box.
+  Stretch within(const Box& box) const {
     double first = -infinity, last = infinity;
     for (std::size_t k = 0; k < 3; ++k) {
       const double low = box.low[k] - from[k], high = box.high[k] - from[k];
       if (direction[k] == 0) {
-        if (low > 0 || high < 0) return infinity;
+        if (low > 0 || high < 0) return {infinity, -infinity};
         continue;
       }
       const double s = low / direction[k], t = high / direction[k];
@@ -64,38 +79,49 @@ struct Line {
       last = std::min(last, std::max(s, t));
     }
     const double slack = 8 * epsilon * std::max(std::abs(first), std::abs(last));
-    if (first > last + slack) return infinity;
-    if (first <= 0 && last >= 0) return 0;
-    return std::max(std::min(std::abs(first), std::abs(last)) - slack, 0.0);
+    return {first - slack, last + slack};
+  }
+  /// Least |t| there; infinity: never.
+  double reach(const Box& box) const {
+    const auto [first, last] = within(box);
+    if (first > last) return infinity;
+    return std::max({first, -last, 0.0});
   }
 };
 
 }  // namespace
 
-/// Binary tree over parts of elements; node i covers cells [begin, end), its first child follows
-/// it.
+/// R-tree over the bounding boxes of parts of elements.
 struct SurfaceSearch::Tree {
   struct Cell {
     Box box;
     std::int64_t element;
     int part;
   };
-  struct Node {
-    Box box;
-    std::size_t begin, end;
-    std::size_t second = 0;  ///< 0: leaf
-  };
+  using Boxed = std::pair<geometry::model::box<Corner>, std::uint32_t>;  ///< and its cell
+  using Index = geometry::index::rtree<Boxed, geometry::index::linear<8>>;
+  using Found = std::vector<std::pair<double, std::uint32_t>>;  ///< least distance, cell
 
   const SurfaceMesh* mesh;
   std::vector<Cell> cell;
-  std::vector<Node> node;
+  Index index;
+  Box all;
+  double near = 0;  ///< some sizes of a cell
 
   Tree(const SurfaceMesh& of, std::span<const std::int64_t> elements) : mesh(&of) {
     if (elements.empty())
       for (std::int64_t e = 0; e < of.elements(); ++e) add(e);
     else
       for (std::int64_t e : elements) add(e);
-    if (!cell.empty()) build(0, cell.size());
+    std::vector<Boxed> boxed;
+    boxed.reserve(cell.size());
+    for (const Cell& c : cell) {
+      boxed.emplace_back(geometry::model::box<Corner>(corner(c.box.low), corner(c.box.high)),
+                         static_cast<std::uint32_t>(boxed.size()));
+      all.add(c.box);
+      near += 2 * length(c.box.high - c.box.low) / static_cast<double>(cell.size());
+    }
+    index = Index(boxed);  // packed
   }
 
   void add(std::int64_t e) {
@@ -114,49 +140,58 @@ struct SurfaceSearch::Tree {
     }
   }
 
-  std::size_t build(std::size_t begin, std::size_t end) {
-    const std::size_t self = node.size();
-    Box box;
-    for (std::size_t i = begin; i < end; ++i) box.add(cell[i].box);
-    node.push_back({box, begin, end});
-    if (end - begin <= 2) return self;
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k)
-      if (box.high[k] - box.low[k] > box.high[axis] - box.low[axis]) axis = k;
-    const std::size_t middle = begin + (end - begin) / 2;
-    const auto at = [&](std::size_t i) { return cell.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(at(begin), at(middle), at(end), [axis](const Cell& p, const Cell& q) {
-      return p.box.low[axis] + p.box.high[axis] < q.box.low[axis] + q.box.high[axis];
-    });
-    build(begin, middle);
-    const std::size_t second = build(middle, end);
-    node[self].second = second;
-    return self;
+  /// Cells whose box meets the geometry and whose bound(box) is at most `most`, nearest first.
+  template <class Geometry, class Bound>
+  Found meeting(const Geometry& shape, double most, Bound bound) const {
+    std::vector<Boxed> boxed;
+    index.query(geometry::index::intersects(shape), std::back_inserter(boxed));
+    Found found;
+    for (const Boxed& b : boxed)
+      if (const double r = bound(cell[b.second].box); r < infinity && r <= most)
+        found.emplace_back(r, b.second);
+    std::sort(found.begin(), found.end());
+    return found;
   }
 
-  /// Visits the cells whose bound(box) is at most limit(), nearer ones first.
-  template <class Bound, class Limit, class Visit>
-  void walk(Bound bound, Limit limit, Visit visit) const {
-    if (node.empty()) return;
-    // Halving: the tree is no deeper than the bits of the number of cells.
-    std::pair<double, std::size_t> stack[2 * 64];
-    std::size_t depth = 0;
-    stack[depth++] = {bound(node[0].box), 0};
-    while (depth > 0) {
-      const auto [reach, i] = stack[--depth];
-      if (!(reach <= limit()) || reach == infinity) continue;
-      const Node& n = node[i];
-      if (n.second == 0) {
-        for (std::size_t c = n.begin; c < n.end; ++c)
-          if (const double r = bound(cell[c].box); r < infinity && r <= limit()) visit(cell[c]);
-        continue;
-      }
-      std::pair<double, std::size_t> near{bound(node[i + 1].box), i + 1};
-      std::pair<double, std::size_t> far{bound(node[n.second].box), n.second};
-      if (far.first < near.first) std::swap(near, far);
-      stack[depth++] = far;
-      stack[depth++] = near;
+  template <class Limit, class Visit>
+  void visit_in_order(const Found& found, Limit limit, Visit visit) const {
+    for (const auto& [reach, c] : found) {
+      if (!(reach <= limit())) return;
+      visit(cell[c]);
     }
+  }
+
+  /// Visits cells that the line may meet at |t| up to limit(), nearer ones first.
+  template <class Limit, class Visit>
+  void walk(const Line& line, Limit limit, Visit visit) const {
+    const auto [first, last] = line.within(all);
+    if (cell.empty() || first > last) return;
+    const auto query = [&](double from, double to) {
+      const geometry::model::segment<Corner> part(corner(line.from + from * line.direction),
+                                                  corner(line.from + to * line.direction));
+      const auto reach = [&](const Box& box) { return line.reach(box); };
+      visit_in_order(meeting(part, infinity, reach), limit, visit);
+    };
+    const double pad = 0.01 * near;
+    // Mostly the line starts close to the surface.
+    if (first < near && last > -near)
+      query(std::max(first, -near) - pad, std::min(last, near) + pad);
+    if (limit() > near) query(first - pad, last + pad);
+  }
+
+  /// Visits cells that may be up to limit() from the point, nearer ones first but for one.
+  template <class Limit, class Visit>
+  void walk(const Vec3& x, Limit limit, Visit visit) const {
+    std::vector<Boxed> nearest;
+    index.query(geometry::index::nearest(corner(x), 1), std::back_inserter(nearest));
+    if (nearest.empty()) return;
+    const std::uint32_t first = nearest[0].second;
+    visit(cell[first]);
+    const double r = limit() * (1 + 4 * epsilon);
+    const geometry::model::box<Corner> around(corner(x - Vec3{r, r, r}), corner(x + Vec3{r, r, r}));
+    Found found = meeting(around, r, [&](const Box& box) { return box.distance(x); });
+    std::erase_if(found, [first](const auto& f) { return f.second == first; });
+    visit_in_order(found, limit, visit);
   }
 
   SurfacePoint point(const SurfacePatch& patch, std::int64_t element,
@@ -195,42 +230,52 @@ std::optional<SurfacePoint> SurfaceSearch::along(const Vec3& from, const Vec3& d
     return hit.element < best->element;
   };
   std::vector<ReferencePoint> found;
-  tree_->walk([&](const Box& box) { return line.reach(box); },
-              [&] { return best ? std::abs(best->distance) + tie : infinity; },
-              [&](const Tree::Cell& cell) {
-                const SurfacePatch patch(*tree_->mesh, cell.element);
-                const Vec3 start = from - patch.origin();
-                found.clear();
-                patch.meet(patch.part(cell.part), start, line.a, line.b, beyond_edge * patch.size(),
-                           found);
-                for (const ReferencePoint& p : found) {
-                  SurfacePoint hit = tree_->point(patch, cell.element, p);
-                  if (!any && dot(hit.normal, side) <= least_cosine) continue;
-                  hit.distance = dot(direction, patch.at(p.xi, p.eta).x - start);
-                  tie = std::max(tie, beyond_edge * patch.size());
-                  if (better(hit)) best = hit;
-                }
-              });
+  tree_->walk(
+      line, [&] { return best ? std::abs(best->distance) + tie : infinity; },
+      [&](const Tree::Cell& cell) {
+        const SurfacePatch patch(*tree_->mesh, cell.element);
+        const Vec3 start = from - patch.origin();
+        found.clear();
+        patch.meet(patch.part(cell.part), start, line.a, line.b, beyond_edge * patch.size(), found);
+        for (const ReferencePoint& p : found) {
+          SurfacePoint hit = tree_->point(patch, cell.element, p);
+          if (!any && dot(hit.normal, side) <= least_cosine) continue;
+          hit.distance = dot(direction, patch.at(p.xi, p.eta).x - start);
+          tie = std::max(tie, beyond_edge * patch.size());
+          if (better(hit)) best = hit;
+        }
+      });
   return best;
 }
 
 SurfacePoint SurfaceSearch::nearest(const Vec3& point) const {
   SurfacePoint best;
   best.distance = infinity;
-  tree_->walk([&](const Box& box) { return box.distance(point); }, [&] { return best.distance; },
-              [&](const Tree::Cell& cell) {
-                const SurfacePatch patch(*tree_->mesh, cell.element);
-                const Vec3 x = point - patch.origin();
-                const ReferencePoint p = patch.nearest(patch.part(cell.part), x);
-                const double distance = length(patch.at(p.xi, p.eta).x - x);
-                const double tie = 1e-14 * patch.size();
-                if (distance > best.distance + tie ||
-                    (distance > best.distance - tie && cell.element >= best.element))
-                  return;
-                best = tree_->point(patch, cell.element, p);
-                best.distance = distance;
-              });
+  tree_->walk(
+      point, [&] { return best.distance; },
+      [&](const Tree::Cell& cell) {
+        const SurfacePatch patch(*tree_->mesh, cell.element);
+        const Vec3 x = point - patch.origin();
+        const ReferencePoint p = patch.nearest(patch.part(cell.part), x);
+        const double distance = length(patch.at(p.xi, p.eta).x - x);
+        const double tie = 1e-14 * patch.size();
+        if (distance > best.distance + tie ||
+            (distance > best.distance - tie && cell.element >= best.element))
+          return;
+        best = tree_->point(patch, cell.element, p);
+        best.distance = distance;
+      });
   return best;
+}
+
+void SurfaceSearch::near(const Vec3& low, const Vec3& high,
+                         std::vector<std::int64_t>& element) const {
+  element.clear();
+  const geometry::model::box<Corner> box(corner(low), corner(high));
+  for (const auto& [zero, c] : tree_->meeting(box, 0, [](const Box&) { return 0.0; }))
+    element.push_back(tree_->cell[c].element);
+  std::sort(element.begin(), element.end());
+  element.erase(std::unique(element.begin(), element.end()), element.end());
 }
 
 }  // namespace rollcon

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "mesh/surface_mesh.hpp"
 
@@ -35,6 +36,8 @@ class SurfaceSearch {
                                     const Vec3& facing) const;
   /// The nearest point; of equally near elements the first.
   SurfacePoint nearest(const Vec3& point) const;
+  /// Elements whose bounding boxes meet the box, ascending; overwritten.
+  void near(const Vec3& low, const Vec3& high, std::vector<std::int64_t>& element) const;
 
  private:
   struct Tree;

@@ -6,9 +6,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <string>
 
 #include "contact/body_geometry.hpp"
+#include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -197,6 +199,21 @@ TEST(geometry, zones_do_not_break_smooth_normals) {
   EXPECT_LT(worst, 2e-3);
 }
 
+std::string refusal(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), Status::err_mesh);
+    return e.what();
+  }
+  ADD_FAILURE() << "not refused";
+  return {};
+}
+
+void expect_text(const std::string& text, const std::string& part) {
+  EXPECT_NE(text.find(part), std::string::npos) << "no '" << part << "' in: " << text;
+}
+
 TEST(geometry, nodes_beside_a_body_are_named) {
   auto context = std::make_shared<Context>();
   auto plane = std::make_shared<Body>(context, 4);
@@ -209,19 +226,87 @@ TEST(geometry, nodes_beside_a_body_are_named) {
   mesh.index_base = 1;
   Frame frame = build_frame(mesh, {});
   const PairOfBodies pair{{plane.get(), sphere.get()}, {}};
-  for (const bool normals : {true, false}) try {
+  for (const bool normals : {true, false}) {
+    const std::string text = refusal([&] {
       if (normals)
         surface_normals(frame, {}, pair);
       else
         undeformed_gap(frame, {}, pair);
-      ADD_FAILURE() << "not refused";
-    } catch (const Error& e) {
-      EXPECT_EQ(e.status(), Status::err_mesh);
-      const std::string text = e.what();
-      EXPECT_NE(text.find("node 1 of the frame (counting from 1)"), std::string::npos) << text;
-      EXPECT_NE(text.find("body 2"), std::string::npos) << text;
-      EXPECT_NE(text.find("16 such node(s)"), std::string::npos) << text;
+    });
+    expect_text(text, "16 of the 25 nodes of the frame (counting from 1)");
+    expect_text(text, "contact faces of body 2");
+    expect_text(text, "16 such node(s) beyond the edge of the body");
+    expect_text(text, ": 1, 2, 3, 4, 5, ...");
+    EXPECT_EQ(text.find("behind"), std::string::npos) << text;
+  }
+  // Axes that point the wrong way see all that lies over the body from behind.
+  Axes down;
+  down.n = {0, 0, -1};
+  down.t2 = {0, -1, 0};
+  frame = build_frame(surfaces::turn_inside_out(mesh), down);
+  const std::string text = refusal([&] { undeformed_gap(frame, {}, pair); });
+  expect_text(text, "25 of the 25 nodes");
+  expect_text(text,
+              "9 such node(s) meet a contact face from behind (the normal of the axes must "
+              "point out of body 1, into body 2): 7, 8, 9, 12, 13, ...");
+  // Faces that are not offered to contact.
+  SurfaceMesh marked = sphere_cap(ElementType::quad4, 6, 0.6, radius2, clearance, false);
+  for (std::int64_t e = 0; e < marked.elements(); ++e)
+    marked.tag[static_cast<std::size_t>(e)] = unit_normal(marked, e, 0, 0)[0] > 0.05 ? 8 : 9;
+  auto half = std::make_shared<Body>(context, 4);
+  set_mesh(*half, marked);
+  const std::int32_t tag = 9;
+  half->set_contact_faces(1, &tag);
+  half->prepare();
+  frame = build_frame(mesh, {});
+  const std::string other = refusal([&] {
+    undeformed_gap(frame, {}, {{plane.get(), half.get()}, {}});
+  });
+  expect_text(other,
+              "over faces that are held, loaded or not among rollcon_body_set_contact_faces");
+}
+
+TEST(geometry, frames_that_end_where_the_body_does_may_be_rounded) {
+  // A frame of the size of the body, its coordinates written with seven digits.
+  auto context = std::make_shared<Context>();
+  auto plane = std::make_shared<Body>(context, 4);
+  auto sphere =
+      rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));
+  plane->prepare();
+  sphere->prepare();
+  const std::vector<double> lines = frames::uniform_lines(-0.3, 0.3, 6);
+  for (const double beyond : {0.0, 3e-8, 1e-5}) {
+    const SurfaceMesh mesh = frames::stretch(frames::rectangle(ElementType::quad4, lines, lines),
+                                             1 + beyond, 1 + beyond);
+    const Frame frame = build_frame(mesh, {});
+    const PairOfBodies pair{{plane.get(), sphere.get()}, {}};
+    if (beyond < 1e-7) {
+      const std::vector<double> gap = undeformed_gap(frame, {}, pair);
+      double worst = 0;
+      for (std::size_t k = 0; k < gap.size(); ++k) {
+        const Vec3 p = frame.mesh.node[k];
+        const double r2 = p[0] * p[0] + p[1] * p[1];
+        worst = std::max(worst, std::abs(gap[k] - clearance -
+                                         r2 / (radius2 + std::sqrt(radius2 * radius2 - r2))));
+      }
+      std::printf("beyond the edge by %.0e: gap error %.1e (bound 1e-6)\n", beyond, worst);
+      EXPECT_LT(worst, 1e-6);
+    } else {
+      expect_text(refusal([&] { undeformed_gap(frame, {}, pair); }), "24 of the 49 nodes");
     }
+  }
+}
+
+TEST(geometry, initial_overlap_is_counted) {
+  const std::vector<double> lines = frames::uniform_lines(-1, 1, 4);
+  const Frame frame = build_frame(frames::rectangle(ElementType::quad4, lines, lines), {});
+  std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0.25);
+  gap[3] = -1e-3;
+  gap[7] = -2e-3;
+  gap[8] = -1e-14;  // rounding
+  const InitialOverlap overlap = initial_overlap(frame, gap);
+  EXPECT_EQ(overlap.nodes, 2);
+  EXPECT_EQ(overlap.depth, 2e-3);
 }
 
 }  // namespace

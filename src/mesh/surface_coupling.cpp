@@ -1,0 +1,121 @@
+#include "mesh/surface_coupling.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mesh/coupled_element.hpp"
+#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
+
+namespace rollcon {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct Entry {
+  std::int32_t row, column;
+  double value;
+};
+
+/// Sums entries of the same place.
+SurfaceCoupling compress(std::vector<Entry>& entry) {
+  std::stable_sort(entry.begin(), entry.end(), [](const Entry& p, const Entry& q) {
+    return p.row != q.row ? p.row < q.row : p.column < q.column;
+  });
+  SurfaceCoupling m;
+  for (std::size_t i = 0; i < entry.size(); ++i) {
+    const Entry& e = entry[i];
+    if (i > 0 && entry[i - 1].row == e.row && entry[i - 1].column == e.column) {
+      m.value.back() += e.value;
+      continue;
+    }
+    if (m.node.empty() || m.node.back() != e.row) {
+      m.node.push_back(e.row);
+      m.start.push_back(static_cast<std::int64_t>(m.value.size()));
+    }
+    m.column.push_back(e.column);
+    m.value.push_back(e.value);
+  }
+  m.start.push_back(static_cast<std::int64_t>(m.value.size()));
+  return m;
+}
+
+/// Values of int N_i N_j of one element.
+using ElementMatrix = std::array<std::array<double, max_element_nodes>, max_element_nodes>;
+
+ElementMatrix own_matrix(const SurfaceMesh& mesh, std::int64_t element) {
+  ElementMatrix m{};
+  const auto n = mesh.element(element).size();
+  integrate_element(mesh, element, [&](const Shape& shape, const Vec3&, double area) {
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) m[i][j] += area * shape.value[i] * shape.value[j];
+  });
+  return m;
+}
+
+/// The face that a layer element is, with its local nodes in the layer's order; -1: none.
+std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> candidates,
+                       const SurfaceMesh& layer, std::int64_t element,
+                       std::array<std::size_t, max_element_nodes>& local) {
+  const auto nodes = layer.element(element);
+  const double reach = 1e-9 * element_diameter(layer, element);
+  for (const std::int64_t f : candidates) {
+    if (body.type[at(f)] != layer.type[at(element)]) continue;
+    const auto own = body.element(f);
+    std::size_t found = 0;
+    for (; found < nodes.size(); ++found) {
+      const Vec3& x = layer.node[at(nodes[found])];
+      const auto k = std::find_if(own.begin(), own.end(), [&](std::int32_t i) {
+        return length(body.node[at(i)] - x) <= reach;
+      });
+      if (k == own.end()) break;
+      local[found] = at(k - own.begin());
+    }
+    if (found == nodes.size()) return f;
+  }
+  return -1;
+}
+
+}  // namespace
+
+SurfaceCoupling couple_faces(const SurfaceMesh& mesh, std::span<const std::int64_t> face) {
+  std::vector<Entry> entry;
+  for (const std::int64_t f : face) {
+    const ElementMatrix m = own_matrix(mesh, f);
+    const auto nodes = mesh.element(f);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t j = 0; j < nodes.size(); ++j) entry.push_back({nodes[i], nodes[j], m[i][j]});
+  }
+  return compress(entry);
+}
+
+SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face,
+                             const SurfaceMesh& layer) {
+  std::vector<Entry> entry;
+  if (face.empty()) return compress(entry);
+  const SurfaceSearch search(body, face);
+  ElementCoupling coupling(body, search, layer);
+  std::array<std::size_t, max_element_nodes> local{};
+  for (std::int64_t e = 0; e < layer.elements(); ++e) {
+    const auto nodes = layer.element(e);
+    const std::int64_t same = same_face(body, coupling.candidates(e), layer, e, local);
+    if (same >= 0) {
+      const ElementMatrix m = own_matrix(body, same);
+      const auto own = body.element(same);
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        for (std::size_t j = 0; j < nodes.size(); ++j)
+          entry.push_back({own[i], nodes[j], m[i][local[j]]});
+      continue;
+    }
+    for (const CoupledNode& row : coupling.integrate(e))
+      for (std::size_t j = 0; j < nodes.size(); ++j)
+        entry.push_back({row.node, nodes[j], row.value[j]});
+  }
+  return compress(entry);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,430 @@
+/// From tractions on one mesh to loads on another: patch test, force and moment, curved bodies,
+/// layers that match, are finer, coarser or larger than the faces under them.
+
+#include "mesh/surface_coupling.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
+#include "mesh/surface_search.hpp"
+#include "support/frames.hpp"
+#include "support/surface_meshes.hpp"
+#include "validation/report.hpp"
+
+namespace rollcon {
+namespace {
+
+using frames::perturb;
+using frames::rectangle;
+using frames::uniform_lines;
+using surfaces::all_types;
+using surfaces::name_of;
+using validation::expect_error;
+using validation::expect_order;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::vector<std::int64_t> all_of(const SurfaceMesh& mesh) {
+  std::vector<std::int64_t> face(at(mesh.elements()));
+  std::iota(face.begin(), face.end(), 0);
+  return face;
+}
+
+/// M t, by nodes of the body.
+std::vector<double> loads(const SurfaceCoupling& m, const SurfaceMesh& body,
+                          const std::vector<double>& traction) {
+  std::vector<double> f(at(body.nodes()), 0.0);
+  for (std::size_t r = 0; r < m.node.size(); ++r)
+    for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k)
+      f[at(m.node[r])] += m.value[at(k)] * traction[at(m.column[at(k)])];
+  return f;
+}
+
+using Field = std::function<double(const Vec3&)>;
+
+std::vector<double> nodal(const SurfaceMesh& mesh, const Field& field) {
+  std::vector<double> t;
+  for (const Vec3& x : mesh.node) t.push_back(field(x));
+  return t;
+}
+
+double one(const Vec3&) {
+  return 1;
+}
+
+/// int N_i field over the mesh.
+std::vector<double> integrals(const SurfaceMesh& mesh, const Field& field) {
+  std::vector<double> f(at(mesh.nodes()), 0.0);
+  integrate_surface(mesh, [&](std::int64_t e, const Shape& s, const Vec3& x, double area) {
+    const auto nodes = mesh.element(e);
+    for (std::size_t i = 0; i < nodes.size(); ++i) f[at(nodes[i])] += area * s.value[i] * field(x);
+  });
+  return f;
+}
+
+double largest(const std::vector<double>& v) {
+  double most = 0;
+  for (const double x : v) most = std::max(most, std::abs(x));
+  return most;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+  return most;
+}
+
+/// Sum over i of M_ij against int N_j over the layer, over the largest.
+double column_error(const SurfaceCoupling& m, const SurfaceMesh& layer) {
+  const std::vector<double> expected = integrals(layer, one);
+  std::vector<double> sum(at(layer.nodes()), 0.0);
+  for (std::size_t k = 0; k < m.value.size(); ++k) sum[at(m.column[k])] += m.value[k];
+  return difference(sum, expected) / largest(expected);
+}
+
+/// Force and moment about the origin of the layer's traction, constant along (1, -2, 3), against
+/// those of the loads, over area times size.
+double moment_error(const SurfaceCoupling& m, const SurfaceMesh& body, const SurfaceMesh& layer) {
+  const std::vector<double> f = loads(m, body, nodal(layer, one));
+  Vec3 first{0, 0, 0}, expected{0, 0, 0};
+  double area = 0, size = 0;
+  for (std::size_t k = 0; k < f.size(); ++k) first = first + f[k] * body.node[k];
+  integrate_surface(layer, [&](std::int64_t, const Shape&, const Vec3& x, double a) {
+    expected = expected + a * x;
+    area += a;
+    size = std::max(size, length(x));
+  });
+  return length(cross(first - expected, {1, -2, 3})) / (area * size * length({1, -2, 3}));
+}
+
+Vec3 turned(const Vec3& p) {
+  const double c = std::cos(0.7), s = std::sin(0.7), d = std::cos(-1.1), e = std::sin(-1.1);
+  const Vec3 q{c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  return {q[0] + 30, d * q[1] - e * q[2] - 20, e * q[1] + d * q[2] + 10};
+}
+
+TEST(SurfaceCoupling, PatchTestOnFlatMeshesOfAllTypes) {
+  for (const double fraction : {0.0, 0.1, 0.25})
+    for (const bool turn : {false, true}) {
+      double faces = 0, columns = 0, moments = 0;
+      for (const ElementType below : all_types)
+        for (const ElementType above : all_types) {
+          const auto mesh = [&](ElementType type, int nx, int ny, std::uint32_t seed) {
+            const std::vector<double> x = uniform_lines(-1, 1, nx), y = uniform_lines(-1, 1, ny);
+            SurfaceMesh m = perturb(rectangle(type, x, y), fraction, seed);
+            return turn ? frames::transform(m, turned) : m;
+          };
+          const SurfaceMesh body = mesh(below, 7, 6, 3), layer = mesh(above, 9, 11, 5);
+          const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+          const std::vector<double> own = integrals(body, one);
+          const double e = difference(loads(m, body, nodal(layer, one)), own) / largest(own);
+          EXPECT_LE(e, 1e-12) << name_of(below) << " under " << name_of(above);
+          faces = std::max(faces, e);
+          columns = std::max(columns, column_error(m, layer));
+          moments = std::max(moments, moment_error(m, body, layer));
+        }
+      const std::string name = "all types on all, distorted by " + std::to_string(fraction) +
+                               (turn ? ", turned in space" : "");
+      expect_error(name + ": loads", faces, 1e-12);
+      expect_error(name + ": int N_j", columns, 1e-12);
+      expect_error(name + ": moment", moments, 1e-12);
+    }
+}
+
+TEST(SurfaceCoupling, LinearTractionsAreExactWhereTheLayerHoldsThem) {
+  // int N_i t over the faces for t linear, which every layer interpolates exactly.
+  const Field t = [](const Vec3& x) { return 0.3 + x[0] - 2 * x[1]; };
+  double flat = 0, distorted = 0;
+  for (const ElementType below : all_types)
+    for (const ElementType above : all_types)
+      for (const double fraction : {0.0, 0.2}) {
+        const SurfaceMesh body = perturb(
+            rectangle(below, uniform_lines(-1, 1, 5), uniform_lines(-1, 1, 6)), fraction, 1);
+        const SurfaceMesh layer = perturb(
+            rectangle(above, uniform_lines(-1, 1, 8), uniform_lines(-1, 1, 7)), fraction, 2);
+        const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+        const std::vector<double> expected = integrals(body, t);
+        const double e = difference(loads(m, body, nodal(layer, t)), expected) / largest(expected);
+        double& worst = fraction == 0 ? flat : distorted;
+        worst = std::max(worst, e);
+      }
+  expect_error("linear traction, rectangles", flat, 1e-13);
+  expect_error("linear traction, distorted", distorted, 1e-11);
+}
+
+TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
+  for (const ElementType type : all_types) {
+    // Curved, with its nodes numbered backwards and the elements starting at another corner.
+    const SurfaceMesh body = surfaces::cube_sphere(type, 3, 1);
+    SurfaceMesh layer = body;
+    const auto n = static_cast<std::int32_t>(body.nodes());
+    std::reverse(layer.node.begin(), layer.node.end());
+    for (std::int32_t& k : layer.connectivity) k = n - 1 - k;
+    for (std::int64_t e = 0; e < layer.elements(); ++e) {
+      const auto corners = static_cast<std::ptrdiff_t>(corner_count(type));
+      const auto first = layer.connectivity.begin() + layer.offset[at(e)];
+      std::rotate(first, first + 1, first + corners);
+      if (is_quadratic(type))
+        std::rotate(first + corners, first + corners + 1, first + 2 * corners);
+    }
+    const SurfaceCoupling own = couple_faces(body, all_of(body)),
+                          m = couple_layer(body, all_of(body), layer);
+    ASSERT_EQ(m.node, own.node);
+    ASSERT_EQ(m.start, own.start);
+    double worst = 0;
+    for (std::size_t r = 0; r < m.node.size(); ++r)
+      for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k) {
+        const auto first = own.column.begin() + own.start[r],
+                   last = own.column.begin() + own.start[r + 1];
+        const auto found = std::lower_bound(first, last, n - 1 - m.column[at(k)]);
+        ASSERT_TRUE(found != last && *found == n - 1 - m.column[at(k)]);
+        worst =
+            std::max(worst, std::abs(m.value[at(k)] - own.value[at(found - own.column.begin())]));
+      }
+    expect_error("matching " + name_of(type) + " on a sphere", worst / largest(own.value), 1e-14);
+    // Symmetric, and its rows are int N_i.
+    const std::vector<double> rows = loads(own, body, nodal(body, one));
+    expect_error("its row sums", difference(rows, integrals(body, one)) / largest(rows), 1e-14);
+  }
+}
+
+TEST(SurfaceCoupling, APartThatMatchesIsCoupledLikeTheRest) {
+  // The layer shares half of its elements with the body; the other half is divided otherwise.
+  for (const ElementType type : all_types) {
+    const std::vector<double> half = uniform_lines(-1, 0, 4), fine = uniform_lines(0, 1, 7),
+                              coarse = uniform_lines(0, 1, 5);
+    const auto joined = [&](const std::vector<double>& right) {
+      std::vector<double> x = half;
+      x.insert(x.end(), right.begin() + 1, right.end());
+      return rectangle(type, x, uniform_lines(-1, 1, 6));
+    };
+    const SurfaceMesh body = joined(coarse), layer = joined(fine);
+    const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+    const std::vector<double> own = integrals(body, one);
+    expect_error("half of the layer matches, " + name_of(type),
+                 difference(loads(m, body, nodal(layer, one)), own) / largest(own), 1e-13);
+  }
+}
+
+TEST(SurfaceCoupling, LayersSmallerAndLargerThanAnElement) {
+  for (const ElementType below : all_types)
+    for (const ElementType above : all_types) {
+      // Within one face, across four, and one layer element over a hundred faces.
+      const SurfaceMesh body = rectangle(below, uniform_lines(-1, 1, 10), uniform_lines(-1, 1, 10));
+      const auto patch = [&](double x, double y, double w) {
+        return rectangle(above, uniform_lines(x - w, x + w, 1), uniform_lines(y - w, y + w, 1));
+      };
+      for (const SurfaceMesh& layer :
+           {patch(0.1, 0.1, 0.04), patch(0, 0, 0.03), patch(0.013, -0.2, 1e-5), patch(0, 0, 1)}) {
+        const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+        double columns = column_error(m, layer), moment = moment_error(m, body, layer);
+        EXPECT_LE(columns, 1e-13) << name_of(below) << " " << name_of(above);
+        EXPECT_LE(moment, 1e-13) << name_of(below) << " " << name_of(above);
+      }
+      const SurfaceMesh whole = patch(0, 0, 1);
+      const std::vector<double> own = integrals(body, one),
+                                f = loads(couple_layer(body, all_of(body), whole), body,
+                                          nodal(whole, one));
+      EXPECT_LE(difference(f, own) / largest(own), 1e-12)
+          << name_of(below) << " " << name_of(above);
+    }
+}
+
+TEST(SurfaceCoupling, SliversLoseNothing) {
+  // Lines of the layer next to those of the faces, down to the last bit.
+  for (const double aside : {1e-16, 1e-14, 1e-12, 1e-9, 1e-6}) {
+    double faces = 0, columns = 0;
+    for (const ElementType below : all_types)
+      for (const ElementType above : all_types) {
+        const SurfaceMesh body = rectangle(below, uniform_lines(-1, 1, 6), uniform_lines(-1, 1, 6));
+        std::vector<double> x = uniform_lines(-1, 1, 6);
+        for (std::size_t i = 1; i + 1 < x.size(); ++i) x[i] += (i % 2 == 0 ? aside : -aside);
+        const SurfaceMesh layer = rectangle(above, x, uniform_lines(-1, 1, 6));
+        const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+        const std::vector<double> own = integrals(body, one);
+        faces = std::max(faces, difference(loads(m, body, nodal(layer, one)), own) / largest(own));
+        columns = std::max(columns, column_error(m, layer));
+      }
+    // Elements that differ by less than 1e-9 of their size count as the face itself.
+    char name[64];
+    std::snprintf(name, sizeof name, "lines %.0e aside", aside);
+    expect_error(std::string(name) + ": loads", faces, aside < 1e-9 ? 1e-13 + 10 * aside : 1e-12);
+    expect_error(std::string(name) + ": int N_j", columns,
+                 aside < 1e-9 ? 1e-13 + 10 * aside : 1e-13);
+  }
+}
+
+TEST(SurfaceCoupling, WhatSticksOutGoesToTheNearestFace) {
+  const SurfaceMesh body =
+      rectangle(ElementType::quad8, uniform_lines(-1, 1, 4), uniform_lines(-1, 1, 4));
+  for (const ElementType above : all_types) {
+    const SurfaceMesh layer =
+        rectangle(above, uniform_lines(-0.9, 1.3, 5), uniform_lines(-0.8, 0.7, 4));
+    const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+    expect_error("beyond the edge, " + name_of(above) + ": int N_j", column_error(m, layer), 1e-13);
+    // The loads' first moment is that of the layer with all that lies beyond moved to the edge:
+    // int min(x, 1), 1.5 wide.
+    const std::vector<double> f = loads(m, body, nodal(layer, one));
+    double first = 0;
+    for (std::size_t k = 0; k < f.size(); ++k) first += f[k] * body.node[k][0];
+    expect_error("first moment", first - 1.5 * (0.5 * (1 - 0.81) + 0.3), 1e-12);
+  }
+  // Wholly beside the body, and with nothing but walls under it.
+  const SurfaceMesh away =
+      rectangle(ElementType::quad4, uniform_lines(3, 4, 2), uniform_lines(-0.5, 0.5, 2));
+  const SurfaceCoupling m = couple_layer(body, all_of(body), away);
+  expect_error("beside the body: int N_j", column_error(m, away), 1e-13);
+  const std::vector<double> f = loads(m, body, nodal(away, one));
+  for (std::size_t k = 0; k < f.size(); ++k)
+    if (body.node[k][0] < 1) {
+      EXPECT_EQ(f[k], 0) << "not at its edge";
+    }
+}
+
+TEST(SurfaceCoupling, FacesThatLookAwayOrLieDeepAreNotCoupled) {
+  // A thin plate: its lower side looks away. And a cavity whose floor looks up, far below.
+  const SurfaceMesh plate =
+      surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 0.02}), ElementType::quad4);
+  const SurfaceMesh layer = frames::transform(
+      rectangle(ElementType::tri6, uniform_lines(0, 1, 3), uniform_lines(0, 1, 3)),
+      [](const Vec3& p) {
+        return Vec3{p[0], p[1], 0.02};
+      });
+  const SurfaceCoupling m = couple_layer(plate, all_of(plate), layer);
+  for (const std::int32_t k : m.node) EXPECT_EQ(plate.node[at(k)][2], 0.02);
+  expect_error("a layer on a plate", column_error(m, layer), 1e-13);
+  std::vector<double> top(at(plate.nodes()), 0.0);
+  const std::vector<std::int64_t> faces = surfaces::elements_with_tag(plate, 6);
+  const SurfaceCoupling own = couple_faces(plate, faces);
+  top = loads(own, plate, nodal(plate, one));
+  expect_error("loads", difference(loads(m, plate, nodal(layer, one)), top) / largest(top), 1e-12);
+}
+
+/// A square of a cylinder or a sphere of radius 3.
+Vec3 bent(bool sphere, const Vec3& p) {
+  constexpr double r = 3;
+  if (!sphere) return {r * std::sin(p[0] / r), p[1], r * std::cos(p[0] / r) - r};
+  const double h = std::hypot(p[0], p[1]) / r, f = h > 0 ? std::sin(h) / h : 1;
+  return {f * p[0], f * p[1], r * std::cos(h) - r};
+}
+
+TEST(SurfaceCoupling, CurvedBodiesConverge) {
+  constexpr double w = 1.6;
+  for (const bool sphere : {false, true})
+    for (const ElementType below : all_types)
+      for (const ElementType above : all_types) {
+        double faces[3], moments[3];
+        for (int k = 0; k < 3; ++k) {
+          const int n = 1 << k;
+          const auto mesh = [&](ElementType type, int nx, int ny) {
+            return frames::transform(
+                rectangle(type, uniform_lines(-w, w, nx * n), uniform_lines(-w, w, ny * n)),
+                [&](const Vec3& p) { return bent(sphere, p); });
+          };
+          const SurfaceMesh body = mesh(below, 5, 4);
+          SurfaceMesh layer = mesh(above, 6, 7);
+          const SurfaceSearch search(body, {});
+          for (Vec3& x : layer.node) x = search.nearest(x).x;
+          const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+          EXPECT_LE(column_error(m, layer), 1e-12);
+          const std::vector<double> f = loads(m, body, nodal(layer, one)),
+                                    own = integrals(body, one);
+          // Root of the mean square, away from the rim, where both meshes end otherwise.
+          double sum = 0, reference = 0;
+          for (std::size_t i = 0; i < f.size(); ++i)
+            if (std::abs(body.node[i][0]) < 0.7 * w && std::abs(body.node[i][1]) < 0.7 * w) {
+              sum += std::pow(f[i] - own[i], 2);
+              reference += std::pow(own[i], 2);
+            }
+          faces[k] = std::sqrt(sum / reference);
+          moments[k] = moment_error(m, body, layer);
+        }
+        const bool quadratic = is_quadratic(below) && is_quadratic(above);
+        const std::string name = std::string(sphere ? "sphere, " : "cylinder, ") + name_of(above) +
+                                 " on " + name_of(below);
+        // Linear facets lie h^2 off the surface; quadratic ones far less, but what is projected
+        // across their bent sides is of order h^2 too.
+        expect_error(name + ": loads", faces[2], quadratic ? 3e-5 : 2e-3);
+        expect_order(name + ": loads", std::log2(faces[0] / faces[2]) / 2, quadratic ? 1.4 : 1.7);
+        expect_error(name + ": moment", moments[2], quadratic ? 1e-6 : 2e-3);
+        expect_order(name + ": moment", std::log2(moments[0] / moments[2]) / 2,
+                     quadratic ? 3.0 : 1.7);
+      }
+}
+
+TEST(SurfaceCoupling, DiscsWithBentSides) {
+  // Quadratic sides follow the rim of the layer: its whole area reaches the faces.
+  const SurfaceMesh layer = frames::paper_disc(ElementType::tri6, 0.9);
+  for (const ElementType below : all_types) {
+    const SurfaceMesh body = rectangle(below, uniform_lines(-1, 1, 13), uniform_lines(-1, 1, 12));
+    const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+    expect_error("disc on " + name_of(below) + ": int N_j", column_error(m, layer), 1e-12);
+    expect_error("moment", moment_error(m, body, layer), 1e-9);
+    // Faces well inside are covered wholly.
+    const std::vector<double> f = loads(m, body, nodal(layer, one)), own = integrals(body, one);
+    double inside = 0;
+    for (std::size_t i = 0; i < f.size(); ++i)
+      if (length(body.node[i]) < 0.5) inside = std::max(inside, std::abs(f[i] - own[i]));
+    expect_error("loads inside", inside / largest(own), 1e-12);
+  }
+}
+
+TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
+  // Faces of a saddle, seen by a layer turned against them.
+  const auto saddle = [](const Vec3& p) {
+    return Vec3{p[0], p[1], 0.08 * (p[0] * p[0] - p[1] * p[1]) + 0.05 * p[0] * p[1]};
+  };
+  for (const ElementType below : all_types)
+    for (const ElementType above : all_types) {
+      const SurfaceMesh body = frames::transform(
+          rectangle(below, uniform_lines(-1.5, 1.5, 12), uniform_lines(-1.5, 1.5, 12)), saddle);
+      SurfaceMesh layer = frames::rotate(
+          rectangle(above, uniform_lines(-0.9, 0.9, 10), uniform_lines(-0.9, 0.9, 10)), 0.5);
+      const SurfaceSearch search(body, {});
+      for (Vec3& x : layer.node) x = search.along(x, {0, 0, 1}, {0, 0, 1})->x;
+      const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+      EXPECT_LE(column_error(m, layer), 1e-12);
+      const std::vector<double> f = loads(m, body, nodal(layer, one)), own = integrals(body, one);
+      double inside = 0;
+      for (std::size_t i = 0; i < f.size(); ++i)
+        if (std::hypot(body.node[i][0], body.node[i][1]) < 0.5)
+          inside = std::max(inside, std::abs(f[i] - own[i]));
+      expect_error("saddle, " + name_of(above) + " on " + name_of(below), inside / largest(own),
+                   4e-3);
+    }
+}
+
+TEST(SurfaceCoupling, ThousandsOfElements) {
+  using Clock = std::chrono::steady_clock;
+  for (const ElementType below : {ElementType::quad4, ElementType::quad8})
+    for (const ElementType above : {ElementType::tri3, ElementType::quad8})
+      for (const double fraction : {0.0, 0.2}) {
+        const std::vector<double> coarse = uniform_lines(-1, 1, 45),
+                                  fine = uniform_lines(-1, 1, 52);
+        const SurfaceMesh body = perturb(rectangle(below, coarse, coarse), fraction, 3);
+        const SurfaceMesh layer = perturb(rectangle(above, fine, fine), fraction, 5);
+        const auto start = Clock::now();
+        const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+        EXPECT_LE(column_error(m, layer), 1e-12);
+        expect_error(std::to_string(layer.elements()) + " " + name_of(above) + " on " +
+                         std::to_string(body.elements()) + " " + name_of(below) +
+                         (fraction > 0 ? ", distorted" : "") + ": seconds",
+                     seconds, 10);
+      }
+}
+
+}  // namespace
+}  // namespace rollcon
