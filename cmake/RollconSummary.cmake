@@ -12,6 +12,7 @@ if(PROJECT_IS_TOP_LEVEL)
   message(STATUS "  library     ${_kinds}; ${CMAKE_BUILD_TYPE}, "
     "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
   message(STATUS "  LAPACK      ${ROLLCON_LAPACK_NAME}; OpenMP ${ROLLCON_OPENMP}")
+  message(STATUS "  sparse      CHOLMOD ${ROLLCON_CHOLMOD}, UMFPACK ${ROLLCON_UMFPACK}")
   message(STATUS "  also        Fortran ${ROLLCON_FORTRAN}, examples ${ROLLCON_EXAMPLES}, "
     "tests ${ROLLCON_TESTS}, bench ${ROLLCON_BENCH}")
   if(ROLLCON_SANITIZE OR ROLLCON_COVERAGE)

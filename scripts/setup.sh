@@ -8,7 +8,7 @@ packages=(
   # compilers and build
   g++ gcc gfortran make cmake ninja-build pkg-config git
   # libraries
-  libopenblas-dev libgtest-dev libbenchmark-dev
+  libopenblas-dev libsuitesparse-dev libboost-dev libgtest-dev libbenchmark-dev
   # checks: a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI
   clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils abigail-tools
   # examples, plots, readers of the output files

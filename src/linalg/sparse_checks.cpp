@@ -1,0 +1,108 @@
+#include "linalg/sparse_checks.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "linalg/dense.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+double machine_bytes() {
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+// Largest row sum of the scaled matrix.
+double scaled_norm(const SparseSymmetric& matrix, const std::vector<double>& scale) {
+  std::vector<double> sum(scale.size());
+  for (std::int64_t j = 0; j < matrix.n; ++j) {
+    for (std::int64_t k = matrix.start[at(j)]; k < matrix.start[at(j + 1)]; ++k) {
+      const std::int64_t i = matrix.row[at(k)];
+      const double a = std::abs(matrix.value[at(k)]) * scale[at(i)] * scale[at(j)];
+      sum[at(j)] += a;
+      if (i != j) sum[at(i)] += a;
+    }
+  }
+  return sum.empty() ? 1 : *std::max_element(sum.begin(), sum.end());
+}
+
+}  // namespace
+
+void check_sparse(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed) {
+  for (std::int64_t j = 0; j < matrix.n; ++j) {
+    const std::int64_t first = matrix.start[at(j)];
+    if (first == matrix.start[at(j + 1)] || matrix.row[at(first)] != j)
+      fail(Status::err_internal, "sparse matrix: column %lld does not start with its diagonal",
+           static_cast<long long>(j));
+    for (std::int64_t k = first; k < matrix.start[at(j + 1)]; ++k)
+      if (!std::isfinite(matrix.value[at(k)]))
+        fail(Status::err_nonfinite, "sparse matrix: entry (%lld, %lld) is not finite",
+             static_cast<long long>(matrix.row[at(k)]), static_cast<long long>(j));
+  }
+  std::vector<bool> seen(at(matrix.n));
+  for (const std::int64_t c : condensed) {
+    if (c < 0 || c >= matrix.n || seen[at(c)])
+      fail(Status::err_internal,
+           "sparse matrix: condensed unknown %lld is listed twice or not among 0..%lld",
+           static_cast<long long>(c), static_cast<long long>(matrix.n - 1));
+    seen[at(c)] = true;
+  }
+}
+
+void require_memory(std::int64_t unknowns, double bytes) {
+  const double machine = machine_bytes();
+  if (bytes > machine)
+    fail(Status::err_memory,
+         "the factorisation of a sparse matrix with %lld unknowns needs %.3g GB, this machine has "
+         "%.3g GB",
+         static_cast<long long>(unknowns), 1e-9 * bytes, 1e-9 * machine);
+}
+
+void out_of_memory(std::int64_t unknowns, double bytes) {
+  fail(Status::err_memory,
+       "out of memory in the factorisation of a sparse matrix with %lld unknowns, which needs "
+       "%.3g GB",
+       static_cast<long long>(unknowns), 1e-9 * bytes);
+}
+
+std::vector<double> diagonal_scale(const SparseSymmetric& matrix) {
+  std::vector<double> scale(at(matrix.n));
+  for (std::int64_t j = 0; j < matrix.n; ++j) {
+    const double d = std::abs(matrix.value[at(matrix.start[at(j)])]);
+    scale[at(j)] = d > 0 ? 1 / std::sqrt(d) : 1;
+  }
+  return scale;
+}
+
+double estimate_condition(const SparseSymmetric& matrix,
+                          const std::function<void(double*)>& solve) {
+  if (matrix.n == 0) return 1;
+  const std::vector<double> scale = diagonal_scale(matrix);
+  std::vector<double> x(at(matrix.n));
+  // A start without pattern: no mode of a structure is orthogonal to it.
+  std::uint64_t state = 1;
+  for (double& value : x) {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    value = static_cast<double>(state >> 11) * 0x1p-53 - 0.5;
+  }
+  double growth = 0;
+  for (int step = 0; step < 2; ++step) {
+    const double before = norm2(x.data(), matrix.n);
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] /= scale[i] * before;
+    solve(x.data());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] /= scale[i];
+    growth = norm2(x.data(), matrix.n);
+    if (!std::isfinite(growth)) return std::numeric_limits<double>::infinity();
+  }
+  return growth * scaled_norm(matrix, scale);
+}
+
+}  // namespace rollcon

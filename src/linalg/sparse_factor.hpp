@@ -1,0 +1,69 @@
+#pragma once
+/// Large sparse symmetric systems, factorised once, with some unknowns condensed: these come last,
+/// and the end of the factor is that of the condensed matrix. By CHOLMOD (LL', positive definite
+/// matrices) or by UMFPACK (LU, also indefinite ones, at three times the work).
+
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace rollcon {
+
+/// Lower triangle with diagonal, by columns; rows ascending.
+struct SparseSymmetric {
+  std::int64_t n = 0;
+  std::vector<std::int64_t> start;  ///< n + 1
+  std::vector<std::int64_t> row;
+  std::vector<double> value;
+};
+
+/// Thrown when a pivot vanishes (or, by CHOLMOD, is not positive), and when the factorisation
+/// passes but the condition is that of a singular matrix: then it names the unknown of the smallest
+/// pivot.
+class ZeroPivot : public std::exception {
+ public:
+  explicit ZeroPivot(std::int64_t unknown) : unknown_(unknown) {}
+  std::int64_t unknown() const { return unknown_; }
+  const char* what() const noexcept override { return "zero pivot"; }
+
+ private:
+  std::int64_t unknown_;
+};
+
+struct SparseStatistics {
+  std::int64_t nonzeros = 0;        ///< of the factors
+  double flops = 0, condition = 0;  ///< condition: of the matrix scaled to a unit diagonal
+  double seconds_order = 0, seconds_factor = 0;
+  std::size_t bytes = 0, peak_bytes = 0;
+};
+
+/// Not to be used by two threads at a time: solves share workspace.
+class SparseFactor {
+ public:
+  virtual ~SparseFactor() = default;
+  virtual std::int64_t size() const = 0;
+  /// Overwrites `count` full right sides, one after the other.
+  virtual void solve(double* b, std::int64_t count) = 0;
+  /// Right sides that vanish but at the condensed unknowns; the solution there overwrites them.
+  /// b: condensed unknowns in the order given, times count, one right side after the other.
+  virtual void solve_condensed(double* b, std::int64_t count) = 0;
+  /// Frees all that solve_condensed does not need; solve may not be called any more.
+  virtual void keep_condensed() = 0;
+  virtual SparseStatistics statistics() const = 0;
+};
+
+/// condensed: distinct unknowns, may be empty. Throw ZeroPivot; Error: err_memory with the need,
+/// err_nonfinite, err_unsupported in a build without the method. BLAS threads are the caller's
+/// matter; CHOLMOD starts no others.
+std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& matrix,
+                                                std::span<const std::int64_t> condensed);
+/// threads: for full right sides, which are solved side by side. The first call of solve_condensed
+/// or keep_condensed inverts the condensed matrix; meanwhile one of the two factors is held twice.
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& matrix,
+                                                std::span<const std::int64_t> condensed,
+                                                int threads = 1);
+
+}  // namespace rollcon

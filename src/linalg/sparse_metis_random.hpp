@@ -1,0 +1,28 @@
+#pragma once
+/// METIS draws from the process's random numbers and seeds them: orders would depend on who else
+/// runs, and the host's sequence on us. Within this scope they have a state of their own; one call
+/// at a time.
+
+#include <cstdlib>
+#include <mutex>
+
+namespace rollcon {
+
+class MetisRandom {
+ public:
+  MetisRandom() : lock_(mutex()), hosts_(initstate(1, state_, sizeof state_)) {}
+  ~MetisRandom() { setstate(hosts_); }
+  MetisRandom(const MetisRandom&) = delete;
+  MetisRandom& operator=(const MetisRandom&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex the_mutex;
+    return the_mutex;
+  }
+  std::lock_guard<std::mutex> lock_;
+  char state_[128];
+  char* hosts_;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,36 @@
+#pragma once
+/// A fill-reducing order of the unknowns with the condensed ones last: METIS's nested dissection of
+/// the whole graph, from which the condensed ones are then moved to the end. Against it, on meshes
+/// of hexahedra: dissecting the rest alone saves at most 5 % of the operations, minimum degree
+/// takes three to four times as many.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "linalg/sparse_factor.hpp"
+#include "linalg/sparse_groups.hpp"
+
+namespace rollcon {
+
+struct GraphOrder {
+  std::vector<std::int64_t> group;  ///< at each place
+  std::size_t peak_bytes = 0;
+};
+
+/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc.
+GraphOrder dissect_by_cholmod(const SparseGroups& groups);
+GraphOrder dissect_by_umfpack(const SparseGroups& groups);
+
+struct SparseOrder {
+  std::vector<std::int64_t> unknown;  ///< at each place, condensed ones at the end
+  std::size_t peak_bytes = 0;
+};
+
+SparseOrder order_unknowns(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed,
+                           GraphOrder (*dissect)(const SparseGroups&));
+
+/// The matrix in that order; rows are not sorted.
+SparseSymmetric permuted(const SparseSymmetric& matrix, std::span<const std::int64_t> unknown);
+
+}  // namespace rollcon

@@ -1,0 +1,537 @@
+/// Sparse factorisations against LAPACK's dense one and against each other.
+
+#include "linalg/sparse_factor.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <limits>
+#include <numeric>
+#include <string>
+#include <thread>
+
+#include "build_info.hpp"
+#include "linalg/blas_threads.hpp"
+#include "linalg/factored_matrix.hpp"
+#include "support/error.hpp"
+#include "support/frames.hpp"
+
+namespace rollcon {
+namespace {
+
+class sparse_factor : public testing::Test {
+  const BlasThreads one_{1};
+};
+
+using Unknowns = std::vector<std::int64_t>;
+using Factor = std::unique_ptr<SparseFactor> (*)(const SparseSymmetric&,
+                                                 std::span<const std::int64_t>);
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+std::unique_ptr<SparseFactor> by_umfpack(const SparseSymmetric& a,
+                                         std::span<const std::int64_t> condensed) {
+  return factor_by_umfpack(a, condensed, 2);
+}
+
+struct Method {
+  const char* name;
+  Factor factor;
+};
+
+std::vector<Method> methods() {
+  std::vector<Method> all;
+  if (ROLLCON_BUILD_CHOLMOD) all.push_back({"CHOLMOD", factor_by_cholmod});
+  if (ROLLCON_BUILD_UMFPACK) all.push_back({"UMFPACK", by_umfpack});
+  return all;
+}
+
+/// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every
+/// point; `ground` holds the points of the lowest layer.
+SparseSymmetric springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
+  const std::int64_t points = n * n * n;
+  std::vector<std::vector<std::pair<std::int64_t, double>>> column(at(points * fields));
+  std::vector<double> diagonal(at(points * fields));
+  frames::Random random(3);
+  const auto spring = [&](std::int64_t i, std::int64_t j, double k) {
+    diagonal[at(i)] += k;
+    diagonal[at(j)] += k;
+    column[at(std::min(i, j))].emplace_back(std::max(i, j), -k);
+  };
+  const auto couple = [&](std::int64_t p, std::int64_t q) {
+    for (std::int64_t a = 0; a < fields; ++a)
+      for (std::int64_t b = 0; b < fields; ++b)
+        spring(p * fields + a, q * fields + b, std::pow(stiffest, random()));
+  };
+  for (std::int64_t p = 0; p < points; ++p) {
+    const std::int64_t x = p % n, y = p / n % n, z = p / (n * n);
+    for (std::int64_t a = 0; a < fields; ++a)
+      for (std::int64_t b = 0; b < a; ++b) spring(p * fields + a, p * fields + b, 0.5);
+    if (x + 1 < n) couple(p, p + 1);
+    if (y + 1 < n) couple(p, p + n);
+    if (z + 1 < n) couple(p, p + n * n);
+    if (z == 0)
+      for (std::int64_t a = 0; a < fields; ++a) diagonal[at(p * fields + a)] += ground;
+  }
+  SparseSymmetric a;
+  a.n = points * fields;
+  a.start = {0};
+  for (std::int64_t j = 0; j < a.n; ++j) {
+    std::sort(column[at(j)].begin(), column[at(j)].end());
+    a.row.push_back(j);
+    a.value.push_back(diagonal[at(j)]);
+    for (const auto& [i, k] : column[at(j)]) {
+      a.row.push_back(i);
+      a.value.push_back(k);
+    }
+    a.start.push_back(static_cast<std::int64_t>(a.row.size()));
+  }
+  return a;
+}
+
+/// Random pattern, diagonally dominant.
+SparseSymmetric random_matrix(std::int64_t n, double density) {
+  frames::Random random(11);
+  SparseSymmetric a;
+  a.n = n;
+  a.start = {0};
+  for (std::int64_t j = 0; j < n; ++j) {
+    a.row.push_back(j);
+    a.value.push_back(4 + density * static_cast<double>(n));
+    for (std::int64_t i = j + 1; i < n; ++i) {
+      const double chosen = random(), value = random();
+      if (std::abs(chosen) >= density) continue;
+      a.row.push_back(i);
+      a.value.push_back(value);
+    }
+    a.start.push_back(static_cast<std::int64_t>(a.row.size()));
+  }
+  return a;
+}
+
+std::vector<double> multiply(const SparseSymmetric& a, const std::vector<double>& x) {
+  std::vector<double> y(x.size());
+  for (std::int64_t j = 0; j < a.n; ++j) {
+    for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k) {
+      const std::int64_t i = a.row[at(k)];
+      y[at(i)] += a.value[at(k)] * x[at(j)];
+      if (i != j) y[at(j)] += a.value[at(k)] * x[at(i)];
+    }
+  }
+  return y;
+}
+
+/// Columns of the inverse for these unknowns, by LAPACK.
+std::vector<double> dense_columns(const SparseSymmetric& a, const Unknowns& unknowns) {
+  FactoredMatrix dense;
+  double* entry = dense.prepare(a.n);
+  std::fill_n(entry, a.n * a.n, 0.0);
+  for (std::int64_t j = 0; j < a.n; ++j)
+    for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
+      entry[a.row[at(k)] + j * a.n] = entry[j + a.row[at(k)] * a.n] = a.value[at(k)];
+  EXPECT_TRUE(dense.factor());
+  const auto count = static_cast<std::int64_t>(unknowns.size());
+  std::vector<double> b(at(a.n * count));
+  for (std::int64_t r = 0; r < count; ++r) b[at(r * a.n + unknowns[at(r)])] = 1;
+  dense.solve(b.data(), count);
+  return b;
+}
+
+std::vector<double> identity(std::size_t n) {
+  std::vector<double> b(n * n);
+  for (std::size_t k = 0; k < n; ++k) b[k * n + k] = 1;
+  return b;
+}
+
+/// Every third unknown backwards, then a few from the front: neither sorted nor together.
+Unknowns scattered(std::int64_t n) {
+  Unknowns list;
+  for (std::int64_t u = n - 1; u >= n / 2; u -= 3) list.push_back(u);
+  for (std::int64_t u = 0; u < n / 8; ++u) list.push_back(u);
+  return list;
+}
+
+double largest(const std::vector<double>& a) {
+  double value = 0;
+  for (const double x : a) value = std::max(value, std::abs(x));
+  return value;
+}
+
+double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double value = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k)
+    value = std::max(value, std::abs(a[k] - b[k]));
+  return value / largest(b);
+}
+
+bool report(const char* method, const char* what, double error, double bound) {
+  std::printf("  %-8s %-40s error %.2e, bound %.0e\n", method, what, error, bound);
+  return error <= bound;
+}
+
+// Full solutions, condensed ones before and after the factor is dropped: all against LAPACK.
+void compare_with_dense(const char* what, const SparseSymmetric& a, const Unknowns& condensed,
+                        double bound) {
+  const std::vector<double> exact = dense_columns(a, condensed);
+  const auto count = static_cast<std::int64_t>(condensed.size());
+  std::vector<double> condensed_exact;
+  for (std::int64_t r = 0; r < count; ++r)
+    for (const std::int64_t u : condensed) condensed_exact.push_back(exact[at(r * a.n + u)]);
+  for (const Method& method : methods()) {
+    const auto factor = method.factor(a, condensed);
+    EXPECT_EQ(factor->size(), a.n);
+    std::vector<double> full(exact.size());
+    for (std::int64_t r = 0; r < count; ++r) full[at(r * a.n + condensed[at(r)])] = 1;
+    factor->solve(full.data(), count);
+    EXPECT_TRUE(report(method.name, what, difference(full, exact), bound));
+    std::vector<double> before = identity(condensed.size());
+    factor->solve_condensed(before.data(), count);
+    EXPECT_TRUE(report(method.name, "  condensed", difference(before, condensed_exact), bound));
+    factor->keep_condensed();
+    std::vector<double> after = identity(condensed.size());
+    factor->solve_condensed(after.data(), count);
+    EXPECT_TRUE(
+        report(method.name, "  condensed, alone", difference(after, condensed_exact), bound));
+  }
+}
+
+TEST_F(sparse_factor, springs_on_a_grid_against_dense) {
+  const SparseSymmetric a = springs(7, 3, 1);
+  compare_with_dense("7 x 7 x 7 points, 3 unknowns each", a, scattered(a.n), 1e-12);
+}
+
+TEST_F(sparse_factor, random_pattern_against_dense) {
+  const SparseSymmetric a = random_matrix(600, 0.02);
+  compare_with_dense("600 unknowns, random", a, scattered(a.n), 1e-13);
+}
+
+/// Both on the diagonal of one matrix.
+SparseSymmetric side_by_side(const SparseSymmetric& a, const SparseSymmetric& b) {
+  SparseSymmetric both = a;
+  both.n += b.n;
+  for (std::int64_t j = 1; j <= b.n; ++j) both.start.push_back(a.start.back() + b.start[at(j)]);
+  for (const std::int64_t i : b.row) both.row.push_back(a.n + i);
+  both.value.insert(both.value.end(), b.value.begin(), b.value.end());
+  return both;
+}
+
+TEST_F(sparse_factor, bodies_apart_have_a_condensed_matrix_in_blocks) {
+  const SparseSymmetric a = side_by_side(springs(4, 3, 1), springs(5, 2, 0.3));
+  compare_with_dense("two bodies", a, scattered(a.n), 1e-12);
+}
+
+TEST_F(sparse_factor, all_unknowns_condensed) {
+  const SparseSymmetric a = springs(4, 3, 1);
+  Unknowns all(at(a.n));
+  std::iota(all.rbegin(), all.rend(), 0);
+  compare_with_dense("192 of 192 condensed", a, all, 1e-12);
+}
+
+TEST_F(sparse_factor, no_unknown_condensed) {
+  const SparseSymmetric a = springs(6, 3, 1);
+  std::vector<double> exact(at(a.n));
+  for (std::size_t k = 0; k < exact.size(); ++k) exact[k] = std::sin(static_cast<double>(k));
+  for (const Method& method : methods()) {
+    const auto factor = method.factor(a, {});
+    std::vector<double> x = multiply(a, exact);
+    factor->solve(x.data(), 1);
+    EXPECT_TRUE(report(method.name, "nothing condensed", difference(x, exact), 1e-12));
+    factor->solve_condensed(nullptr, 1);
+    factor->keep_condensed();
+    EXPECT_LT(factor->statistics().bytes, 1000U);
+  }
+}
+
+TEST_F(sparse_factor, no_unknown_at_all) {
+  SparseSymmetric a;
+  a.start = {0};
+  for (const Method& method : methods()) {
+    const auto factor = method.factor(a, {});
+    factor->solve(nullptr, 1);
+    factor->solve_condensed(nullptr, 1);
+    factor->keep_condensed();
+    EXPECT_EQ(factor->size(), 0);
+  }
+}
+
+// More right sides than are solved at a time, and not a multiple of that.
+TEST_F(sparse_factor, many_right_sides) {
+  const SparseSymmetric a = springs(5, 3, 1);
+  const std::int64_t count = 71;
+  std::vector<double> exact(at(a.n * count)), b;
+  for (std::size_t k = 0; k < exact.size(); ++k) exact[k] = std::sin(static_cast<double>(k));
+  for (std::int64_t r = 0; r < count; ++r) {
+    const auto from = exact.begin() + r * a.n;
+    const std::vector<double> y = multiply(a, std::vector<double>(from, from + a.n));
+    b.insert(b.end(), y.begin(), y.end());
+  }
+  for (const Method& method : methods()) {
+    std::vector<double> x = b;
+    method.factor(a, scattered(a.n))->solve(x.data(), count);
+    EXPECT_TRUE(report(method.name, "71 right sides", difference(x, exact), 1e-12));
+  }
+}
+
+// Springs of 1e-3 to 1e3 on a soft ground.
+TEST_F(sparse_factor, both_methods_agree_on_an_ill_conditioned_matrix) {
+  if (methods().size() < 2) GTEST_SKIP() << "needs CHOLMOD and UMFPACK";
+  const SparseSymmetric a = springs(9, 3, 1e-3, 1e3);
+  const Unknowns condensed = scattered(a.n);
+  std::vector<std::vector<double>> solution;
+  for (const Method& method : methods()) {
+    const auto factor = method.factor(a, condensed);
+    std::printf("  %-8s condition %.1e\n", method.name, factor->statistics().condition);
+    EXPECT_GT(factor->statistics().condition, 1e6);
+    solution.push_back(identity(condensed.size()));
+    factor->keep_condensed();
+    factor->solve_condensed(solution.back().data(), static_cast<std::int64_t>(condensed.size()));
+  }
+  EXPECT_TRUE(report("both", "ill conditioned", difference(solution[0], solution[1]), 1e-9));
+}
+
+std::int64_t zero_pivot(Factor factor, const SparseSymmetric& a, const Unknowns& condensed) {
+  try {
+    factor(a, condensed);
+  } catch (const ZeroPivot& pivot) {
+    return pivot.unknown();
+  }
+  return -1;
+}
+
+// A body on the ground and one in the air: rounding may leave the pivots of the latter small and
+// positive.
+TEST_F(sparse_factor, a_body_in_the_air_is_found) {
+  const SparseSymmetric held = springs(5, 3, 1);
+  for (const std::int64_t n : {2, 3, 5, 8, 12}) {
+    const SparseSymmetric a = side_by_side(held, springs(n, 3, 0));
+    for (const Method& method : methods()) {
+      for (const Unknowns& condensed : {Unknowns{}, Unknowns{0, a.n - 1}, scattered(a.n)}) {
+        const std::int64_t unknown = zero_pivot(method.factor, a, condensed);
+        EXPECT_GE(unknown, held.n) << method.name << ", " << n;
+        EXPECT_LT(unknown, a.n) << method.name << ", " << n;
+      }
+    }
+  }
+}
+
+TEST_F(sparse_factor, an_unknown_without_stiffness_is_named) {
+  SparseSymmetric a = springs(5, 3, 1);
+  const std::int64_t dead = 217;
+  for (std::int64_t j = 0; j < a.n; ++j)
+    for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
+      if (j == dead || a.row[at(k)] == dead) a.value[at(k)] = 0;
+  for (const Method& method : methods())
+    EXPECT_EQ(zero_pivot(method.factor, a, {1, 2, 3}), dead) << method.name;
+}
+
+TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
+  SparseSymmetric a = springs(4, 3, 1);
+  a.value[at(a.start[50])] *= -1;
+  std::vector<double> exact(at(a.n), 1.0);
+  for (const Method& method : methods()) {
+    if (method.factor == factor_by_cholmod) {
+      EXPECT_EQ(zero_pivot(method.factor, a, {}), 50);
+      continue;
+    }
+    std::vector<double> x = multiply(a, exact);
+    method.factor(a, {})->solve(x.data(), 1);
+    EXPECT_TRUE(report(method.name, "indefinite", difference(x, exact), 1e-12));
+  }
+  // Positive diagonal, negative eigenvalue.
+  SparseSymmetric pair;
+  pair.n = 2;
+  pair.start = {0, 2, 3};
+  pair.row = {0, 1, 1};
+  pair.value = {1, 2, 1};
+  if (ROLLCON_BUILD_CHOLMOD) {
+    EXPECT_NE(zero_pivot(factor_by_cholmod, pair, {}), -1);
+  }
+}
+
+// Zeros on the diagonal. Of the pair apart, whose second unknown is condensed, the first is the
+// only one left to come last: the end of the factors is not that of the condensed matrix.
+TEST_F(sparse_factor, pivots_off_the_diagonal_still_condense) {
+  if (!ROLLCON_BUILD_UMFPACK) GTEST_SKIP() << "needs UMFPACK";
+  SparseSymmetric a = random_matrix(60, 0.3);
+  for (std::int64_t j = 0; j < a.n; j += 2) a.value[at(a.start[at(j)])] = 0;
+  SparseSymmetric pair;
+  pair.n = 2;
+  pair.start = {0, 2, 3};
+  pair.row = {0, 1, 1};
+  pair.value = {0, 2, 3};
+  for (const bool apart : {false, true}) {
+    const SparseSymmetric b = apart ? side_by_side(a, pair) : a;
+    const Unknowns condensed = {30, 2, apart ? a.n + 1 : 4, 51};
+    const std::vector<double> columns = dense_columns(b, condensed);
+    std::vector<double> exact;
+    for (std::int64_t r = 0; r < 4; ++r)
+      for (const std::int64_t u : condensed) exact.push_back(columns[at(r * b.n + u)]);
+    const auto factor = factor_by_umfpack(b, condensed, 2);
+    std::vector<double> x = identity(4);
+    factor->solve_condensed(x.data(), 4);
+    EXPECT_TRUE(report("UMFPACK", apart ? "with a pair apart" : "zeros on the diagonal",
+                       difference(x, exact), 1e-12));
+  }
+}
+
+Status status_of(const std::function<void()>& call, std::string* message) {
+  try {
+    call();
+  } catch (const Error& error) {
+    *message = error.what();
+    return error.status();
+  }
+  return Status::ok;
+}
+
+TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
+  std::string message;
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    SparseSymmetric a = springs(4, 3, 1);
+    const std::int64_t column = 7, entry = a.start[7] + 1;
+    a.value[at(entry)] = bad;
+    for (const Method& method : methods()) {
+      EXPECT_EQ(status_of([&] { method.factor(a, {}); }, &message), Status::err_nonfinite);
+      const std::string where =
+          "(" + std::to_string(a.row[at(entry)]) + ", " + std::to_string(column) + ")";
+      EXPECT_NE(message.find(where), std::string::npos) << message;
+    }
+  }
+}
+
+// Finite entries, infinite products.
+TEST_F(sparse_factor, overflow_does_not_pass_for_a_solution) {
+  SparseSymmetric a = springs(4, 3, 1);
+  for (double& value : a.value) value *= 1e308;
+  std::string message;
+  for (const Method& method : methods()) {
+    bool refused = false;
+    try {
+      method.factor(a, {});
+    } catch (const std::exception&) {
+      refused = true;
+    }
+    EXPECT_TRUE(refused) << method.name;
+  }
+}
+
+TEST_F(sparse_factor, condensed_unknowns_are_checked) {
+  const SparseSymmetric a = springs(3, 3, 1);
+  std::string message;
+  for (const Method& method : methods()) {
+    for (const Unknowns& wrong : {Unknowns{-1}, Unknowns{a.n}, Unknowns{4, 4}}) {
+      EXPECT_EQ(status_of([&] { method.factor(a, wrong); }, &message), Status::err_internal);
+      EXPECT_NE(message.find(std::to_string(wrong[0])), std::string::npos) << message;
+    }
+  }
+}
+
+// A condensed matrix of 8 TB.
+TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
+  SparseSymmetric a;
+  a.n = 1000000;
+  a.start.resize(at(a.n + 1));
+  std::iota(a.start.begin(), a.start.end(), 0);
+  a.row.assign(a.start.begin(), a.start.end() - 1);
+  a.value.assign(at(a.n), 1.0);
+  for (const Method& method : methods()) {
+    std::string message;
+    const auto call = [&] { method.factor(a, a.row)->keep_condensed(); };
+    EXPECT_EQ(status_of(call, &message), Status::err_memory) << method.name;
+    double need = 0;
+    const std::size_t number = message.find("needs ");
+    ASSERT_NE(number, std::string::npos) << message;
+    EXPECT_EQ(std::sscanf(message.c_str() + number, "needs %lf GB", &need), 1) << message;
+    EXPECT_GE(need, 8e3);
+    EXPECT_LE(need, 2e4);
+  }
+}
+
+TEST_F(sparse_factor, statistics) {
+  const SparseSymmetric a = springs(12, 3, 1);
+  const Unknowns condensed = {5, 4, 3, 100, 101, 102};
+  for (const Method& method : methods()) {
+    const auto factor = method.factor(a, condensed);
+    const SparseStatistics full = factor->statistics();
+    const auto entries = static_cast<std::int64_t>(a.row.size());
+    EXPECT_GT(full.nonzeros, 2 * entries);
+    EXPECT_LT(full.nonzeros, a.n * a.n / 4);
+    EXPECT_GT(full.flops, static_cast<double>(full.nonzeros));
+    EXPECT_GT(full.condition, 10);
+    EXPECT_LT(full.condition, 1e4);
+    EXPECT_GT(full.seconds_order, 0);
+    EXPECT_GT(full.seconds_factor, 0);
+    EXPECT_GT(full.bytes, 4 * at(full.nonzeros));
+    EXPECT_GT(full.peak_bytes, full.bytes);
+    EXPECT_LT(full.peak_bytes, 20 * at(full.nonzeros));
+    factor->keep_condensed();
+    EXPECT_LT(factor->statistics().bytes, 2000U) << method.name;
+    factor->keep_condensed();
+  }
+}
+
+TEST_F(sparse_factor, a_build_without_a_method_says_so) {
+  const SparseSymmetric a = springs(2, 3, 1);
+  std::string message;
+  if (!ROLLCON_BUILD_CHOLMOD) {
+    EXPECT_EQ(status_of([&] { factor_by_cholmod(a, {}); }, &message), Status::err_unsupported);
+    EXPECT_NE(message.find("ROLLCON_CHOLMOD"), std::string::npos) << message;
+  }
+  if (!ROLLCON_BUILD_UMFPACK) {
+    EXPECT_EQ(status_of([&] { factor_by_umfpack(a, {}); }, &message), Status::err_unsupported);
+    EXPECT_NE(message.find("ROLLCON_UMFPACK"), std::string::npos) << message;
+  }
+}
+
+// The order of the unknowns is drawn by a generator that belongs to the process.
+TEST_F(sparse_factor, threads_give_the_same_bits_and_leave_random_numbers_alone) {
+  const SparseSymmetric a = springs(10, 3, 1);
+  const Unknowns condensed = scattered(a.n);
+  srand(5);
+  const int first = rand(), second = rand();
+  for (const Method& method : methods()) {
+    srand(5);
+    EXPECT_EQ(rand(), first);
+    const auto run = [&](std::vector<double>& x) {
+      x.assign(at(a.n), 1.0);
+      method.factor(a, condensed)->solve(x.data(), 1);
+    };
+    std::vector<double> alone;
+    run(alone);
+    EXPECT_EQ(rand(), second) << method.name;
+    std::vector<std::vector<double>> together(3);
+    std::vector<std::thread> threads;
+    threads.reserve(together.size());
+    for (auto& x : together) threads.emplace_back(run, std::ref(x));
+    for (auto& thread : threads) thread.join();
+    for (const auto& x : together) EXPECT_EQ(x, alone) << method.name;
+  }
+}
+
+std::int64_t threads_alive() {
+  const std::filesystem::directory_iterator tasks("/proc/self/task");
+  return std::distance(begin(tasks), end(tasks));
+}
+
+// CHOLMOD's own loops would start as many as it was built for.
+TEST_F(sparse_factor, cholmod_starts_no_threads) {
+  if (!ROLLCON_BUILD_CHOLMOD || !std::filesystem::exists("/proc/self/task"))
+    GTEST_SKIP() << "needs CHOLMOD and /proc";
+  const SparseSymmetric a = springs(14, 3, 1);
+  const std::int64_t before = threads_alive();
+  const auto factor = factor_by_cholmod(a, scattered(a.n));
+  std::vector<double> x(at(a.n), 1.0);
+  factor->solve(x.data(), 1);
+  EXPECT_EQ(threads_alive(), before);
+}
+
+}  // namespace
+}  // namespace rollcon
