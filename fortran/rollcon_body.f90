@@ -1,5 +1,6 @@
-!> Bodies: preparation and results, added to what the caller gives (module rollcon_body_inputs).
+!> Bodies: settings, preparation and results, added to what the caller gives (module rollcon_body_inputs).
 module rollcon_body
+  use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
   use rollcon_c
   use rollcon_support
   use rollcon_body_inputs
@@ -9,6 +10,14 @@ module rollcon_body
 
   type, extends(rc_body_inputs) :: rc_body
   contains
+    procedure, private :: set_option_int32
+    procedure, private :: set_option_int64
+    procedure, private :: set_option_real
+    generic :: set => set_option_int32, set_option_int64, set_option_real
+    procedure, private :: get_option_int32
+    procedure, private :: get_option_int64
+    procedure, private :: get_option_real
+    generic :: get => get_option_int32, get_option_int64, get_option_real
     procedure :: prepare
     procedure :: get_kind
     procedure :: get_size
@@ -18,6 +27,66 @@ module rollcon_body
   end type
 
 contains
+
+  !> Settings by name; rc_body_option_info lists them.
+  subroutine set_option_int32(self, name, value, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_int(self%handle(), c_text(name), int(value, rc_long)), self%owner(), 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  subroutine set_option_int64(self, name, value, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_int(self%handle(), c_text(name), value), self%owner(), 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  subroutine set_option_real(self, name, value, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_real(self%handle(), c_text(name), value), self%owner(), 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  subroutine get_option_int32(self, name, value, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: wide
+    wide = 0
+    call finish(rollcon_body_get_int(self%handle(), c_text(name), wide), self%owner(), 'rc_body%get', stat, errmsg)
+    value = int(wide, c_int32_t)
+  end subroutine
+
+  subroutine get_option_int64(self, name, value, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_int(self%handle(), c_text(name), value), self%owner(), 'rc_body%get', stat, errmsg)
+  end subroutine
+
+  subroutine get_option_real(self, name, value, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_real(self%handle(), c_text(name), value), self%owner(), 'rc_body%get', stat, errmsg)
+  end subroutine
 
   !> Checks that the body is complete, assembles and factorises its equations and freezes it; a solve does it if nobody did.
   subroutine prepare(self, stat, errmsg)

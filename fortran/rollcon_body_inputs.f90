@@ -1,4 +1,4 @@
-!> The first half of a body: its life and everything that the caller gives. rc_body (module rollcon_body) adds its
+!> The first half of a body: its life, material, mesh, supports and loads. rc_body (module rollcon_body) adds settings,
 !> preparation and results; programs use that type. A variable is one reference to the object, as for `rc_context`.
 !>
 !> Vectors are xyz by columns: x(3,n); node numbers count from 1. Every call takes `stat` and `errmsg` as those of
@@ -29,20 +29,18 @@ module rollcon_body_inputs
     procedure, private :: add_elements_int32
     procedure, private :: add_elements_int64
     generic :: add_elements => add_elements_int32, add_elements_int64
+    procedure, private :: tag_faces_int32
+    procedure, private :: tag_faces_int64
+    generic :: tag_faces => tag_faces_int32, tag_faces_int64
+    procedure, private :: tag_faces_of_nodes_int32
+    procedure, private :: tag_faces_of_nodes_int64
+    generic :: tag_faces_of_nodes => tag_faces_of_nodes_int32, tag_faces_of_nodes_int64
     procedure, private :: set_support_int32
     procedure, private :: set_support_int64
     generic :: set_support => set_support_int32, set_support_int64
     procedure :: set_traction
     procedure :: set_pressure
     procedure :: set_contact_faces
-    procedure, private :: set_option_int32
-    procedure, private :: set_option_int64
-    procedure, private :: set_option_real
-    generic :: set => set_option_int32, set_option_int64, set_option_real
-    procedure, private :: get_option_int32
-    procedure, private :: get_option_int64
-    procedure, private :: get_option_real
-    generic :: get => get_option_int32, get_option_int64, get_option_real
     procedure, private :: assign
     generic :: assignment(=) => assign
     final :: finalize
@@ -50,7 +48,7 @@ module rollcon_body_inputs
 
 contains
 
-  !> kind: ROLLCON_BODY_BEM, ROLLCON_BODY_HALFSPACE, ROLLCON_BODY_RIGID, ...
+  !> kind: ROLLCON_BODY_FEM, ROLLCON_BODY_BEM, ROLLCON_BODY_HALFSPACE or ROLLCON_BODY_RIGID.
   subroutine create(self, context, kind, stat, errmsg)
     class(rc_body_inputs), intent(inout) :: self
     type(rc_context), intent(in) :: context
@@ -142,7 +140,8 @@ contains
     context = self%context
   end function
 
-  !> Young's modulus > 0 and Poisson's ratio in (-1, 0.5] of the elements with `tag` (0, the whole body, if absent).
+  !> Young's modulus > 0 and Poisson's ratio in (-1, 0.5]. Tag: of the finite elements that get them, 0 if absent; other
+  !> bodies have one material and ignore it.
   subroutine set_elastic(self, young, poisson, tag, stat, errmsg)
     class(rc_body_inputs), intent(inout) :: self
     real(rc_real), intent(in) :: young, poisson
@@ -155,7 +154,8 @@ contains
     call finish(rollcon_body_set_elastic(self%p, t, young, poisson), self%context, 'rc_body%set_elastic', stat, errmsg)
   end subroutine
 
-  !> Nodes of the surface, x(3,n); forgets elements, supports, loads and contact faces.
+  !> Nodes, x(3,n), of the surface or, of finite elements, of the volume; forgets elements, tags, supports, loads and contact
+  !> faces.
   subroutine set_nodes(self, x, stat, errmsg)
     class(rc_body_inputs), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -169,7 +169,7 @@ contains
       'rc_body%set_nodes', stat, errmsg)
   end subroutine
 
-  !> Nodes of the surface, x(n,3).
+  !> The same, x(n,3).
   subroutine set_nodes_by_component(self, x, stat, errmsg)
     class(rc_body_inputs), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: x(:, :)
@@ -185,8 +185,9 @@ contains
     call finish(rollcon_body_set_nodes(self%p, n, x, 1_rc_long, n), self%context, 'rc_body%set_nodes_by_component', stat, errmsg)
   end subroutine
 
-  !> Surface elements of one type (ROLLCON_TRI3, ...): nodes(nodes per element, n), numbered from 1, normals outwards. Tag: 1
-  !> if absent.
+  !> Elements of one type: nodes(nodes per element, n), numbered from 1. Surface elements (ROLLCON_TRI3, ...), normals outwards:
+  !> tag 1 if absent. Finite elements take volume elements (ROLLCON_TET4, ...), whose tag (0 if absent) names their material, and
+  !> surface elements, which give their tag to the boundary faces with the same nodes.
   subroutine add_elements_int32(self, type, nodes, tag, stat, errmsg)
     class(rc_body_inputs), intent(inout) :: self
     integer(rc_int), intent(in) :: type
@@ -196,6 +197,7 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(rc_int) :: t
     t = 1
+    if (is_volume_type(type)) t = 0
     if (present(tag)) t = int(tag, rc_int)
     if (nodes_of(type) /= 0 .and. size(nodes, 1) /= nodes_of(type)) then
       call finish(ROLLCON_ERR_ARGUMENT, self%context, 'rc_body%add_elements', stat, errmsg, &
@@ -214,6 +216,53 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call self%add_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
+  end subroutine
+
+  !> Tags boundary faces of finite elements: face faces(i) of volume element elements(i), both numbered from 1, elements in the
+  !> order in which they were added. Boundary faces that no call names have tag 0; later calls win.
+  subroutine tag_faces_int32(self, elements, faces, tag, stat, errmsg)
+    class(rc_body_inputs), intent(inout) :: self
+    integer(c_int32_t), intent(in), contiguous :: elements(:), faces(:)
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(elements) /= size(faces)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%context, 'rc_body%tag_faces', stat, errmsg, &
+        'the extents of elements and faces must be the same')
+      return
+    end if
+    call finish(rollcon_body_tag_faces(self%p, size(elements, kind=rc_long), elements, faces, 1_rc_int, int(tag, rc_int)), &
+      self%context, 'rc_body%tag_faces', stat, errmsg)
+  end subroutine
+
+  subroutine tag_faces_int64(self, elements, faces, tag, stat, errmsg)
+    class(rc_body_inputs), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: elements(:), faces(:)
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%tag_faces_int32(narrow_ids(elements), narrow_ids(faces), tag, stat, errmsg)
+  end subroutine
+
+  !> Tags the faces all of whose nodes, numbered from 1, are given: boundary faces of finite elements, or the surface elements
+  !> added so far.
+  subroutine tag_faces_of_nodes_int32(self, nodes, tag, stat, errmsg)
+    class(rc_body_inputs), intent(inout) :: self
+    integer(c_int32_t), intent(in), contiguous :: nodes(:)
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_tag_faces_of_nodes(self%p, size(nodes, kind=rc_long), nodes, 1_rc_int, int(tag, rc_int)), &
+      self%context, 'rc_body%tag_faces_of_nodes', stat, errmsg)
+  end subroutine
+
+  subroutine tag_faces_of_nodes_int64(self, nodes, tag, stat, errmsg)
+    class(rc_body_inputs), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: nodes(:)
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%tag_faces_of_nodes_int32(narrow_ids(nodes), tag, stat, errmsg)
   end subroutine
 
   !> Holds displacement components of nodes, numbered from 1, at values(3,n) (zero if absent). dof_mask: sum of
@@ -281,66 +330,6 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_contact_faces(self%p, size(tags, kind=rc_long), int(tags, rc_int)), self%context, &
       'rc_body%set_contact_faces', stat, errmsg)
-  end subroutine
-
-  !> Settings by name; rc_body_option_info lists them.
-  subroutine set_option_int32(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int32_t), intent(in) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%p, c_text(name), int(value, rc_long)), self%context, 'rc_body%set', stat, errmsg)
-  end subroutine
-
-  subroutine set_option_int64(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int64_t), intent(in) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%p, c_text(name), value), self%context, 'rc_body%set', stat, errmsg)
-  end subroutine
-
-  subroutine set_option_real(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    real(rc_real), intent(in) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_real(self%p, c_text(name), value), self%context, 'rc_body%set', stat, errmsg)
-  end subroutine
-
-  subroutine get_option_int32(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(in) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int32_t), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    integer(rc_long) :: wide
-    wide = 0
-    call finish(rollcon_body_get_int(self%p, c_text(name), wide), self%context, 'rc_body%get', stat, errmsg)
-    value = int(wide, c_int32_t)
-  end subroutine
-
-  subroutine get_option_int64(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(in) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int64_t), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    value = 0
-    call finish(rollcon_body_get_int(self%p, c_text(name), value), self%context, 'rc_body%get', stat, errmsg)
-  end subroutine
-
-  subroutine get_option_real(self, name, value, stat, errmsg)
-    class(rc_body_inputs), intent(in) :: self
-    character(len=*), intent(in) :: name
-    real(rc_real), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    value = 0
-    call finish(rollcon_body_get_real(self%p, c_text(name), value), self%context, 'rc_body%get', stat, errmsg)
   end subroutine
 
 end module rollcon_body_inputs

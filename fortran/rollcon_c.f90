@@ -45,6 +45,12 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_quad4 = 214_c_int32_t
   integer(c_int32_t), parameter :: rollcon_quad8 = 218_c_int32_t
   integer(c_int32_t), parameter :: rollcon_quad9 = 219_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_tet4 = 304_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_tet10 = 310_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_wedge6 = 326_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_wedge15 = 335_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_hex8 = 338_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_hex20 = 350_c_int32_t
 
   ! dof
   integer(c_int32_t), parameter :: rollcon_dof_x = 1_c_int32_t
@@ -294,6 +300,31 @@ module rollcon_c
       integer(c_int32_t), value :: tag
       integer(c_int32_t) :: rc
     end function rollcon_body_add_elements
+
+    function rollcon_body_tag_faces(body, n, elements, faces, index_base, tag) &
+        result(rc) bind(C, name="rollcon_body_tag_faces")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: elements(*)
+      integer(c_int32_t), intent(in) :: faces(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_body_tag_faces
+
+    function rollcon_body_tag_faces_of_nodes(body, n, nodes, index_base, tag) &
+        result(rc) bind(C, name="rollcon_body_tag_faces_of_nodes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: nodes(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_body_tag_faces_of_nodes
 
     function rollcon_body_set_support(body, n, nodes, index_base, dof_mask, values) &
         result(rc) bind(C, name="rollcon_body_set_support")

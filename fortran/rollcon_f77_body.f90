@@ -1,6 +1,6 @@
 ! FORTRAN 77 layer of rollcon, second part: bodies. See rollcon_f77.f90.
 
-!> New body of a kind: 2 boundary elements, 3 half-space, 4 rigid.
+!> New body of a kind: 1 finite elements, 2 boundary elements, 3 half-space, 4 rigid.
 subroutine rcbody(ictx, kind, ibody, ierr)
   use rollcon_f77_support
   implicit none
@@ -11,7 +11,7 @@ subroutine rcbody(ictx, kind, ibody, ierr)
   if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
 end subroutine
 
-!> Young's modulus and Poisson's ratio; ITAG is for bodies of several materials.
+!> Young's modulus and Poisson's ratio; ITAG: of the finite elements that get them.
 subroutine rcelas(ibody, itag, young, poiss, ierr)
   use rollcon_f77_support
   implicit none
@@ -61,7 +61,8 @@ subroutine rcbndt(ibody, n, x, ldx, ierr)
   ierr = rollcon_body_set_nodes(body_of(ibody), int(n, c_int64_t), x, 1_c_int64_t, int(ldx, c_int64_t))
 end subroutine
 
-!> Surface elements of one type, IC(LDC,N), numbered from 1, normals outwards.
+!> Elements of one type, IC(LDC,N), numbered from 1. Surface elements: normals outwards, ITAG names the faces. Volume elements,
+!> of finite-element bodies: ITAG names their material.
 subroutine rcbelm(ibody, itype, n, ic, ldc, itag, ierr)
   use rollcon_f77_support
   implicit none
@@ -71,6 +72,31 @@ subroutine rcbelm(ibody, itype, n, ic, ldc, itag, ierr)
   call pack_77(itype, n, ic, ldc, packed, ierr)
   if (ierr /= ROLLCON_OK) return
   ierr = rollcon_body_add_elements(body_of(ibody), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
+end subroutine
+
+!> Tags boundary faces of finite elements: face IFAC(I) of volume element IEL(I), both numbered from 1.
+subroutine rcbtgf(ibody, n, iel, ifac, itag, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, itag, ierr
+  integer :: iel(*), ifac(*)
+  integer(c_int32_t), allocatable :: elements(:), faces(:)
+  call pack_list_77(n, iel, elements, ierr)
+  if (ierr == ROLLCON_OK) call pack_list_77(n, ifac, faces, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_tag_faces(body_of(ibody), int(n, c_int64_t), elements, faces, 1_c_int32_t, narrow(itag))
+end subroutine
+
+!> Tags the faces all of whose nodes are among ND(N), numbered from 1.
+subroutine rcbtgn(ibody, n, nd, itag, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, itag, ierr
+  integer :: nd(*)
+  integer(c_int32_t), allocatable :: packed(:)
+  call pack_list_77(n, nd, packed, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_tag_faces_of_nodes(body_of(ibody), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
 end subroutine
 
 !> Holds the nodes ND(N), numbered from 1, at zero; MASK: sum of 1 (x), 2 (y), 4 (z).
@@ -98,15 +124,8 @@ subroutine rcsupp(ibody, n, nd, mask, v, ierr)
   integer :: nd(*)
   double precision :: v(3, *)
   integer(c_int32_t), allocatable :: packed(:)
-  integer :: i, no_room
-  ierr = ROLLCON_ERR_ARGUMENT
-  if (n < 0) return
-  allocate (packed(n), stat=no_room)
-  ierr = ROLLCON_ERR_MEMORY
-  if (no_room /= 0) return
-  do i = 1, n
-    packed(i) = narrow(nd(i))
-  end do
+  call pack_list_77(n, nd, packed, ierr)
+  if (ierr /= ROLLCON_OK) return
   ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed, 1_c_int32_t, narrow(mask), v)
 end subroutine
 
@@ -135,15 +154,8 @@ subroutine rcbfac(ibody, n, itags, ierr)
   integer :: ibody, n, ierr
   integer :: itags(*)
   integer(c_int32_t), allocatable :: packed(:)
-  integer :: i, no_room
-  ierr = ROLLCON_ERR_ARGUMENT
-  if (n < 0) return
-  allocate (packed(n), stat=no_room)
-  ierr = ROLLCON_ERR_MEMORY
-  if (no_room /= 0) return
-  do i = 1, n
-    packed(i) = narrow(itags(i))
-  end do
+  call pack_list_77(n, itags, packed, ierr)
+  if (ierr /= ROLLCON_OK) return
   ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed)
 end subroutine
 

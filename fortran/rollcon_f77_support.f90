@@ -83,6 +83,24 @@ contains
     ierr = ROLLCON_OK
   end subroutine
 
+  !> The N numbers of a list.
+  subroutine pack_list_77(n, list, packed, ierr)
+    integer, intent(in) :: n
+    integer, intent(in) :: list(*)
+    integer(c_int32_t), allocatable, intent(out) :: packed(:)
+    integer, intent(out) :: ierr
+    integer :: i, no_room
+    ierr = ROLLCON_ERR_ARGUMENT
+    if (n < 0) return
+    ierr = ROLLCON_ERR_MEMORY
+    allocate (packed(n), stat=no_room)
+    if (no_room /= 0) return
+    do i = 1, n
+      packed(i) = narrow(list(i))
+    end do
+    ierr = ROLLCON_OK
+  end subroutine
+
   !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
   subroutine give_text(buffer, text, status)
     character(kind=c_char), intent(in) :: buffer(:)

@@ -12,7 +12,7 @@ module rollcon_support
   !> Room that holds nearly every text of the library; longer ones are asked for a second time.
   integer(rc_long), parameter, public :: usual_text = 512_rc_long
 
-  public :: c_text, f_text, f_text_at, context_message, finish, nodes_of, narrow_ids
+  public :: c_text, f_text, f_text_at, context_message, finish, nodes_of, is_volume_type, narrow_ids
   public :: rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
 
 contains
@@ -127,8 +127,30 @@ contains
       nodes_of = 8
     case (ROLLCON_QUAD9)
       nodes_of = 9
+    case (ROLLCON_TET4)
+      nodes_of = 4
+    case (ROLLCON_TET10)
+      nodes_of = 10
+    case (ROLLCON_WEDGE6)
+      nodes_of = 6
+    case (ROLLCON_WEDGE15)
+      nodes_of = 15
+    case (ROLLCON_HEX8)
+      nodes_of = 8
+    case (ROLLCON_HEX20)
+      nodes_of = 20
     case default
       nodes_of = 0
+    end select
+  end function
+
+  pure logical function is_volume_type(type)
+    integer(rc_int), intent(in) :: type
+    select case (type)
+    case (ROLLCON_TET4, ROLLCON_TET10, ROLLCON_WEDGE6, ROLLCON_WEDGE15, ROLLCON_HEX8, ROLLCON_HEX20)
+      is_volume_type = .true.
+    case default
+      is_volume_type = .false.
     end select
   end function
 

@@ -89,21 +89,32 @@ typedef int32_t rollcon_status;
 
 /* Model of a body. */
 enum {
-  ROLLCON_BODY_FEM       = 1,    /* finite elements (ROLLCON_ERR_UNSUPPORTED in this version) */
+  ROLLCON_BODY_FEM       = 1,    /* finite elements: a volume mesh, one material for each tag (ROLLCON_ERR_UNSUPPORTED in builds without CHOLMOD and UMFPACK) */
   ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material only, no mesh */
   ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh only to compute gaps */
 };
 
-/* Elements of contact frames and of the surfaces of bodies. Corners counter-clockwise seen from
-   the tip of the normal (of bodies: the outward one), then the edge midpoints in the same order
-   (the first between corners 1 and 2), then the centre. */
+/* Elements of contact frames, of the surfaces of bodies, and of finite-element bodies. Surface
+   elements: corners counter-clockwise seen from the tip of the normal (of bodies: the outward
+   one), then the edge midpoints in the same order (the first between corners 1 and 2), then the
+   centre. Volume elements: tetrahedra have corners 1 2 3 counter-clockwise seen from corner 4,
+   wedges and hexahedra a bottom face counter-clockwise seen from the top, then the top face above
+   it; then the edge midpoints, of tetrahedra 12 23 31 14 24 34, of wedges 12 23 31 45 56 64 14 25
+   36, of hexahedra 12 23 34 41 56 67 78 85 15 26 37 48. Faces by their corners: tetrahedron 123,
+   124, 234, 134; wedge 123, 456, 1254, 2365, 3146; hexahedron 1234, 5678, 1265, 2376, 3487, 4158. */
 enum {
-  ROLLCON_TRI3  = 203,  /* linear triangle */
-  ROLLCON_TRI6  = 206,  /* quadratic triangle */
-  ROLLCON_QUAD4 = 214,  /* bilinear quadrilateral */
-  ROLLCON_QUAD8 = 218,  /* serendipity quadrilateral */
-  ROLLCON_QUAD9 = 219   /* biquadratic quadrilateral */
+  ROLLCON_TRI3    = 203,  /* linear triangle */
+  ROLLCON_TRI6    = 206,  /* quadratic triangle */
+  ROLLCON_QUAD4   = 214,  /* bilinear quadrilateral */
+  ROLLCON_QUAD8   = 218,  /* serendipity quadrilateral */
+  ROLLCON_QUAD9   = 219,  /* biquadratic quadrilateral */
+  ROLLCON_TET4    = 304,  /* linear tetrahedron; stiff, and refused near incompressibility: prefer TET10 */
+  ROLLCON_TET10   = 310,  /* quadratic tetrahedron */
+  ROLLCON_WEDGE6  = 326,  /* linear wedge */
+  ROLLCON_WEDGE15 = 335,  /* serendipity wedge */
+  ROLLCON_HEX8    = 338,  /* trilinear hexahedron, cured of locking */
+  ROLLCON_HEX20   = 350   /* serendipity hexahedron */
 };
 
 /* Displacement components that a support holds, in the axes of the body's nodes; they may be
@@ -345,10 +356,11 @@ ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
 /*
  * Sets an isotropic linear elastic material.
  *   body     not rigid, not prepared (ROLLCON_ERR_STATE)
- *   tag      elements that get the material; half-spaces and boundary-element bodies, of one
- *            material, ignore it
+ *   tag      finite elements: tag of the volume elements that get the material; half-spaces and
+ *            boundary-element bodies, of one material, ignore it
  *   young    Young's modulus E > 0, force/length^2
- *   poisson  Poisson's ratio, -1 < nu <= 0.5
+ *   poisson  Poisson's ratio, -1 < nu <= 0.5; finite elements take less than 0.5, TET4 still less
+ *            (ROLLCON_ERR_UNSUPPORTED from rollcon_body_prepare)
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
@@ -361,15 +373,18 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
  * equations, and freezes it. Optional: the first solve does it. Calling it again does nothing.
  * ROLLCON_ERR_MESH names the offending elements or nodes: double nodes, degenerate or repeated
  * elements, neighbours of opposite orientation, and for elastic bodies open edges, normals that
- * point inwards, more than one outer shell. ROLLCON_ERR_SINGULAR: the supports leave the body
- * free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what
- * is held is also what approach and creepage move.
+ * point inwards, more than one outer shell; for finite elements turned elements, faces that meet
+ * without matching, parts that share no face, tagged faces that are not on the boundary.
+ * ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and the text says how; hold it
+ * (three nodes not on a line, or a hub), since what is held is also what approach and creepage
+ * move.
  * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
  *   again.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
- * Source: docs/theory.md, section 9; equations (53) to (57) of the paper.
+ * Source: docs/theory.md, sections 9 and 10; equations (53) to (57) and (61) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body);
 
@@ -405,15 +420,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_nodes(rollcon_body *bod
     const double *x, int64_t node_stride, int64_t component_stride);
 
 /*
- * Adds surface elements of one type; types may be mixed by several calls. Corners run
- * counter-clockwise seen from outside the body, so that normals point outwards. Shapes,
- * orientation and closedness are checked by rollcon_body_prepare (ROLLCON_ERR_MESH there).
- *   type          ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9
+ * Adds elements of one type; types may be mixed by several calls. Surface elements: corners run
+ * counter-clockwise seen from outside the body, so that normals point outwards. Finite-element
+ * bodies take volume elements, whose outer faces are their surface, and surface elements too,
+ * which only give their tag to the boundary face with the same nodes. Shapes, orientation and
+ * closedness are checked by rollcon_body_prepare (ROLLCON_ERR_MESH there).
+ *   type          ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9; finite elements: also ROLLCON_TET4,
+ *                 TET10, WEDGE6, WEDGE15, HEX8, HEX20
  *   n             elements, >= 0
  *   connectivity  [n][nodes of the type]; node ids
  *   index_base    0 or 1: id of the first node; messages count the same way
- *   tag           names these faces in loads, contact faces and rollcon_contact_frame_from_body;
- *                 tractions may jump where tags meet
+ *   tag           surface elements: names these faces in loads, contact faces and
+ *                 rollcon_contact_frame_from_body; tractions may jump where tags meet. Volume
+ *                 elements: names their material
  * Ownership: The array is copied.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
@@ -421,6 +440,40 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_nodes(rollcon_body *bod
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_elements(rollcon_body *body,
     int32_t type, int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag);
+
+/*
+ * Gives a tag to boundary faces of finite elements, by element and face. Boundary faces that no
+ * call names have tag 0; later calls win. Faces inside the body are found by rollcon_body_prepare
+ * (ROLLCON_ERR_MESH there).
+ *   body        of finite elements (else ROLLCON_ERR_STATE)
+ *   n           faces, >= 0
+ *   elements    [n]; volume elements, in the order in which they were added over all calls
+ *   faces       [n]; face of each, in the order of ROLLCON_TET4, ...: see the element types
+ *   index_base  0 or 1: number of the first element and of the first face of an element
+ *   tag         names these faces in loads, contact faces and rollcon_contact_frame_from_body
+ * Ownership: The arrays are copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces(rollcon_body *body, int64_t n,
+    const int32_t *elements, const int32_t *faces, int32_t index_base, int32_t tag);
+
+/*
+ * Gives a tag to the faces all of whose nodes are given: boundary faces of finite elements (later
+ * calls win over earlier ones), or surface elements added so far.
+ *   body        with elements
+ *   n           nodes, >= 0
+ *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
+ *   index_base  0 or 1: id of the first node
+ *   tag         names these faces in loads, contact faces and rollcon_contact_frame_from_body
+ * Ownership: The array is copied.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces_of_nodes(rollcon_body *body,
+    int64_t n, const int32_t *nodes, int32_t index_base, int32_t tag);
 
 /*
  * Holds displacement components of nodes, at zero or at given values. Adds to what is held
@@ -444,7 +497,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_support(rollcon_body *b
 /*
  * Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the
  * same tag is added to it. Faces without load or support are free.
- *   tag       of some element (else ROLLCON_ERR_ARGUMENT)
+ *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
  *   traction  [3]; force/length^2 along x y z
  * Ownership: The array is copied.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
@@ -457,7 +510,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *
 /*
  * Prescribes a pressure on the faces with a tag, against their outward normals; replaces an
  * earlier one and adds to a traction on the same tag.
- *   tag       of some element (else ROLLCON_ERR_ARGUMENT)
+ *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
  *   pressure  force/length^2; > 0 compresses
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
@@ -470,7 +523,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
  * Says which faces may come into contact: on them gaps are computed and frames laid. Standard:
  * all faces that are neither held nor loaded.
  *   n     tags, >= 0; 0 returns to the standard
- *   tags  [n]; each of some element (else ROLLCON_ERR_ARGUMENT); NULL only with n = 0
+ *   tags  [n]; each of some face (else ROLLCON_ERR_ARGUMENT); NULL only with n = 0
  * Ownership: The array is copied.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
  *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.

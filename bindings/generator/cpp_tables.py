@@ -10,7 +10,7 @@ def write(table):
            "struct Feature { const char* name; bool built; };\n\n"
            "constexpr Feature feature_table[] = {\n"]
     for name, built, _ in table.features:
-        value = "ROLLCON_BUILD_OPENMP != 0" if built == "openmp" else str(built).lower()
+        value = f"ROLLCON_BUILD_{built.upper()} != 0" if isinstance(built, str) else str(built).lower()
         out.append(f'    {{"{name}", {value}}},\n')
     out.append("};\n\nstruct StatusText { std::int32_t status; const char* text; };\n\n"
                "constexpr StatusText status_table[] = {\n")

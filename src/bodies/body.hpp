@@ -1,11 +1,14 @@
 #pragma once
 /// A body: its model and what the caller gave for it. Half-spaces need no mesh; rigid bodies may
-/// have a surface mesh, from which gaps are computed.
+/// have a surface mesh, from which gaps are computed. Finite-element bodies have volume elements.
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include "bodies/body_mesh.hpp"
 #include "bodies/surface_response.hpp"
@@ -25,13 +28,22 @@ class Body {
   // Setters check what can be checked at once, throw Error and then leave everything as it was.
   // After prepare: err_state. Half-spaces: err_state for all that needs a mesh.
 
-  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state).
+  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state). Finite elements: for those
+  /// with this tag; all others have one material.
   void set_elastic(std::int32_t tag, double young, double poisson);
   /// Forgets elements, supports, loads and contact faces.
   void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
                  std::int64_t component_stride);
+  /// Of finite-element bodies: volume elements, whose tag names their material, and surface
+  /// elements, which give their tag to the boundary faces with the same nodes.
   void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                     std::int32_t index_base, std::int32_t tag);
+  /// Tags boundary faces of finite elements by element and side.
+  void tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
+                 std::int32_t index_base, std::int32_t tag);
+  /// Tags the faces all of whose nodes are given: of any body with a mesh.
+  void tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                          std::int32_t tag);
   /// dof_mask: 1 x, 2 y, 4 z; value: 3 per node (unused components ignored), null: zero. Adds to
   /// what is held already; a component held twice takes the last value.
   void set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
@@ -54,11 +66,16 @@ class Body {
   bool rigid() const { return kind_ == BodyKind::rigid; }
   /// Also while another thread gives the mesh or prepares the body.
   bool meshed() const;
-  double young() const { return young_; }
-  double poisson() const { return poisson_; }
+  /// Nodes and elements (of a volume: those inside) given so far; likewise.
+  std::pair<std::int64_t, std::int64_t> size() const;
+  /// Where the contact is: of a prepared body of several materials, that of the greatest part of
+  /// its contact faces.
+  double young() const { return contact_material_.young; }
+  double poisson() const { return contact_material_.poisson; }
   const BodyMesh& mesh() const { return mesh_; }
   /// The surface as it is now; also while another thread gives more of it or prepares the body.
-  SurfaceMesh surface_copy() const;
+  /// Throws err_mesh when faces of finite elements were tagged that are not on the boundary.
+  SurfaceMesh surface_copy();
   const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }
 
@@ -73,14 +90,18 @@ class Body {
 
  private:
   void require_unprepared(const char* what) const;
+  void require_tag(std::int32_t tag, const std::string& entry) const;
+  void require_complete() const;
+  void require_materials() const;
+  void choose_contact_material();
   void prepare_mesh();
 
   std::shared_ptr<Context> context_;
   BodyKind kind_;
   mutable std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
-  bool elastic_set_ = false;
-  double young_ = 0, poisson_ = 0;
+  std::map<std::int32_t, Elastic> material_;  ///< by tag; of one material: tag 0
+  Elastic contact_material_;
   BodyMesh mesh_;
   BodyOptions options_;
   TractionNodes traction_nodes_, smooth_fans_;

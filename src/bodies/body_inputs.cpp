@@ -8,6 +8,7 @@
 #include "bodies/body.hpp"
 #include "bodies/body_options.hpp"
 #include "mesh/mesh_inputs.hpp"
+#include "mesh/volume_shape.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -24,25 +25,23 @@ void require_elastic_mesh_kind(BodyKind kind, const char* what) {
   if (kind == BodyKind::rigid) fail(Status::err_state, "a rigid body takes no %s", what);
 }
 
-/// err_state without elements, err_argument if none has the tag. entry: how messages name the tag.
-void require_tag(const SurfaceMesh& mesh, std::int32_t tag, const std::string& entry) {
-  if (mesh.elements() == 0)
-    fail(Status::err_state,
-         "the body has no elements: call rollcon_body_add_elements before naming their tags");
-  if (std::find(mesh.tag.begin(), mesh.tag.end(), tag) != mesh.tag.end()) return;
-  constexpr std::size_t most_named = 16;
-  const std::set<std::int32_t> present(mesh.tag.begin(), mesh.tag.end());
-  std::string names;
-  std::size_t named = 0;
-  for (const std::int32_t p : present) {
-    if (named++ == most_named) {
-      names += ", ...";
-      break;
-    }
-    names += (names.empty() ? "" : ", ") + std::to_string(p);
+void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                      std::int64_t nodes, const char* what) {
+  require_count(n, "n");
+  require_index_base(index_base);
+  if (nodes == 0)
+    fail(Status::err_state, "the body has no nodes: call rollcon_body_set_nodes before its %s",
+         what);
+  if (n == 0) return;
+  require_pointer(node, "nodes");
+  for (std::int64_t i = 0; i < n; ++i) {
+    const std::int64_t id = std::int64_t{node[i]} - index_base;
+    if (id < 0 || id >= nodes)
+      fail(Status::err_mesh,
+           "entry %lld of nodes (counting from %d) has id %d; allowed: %d to %lld",
+           static_cast<long long>(i) + index_base, index_base, node[i], index_base,
+           static_cast<long long>(nodes) - 1 + index_base);
   }
-  fail(Status::err_argument, "%s is %d, which no element has; tags of this body: %s", entry.c_str(),
-       tag, names.c_str());
 }
 
 FaceLoad& load_of(std::vector<FaceLoad>& load, std::int32_t tag) {
@@ -57,6 +56,35 @@ FaceLoad& load_of(std::vector<FaceLoad>& load, std::int32_t tag) {
 
 void Body::require_unprepared(const char* what) const {
   if (prepared()) fail(Status::err_state, "the body is prepared: its %s fixed", what);
+}
+
+// err_state without elements, err_argument if no face has the tag. entry: how messages name the
+// tag. Tags given to faces of a volume count before its boundary is known.
+void Body::require_tag(std::int32_t tag, const std::string& entry) const {
+  if (mesh_.surface.elements() == 0 && mesh_.volume.elements() == 0)
+    fail(Status::err_state,
+         "the body has no %selements: call rollcon_body_add_elements before naming their tags",
+         kind_ == BodyKind::fem ? "volume " : "");
+  std::set<std::int32_t> present;
+  if (mesh_.volume.elements() > 0) {
+    present.insert(0);
+    for (const FaceNaming& naming : mesh_.naming) present.insert(naming.tag);
+  } else {
+    present.insert(mesh_.surface.tag.begin(), mesh_.surface.tag.end());
+  }
+  if (present.count(tag) > 0) return;
+  constexpr std::size_t most_named = 16;
+  std::string names;
+  std::size_t named = 0;
+  for (const std::int32_t p : present) {
+    if (named++ == most_named) {
+      names += ", ...";
+      break;
+    }
+    names += (names.empty() ? "" : ", ") + std::to_string(p);
+  }
+  fail(Status::err_argument, "%s is %d, which no face has; tags of this body: %s", entry.c_str(),
+       tag, names.c_str());
 }
 
 void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
@@ -76,8 +104,99 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
   require_mesh_kind(kind_, "elements");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
-  append_elements(mesh_.surface, type, n, connectivity, index_base, tag, "body",
-                  "rollcon_body_set_nodes");
+  const char* node_setter = "rollcon_body_set_nodes";
+  if (kind_ != BodyKind::fem) {
+    append_elements(mesh_.surface, type, n, connectivity, index_base, tag, "body", node_setter);
+    return;
+  }
+  if (is_volume_type(type)) {
+    append_elements(mesh_.volume, mesh_.surface.nodes(), type, n, connectivity, index_base, tag,
+                    node_setter);
+  } else if (is_element_type(type)) {
+    SurfaceMesh given;  // for its checks
+    given.offset = {0};
+    given.node.swap(mesh_.surface.node);
+    try {
+      append_elements(given, type, n, connectivity, index_base, tag, "body", node_setter);
+      if (n > 0)
+        mesh_.naming.push_back({.tag = tag,
+                                .connectivity = std::move(given.connectivity),
+                                .type = static_cast<ElementType>(type)});
+    } catch (...) {
+      given.node.swap(mesh_.surface.node);
+      throw;
+    }
+    given.node.swap(mesh_.surface.node);
+  } else {
+    fail(Status::err_argument,
+         "type is %d; allowed: 304 (tet4), 310 (tet10), 326 (wedge6), 335 (wedge15), 338 (hex8), "
+         "350 (hex20), and for tags of faces 203 (tri3), 206 (tri6), 214 (quad4), 218 (quad8)",
+         type);
+  }
+  if (n == 0) return;
+  mesh_.surface.index_base = index_base;
+  mesh_.boundary_current = false;
+}
+
+void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
+                     std::int32_t index_base, std::int32_t tag) {
+  if (kind_ != BodyKind::fem)
+    fail(Status::err_state,
+         "the body has no volume elements whose faces could be tagged: it is not a finite-element "
+         "body");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("mesh is");
+  require_count(n, "n");
+  require_index_base(index_base);
+  const VolumeElements& volume = mesh_.volume;
+  if (volume.elements() == 0)
+    fail(Status::err_state,
+         "the body has no volume elements: call rollcon_body_add_elements before tagging faces");
+  if (n == 0) return;
+  require_pointer(element, "elements");
+  require_pointer(side, "faces");
+  FaceNaming naming{.tag = tag};
+  naming.face.reserve(static_cast<std::size_t>(n));
+  for (std::int64_t i = 0; i < n; ++i) {
+    const std::int64_t e = std::int64_t{element[i]} - index_base;
+    const auto entry = static_cast<long long>(i) + index_base;
+    if (e < 0 || e >= volume.elements())
+      fail(Status::err_mesh, "entry %lld of elements (counting from %d) is %d; allowed: %d to %lld",
+           entry, index_base, element[i], index_base,
+           static_cast<long long>(volume.elements()) - 1 + index_base);
+    const auto sides =
+        static_cast<std::int64_t>(faces_of(volume.type[static_cast<std::size_t>(e)]).size());
+    const std::int64_t s = std::int64_t{side[i]} - index_base;
+    if (s < 0 || s >= sides)
+      fail(Status::err_mesh,
+           "entry %lld of faces (counting from %d) is %d; allowed for its element: %d to %lld",
+           entry, index_base, side[i], index_base, static_cast<long long>(sides) - 1 + index_base);
+    naming.face.push_back({e, static_cast<std::int32_t>(s)});
+  }
+  mesh_.naming.push_back(std::move(naming));
+  mesh_.surface.index_base = index_base;
+  mesh_.boundary_current = false;
+}
+
+void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                              std::int32_t tag) {
+  require_mesh_kind(kind_, "faces");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("mesh is");
+  require_node_ids(n, node, index_base, mesh_.surface.nodes(), "faces");
+  if (mesh_.surface.elements() == 0 && mesh_.volume.elements() == 0)
+    fail(Status::err_state,
+         "the body has no elements: call rollcon_body_add_elements before tagging their faces");
+  if (n == 0) return;
+  mesh_.surface.index_base = index_base;
+  FaceNaming naming{.tag = tag};
+  for (std::int64_t i = 0; i < n; ++i) naming.nodes.push_back(node[i] - index_base);
+  if (kind_ == BodyKind::fem) {
+    mesh_.naming.push_back(std::move(naming));
+    mesh_.boundary_current = false;
+  } else {
+    tag_by_nodes(naming, mesh_.surface);
+  }
 }
 
 void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
@@ -85,25 +204,12 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
   require_elastic_mesh_kind(kind_, "supports");
   const std::lock_guard lock(mutex_);
   require_unprepared("supports are");
-  require_count(n, "n");
-  require_index_base(index_base);
+  require_node_ids(n, node, index_base, mesh_.surface.nodes(), "supports");
   if (dof_mask < 1 || dof_mask > 7)
     fail(Status::err_argument, "dof_mask is %d; allowed: 1 to 7, a sum of 1 (x), 2 (y), 4 (z)",
          dof_mask);
-  const std::int64_t nodes = mesh_.surface.nodes();
-  if (nodes == 0)
-    fail(Status::err_state,
-         "the body has no nodes: call rollcon_body_set_nodes before its supports");
-  if (n == 0) return;
-  require_pointer(node, "nodes");
-  for (std::int64_t i = 0; i < n; ++i) {
-    const std::int64_t id = std::int64_t{node[i]} - index_base;
-    if (id < 0 || id >= nodes)
-      fail(Status::err_mesh,
-           "entry %lld of nodes (counting from %d) has id %d; allowed: %d to %lld",
-           static_cast<long long>(i) + index_base, index_base, node[i], index_base,
-           static_cast<long long>(nodes) - 1 + index_base);
-    for (int c = 0; c < 3 && value; ++c) {
+  for (std::int64_t i = 0; i < n && value; ++i) {
+    for (int c = 0; c < 3; ++c) {
       if (dof_mask >> c & 1 && !std::isfinite(value[3 * i + c]))
         fail(Status::err_nonfinite, "component %c of entry %lld of values (counting from %d) is %g",
              "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c]);
@@ -124,7 +230,7 @@ void Body::set_traction(std::int32_t tag, const double* traction) {
   require_finite_vector(traction, "traction");
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
-  require_tag(mesh_.surface, tag, "tag");
+  require_tag(tag, "tag");
   load_of(mesh_.load, tag).traction = {traction[0], traction[1], traction[2]};
 }
 
@@ -133,7 +239,7 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   require_finite(pressure, "pressure");
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
-  require_tag(mesh_.surface, tag, "tag");
+  require_tag(tag, "tag");
   load_of(mesh_.load, tag).pressure = pressure;
 }
 
@@ -145,7 +251,7 @@ void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {
   if (n > 0) require_pointer(tag, "tags");
   std::vector<std::int32_t> named;
   for (std::int64_t i = 0; i < n; ++i) {
-    require_tag(mesh_.surface, tag[i], "entry " + std::to_string(i) + " of tags (counting from 0)");
+    require_tag(tag[i], "entry " + std::to_string(i) + " of tags (counting from 0)");
     if (std::find(named.begin(), named.end(), tag[i]) == named.end()) named.push_back(tag[i]);
   }
   std::swap(mesh_.contact_tag, named);

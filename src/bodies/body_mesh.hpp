@@ -2,9 +2,13 @@
 /// What the caller gave for a body with a mesh; ids and numbers checked, shapes not yet.
 
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "mesh/surface_mesh.hpp"
+#include "mesh/volume_boundary.hpp"
+#include "mesh/volume_mesh.hpp"
 
 namespace rollcon {
 
@@ -14,8 +18,29 @@ struct FaceLoad {
   double pressure = 0;     ///< against the outward normal, added to the traction
 };
 
+/// One call that gave boundary faces of a volume a tag: by element and side, by the set of nodes
+/// that they lie on, or as surface elements. Later calls win.
+struct FaceNaming {
+  std::int32_t tag = 0;
+  std::vector<BoundaryFace> face{};
+  std::vector<std::int32_t> nodes{};
+  std::vector<std::int32_t> connectivity{};
+  ElementType type{};  ///< of the surface elements in connectivity
+};
+
+struct Elastic {
+  double young = 0, poisson = 0;
+};
+
 struct BodyMesh {
-  SurfaceMesh surface;  ///< outward normals by the right-hand rule
+  /// Outward normals by the right-hand rule. Of a volume: its boundary, made by update_boundary;
+  /// the nodes are all nodes of the body.
+  SurfaceMesh surface;
+  VolumeElements volume;             ///< empty: the body is given by its surface
+  std::vector<FaceNaming> naming;    ///< of a volume's faces
+  std::vector<BoundaryFace> origin;  ///< of each surface element, in the volume
+  bool boundary_current = false;
+
   std::vector<std::uint8_t>
       held;                      ///< per node: bit c is set when displacement component c is given
   std::vector<Vec3> held_value;  ///< per node, in the body's axes
@@ -29,12 +54,30 @@ struct BodyOptions {
   double edge_angle = 40;  ///< "edge_angle", degrees: beyond it an edge separates faces
   std::int64_t keep_factors =
       1;  ///< "keep_factors": 0 frees the factors once a frame has its compliance
+  std::int64_t between_nodes = 0;  ///< "between_nodes": 0 with half-space, 1 shape functions
+  std::int64_t factorization = 0;  ///< "factorization": 0 automatic, 1 CHOLMOD, 2 UMFPACK
+  std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
 };
+
+/// Gives the tag to the surface elements all of whose nodes are named.
+void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface);
+
+/// Makes the surface of a body with volume elements, and its tags; nothing else to do when it is
+/// current or there are none. Throws err_mesh naming the element and face, or the surface element,
+/// that is no boundary face; the mesh is then unchanged.
+void update_boundary(BodyMesh& mesh);
+
+/// "element 12 (counting from 1)", or "face 2 of element 12 (both counting from 1)".
+std::string face_name(const BodyMesh& mesh, std::int64_t element);
 
 /// Held components common to all nodes of each element: bit c.
 std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
 
 /// Elements that may come into contact, ascending.
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
+
+/// The given faces' nodes and those of all surface elements that touch them, ascending.
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
+                                       const std::vector<std::int64_t>& element);
 
 }  // namespace rollcon

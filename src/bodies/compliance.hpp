@@ -41,6 +41,9 @@ class Compliance {
   /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements
   /// of the bodies elsewhere. False: zero everywhere, u not written.
   virtual bool offset(Points /*points*/, double* /*u*/) const { return false; }
+  /// False when the frame has more nodes than the displacements of this body can tell apart: alone
+  /// it makes singular equations.
+  virtual bool resolves_frame() const { return true; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

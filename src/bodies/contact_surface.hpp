@@ -28,7 +28,7 @@ std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3&
 /// mesh, else minus those of body 2. They follow the profile across the rolling direction, but
 /// along it all have the inclination found at the origin: the bodies flatten each other there, so
 /// that pressure acts along one direction and radial displacements are no slip (docs/theory.md,
-/// section 10).
+/// section 11).
 class NormalField {
  public:
   /// One body at least must have a mesh.

@@ -9,6 +9,7 @@
 
 #include "bodies/frame_on_body.hpp"
 #include "bodies/halfspace/halfspace.hpp"
+#include "bodies/remainder_compliance.hpp"
 #include "mesh/shape.hpp"
 
 namespace rollcon {
@@ -29,12 +30,13 @@ class MeshedCompliance final : public Compliance {
   void apply(Points points, const double* traction, double* displacement) const override;
   bool offset(Points points, double* u) const override;
   std::string description() const override;
+  bool resolves_frame() const override;
   void set_threads(int threads) override {
     threads_ = threads;
-    if (halfspace_) halfspace_->set_threads(threads);
+    if (local_) local_->set_threads(threads);
   }
   std::int64_t kernel_evaluations() const override {
-    return halfspace_ ? halfspace_->kernel_evaluations() : 0;
+    return local_ ? local_->kernel_evaluations() : 0;
   }
   std::size_t bytes() const override { return response_.bytes() + correction_.bytes(); }
 
@@ -60,6 +62,7 @@ class MeshedCompliance final : public Compliance {
 
   const Frame& frame_;
   const Body& body_;
+  PairOfBodies pair_;
   Pose pose_;
   int which_;
   double accuracy_;
@@ -71,15 +74,30 @@ class MeshedCompliance final : public Compliance {
   std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
   RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
   std::unique_ptr<SurfaceSearch> zone_;
+  std::shared_ptr<const SurfaceRows> rows_;
   // Made when a point between nodes is asked for.
-  mutable std::unique_ptr<Compliance> halfspace_;
+  mutable std::unique_ptr<Compliance> local_;
   mutable RowMatrix<double> correction_;  ///< response less the half-space's
+  bool by_shape_functions() const { return body_.options().between_nodes == 1; }
+  /// Finite elements feel the projection of the tractions on their faces and move by shape
+  /// functions: on faces of their own nothing is missing, under a layer the remainder is. (Their
+  /// difference to a half-space is not smooth: under the load of a single node they move by what
+  /// the mesh does not resolve.)
+  bool moves_by_shape_functions() const {
+    return by_shape_functions() || body_.kind() == BodyKind::fem;
+  }
+  bool has_remainder() const { return !by_shape_functions() && rows_->seen.rows() > 0; }
+  /// What is interpolated on the body's mesh.
+  const RowMatrix<double>& smooth_part() const {
+    return moves_by_shape_functions() ? response_ : correction_;
+  }
 };
 
 MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which,
                                    double accuracy, int threads)
     : frame_(frame),
       body_(*pair.body[at(which)]),
+      pair_(pair),
       pose_(pair.pose[at(which)]),
       which_(which),
       accuracy_(accuracy),
@@ -87,9 +105,9 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       normals_(frame.axes, pair),
       on_body_(lay_on_body(frame, body_, pose_, which)) {
   SurfaceResponse& body = *body_.response();
-  const std::shared_ptr<const SurfaceRows> rows =
-      on_body_.matches() ? body.faces(on_body_.face, threads)
-                         : body.layer(on_body_.layer, on_body_.row, threads);
+  rows_ = on_body_.matches() ? body.faces(on_body_.face, threads)
+                             : body.layer(on_body_.layer, on_body_.row, threads);
+  const SurfaceRows* rows = rows_.get();
   row_of_body_node_.assign(at(body_.mesh().surface.nodes()), -1);
   for (std::size_t r = 0; r < rows->row.size(); ++r) {
     row_of_body_node_[at(rows->row[r])] = static_cast<std::int64_t>(r);
@@ -108,12 +126,24 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
     node_at_[{frame.x[at(k)], frame.y[at(k)]}] = k;
-    if (!on_body_.matches()) continue;
+    if (on_body_.node[at(k)] < 0) continue;
     const std::size_t row = at(row_of_body_node_[at(on_body_.node[at(k)])]);
     zone_x_[row] = frame.x[at(k)];  // without rounding: they share the node's triad
     zone_y_[row] = frame.y[at(k)];
   }
   collect_response(*rows);
+}
+
+bool MeshedCompliance::resolves_frame() const {
+  if (!by_shape_functions() || on_body_.matches()) return true;
+  std::vector<std::uint8_t> moves(zone_x_.size(), 0);
+  for (std::int64_t k = 0; k < frame_.nodes(); ++k) {
+    if (!frame_.used[at(k)]) continue;
+    const Interpolation where = locate(frame_.x[at(k)], frame_.y[at(k)]);
+    for (int a = 0; a < where.count; ++a) moves[at(where.row[a])] = 1;
+  }
+  return std::count(frame_.used.begin(), frame_.used.end(), 1) <=
+         std::count(moves.begin(), moves.end(), 1);
 }
 
 // From the body's axes to local components, from the response's columns to the frame's nodes.
@@ -156,7 +186,10 @@ void MeshedCompliance::collect_response(const SurfaceRows& rows) {
 }
 
 void MeshedCompliance::require_correction() const {
-  if (halfspace_) return;
+  if (local_) return;
+  if (has_remainder())
+    local_ = make_remainder_compliance(frame_, pair_, which_, *rows_, accuracy_, threads_);
+  if (moves_by_shape_functions()) return;
   auto halfspace = make_halfspace_compliance(
       frame_, halfspace_constants(body_.young(), body_.poisson(), which_ == 0 ? 1 : -1), accuracy_,
       threads_);
@@ -180,13 +213,15 @@ void MeshedCompliance::require_correction() const {
           correction_.row(row)[3 * k + j] =
               response_.row(row)[3 * k + j] - buffer[i][j][z * at(n) + at(k)];
     }
-  halfspace_ = std::move(halfspace);
+  local_ = std::move(halfspace);
 }
 
 std::int64_t MeshedCompliance::row_of_node(double x, double y) const {
-  if (!on_body_.matches()) return -1;
   const auto found = node_at_.find({x, y});
-  return found == node_at_.end() ? -1 : row_of_body_node_[at(on_body_.node[at(found->second)])];
+  if (found == node_at_.end()) return -1;
+  if (has_remainder()) return -1;
+  const std::int32_t node = on_body_.node[at(found->second)];
+  return node < 0 ? -1 : row_of_body_node_[at(node)];
 }
 
 MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) const {
@@ -238,7 +273,7 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
         buffer[i][j].assign(between.size() * at(n), 0.0);
         part.a[i][j] = buffer[i][j].data();
       }
-  halfspace_->block({between_x, between_y}, part);
+  if (local_) local_->block({between_x, between_y}, part);
   for (std::size_t b = 0; b < between.size(); ++b) {
     const Interpolation where = locate(between_x[b], between_y[b]);
     for (int i = 0; i < 3; ++i)
@@ -247,7 +282,7 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
         double* to = out.a[i][j] + static_cast<std::ptrdiff_t>(between[b]) * out.stride;
         std::copy_n(buffer[i][j].data() + b * at(n), n, to);
         for (int a = 0; a < where.count; ++a) {
-          const double* from = correction_.row(3 * where.row[a] + i) + j;
+          const double* from = smooth_part().row(3 * where.row[a] + i) + j;
           for (std::int64_t k = 0; k < n; ++k) to[k] += where.weight[a] * from[3 * k];
         }
       }
@@ -269,10 +304,10 @@ void MeshedCompliance::apply(Points points, const double* traction, double* disp
   }
   if (between.empty()) return;
   require_correction();
-  std::vector<double> smooth(at(correction_.rows())), local(3 * between.size());
-  multiply(correction_.data(), correction_.rows(), correction_.columns(), traction, 0,
-           smooth.data());
-  halfspace_->apply({between_x, between_y}, traction, local.data());
+  const RowMatrix<double>& matrix = smooth_part();
+  std::vector<double> smooth(at(matrix.rows())), local(3 * between.size(), 0.0);
+  multiply(matrix.data(), matrix.rows(), matrix.columns(), traction, 0, smooth.data());
+  if (local_) local_->apply({between_x, between_y}, traction, local.data());
   for (std::size_t b = 0; b < between.size(); ++b) {
     const Interpolation where = locate(between_x[b], between_y[b]);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -311,8 +346,10 @@ bool MeshedCompliance::offset(Points points, double* u) const {
 }
 
 std::string MeshedCompliance::description() const {
-  std::string text = "body " + std::to_string(which_ + 1) + ": boundary elements, " +
-                     std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
+  std::string text =
+      "body " + std::to_string(which_ + 1) +
+      (body_.kind() == BodyKind::fem ? ": finite elements, " : ": boundary elements, ") +
+      std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
   if (on_body_.matches())
     return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
   return text + "the frame is a mesh of its own laid on it";

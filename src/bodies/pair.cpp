@@ -1,11 +1,13 @@
 #include "bodies/pair.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/meshed_compliance.hpp"
 #include "bodies/sum_compliance.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -28,6 +30,12 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
   for (int which = 0; which < 2; ++which)
     if (pair.body[static_cast<std::size_t>(which)]->response())
       parts.push_back(make_meshed_compliance(frame, pair, which, accuracy, threads));
+  if (std::none_of(parts.begin(), parts.end(),
+                   [](const auto& part) { return part->resolves_frame(); }) &&
+      !parts.empty())
+    fail(Status::err_mesh,
+         "the frame has more nodes than the faces of the body below it, whose option between_nodes "
+         "is 1: they cannot tell its tractions apart; coarsen the frame or set between_nodes to 0");
   if (parts.size() == 1) return std::move(parts.front());
   return std::make_unique<SumCompliance>(std::move(parts));
 }

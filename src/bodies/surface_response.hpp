@@ -1,6 +1,6 @@
 #pragma once
-/// An elastic body with a mesh, factorised: how its surface answers loads. Boundary-element bodies
-/// implement it (finite-element bodies will); everything above sees this face of them.
+/// An elastic body with a mesh, factorised: how its surface answers loads. Boundary-element and
+/// finite-element bodies implement it; everything above sees this face of them.
 
 #include <cstdint>
 #include <memory>
@@ -17,13 +17,27 @@ struct SurfaceRows {
   std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
   std::vector<std::int32_t> row;     ///< node of the body of each displacement row
   RowMatrix<double> u;               ///< (3 * row.size()) x (3 * column.size())
+
+  /// Finite elements under a layer feel, instead of its tractions, their projection (L2) on the
+  /// body's own faces: component by component, seen.row(i) of the tractions of all columns at
+  /// seen_node[i] of the faces seen_face. Empty: felt as they are.
+  std::vector<std::int64_t> seen_face;
+  std::vector<std::int32_t> seen_node;
+  RowMatrix<double> seen;
+};
+
+/// Moment about the origin of the body's axes.
+struct Resultant {
+  Vec3 force{0, 0, 0}, moment{0, 0, 0};
 };
 
 struct BodyStatistics {
   std::int64_t unknowns = 0, assemblies = 0, factorizations = 0, condensations = 0;
   std::int64_t kernel_evaluations = 0;
-  double condition = 0;  ///< estimate, 1-norm, of the scaled matrix
-  double seconds_assembly = 0, seconds_factor = 0, seconds_condense = 0;
+  std::int64_t condensed = 0;  ///< finite elements: unknowns left after condensation
+  std::int64_t nonzeros = 0;   ///< of the factors; dense: unknowns squared
+  double condition = 0;        ///< estimate, of the scaled matrix
+  double seconds_assembly = 0, seconds_order = 0, seconds_factor = 0, seconds_condense = 0;
   std::size_t bytes = 0, peak_bytes = 0;
 };
 
@@ -44,9 +58,12 @@ class SurfaceResponse {
   /// Displacement of every node under the body's own loads and given displacements, u[3 * node +
   /// c]; empty when there are none.
   virtual std::span<const double> own_displacement() const = 0;
-  /// Tractions that go with it, by traction node of the body (see TractionNodes), t[3 * k + c]:
-  /// what was given, and the reactions of the supports. Empty when own_displacement is.
-  virtual std::span<const double> own_traction() const = 0;
+  /// Boundary elements: tractions that go with it, by traction node of the body (see
+  /// TractionNodes), t[3 * k + c]: what was given, and the reactions of the supports. Empty when
+  /// own_displacement is.
+  virtual std::span<const double> own_traction() const { return {}; }
+  /// What the supports exert on the body then.
+  virtual Resultant support_reaction() const = 0;
   virtual BodyStatistics statistics() const = 0;
 };
 

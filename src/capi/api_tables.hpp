@@ -13,9 +13,10 @@ struct Feature { const char* name; bool built; };
 constexpr Feature feature_table[] = {
     {"halfspace", true},
     {"rigid", true},
-    {"fem", false},
+    {"fem", ROLLCON_BUILD_FEM != 0},
     {"bem", true},
-    {"umfpack", false},
+    {"cholmod", ROLLCON_BUILD_CHOLMOD != 0},
+    {"umfpack", ROLLCON_BUILD_UMFPACK != 0},
     {"openmp", ROLLCON_BUILD_OPENMP != 0},
     {"vtu", true},
 };

@@ -46,6 +46,18 @@ rollcon_status rollcon_body_add_elements(rollcon_body* body, int32_t type, int64
                    [&](Body& b) { b.add_elements(type, n, connectivity, index_base, tag); });
 }
 
+rollcon_status rollcon_body_tag_faces(rollcon_body* body, int64_t n, const int32_t* elements,
+                                      const int32_t* faces, int32_t index_base, int32_t tag) {
+  return with_body(__func__, body,
+                   [&](Body& b) { b.tag_faces(n, elements, faces, index_base, tag); });
+}
+
+rollcon_status rollcon_body_tag_faces_of_nodes(rollcon_body* body, int64_t n, const int32_t* nodes,
+                                               int32_t index_base, int32_t tag) {
+  return with_body(__func__, body,
+                   [&](Body& b) { b.tag_faces_of_nodes(n, nodes, index_base, tag); });
+}
+
 rollcon_status rollcon_body_set_support(rollcon_body* body, int64_t n, const int32_t* nodes,
                                         int32_t index_base, int32_t dof_mask,
                                         const double* values) {

@@ -12,8 +12,9 @@ using namespace rollcon::capi;
 
 rollcon_status rollcon_body_get_size(const rollcon_body* body, int64_t* nodes, int64_t* elements) {
   return with_body(__func__, body, [&](const Body& b) {
-    if (nodes) *nodes = b.mesh().surface.nodes();
-    if (elements) *elements = b.mesh().surface.elements();
+    const auto [n, m] = b.size();
+    if (nodes) *nodes = n;
+    if (elements) *elements = m;
   });
 }
 

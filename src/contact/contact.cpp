@@ -91,7 +91,7 @@ void Contact::set_progress(ProgressFunction function, void* user) {
 
 void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
   if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
-  const Body& body = which == 1 ? *body1_ : *body2_;
+  Body& body = which == 1 ? *body1_ : *body2_;
   const SurfaceMesh surface = body.surface_copy();
   if (surface.nodes() == 0)
     fail(Status::err_state,

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "contact/geometry.hpp"
 #include "contact/state.hpp"
 #include "support/clock.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -269,6 +271,15 @@ void read_kinematics(SolverState& state, const Scene& scene) {
   }
 }
 
+// Which of the two bodies a message speaks of.
+void prepare_body(Body& body, int which) {
+  try {
+    body.prepare();
+  } catch (const Error& error) {
+    throw Error(error.status(), "body " + std::to_string(which) + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::size_t SolverState::bytes() const {
@@ -281,8 +292,8 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   scene.require_complete(body1.meshed() || body2.meshed());
   {
     const Stopwatch watch(state.timings.compliance);
-    body1.prepare();
-    body2.prepare();
+    prepare_body(body1, 1);
+    prepare_body(body2, 2);
   }
   state.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
   const PairOfBodies& pair = state.pair;

@@ -32,6 +32,48 @@ void make_room(std::vector<T>& v, std::size_t more) {
   if (v.size() + more > v.capacity()) v.reserve(std::max(v.size() + more, 2 * v.capacity()));
 }
 
+/// Where elements go: a surface or the inside of a body.
+template <class Type, class Elements>
+void append(Elements& to, Type type, std::int64_t n, const std::int32_t* connectivity,
+            std::int32_t index_base, std::int32_t tag) {
+  const auto count = static_cast<std::size_t>(n);
+  const int width = node_count(type);
+  make_room(to.type, count);
+  make_room(to.tag, count);
+  make_room(to.offset, count);
+  make_room(to.connectivity, count * static_cast<std::size_t>(width));
+  for (std::int64_t e = 0; e < n; ++e) {
+    to.type.push_back(type);
+    to.tag.push_back(tag);
+    for (int k = 0; k < width; ++k)
+      to.connectivity.push_back(connectivity[e * width + k] - index_base);
+    to.offset.push_back(static_cast<std::int64_t>(to.connectivity.size()));
+  }
+}
+
+void require_elements(std::int64_t n, std::int64_t present, std::int64_t nodes, int width,
+                      const std::int32_t* connectivity, std::int32_t index_base, const char* owner,
+                      const char* node_setter) {
+  require_index_base(index_base);
+  require_count(n, "n");
+  if (nodes == 0)
+    fail(Status::err_state, "the %s has no nodes: call %s before its elements", owner, node_setter);
+  if (n > max_count - present)
+    fail(Status::err_argument, "n is %lld; a %s has at most %lld elements",
+         static_cast<long long>(n), owner, static_cast<long long>(max_count));
+  if (n == 0) return;
+  require_pointer(connectivity, "connectivity");
+  for (std::int64_t k = 0; k < n * width; ++k) {
+    const std::int64_t node = std::int64_t{connectivity[k]} - index_base;
+    if (node < 0 || node >= nodes)
+      fail(Status::err_mesh,
+           "node %lld of element %lld (both counting from %d) has id %d; allowed: %d to %lld",
+           static_cast<long long>(k % width) + index_base,
+           static_cast<long long>(k / width) + index_base, index_base, connectivity[k], index_base,
+           static_cast<long long>(nodes) - 1 + index_base);
+  }
+}
+
 }  // namespace
 
 SurfaceMesh mesh_of_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
@@ -68,40 +110,20 @@ void append_elements(SurfaceMesh& mesh, std::int32_t type, std::int64_t n,
     fail(Status::err_argument,
          "type is %d; allowed: 203 (tri3), 206 (tri6), 214 (quad4), 218 (quad8), 219 (quad9)",
          type);
-  require_index_base(index_base);
-  require_count(n, "n");
-  if (mesh.nodes() == 0)
-    fail(Status::err_state, "the %s has no nodes: call %s before its elements", owner, node_setter);
-  if (n > max_count - mesh.elements())
-    fail(Status::err_argument, "n is %lld; a %s has at most %lld elements",
-         static_cast<long long>(n), owner, static_cast<long long>(max_count));
-  if (n == 0) return;
-  require_pointer(connectivity, "connectivity");
   const auto element_type = static_cast<ElementType>(type);
-  const int width = node_count(element_type);
-  for (std::int64_t k = 0; k < n * width; ++k) {
-    const std::int64_t node = std::int64_t{connectivity[k]} - index_base;
-    if (node < 0 || node >= mesh.nodes())
-      fail(Status::err_mesh,
-           "node %lld of element %lld (both counting from %d) has id %d; allowed: %d to %lld",
-           static_cast<long long>(k % width) + index_base,
-           static_cast<long long>(k / width) + index_base, index_base, connectivity[k], index_base,
-           static_cast<long long>(mesh.nodes()) - 1 + index_base);
-  }
+  require_elements(n, mesh.elements(), mesh.nodes(), node_count(element_type), connectivity,
+                   index_base, owner, node_setter);
+  append(mesh, element_type, n, connectivity, index_base, tag);
+  if (n > 0) mesh.index_base = index_base;
+}
 
-  const auto count = static_cast<std::size_t>(n);
-  make_room(mesh.type, count);
-  make_room(mesh.tag, count);
-  make_room(mesh.offset, count);
-  make_room(mesh.connectivity, count * static_cast<std::size_t>(width));
-  for (std::int64_t e = 0; e < n; ++e) {
-    mesh.type.push_back(element_type);
-    mesh.tag.push_back(tag);
-    for (int k = 0; k < width; ++k)
-      mesh.connectivity.push_back(connectivity[e * width + k] - index_base);
-    mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-  }
-  mesh.index_base = index_base;
+void append_elements(VolumeElements& volume, std::int64_t nodes, std::int32_t type, std::int64_t n,
+                     const std::int32_t* connectivity, std::int32_t index_base, std::int32_t tag,
+                     const char* node_setter) {
+  const auto element_type = static_cast<VolumeType>(type);
+  require_elements(n, volume.elements(), nodes, node_count(element_type), connectivity, index_base,
+                   "body", node_setter);
+  append(volume, element_type, n, connectivity, index_base, tag);
 }
 
 }  // namespace rollcon

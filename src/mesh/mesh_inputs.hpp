@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mesh/surface_mesh.hpp"
+#include "mesh/volume_mesh.hpp"
 
 namespace rollcon {
 
@@ -18,5 +19,9 @@ SurfaceMesh mesh_of_nodes(std::int64_t n, const double* x, std::int64_t node_str
 void append_elements(SurfaceMesh& mesh, std::int32_t type, std::int64_t n,
                      const std::int32_t* connectivity, std::int32_t index_base, std::int32_t tag,
                      const char* owner, const char* node_setter);
+/// The same for the inside of a body with `nodes` nodes; type must be one of VolumeType.
+void append_elements(VolumeElements& volume, std::int64_t nodes, std::int32_t type, std::int64_t n,
+                     const std::int32_t* connectivity, std::int32_t index_base, std::int32_t tag,
+                     const char* node_setter);
 
 }  // namespace rollcon

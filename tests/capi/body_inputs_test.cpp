@@ -238,6 +238,8 @@ TEST_F(body_inputs, prepared_bodies_are_frozen) {
   EXPECT_FAILS(rollcon_body_set_nodes(body, 1, t, 3, 1), ROLLCON_ERR_STATE, "prepared");
   EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, cube.face[0].data(), 0, 1),
                ROLLCON_ERR_STATE, "prepared");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, nodes, 0, 9), ROLLCON_ERR_STATE,
+               "prepared");
   EXPECT_FAILS(rollcon_body_set_support(body, 1, nodes, 0, ROLLCON_DOF_X, nullptr),
                ROLLCON_ERR_STATE, "prepared");
   EXPECT_FAILS(rollcon_body_set_traction(body, 6, t), ROLLCON_ERR_STATE, "prepared");

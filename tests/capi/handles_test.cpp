@@ -68,6 +68,8 @@ void with_each_body_call(const void* handle, F&& check) {
   check("set_elastic", rollcon_body_set_elastic(b, 0, 1, 0.3));
   check("set_nodes", rollcon_body_set_nodes(b, 3, x, 3, 1));
   check("add_elements", rollcon_body_add_elements(b, ROLLCON_TRI3, 1, nodes, 0, 0));
+  check("tag_faces", rollcon_body_tag_faces(b, 3, nodes, nodes, 0, 0));
+  check("tag_faces_of_nodes", rollcon_body_tag_faces_of_nodes(b, 3, nodes, 0, 0));
   check("set_support", rollcon_body_set_support(b, 3, nodes, 0, ROLLCON_DOF_XYZ, nullptr));
   check("set_traction", rollcon_body_set_traction(b, 0, x));
   check("set_pressure", rollcon_body_set_pressure(b, 0, 1));

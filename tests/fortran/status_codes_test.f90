@@ -146,7 +146,11 @@ contains
     integer(rc_int) :: kind
     character(len=400) :: message
     call b%create(context, ROLLCON_BODY_FEM, stat)
-    call expect(stat, ROLLCON_ERR_UNSUPPORTED, 'finite elements')
+    if (rc_has_feature('fem')) then
+      call expect(stat, ROLLCON_OK, 'finite elements')
+    else
+      call expect(stat, ROLLCON_ERR_UNSUPPORTED, 'finite elements')
+    end if
     call b%create(context, 77_rc_int, stat)
     call expect(stat, ROLLCON_ERR_ARGUMENT, 'unknown kind of body')
     call b%create(context, ROLLCON_BODY_HALFSPACE)

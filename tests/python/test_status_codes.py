@@ -35,7 +35,10 @@ class StatusCodes(Scene):
         self.fails(rc.ERR_ARGUMENT, rc.Contact, self.context, self.sphere, body)
 
     def test_bodies(self):
-        self.fails(rc.ERR_UNSUPPORTED, rc.Body, self.context, rc.BODY_FEM)
+        if rc.has_feature("fem"):
+            self.assertEqual(rc.Body(self.context, rc.BODY_FEM).kind, rc.BODY_FEM)
+        else:
+            self.fails(rc.ERR_UNSUPPORTED, rc.Body, self.context, rc.BODY_FEM)
         self.fails(rc.ERR_ARGUMENT, rc.Body, self.context, 77)
         body = rc.Body(self.context, rc.BODY_HALFSPACE)
         self.assertEqual(body.kind, rc.BODY_HALFSPACE)

@@ -42,6 +42,12 @@ TRI6 = 206
 QUAD4 = 214
 QUAD8 = 218
 QUAD9 = 219
+TET4 = 304
+TET10 = 310
+WEDGE6 = 326
+WEDGE15 = 335
+HEX8 = 338
+HEX20 = 350
 
 # dof
 DOF_X = 1
@@ -154,6 +160,12 @@ FUNCTIONS = {
     "rollcon_body_add_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_int32), c_int32, c_int32]),
+    "rollcon_body_tag_faces": (c_int32, [
+        c_void_p, c_int64, POINTER(c_int32),
+        POINTER(c_int32), c_int32, c_int32]),
+    "rollcon_body_tag_faces_of_nodes": (c_int32, [
+        c_void_p, c_int64, POINTER(c_int32),
+        c_int32, c_int32]),
     "rollcon_body_set_support": (c_int32, [
         c_void_p, c_int64, POINTER(c_int32),
         c_int32, c_int32, POINTER(c_double)]),

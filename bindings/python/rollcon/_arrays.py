@@ -6,7 +6,10 @@ import numpy as np
 
 from . import _api
 
-_NODES = {_api.TRI3: 3, _api.TRI6: 6, _api.QUAD4: 4, _api.QUAD8: 8, _api.QUAD9: 9}
+_NODES = {_api.TRI3: 3, _api.TRI6: 6, _api.QUAD4: 4, _api.QUAD8: 8, _api.QUAD9: 9,
+          _api.TET4: 4, _api.TET10: 10, _api.WEDGE6: 6, _api.WEDGE15: 15, _api.HEX8: 8,
+          _api.HEX20: 20}
+VOLUME_TYPES = (_api.TET4, _api.TET10, _api.WEDGE6, _api.WEDGE15, _api.HEX8, _api.HEX20)
 
 
 def reals(values, columns=None):

@@ -4,13 +4,20 @@ import ctypes
 from ctypes import byref, c_double, c_int64
 
 from . import _api
-from ._arrays import elements, integers, nodes, reals, room, vector
+from ._arrays import VOLUME_TYPES, elements, integers, nodes, reals, room, vector
 from ._library import Handle, call, check, lib
 from ._settings import Settings
 
 
+def _list(values, what):
+    array, address = integers(values, what)
+    if array.ndim != 1:
+        raise ValueError(f"expected {what} of one dimension, got shape {array.shape}")
+    return array, address
+
+
 class Body(Settings, Handle):
-    """A body of a kind: BODY_BEM, BODY_HALFSPACE or BODY_RIGID."""
+    """A body of a kind: BODY_FEM, BODY_BEM, BODY_HALFSPACE or BODY_RIGID."""
 
     _kind = "body"
 
@@ -20,27 +27,48 @@ class Body(Settings, Handle):
         super().__init__(made.value, context)
 
     def set_elastic(self, young, poisson, tag=0):
-        """Young's modulus > 0 and Poisson's ratio in (-1, 0.5]."""
+        """Young's modulus > 0 and Poisson's ratio in (-1, 0.5]: of the finite elements with this
+        tag, or of the whole body."""
         self._call("set_elastic", tag, young, poisson)
 
     # -------------------------------------------------------------- mesh, supports and loads
 
     def set_nodes(self, x):
-        """Nodes x[n, 3] of the surface; forgets elements, supports, loads and contact faces."""
+        """Nodes x[n, 3] of the surface or, of finite elements, of the volume; forgets elements,
+        tags, supports, loads and contact faces."""
         x, layout = nodes(x)
         self._call("set_nodes", *layout)
 
-    def add_elements(self, element_type, connectivity, tag=1, index_base=0):
-        """Surface elements of one type, connectivity[n, nodes per element], normals outwards."""
+    def add_elements(self, element_type, connectivity, tag=None, index_base=0):
+        """Elements of one type, connectivity[n, nodes per element]. Surface elements (TRI3, ...),
+        normals outwards: tag 1 if None. Finite elements take volume elements (TET4, ...), whose
+        tag (0 if None) names their material, and surface elements, which give their tag to the
+        boundary faces with the same nodes."""
+        if tag is None:
+            tag = 0 if element_type in VOLUME_TYPES else 1
         ids, address = elements(element_type, connectivity)
         self._call("add_elements", element_type, len(ids), address, index_base, tag)
+
+    def tag_faces(self, element_numbers, faces, tag, index_base=0):
+        """Tags boundary faces of finite elements: faces[i] of volume element element_numbers[i],
+        in the order in which they were added. Faces that no call names have tag 0; later calls
+        win."""
+        numbers, at = _list(element_numbers, "element numbers")
+        faces, address = _list(faces, "faces")
+        if len(faces) != len(numbers):
+            raise ValueError(f"{len(faces)} faces for {len(numbers)} elements")
+        self._call("tag_faces", len(numbers), at, address, index_base, tag)
+
+    def tag_faces_of_nodes(self, ids, tag, index_base=0):
+        """Tags the faces all of whose nodes are given: boundary faces of finite elements, or the
+        surface elements added so far."""
+        ids, address = _list(ids, "node ids")
+        self._call("tag_faces_of_nodes", len(ids), address, index_base, tag)
 
     def set_support(self, ids, dof_mask=_api.DOF_XYZ, values=None, index_base=0):
         """Holds displacement components (a sum of DOF_X, DOF_Y, DOF_Z) of nodes, at zero or at
         values[n, 3]."""
-        ids, address = integers(ids, "node ids")
-        if ids.ndim != 1:
-            raise ValueError(f"expected node ids of one dimension, got shape {ids.shape}")
+        ids, address = _list(ids, "node ids")
         at = None
         if values is not None:
             values, at = reals(values, 3)

@@ -57,7 +57,8 @@ void for_packs(std::int64_t points, int threads, Work work) {
 
 System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
                const BodyOptions& options, int threads)
-    : mesh_(mesh),
+    : ResponseCache(mesh.surface),
+      mesh_(mesh),
       fans_(fans),
       shear_(young / (2 * (1 + poisson))),
       poisson_(poisson),
@@ -296,66 +297,29 @@ void System::condense(const BoundaryIntegrals& integrals, const std::vector<std:
   if (options_.keep_factors == 0) matrix_.release();
 }
 
-std::shared_ptr<const SurfaceRows> System::faces(std::span<const std::int64_t> face, int threads) {
-  const std::lock_guard lock(mutex_);
-  std::vector<std::int64_t> key(face.begin(), face.end());
-  if (const auto kept = kept_.find(key); kept != kept_.end()) return kept->second;
-  const SurfaceMesh& surface = mesh_.surface;
-  auto rows = std::make_shared<SurfaceRows>();
-  std::vector<std::int32_t> column_of_node(at(surface.nodes()), -1);
+void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
+  std::vector<std::int32_t> column_of_node(at(surface_.nodes()), -1);
+  for (std::size_t k = 0; k < rows.column.size(); ++k)
+    column_of_node[at(rows.column[k])] = static_cast<std::int32_t>(k);
+  std::vector<std::int32_t> g_column(surface_.connectivity.size(), -1);
   for (const std::int64_t e : face)
-    for (const std::int32_t k : surface.element(e)) column_of_node[at(k)] = 0;
-  std::vector<std::uint8_t> near(at(surface.nodes()), 0);
-  for (std::int64_t e = 0; e < surface.elements(); ++e) {
-    const auto nodes = surface.element(e);
-    if (std::any_of(nodes.begin(), nodes.end(),
-                    [&](std::int32_t k) { return column_of_node[at(k)] >= 0; }))
-      for (const std::int32_t k : nodes) near[at(k)] = 1;
-  }
-  for (std::int32_t k = 0; k < static_cast<std::int32_t>(surface.nodes()); ++k) {
-    if (near[at(k)]) rows->row.push_back(k);
-    if (column_of_node[at(k)] < 0) continue;
-    column_of_node[at(k)] = static_cast<std::int32_t>(rows->column.size());
-    rows->column.push_back(k);
-  }
-  std::vector<std::int32_t> g_column(surface.connectivity.size(), -1);
-  for (const std::int64_t e : face)
-    for (std::int64_t k = surface.offset[at(e)]; k < surface.offset[at(e) + 1]; ++k)
-      g_column[at(k)] = column_of_node[at(surface.connectivity[at(k)])];
-  condense(integrals_, g_column, true, *rows, threads);
-  return kept_.emplace(std::move(key), std::move(rows)).first->second;
+    for (std::int64_t k = surface_.offset[at(e)]; k < surface_.offset[at(e) + 1]; ++k)
+      g_column[at(k)] = column_of_node[at(surface_.connectivity[at(k)])];
+  condense(integrals_, g_column, true, rows, threads);
 }
 
-std::shared_ptr<const SurfaceRows> System::layer(const SurfaceMesh& layer,
-                                                 std::span<const std::int32_t> row, int threads) {
-  const std::lock_guard lock(mutex_);
-  // Both the pair's compliance and that of the body alone ask for it.
-  if (last_layer_rows_ && last_layer_.node == layer.node && last_layer_.type == layer.type &&
-      last_layer_.connectivity == layer.connectivity &&
-      std::equal(row.begin(), row.end(), last_layer_rows_->row.begin(),
-                 last_layer_rows_->row.end()))
-    return last_layer_rows_;
-  auto rows = std::make_shared<SurfaceRows>();
-  rows->row.assign(row.begin(), row.end());
-  rows->column.resize(at(layer.nodes()));
-  for (std::size_t k = 0; k < rows->column.size(); ++k)
-    rows->column[k] = static_cast<std::int32_t>(k);
+void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  condense(integrals, layer.connectivity, false, *rows, threads);
+  condense(integrals, layer.connectivity, false, rows, threads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
-  last_layer_rows_.reset();
-  last_layer_ = layer;
-  last_layer_rows_ = rows;
-  return rows;
 }
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   BodyStatistics s = statistics_;
   s.kernel_evaluations += integrals_.kernel_evaluations();
-  s.bytes = matrix_.bytes() + integrals_.bytes();
-  for (const auto& [face, rows] : kept_) s.bytes += rows->u.bytes();
-  if (last_layer_rows_) s.bytes += last_layer_rows_->u.bytes();
+  s.bytes = matrix_.bytes() + integrals_.bytes() + kept_bytes();
+  s.nonzeros = s.unknowns * s.unknowns;
   return s;
 }
 

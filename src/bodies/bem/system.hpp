@@ -2,34 +2,30 @@
 /// The algebraic system of a boundary-element body, H u = G t (58): assembled for its supports,
 /// factorised once, condensed to the surface nodes that contact needs. docs/theory.md, section 9.
 
-#include <map>
-#include <mutex>
-
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/body_mesh.hpp"
-#include "bodies/surface_response.hpp"
+#include "bodies/response_cache.hpp"
 #include "linalg/factored_matrix.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::bem {
 
-class System final : public SurfaceResponse {
+class System final : public ResponseCache {
  public:
   /// Assembles and factorises. The mesh (checked, held) and fans must outlive it. Throws
   /// err_singular and err_memory.
   System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
          const BodyOptions& options, int threads);
 
-  std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
-                                           int threads) override;
-  std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
-                                           std::span<const std::int32_t> row, int threads) override;
   std::span<const double> own_displacement() const override { return own_displacement_; }
   std::span<const double> own_traction() const override { return own_traction_; }
+  Resultant support_reaction() const override;
   BodyStatistics statistics() const override;
 
  private:
+  void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
+  void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
   void factorize(int threads);
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given,
@@ -54,11 +50,7 @@ class System final : public SurfaceResponse {
   std::vector<double> own_displacement_, own_traction_;
   bool own_solved_ = false;
 
-  mutable std::mutex mutex_;  ///< of what follows, and of matrix_ after construction
-  std::map<std::vector<std::int64_t>, std::shared_ptr<const SurfaceRows>> kept_;
-  SurfaceMesh last_layer_;
-  std::shared_ptr<const SurfaceRows> last_layer_rows_;
-  BodyStatistics statistics_;
+  BodyStatistics statistics_;  ///< mutex_ guards it, and matrix_ after construction
 };
 
 }  // namespace rollcon::bem

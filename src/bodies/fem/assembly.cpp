@@ -1,0 +1,243 @@
+#include "bodies/fem/assembly.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "mesh/quadrature.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon::fem {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Lower triangle by blocks of nodes: to each node its neighbours of higher number.
+struct NodePattern {
+  std::vector<std::int64_t> start;
+  std::vector<std::int32_t> neighbour;  ///< ascending
+};
+
+NodePattern node_pattern(const VolumeElements& volume, std::int64_t nodes) {
+  // Elements of each node.
+  std::vector<std::int64_t> first(at(nodes) + 1, 0);
+  for (const std::int32_t k : volume.connectivity) ++first[at(k) + 1];
+  for (std::size_t k = 0; k < at(nodes); ++k) first[k + 1] += first[k];
+  std::vector<std::int64_t> element(volume.connectivity.size()), next(first.begin(), first.end());
+  for (std::int64_t e = 0; e < volume.elements(); ++e)
+    for (const std::int32_t k : volume.element(e)) element[at(next[at(k)]++)] = e;
+
+  NodePattern pattern;
+  pattern.start.push_back(0);
+  std::vector<std::int32_t> around;
+  for (std::int64_t k = 0; k < nodes; ++k) {
+    around.clear();
+    for (std::int64_t i = first[at(k)]; i < first[at(k) + 1]; ++i)
+      for (const std::int32_t other : volume.element(element[at(i)]))
+        if (other > k) around.push_back(other);
+    std::sort(around.begin(), around.end());
+    around.erase(std::unique(around.begin(), around.end()), around.end());
+    pattern.neighbour.insert(pattern.neighbour.end(), around.begin(), around.end());
+    pattern.start.push_back(static_cast<std::int64_t>(pattern.neighbour.size()));
+  }
+  return pattern;
+}
+
+/// Where the entries of a node's columns stand: those with the node itself first, then neighbour
+/// by neighbour, free components only.
+class EntryPlaces {
+ public:
+  EntryPlaces(const NodePattern& pattern, const Unknowns& unknowns)
+      : pattern_(pattern), unknowns_(unknowns), before_(pattern.neighbour.size()) {
+    for (std::size_t k = 0; k + 1 < pattern.start.size(); ++k) {
+      std::int64_t sum = 0;
+      for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i) {
+        before_[at(i)] = sum;
+        sum += free_components(pattern.neighbour[at(i)]);
+      }
+    }
+  }
+
+  std::int64_t free_components(std::int64_t node) const {
+    std::int64_t n = 0;
+    for (std::size_t c = 0; c < 3; ++c) n += unknowns_.of[3 * at(node) + c] >= 0;
+    return n;
+  }
+  /// Entries of neighbour `other` (> node) start this far after those of the node itself.
+  std::int64_t before(std::int64_t node, std::int32_t other) const {
+    const auto begin = pattern_.neighbour.begin();
+    const auto found = std::lower_bound(begin + pattern_.start[at(node)],
+                                        begin + pattern_.start[at(node) + 1], other);
+    return before_[at(found - begin)];
+  }
+
+ private:
+  const NodePattern& pattern_;
+  const Unknowns& unknowns_;
+  std::vector<std::int64_t> before_;
+};
+
+SparseSymmetric empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) {
+  SparseSymmetric matrix;
+  matrix.n = unknowns.count;
+  matrix.start.push_back(0);
+  for (std::size_t k = 0; k + 1 < pattern.start.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (unknowns.of[3 * k + c] < 0) continue;
+      const auto add = [&](std::size_t node, std::size_t from) {
+        for (std::size_t d = from; d < 3; ++d)
+          if (unknowns.of[3 * node + d] >= 0) matrix.row.push_back(unknowns.of[3 * node + d]);
+      };
+      add(k, c);
+      for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i)
+        add(at(pattern.neighbour[at(i)]), 0);
+      matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+    }
+  matrix.value.assign(matrix.row.size(), 0.0);
+  return matrix;
+}
+
+void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes,
+             const Unknowns& unknowns, const EntryPlaces& places, SparseSymmetric& matrix) {
+  const std::size_t width = 3 * nodes.size();
+  for (std::size_t a = 0; a < nodes.size(); ++a)
+    for (std::size_t b = 0; b < nodes.size(); ++b) {
+      const std::int32_t node = nodes[a], other = nodes[b];
+      if (other < node) continue;
+      const std::int64_t before = other == node ? 0 : places.before(node, other);
+      std::int64_t own_left = places.free_components(node);
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::int64_t column = unknowns.of[3 * at(node) + c];
+        if (column < 0) continue;
+        std::int64_t place = matrix.start[at(column)];
+        if (other != node) place += own_left + before;
+        --own_left;
+        for (std::size_t d = other == node ? c : 0; d < 3; ++d)
+          if (unknowns.of[3 * at(other) + d] >= 0)
+            matrix.value[at(place++)] += k[(3 * a + c) * width + 3 * b + d];
+      }
+    }
+}
+
+}  // namespace
+
+Unknowns number_unknowns(const BodyMesh& mesh) {
+  Unknowns unknowns;
+  unknowns.of.assign(3 * mesh.held.size(), -1);
+  for (std::size_t k = 0; k < mesh.held.size(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!(mesh.held[k] >> c & 1)) unknowns.of[3 * k + c] = unknowns.count++;
+  return unknowns;
+}
+
+Assembly::Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8)
+    : mesh_(mesh), material_(std::move(material)), hex8_(hex8) {}
+
+void Assembly::element_matrix(std::int64_t e, std::vector<double>& k) const {
+  const auto nodes = mesh_.volume.element(e);
+  Vec3 x[max_volume_nodes];
+  for (std::size_t a = 0; a < nodes.size(); ++a) x[a] = mesh_.surface.node[at(nodes[a])];
+  k.resize(9 * nodes.size() * nodes.size());
+  const Material& material = material_[at(e)];
+  element_stiffness(mesh_.volume.type[at(e)], {x, nodes.size()}, material.poisson, k.data(), hex8_);
+  for (double& v : k) v *= material.young;
+}
+
+// Elements of one colour share no node: they may be added at the same time, and each entry gets its
+// parts in the order of the colours.
+std::vector<std::vector<std::int64_t>> Assembly::colours() const {
+  const VolumeElements& volume = mesh_.volume;
+  std::vector<std::vector<std::int64_t>> colour;
+  std::vector<std::uint64_t> used(mesh_.held.size(), 0);  // of each node: bits of up to 64 colours
+  std::vector<std::int64_t> rest;
+  for (std::int64_t e = 0; e < volume.elements(); ++e) {
+    std::uint64_t taken = 0;
+    for (const std::int32_t k : volume.element(e)) taken |= used[at(k)];
+    std::size_t c = 0;
+    while (c < 64 && taken >> c & 1) ++c;
+    if (c == 64) {
+      rest.push_back(e);  // a node of very many elements
+      continue;
+    }
+    for (const std::int32_t k : volume.element(e)) used[at(k)] |= std::uint64_t{1} << c;
+    if (colour.size() <= c) colour.resize(c + 1);
+    colour[c].push_back(e);
+  }
+  for (const std::int64_t e : rest) colour.push_back({e});
+  return colour;
+}
+
+SparseSymmetric Assembly::stiffness(const Unknowns& unknowns, int threads) const {
+  const NodePattern pattern =
+      node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
+  const EntryPlaces places(pattern, unknowns);
+  SparseSymmetric matrix = empty_matrix(pattern, unknowns);
+  std::exception_ptr failure;
+  for (const std::vector<std::int64_t>& elements : colours()) {
+    const auto count = static_cast<std::int64_t>(elements.size());
+#pragma omp parallel num_threads(threads) if (count > 64)
+    {
+      std::vector<double> k;
+#pragma omp for schedule(static)
+      for (std::int64_t i = 0; i < count; ++i) {
+        try {
+          element_matrix(elements[at(i)], k);
+          scatter(k, mesh_.volume.element(elements[at(i)]), unknowns, places, matrix);
+        } catch (...) {
+#pragma omp critical(rollcon_fem_assembly)
+          failure = std::current_exception();
+        }
+      }
+    }
+    if (failure) std::rethrow_exception(failure);
+  }
+  return matrix;
+}
+
+std::vector<double> Assembly::forces_at_supports(const std::vector<double>& u) const {
+  std::vector<double> force(u.size(), 0.0), k;
+  for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e) {
+    const auto nodes = mesh_.volume.element(e);
+    if (std::none_of(nodes.begin(), nodes.end(),
+                     [&](std::int32_t n) { return mesh_.held[at(n)] != 0; }))
+      continue;
+    element_matrix(e, k);
+    const std::size_t width = 3 * nodes.size();
+    for (std::size_t i = 0; i < width; ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j < width; ++j)
+        sum += k[i * width + j] * u[3 * at(nodes[j / 3]) + j % 3];
+      force[3 * at(nodes[i / 3]) + i % 3] += sum;
+    }
+  }
+  return force;
+}
+
+std::vector<double> Assembly::surface_loads(double reference) const {
+  std::vector<double> force(3 * mesh_.held.size(), 0.0);
+  constexpr int degree = 7;  // N_i times the vector area, a polynomial
+  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  Shape shape;
+  const SurfaceMesh& surface = mesh_.surface;
+  for (const FaceLoad& load : mesh_.load)
+    for (std::int64_t e = 0; e < surface.elements(); ++e) {
+      if (surface.tag[at(e)] != load.tag) continue;
+      const ElementType type = surface.type[at(e)];
+      const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+      const auto nodes = surface.element(e);
+      for (std::size_t q = 0; q < rule.size(); ++q) {
+        evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+        const SurfaceFrame there = evaluate_surface(surface, e, rule.xi[q], rule.eta[q]);
+        const Vec3 part = (rule.w[q] / reference) *
+                          (length(there.normal) * load.traction - load.pressure * there.normal);
+        for (std::size_t a = 0; a < nodes.size(); ++a)
+          for (std::size_t c = 0; c < 3; ++c)
+            force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];
+      }
+    }
+  return force;
+}
+
+}  // namespace rollcon::fem

@@ -1,0 +1,46 @@
+#pragma once
+/// The sparse stiffness matrix of a finite-element body and its loads, on the free displacement
+/// components. Everything is over one reference modulus, so that entries are lengths.
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "bodies/body_mesh.hpp"
+#include "bodies/fem/element_stiffness.hpp"
+#include "linalg/sparse_factor.hpp"
+
+namespace rollcon::fem {
+
+struct Unknowns {
+  std::vector<std::int64_t> of;  ///< of displacement component c of node k: [3 * k + c]; -1: held
+  std::int64_t count = 0;
+};
+Unknowns number_unknowns(const BodyMesh& mesh);
+
+struct Material {
+  double young = 0, poisson = 0;  ///< young over the reference
+};
+
+class Assembly {
+ public:
+  /// The mesh must outlive it. material: by element.
+  Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8);
+
+  /// Sums are taken in an order that does not depend on the number of threads.
+  SparseSymmetric stiffness(const Unknowns& unknowns, int threads) const;
+  /// Nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.
+  std::vector<double> forces_at_supports(const std::vector<double>& u) const;
+  /// Consistent nodal loads of the tractions and pressures given, over the reference modulus.
+  std::vector<double> surface_loads(double reference) const;
+
+ private:
+  std::vector<std::vector<std::int64_t>> colours() const;
+  void element_matrix(std::int64_t e, std::vector<double>& k) const;
+
+  const BodyMesh& mesh_;
+  std::vector<Material> material_;
+  Hex8 hex8_;
+};
+
+}  // namespace rollcon::fem

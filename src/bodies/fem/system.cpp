@@ -1,0 +1,282 @@
+#include "bodies/fem/system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "build_info.hpp"
+#include "linalg/blas_threads.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+
+namespace rollcon::fem {
+namespace {
+
+/// Contact faces with more unknowns wait for the frame, which mostly covers a part of them: the
+/// condensed matrix is dense.
+constexpr std::int64_t most_condensed_at_once = 6000;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
+  double most = 0;
+  for (const auto& [tag, m] : material) most = std::max(most, m.young);
+  return most;
+}
+
+std::vector<Material> by_element(const BodyMesh& mesh,
+                                 const std::map<std::int32_t, Elastic>& material,
+                                 double reference) {
+  std::vector<Material> result;
+  for (const std::int32_t tag : mesh.volume.tag) {
+    const Elastic& m = material.at(tag);
+    result.push_back({m.young / reference, m.poisson});
+  }
+  return result;
+}
+
+bool by_cholmod(const BodyOptions& options) {
+  constexpr int cholmod = 1, umfpack = 2;
+  if (options.factorization == cholmod) return true;
+  if (options.factorization == umfpack) return false;
+  return ROLLCON_BUILD_CHOLMOD != 0;
+}
+
+std::size_t bytes_of(const SparseSymmetric& matrix) {
+  return matrix.value.capacity() * sizeof(double) +
+         (matrix.row.capacity() + matrix.start.capacity()) * sizeof(std::int64_t);
+}
+
+/// The columns of a coupling: loads on nodes of the body under a unit traction.
+struct Column {
+  std::vector<std::pair<std::int32_t, double>> load;
+};
+
+std::vector<Column> columns_of(const SurfaceCoupling& coupling,
+                               const std::vector<std::int32_t>& column) {
+  std::vector<std::int32_t> number;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (number.size() <= at(column[k])) number.resize(at(column[k]) + 1, -1);
+    number[at(column[k])] = static_cast<std::int32_t>(k);
+  }
+  std::vector<Column> result(column.size());
+  for (std::size_t r = 0; r < coupling.node.size(); ++r)
+    for (std::int64_t i = coupling.start[r]; i < coupling.start[r + 1]; ++i)
+      result[at(number[at(coupling.column[at(i)])])].load.emplace_back(coupling.node[r],
+                                                                       coupling.value[at(i)]);
+  return result;
+}
+
+}  // namespace
+
+void require_support() {
+  if (ROLLCON_BUILD_CHOLMOD == 0 && ROLLCON_BUILD_UMFPACK == 0)
+    fail(Status::err_unsupported,
+         "kind is 1 (FEM); this build has neither CHOLMOD nor UMFPACK, which finite elements need");
+}
+
+System::System(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
+               const BodyOptions& options, int threads)
+    : ResponseCache(mesh.surface),
+      mesh_(mesh),
+      reference_(largest_modulus(material)),
+      options_(options),
+      assembly_(mesh, by_element(mesh, material, reference_),
+                options.hex8 == 0 ? Hex8::enhanced : Hex8::b_bar),
+      unknowns_(number_unknowns(mesh)) {
+  statistics_.unknowns = unknowns_.count;
+  const bool loaded = !mesh.load.empty() || std::any_of(mesh.held_value.begin(),
+                                                        mesh.held_value.end(), [](const Vec3& v) {
+                                                          return v != Vec3{0, 0, 0};
+                                                        });
+  std::vector<std::int64_t> contact = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
+  const bool few = static_cast<std::int64_t>(contact.size()) <= most_condensed_at_once;
+  if (few || loaded) factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
+}
+
+std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& node) const {
+  std::vector<std::int64_t> unknown;
+  for (const std::int32_t k : node)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const std::int64_t u = unknowns_.of[3 * at(k) + c]; u >= 0) unknown.push_back(u);
+  return unknown;
+}
+
+void System::factorize(std::vector<std::int64_t> condensed, int threads) {
+  const BlasThreads blas(threads);
+  factor_.reset();
+  if (matrix_.n == 0) {
+    const Stopwatch watch(statistics_.seconds_assembly);
+    matrix_ = assembly_.stiffness(unknowns_, threads);
+    ++statistics_.assemblies;
+  }
+  double seconds = 0;
+  try {
+    const Stopwatch watch(seconds);
+    factor_ = by_cholmod(options_) ? factor_by_cholmod(matrix_, condensed)
+                                   : factor_by_umfpack(matrix_, condensed, threads);
+  } catch (const ZeroPivot& pivot) {
+    const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
+    const auto place = found - unknowns_.of.begin();
+    fail(Status::err_singular,
+         "the stiffness of the finite-element body is singular at component %c of node %lld "
+         "(counting from %d): check its supports, its mesh and the ratio of its moduli",
+         "xyz"[place % 3], static_cast<long long>(place / 3) + surface_.index_base,
+         surface_.index_base);
+  }
+  ++statistics_.factorizations;
+  const SparseStatistics s = factor_->statistics();
+  statistics_.seconds_order += s.seconds_order;
+  statistics_.seconds_factor += seconds - s.seconds_order;
+  statistics_.nonzeros = s.nonzeros;
+  statistics_.condition = s.condition;
+  statistics_.condensed = static_cast<std::int64_t>(condensed.size());
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, bytes_of(matrix_) + s.peak_bytes);
+  condensed_ = std::move(condensed);
+  condensed_at_.assign(at(unknowns_.count), -1);
+  for (std::size_t k = 0; k < condensed_.size(); ++k)
+    condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
+  if (own_displacement_.empty()) solve_own_load();
+  // UMFPACK's factors serve each column of a frame; CHOLMOD's condensed block is all they need.
+  if (by_cholmod(options_)) factor_->keep_condensed();
+  if (options_.keep_factors == 0) matrix_ = {};
+}
+
+void System::solve_own_load() {
+  const bool moved =
+      std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+        return v != Vec3{0, 0, 0};
+      });
+  if (mesh_.load.empty() && !moved) return;
+  const std::vector<double> load = assembly_.surface_loads(reference_);
+  std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
+  for (std::size_t k = 0; k < u.size(); ++k)
+    if (unknowns_.of[k] < 0) u[k] = mesh_.held_value[k / 3][k % 3];
+  const std::vector<double> moved_force =
+      moved ? assembly_.forces_at_supports(u) : std::vector<double>(u.size(), 0.0);
+  for (std::size_t k = 0; k < u.size(); ++k)
+    if (unknowns_.of[k] >= 0) b[at(unknowns_.of[k])] = load[k] - moved_force[k];
+  factor_->solve(b.data(), 1);
+  if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
+    fail(Status::err_argument,
+         "the body's loads are too large for its elastic constants: its displacements overflow");
+  for (std::size_t k = 0; k < u.size(); ++k)
+    if (unknowns_.of[k] >= 0) u[k] = b[at(unknowns_.of[k])];
+  const std::vector<double> force = assembly_.forces_at_supports(u);
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    if (unknowns_.of[k] >= 0) continue;
+    Vec3 part{0, 0, 0};
+    part[k % 3] = reference_ * (force[k] - load[k]);
+    reaction_.force = reaction_.force + part;
+    reaction_.moment = reaction_.moment + cross(surface_.node[k / 3], part);
+  }
+  own_displacement_ = std::move(u);
+}
+
+void System::require_condensed(const std::vector<std::int32_t>& node, int threads) {
+  std::vector<std::int64_t> unknown = unknowns_at(node);
+  const bool there = factor_ && std::all_of(unknown.begin(), unknown.end(), [&](std::int64_t u) {
+                       return condensed_at_[at(u)] >= 0;
+                     });
+  if (!there) factorize(std::move(unknown), threads);
+}
+
+void System::condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int threads) {
+  std::vector<std::int32_t> node = coupling.node;
+  node.insert(node.end(), rows.row.begin(), rows.row.end());
+  std::sort(node.begin(), node.end());
+  node.erase(std::unique(node.begin(), node.end()), node.end());
+  require_condensed(node, threads);
+
+  const Stopwatch watch(statistics_.seconds_condense);
+  const BlasThreads blas(threads);
+  ++statistics_.condensations;
+  const std::vector<Column> column = columns_of(coupling, rows.column);
+  const std::size_t m = condensed_.size();
+  rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()),
+                3 * static_cast<std::int64_t>(column.size()));
+  constexpr std::size_t slab = 128;  // columns at a time
+  std::vector<double> b;
+  for (std::size_t first = 0; first < column.size(); first += slab) {
+    const std::size_t count = std::min(slab, column.size() - first);
+    b.assign(m * 3 * count, 0.0);
+    for (std::size_t k = 0; k < count; ++k)
+      for (const auto& [loaded, area] : column[first + k].load)
+        for (std::size_t c = 0; c < 3; ++c)
+          if (const std::int64_t u = unknowns_.of[3 * at(loaded) + c]; u >= 0)
+            b[(3 * k + c) * m + at(condensed_at_[at(u)])] += area / reference_;
+    factor_->solve_condensed(b.data(), static_cast<std::int64_t>(3 * count));
+    for (std::size_t r = 0; r < rows.row.size(); ++r)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::int64_t u = unknowns_.of[3 * at(rows.row[r]) + c];
+        double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c)) + 3 * first;
+        for (std::size_t k = 0; k < 3 * count; ++k)
+          out[k] = u >= 0 ? b[k * m + at(condensed_at_[at(u)])] : 0;
+      }
+  }
+  statistics_.peak_bytes =
+      std::max(statistics_.peak_bytes, bytes_of(matrix_) + factor_->statistics().bytes +
+                                           b.capacity() * sizeof(double) + rows.u.bytes());
+  if (options_.keep_factors == 0) factor_.reset();
+}
+
+void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
+  condense(couple_faces(surface_, face), rows, threads);
+}
+
+void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
+  const SurfaceCoupling coupling = couple_layer(surface_, contact_elements(mesh_), layer);
+  condense(coupling, rows, threads);
+  const BlasThreads blas(threads);
+  project(coupling, rows);
+}
+
+// M s = B t, with M of the faces whose nodes all feel the layer.
+void System::project(const SurfaceCoupling& coupling, SurfaceRows& rows) const {
+  std::vector<std::uint8_t> feels(at(surface_.nodes()), 0);
+  for (const std::int32_t k : coupling.node) feels[at(k)] = 1;
+  for (const std::int64_t e : contact_elements(mesh_)) {
+    const auto nodes = surface_.element(e);
+    if (std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return feels[at(k)] != 0; }))
+      rows.seen_face.push_back(e);
+  }
+  const SurfaceCoupling mass = couple_faces(surface_, rows.seen_face);
+  rows.seen_node = mass.node;
+  const auto n = static_cast<std::int64_t>(mass.node.size());
+  std::vector<std::int64_t> place(at(surface_.nodes()), -1);
+  for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
+  SparseSymmetric matrix;  // a symmetric matrix's rows are its columns
+  matrix.n = n;
+  matrix.start.push_back(0);
+  for (std::int64_t i = 0; i < n; ++i) {
+    for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
+      if (const std::int64_t j = place[at(mass.column[at(k)])]; j >= i) {
+        matrix.row.push_back(j);
+        matrix.value.push_back(mass.value[at(k)]);
+      }
+    matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+  }
+  const auto factor =
+      by_cholmod(options_) ? factor_by_cholmod(matrix, {}) : factor_by_umfpack(matrix, {});
+  const std::vector<Column> column = columns_of(coupling, rows.column);
+  rows.seen.resize(n, static_cast<std::int64_t>(column.size()));
+  std::vector<double> b(at(n));
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    std::fill(b.begin(), b.end(), 0.0);
+    for (const auto& [node, area] : column[k].load)
+      if (place[at(node)] >= 0) b[at(place[at(node)])] = area;
+    factor->solve(b.data(), 1);
+    for (std::int64_t i = 0; i < n; ++i) rows.seen.row(i)[k] = b[at(i)];
+  }
+}
+
+BodyStatistics System::statistics() const {
+  const std::lock_guard lock(mutex_);
+  BodyStatistics s = statistics_;
+  s.bytes = bytes_of(matrix_) + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
+  return s;
+}
+
+}  // namespace rollcon::fem

@@ -1,0 +1,56 @@
+#pragma once
+/// The algebraic system of a finite-element body, K u = M t (61): assembled on the free
+/// displacements, factorised once, condensed to the surface nodes that contact needs.
+/// docs/theory.md, section 10.
+
+#include <map>
+
+#include "bodies/body_mesh.hpp"
+#include "bodies/fem/assembly.hpp"
+#include "bodies/response_cache.hpp"
+#include "linalg/sparse_factor.hpp"
+#include "mesh/surface_coupling.hpp"
+
+namespace rollcon::fem {
+
+/// Throws err_unsupported when this build has no sparse factorisation.
+void require_support();
+
+class System final : public ResponseCache {
+ public:
+  /// Assembles, and factorises at once when the contact faces are few or the body has loads of its
+  /// own: else the first frame says what to condense to. The mesh (checked, held) must outlive it.
+  /// Throws err_singular, err_memory and err_unsupported.
+  System(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
+         const BodyOptions& options, int threads);
+
+  std::span<const double> own_displacement() const override { return own_displacement_; }
+  Resultant support_reaction() const override { return reaction_; }
+  BodyStatistics statistics() const override;
+
+ private:
+  void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
+  void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
+  void factorize(std::vector<std::int64_t> condensed, int threads);
+  void require_condensed(const std::vector<std::int32_t>& node, int threads);
+  std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
+  void solve_own_load();
+  void condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int threads);
+  void project(const SurfaceCoupling& coupling, SurfaceRows& rows) const;
+
+  const BodyMesh& mesh_;
+  double reference_ = 1;  ///< modulus
+  BodyOptions options_;
+  Assembly assembly_;
+  Unknowns unknowns_;
+  std::vector<double> own_displacement_;
+  Resultant reaction_;
+
+  SparseSymmetric matrix_;  ///< empty until needed, and once freed
+  std::unique_ptr<SparseFactor> factor_;
+  std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
+  std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none
+  BodyStatistics statistics_;
+};
+
+}  // namespace rollcon::fem

@@ -1,0 +1,114 @@
+#include "bodies/remainder_compliance.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "bodies/halfspace/halfspace.hpp"
+#include "linalg/lapack.hpp"
+#include "mesh/turned_over.hpp"
+
+namespace rollcon {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// The faces that feel the layer as a frame; they look out of body 1.
+Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
+                     const SurfaceRows& rows) {
+  const SurfaceMesh& surface = pair.body[at(which)]->mesh().surface;
+  std::vector<std::int32_t> number(at(surface.nodes()), -1);
+  SurfaceMesh faces;
+  faces.offset.push_back(0);
+  for (std::size_t i = 0; i < rows.seen_node.size(); ++i) {
+    number[at(rows.seen_node[i])] = static_cast<std::int32_t>(i);
+    faces.node.push_back(pair.pose[at(which)].place(surface.node[at(rows.seen_node[i])]));
+  }
+  for (const std::int64_t e : rows.seen_face) {
+    faces.type.push_back(surface.type[at(e)]);
+    faces.tag.push_back(0);
+    for (const std::int32_t k : surface.element(e)) faces.connectivity.push_back(number[at(k)]);
+    faces.offset.push_back(static_cast<std::int64_t>(faces.connectivity.size()));
+  }
+  if (which == 1) turn_over(faces);
+  return build_frame(std::move(faces), frame.axes);
+}
+
+class RemainderCompliance final : public Compliance {
+ public:
+  RemainderCompliance(const Frame& frame, const PairOfBodies& pair, int which,
+                      const SurfaceRows& rows, double accuracy, int threads)
+      : rows_(rows), faces_(frame_of_faces(frame, pair, which, rows)) {
+    const Body& body = *pair.body[at(which)];
+    const HalfspaceConstants constants =
+        halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
+    on_layer_ = make_halfspace_compliance(frame, constants, accuracy, threads);
+    on_faces_ = make_halfspace_compliance(faces_, constants, accuracy, threads);
+  }
+
+  std::int64_t nodes() const override { return on_layer_->nodes(); }
+  bool couples() const override { return on_layer_->couples(); }
+  void block(Points points, const ComplianceBlock& out) const override;
+  void apply(Points points, const double* traction, double* displacement) const override;
+  void set_threads(int threads) override {
+    on_layer_->set_threads(threads);
+    on_faces_->set_threads(threads);
+  }
+  std::int64_t kernel_evaluations() const override {
+    return on_layer_->kernel_evaluations() + on_faces_->kernel_evaluations();
+  }
+  std::size_t bytes() const override { return on_layer_->bytes() + on_faces_->bytes(); }
+
+ private:
+  const SurfaceRows& rows_;
+  Frame faces_;
+  std::unique_ptr<Compliance> on_layer_, on_faces_;
+};
+
+void RemainderCompliance::block(Points points, const ComplianceBlock& out) const {
+  on_layer_->block(points, out);
+  const std::int64_t n = rows_.seen.rows();
+  std::vector<double> buffer[3][3];
+  ComplianceBlock felt;
+  felt.stride = static_cast<std::ptrdiff_t>(n);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (out.a[i][j]) {
+        buffer[i][j].assign(points.size() * at(n), 0.0);
+        felt.a[i][j] = buffer[i][j].data();
+      }
+  on_faces_->block(points, felt);
+  // out -= felt * seen, row-major: the transposes of column-major matrices.
+  const int layer = static_cast<int>(rows_.seen.columns()), count = static_cast<int>(points.size()),
+            faces = static_cast<int>(n), stride = static_cast<int>(out.stride);
+  const double minus = -1, one = 1;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      if (out.a[i][j])
+        dgemm_("N", "N", &layer, &count, &faces, &minus, rows_.seen.data(), &layer,
+               buffer[i][j].data(), &faces, &one, out.a[i][j], &stride);
+}
+
+void RemainderCompliance::apply(Points points, const double* traction, double* displacement) const {
+  on_layer_->apply(points, traction, displacement);
+  const std::int64_t n = rows_.seen.rows();
+  std::vector<double> felt(3 * at(n), 0.0), u(3 * points.size());
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double* share = rows_.seen.row(i);
+    for (std::int64_t k = 0; k < rows_.seen.columns(); ++k)
+      for (std::size_t c = 0; c < 3; ++c) felt[3 * at(i) + c] += share[k] * traction[3 * at(k) + c];
+  }
+  on_faces_->apply(points, felt.data(), u.data());
+  for (std::size_t k = 0; k < u.size(); ++k) displacement[k] -= u[k];
+}
+
+}  // namespace
+
+std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
+                                                      int which, const SurfaceRows& rows,
+                                                      double accuracy, int threads) {
+  return std::make_unique<RemainderCompliance>(frame, pair, which, rows, accuracy, threads);
+}
+
+}  // namespace rollcon

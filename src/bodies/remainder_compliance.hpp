@@ -1,0 +1,21 @@
+#pragma once
+/// What a finite-element body does not feel of the tractions on a layer: they act on it through
+/// their projection on its own faces. The rest has no resultant on any face and moves the surface
+/// near it alone, as it does a half-space's (docs/theory.md, section 10).
+
+#include <memory>
+
+#include "bodies/compliance.hpp"
+#include "bodies/contact_surface.hpp"
+#include "bodies/surface_response.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+/// Displacement, as part of u1 - u2, of a half-space of the body's constants under the tractions
+/// less their projection. frame and rows (which must have a projection) must outlive it.
+std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
+                                                      int which, const SurfaceRows& rows,
+                                                      double accuracy, int threads);
+
+}  // namespace rollcon

@@ -1,0 +1,305 @@
+/// Finite-element bodies loaded and in contact through the public interface: closed forms, options,
+/// counters, many threads.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+#include "fem_fixture.hpp"
+
+using namespace capi_test;
+
+class fem_contact : public FemApi {
+ protected:
+  /// Cube whose lower half has material tag 1 and whose upper half tag 2; the top has tag 6.
+  void set_two_materials(double lower, double upper, double nu) {
+    ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
+    ASSERT_EQ(add_layers(0, box.n / 2, 1), ROLLCON_OK);
+    ASSERT_EQ(add_layers(box.n / 2, box.n, 2), ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_set_elastic(body, 1, lower, nu), ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_set_elastic(body, 2, upper, nu), ROLLCON_OK);
+    ASSERT_EQ(tag_top(6), ROLLCON_OK);
+  }
+
+  /// Held at the bottom, for rolling on its top.
+  void set_block(int per_edge) {
+    box = BoxVolume(per_edge);
+    set_two_materials(young, young, poisson);
+    ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  }
+
+  rollcon_contact* press(rollcon_context* own, double curvature, double approach, double mu) {
+    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
+    rollcon_contact* c = nullptr;
+    EXPECT_EQ(rollcon_contact_create(own, body, plane, &c), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK) << error();
+    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * curvature, 0.5 * curvature, 0),
+              ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach),
+              ROLLCON_OK);
+    return c;
+  }
+
+  /// A rigid sphere of radius 1 that rolls with creepage.
+  rollcon_contact* roll(rollcon_context* own) {
+    rollcon_contact* c = press(own, 1, 0.06, 0.3);
+    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
+    return c;
+  }
+
+  /// A frame within the top whose nodes are not the body's.
+  static void lay_frame(rollcon_contact* c) {
+    const SquareFrame inner(7, 0.4);
+    std::vector<double> x = inner.x;
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] += i % 3 == 2 ? 1 : 0.5;
+    ASSERT_EQ(rollcon_contact_set_frame_nodes(c, inner.nodes, x.data(), 3, 1), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, inner.elements,
+                                                 inner.connectivity.data(), 0, 0),
+              ROLLCON_OK);
+  }
+
+  std::array<double, 3> solved_force(rollcon_contact* c) {
+    std::array<double, 3> force{};
+    EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK) << error();
+    EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr), ROLLCON_OK);
+    return force;
+  }
+
+  static void expect_same(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                          double relative, const char* what) {
+    double error = 0;
+    for (std::size_t c = 0; c < 3; ++c) error = std::max(error, std::abs(a[c] - b[c]));
+    const double bound = relative * std::abs(b[2]);
+    std::printf("%s: force (%g, %g, %g), difference %.2e, bound %.2e\n", what, a[0], a[1], a[2],
+                error, bound);
+    EXPECT_LE(error, bound);
+    EXPECT_LT(b[2], 0);
+  }
+
+  /// u = stress / E (-nu x, -nu y, z), force and moment of the supports.
+  void expect_uniaxial(double stress, const double (&force)[3], const double (&moment)[3]) {
+    std::vector<double> u(box.x.size());
+    double f[3], m[3], error = 0, reaction_error = 0;
+    ASSERT_EQ(rollcon_body_get_displacements(body, box.nodes(), u.data()), ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_get_reaction(body, f, m), ROLLCON_OK);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const double exact = stress / young * (i % 3 == 2 ? box.x[i] : -poisson * box.x[i]);
+      error = std::max(error, std::abs(u[i] - exact));
+    }
+    for (int c = 0; c < 3; ++c)
+      reaction_error =
+          std::max({reaction_error, std::abs(f[c] - force[c]), std::abs(m[c] - moment[c])});
+    const double bound = 1e-11 * stress / young, reaction_bound = 1e-10;
+    std::printf("uniaxial stress: error %.2e, bound %.2e; reaction: error %.2e, bound %.2e\n",
+                error, bound, reaction_error, reaction_bound);
+    EXPECT_LE(error, bound);
+    EXPECT_LE(reaction_error, reaction_bound);
+  }
+};
+
+TEST_F(fem_contact, tension_by_traction_and_pressure) {
+  const double t[3] = {0, 0, 3};
+  set_two_materials(young, young, poisson);
+  hold_freely();
+  ASSERT_EQ(rollcon_body_set_traction(body, 6, t), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_pressure(body, 6, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
+  expect_uniaxial(2, {0, 0, -2}, {-1, 1, 0});
+}
+
+TEST_F(fem_contact, tension_by_given_displacements) {
+  set_two_materials(young, young, poisson);
+  hold_freely();
+  const std::vector<std::int32_t> top = box.nodes_at(2, 1);
+  std::vector<double> values(3 * top.size(), std::nan(""));
+  for (std::size_t i = 0; i < top.size(); ++i) values[3 * i + 2] = 2 / young;
+  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(top.size()), top.data(), 0,
+                                     ROLLCON_DOF_Z, values.data()),
+            ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
+  expect_uniaxial(2, {0, 0, 0}, {0, 0, 0});
+}
+
+// Two springs in series: without friction and lateral contraction the stress is uniform.
+TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
+  const double approach = 0.03, lower = 200, upper = 100;
+  set_two_materials(lower, upper, 0);
+  hold_freely();
+  ASSERT_EQ(rollcon_body_set_int(body, "between_nodes", 1), ROLLCON_OK);
+  rollcon_contact* c = press(context, 0, approach, 0);
+  const std::array<double, 3> force = solved_force(c);
+  const double exact = -approach / (0.5 / lower + 0.5 / upper);  // -4
+  expect_same(force, {0, 0, exact}, 1e-9, "springs in series");
+  rollcon_contact_release(c);
+}
+
+TEST_F(fem_contact, frames_of_faces_before_and_after_preparation) {
+  set_block(4);
+  rollcon_contact *before = roll(context), *after = nullptr;
+  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
+  after = roll(context);
+  expect_same(solved_force(before), solved_force(after), 0, "frame taken before preparation");
+  EXPECT_FAILS(rollcon_contact_frame_from_body(after, 1, 9), ROLLCON_ERR_ARGUMENT, "tag is 9");
+  rollcon_contact_release(before);
+  rollcon_contact_release(after);
+}
+
+TEST_F(fem_contact, frames_stay_on_faces_that_get_other_numbers) {
+  set_block(4);
+  rollcon_contact* usual = roll(context);
+  const std::array<double, 3> force = solved_force(usual);
+  rollcon_contact_release(usual);
+  rollcon_body_release(body);
+  // The upper half first: its lower faces vanish, and all others get other numbers, once the other
+  // half is there.
+  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
+  ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
+  ASSERT_EQ(add_layers(2, 4, 0), ROLLCON_OK);
+  ASSERT_EQ(tag_nodes_at(2, 1, 6), ROLLCON_OK);
+  rollcon_contact* early = roll(context);
+  ASSERT_EQ(add_layers(0, 2, 0), ROLLCON_OK);
+  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  expect_same(solved_force(early), force, 1e-9, "frame taken of half a body");
+  rollcon_contact_release(early);
+}
+
+TEST_F(fem_contact, both_factorisations_agree_and_missing_ones_are_refused) {
+  std::vector<std::array<double, 3>> force;
+  const std::array<const char*, 3> feature{"fem", "cholmod", "umfpack"},
+      library{"", "CHOLMOD", "UMFPACK"};
+  for (std::size_t which = 0; which < 3; ++which) {
+    rollcon_body_release(body);
+    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+    set_block(4);
+    ASSERT_EQ(rollcon_body_set_int(body, "factorization", static_cast<std::int64_t>(which)),
+              ROLLCON_OK);
+    if (!rollcon_has_feature(feature[which])) {
+      EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, library[which]);
+      ASSERT_EQ(rollcon_body_set_int(body, "factorization", 0), ROLLCON_OK);
+    }
+    rollcon_contact* c = roll(context);
+    force.push_back(solved_force(c));
+    rollcon_contact_release(c);
+    expect_same(force.back(), force.front(), 1e-9, feature[which]);
+    EXPECT_EQ(statistic("factorizations"), 1) << feature[which];
+  }
+}
+
+TEST_F(fem_contact, statistics) {
+  set_block(4);
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
+  const auto unknowns = static_cast<double>(3 * (box.nodes() - 25));
+  EXPECT_EQ(statistic("unknowns"), unknowns);
+  EXPECT_EQ(statistic("condensations"), 0);
+  rollcon_contact* c = roll(context);
+  solved_force(c);
+  for (const char* name : {"assemblies", "factorizations", "condensations"})
+    EXPECT_EQ(statistic(name), 1) << name;
+  EXPECT_GE(statistic("condensed_unknowns"), 3 * 25) << "those of the frame at least";
+  EXPECT_LE(statistic("condensed_unknowns"), unknowns);
+  EXPECT_GE(statistic("factor_nonzeros"), unknowns);
+  EXPECT_GT(statistic("seconds_factor"), 0);
+  EXPECT_GE(statistic("seconds_order"), 0);
+  EXPECT_GE(statistic("bytes"), 8.0 * 75 * 75);
+  EXPECT_GE(statistic("peak_bytes"), statistic("bytes"));
+  EXPECT_EQ(statistic("kernel_evaluations"), 0) << "no boundary integrals";
+  for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
+    char name[32];
+    ASSERT_EQ(rollcon_body_stat_name(i, sizeof name, name, nullptr), ROLLCON_OK);
+    EXPECT_TRUE(std::isfinite(statistic(name))) << name;
+  }
+  ASSERT_EQ(rollcon_contact_set_creep(c, 2e-2, 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  EXPECT_EQ(statistic("condensations"), 1) << "new creepages need none";
+  rollcon_contact_release(c);
+}
+
+TEST_F(fem_contact, without_factors_another_frame_gives_the_same) {
+  std::vector<std::array<double, 3>> force;
+  for (const std::int64_t keep : {1, 0}) {
+    rollcon_body_release(body);
+    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+    set_block(8);
+    ASSERT_EQ(rollcon_body_set_int(body, "keep_factors", keep), ROLLCON_OK);
+    rollcon_contact* c = roll(context);
+    force.push_back(solved_force(c));
+    lay_frame(c);
+    force.push_back(solved_force(c));
+    EXPECT_EQ(statistic("condensations"), 2);
+    rollcon_contact_release(c);
+  }
+  expect_same(force[2], force[0], 1e-12, "factors not kept, first frame");
+  expect_same(force[3], force[1], 1e-12, "factors not kept, second frame");
+  expect_same(force[1], force[0], 0.1, "the second frame instead of the first");
+}
+
+TEST_F(fem_contact, settings_of_the_discretisation_change_the_result_a_little) {
+  const std::array<std::pair<const char*, std::int64_t>, 3> setting{
+      {{"hex8", 0}, {"hex8", 1}, {"between_nodes", 1}}};
+  std::vector<std::array<double, 3>> force;
+  for (const auto& [name, value] : setting) {
+    rollcon_body_release(body);
+    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+    set_block(8);
+    ASSERT_EQ(rollcon_body_set_int(body, name, value), ROLLCON_OK);
+    rollcon_contact* c = roll(context);
+    lay_frame(c);
+    force.push_back(solved_force(c));
+    rollcon_contact_release(c);
+  }
+  for (std::size_t i = 1; i < 3; ++i) {
+    expect_same(force[i], force[0], 0.1, setting[i].first);
+    EXPECT_GT(std::abs(force[i][2] - force[0][2]), 1e-6 * std::abs(force[0][2]))
+        << setting[i].first << " is not ignored";
+  }
+}
+
+TEST_F(fem_contact, one_body_is_factorised_once_for_contacts_in_many_threads) {
+  const int contacts = 3;
+  set_block(5);
+  std::vector<std::array<double, 3>> force(contacts);
+  std::vector<std::thread> pool;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    pool.emplace_back([&, i] {
+      rollcon_context* own = nullptr;
+      rollcon_context_create(ROLLCON_ABI, &own);
+      rollcon_context_set_threads(own, 1);
+      rollcon_contact* c = roll(own);
+      EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
+                ROLLCON_OK);
+      rollcon_contact_release(c);
+      rollcon_context_release(own);
+    });
+  }
+  for (std::thread& t : pool) t.join();
+  EXPECT_LT(force[0][2], 0);
+  for (const auto& f : force)
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
+  for (const char* name : {"assemblies", "factorizations", "condensations"})
+    EXPECT_EQ(statistic(name), 1) << name;
+}
+
+TEST_F(fem_contact, a_body_held_all_over_carries_no_frame) {
+  set_block(2);
+  ASSERT_EQ(hold(counting(box.nodes()), ROLLCON_DOF_XYZ), ROLLCON_OK);
+  rollcon_contact* c = roll(context);
+  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
+  rollcon_contact_release(c);
+}
+
+TEST_F(fem_contact, a_contact_whose_body_failed_is_solved_once_it_is_mended) {
+  set_block(4);
+  ASSERT_EQ(rollcon_body_set_elastic(body, 2, young, 0.5), ROLLCON_OK);
+  rollcon_contact* c = roll(context);
+  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_UNSUPPORTED, "body 1", "element 32",
+               "poisson 0.5");
+  ASSERT_EQ(rollcon_body_set_elastic(body, 2, young, poisson), ROLLCON_OK);
+  solved_force(c);
+  rollcon_contact_release(c);
+}
