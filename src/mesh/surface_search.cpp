@@ -21,10 +21,6 @@ namespace {
 namespace geometry = boost::geometry;
 using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
 
-Corner corner(const Vec3& x) {
-  return {x[0], x[1], x[2]};
-}
-
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Over an element's size: how far beyond its edge it is still hit, and how far apart along the
@@ -107,20 +103,30 @@ struct SurfaceSearch::Tree {
   Index index;
   Box all;
   double near = 0;  ///< some sizes of a cell
+  // The library's comparisons have tolerances of their own, made for coordinates of order one.
+  Vec3 middle{0, 0, 0};
+  double scale = 1;
 
   Tree(const SurfaceMesh& of, std::span<const std::int64_t> elements) : mesh(&of) {
     if (elements.empty())
       for (std::int64_t e = 0; e < of.elements(); ++e) add(e);
     else
       for (std::int64_t e : elements) add(e);
-    std::vector<Boxed> boxed;
-    boxed.reserve(cell.size());
     for (const Cell& c : cell) {
-      boxed.emplace_back(geometry::model::box<Corner>(corner(c.box.low), corner(c.box.high)),
-                         static_cast<std::uint32_t>(boxed.size()));
       all.add(c.box);
       near += 2 * length(c.box.high - c.box.low) / static_cast<double>(cell.size());
     }
+    if (!cell.empty()) {
+      middle = 0.5 * all.low + 0.5 * all.high;
+      const Vec3 half = all.high - middle;
+      const double most = std::max({half[0], half[1], half[2]});
+      if (most > 0) scale = std::exp2(-std::ilogb(most));
+    }
+    std::vector<Boxed> boxed;
+    boxed.reserve(cell.size());
+    for (const Cell& c : cell)
+      boxed.emplace_back(geometry::model::box<Corner>(corner(c.box.low), corner(c.box.high)),
+                         static_cast<std::uint32_t>(boxed.size()));
     index = Index(boxed);  // packed
   }
 
@@ -138,6 +144,11 @@ struct SurfaceSearch::Tree {
       }
       cell.push_back(c);
     }
+  }
+
+  Corner corner(const Vec3& x) const {
+    const Vec3 r = scale * (x - middle);
+    return {r[0], r[1], r[2]};
   }
 
   /// Cells whose box meets the geometry and whose bound(box) is at most `most`, nearest first.
@@ -271,7 +282,7 @@ SurfacePoint SurfaceSearch::nearest(const Vec3& point) const {
 void SurfaceSearch::near(const Vec3& low, const Vec3& high,
                          std::vector<std::int64_t>& element) const {
   element.clear();
-  const geometry::model::box<Corner> box(corner(low), corner(high));
+  const geometry::model::box<Corner> box(tree_->corner(low), tree_->corner(high));
   for (const auto& [zero, c] : tree_->meeting(box, 0, [](const Box&) { return 0.0; }))
     element.push_back(tree_->cell[c].element);
   std::sort(element.begin(), element.end());

@@ -139,8 +139,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   for (std::size_t k = 0; k < condensed_.size(); ++k)
     condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
   if (own_displacement_.empty()) solve_own_load();
-  // UMFPACK's factors serve each column of a frame; CHOLMOD's condensed block is all they need.
-  if (by_cholmod(options_)) factor_->keep_condensed();
+  factor_->keep_condensed();
   if (options_.keep_factors == 0) matrix_ = {};
 }
 
