@@ -1,5 +1,5 @@
-/* Surface meshes of bodies for the examples: the boundary of a block that is divided like a grid
-   and then bent into a ring, the rim of a wheel, ... */
+/* Meshes of bodies for the examples: a block that is divided like a grid and then bent into a ring,
+   the rim of a wheel, ...: its surface alone, or filled with hexahedra. */
 #ifndef BODY_MESH_H
 #define BODY_MESH_H
 
@@ -19,6 +19,9 @@ typedef struct {
   double (*x)[3];
   int32_t* id; /* nodes of the elements, one element after the other; normals point outwards */
   int first[MOST_TAGS + 1];
+  int32_t solid_type; /* of the inside: ROLLCON_HEX8 or HEX20, 0: the surface alone */
+  int per_cell, cells;
+  int32_t* cell; /* nodes of the hexahedra; NULL: none */
 } body_mesh;
 
 /* What is meshed. The block is [line[0][0], line[0][n[0]]] x ... in coordinates q. */
@@ -37,9 +40,10 @@ typedef struct {
 static void free_body_mesh(body_mesh* m) {
   free(m->x);
   free(m->id);
+  free(m->cell);
   m->x = NULL;
-  m->id = NULL;
-  m->nodes = m->elements = 0;
+  m->id = m->cell = NULL;
+  m->nodes = m->elements = m->cells = 0;
 }
 
 /* Value of q[axis] on half line h: on line h / 2, or between two lines. */
@@ -89,20 +93,47 @@ static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, i
   }
 }
 
-/* type: ROLLCON_QUAD4, QUAD8 or QUAD9. Returns 0 when there is not enough memory. */
+/* The hexahedron at place i of the grid. */
+static void add_grid_cell(body_mesh* m, const body_grid* g, int32_t* known, const int i[3]) {
+  static const int place[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
+                                   {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}, {2, 1, 0},
+                                   {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2},
+                                   {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+  int32_t* id = m->cell + m->cells++ * m->per_cell;
+  int k, c, at[3];
+  for (k = 0; k < m->per_cell; ++k) {
+    for (c = 0; c < 3; ++c) at[c] = 2 * i[c] + place[k][c];
+    id[k] = grid_node(m, g, known, at);
+  }
+}
+
+static void fill_grid(body_mesh* m, const body_grid* g, int32_t* known) {
+  int i[3];
+  for (i[0] = 0; i[0] < g->n[0]; ++i[0])
+    for (i[1] = 0; i[1] < g->n[1]; ++i[1])
+      for (i[2] = 0; i[2] < g->n[2]; ++i[2]) add_grid_cell(m, g, known, i);
+}
+
+/* type: ROLLCON_QUAD4, QUAD8 or QUAD9 for the surface alone, ROLLCON_HEX8 or HEX20 for a solid,
+   whose surface is meshed by QUAD4 or QUAD8. Returns 0 when there is not enough memory. */
 static int make_grid_mesh(body_mesh* m, const body_grid* g, int32_t type) {
   const int* n = g->n;
+  const int solid = type == ROLLCON_HEX8 || type == ROLLCON_HEX20;
   const size_t most_elements =
       2 * ((size_t)n[0] * (size_t)n[1] + (size_t)n[1] * (size_t)n[2] + (size_t)n[2] * (size_t)n[0]);
   const size_t points = (size_t)(2 * n[0] + 1) * (size_t)(2 * n[1] + 1) * (size_t)(2 * n[2] + 1);
+  const size_t most_cells = solid ? (size_t)n[0] * (size_t)n[1] * (size_t)n[2] : 0;
   int32_t* known = (int32_t*)calloc(points, sizeof *known);
   int tag, face, i, j;
-  m->type = type;
-  m->per_element = type == ROLLCON_QUAD4 ? 4 : type == ROLLCON_QUAD8 ? 8 : 9;
-  m->nodes = m->elements = 0;
-  m->x = (double(*)[3])malloc((4 * most_elements + 2) * sizeof *m->x);
+  m->type = type == ROLLCON_HEX8 ? ROLLCON_QUAD4 : type == ROLLCON_HEX20 ? ROLLCON_QUAD8 : type;
+  m->per_element = m->type == ROLLCON_QUAD4 ? 4 : m->type == ROLLCON_QUAD8 ? 8 : 9;
+  m->solid_type = solid ? type : 0;
+  m->per_cell = type == ROLLCON_HEX8 ? 8 : 20;
+  m->nodes = m->elements = m->cells = 0;
+  m->x = (double(*)[3])malloc((solid ? points : 4 * most_elements + 2) * sizeof *m->x);
   m->id = (int32_t*)malloc(most_elements * (size_t)m->per_element * sizeof *m->id);
-  if (known == NULL || m->x == NULL || m->id == NULL) {
+  m->cell = solid ? (int32_t*)malloc(most_cells * (size_t)m->per_cell * sizeof *m->cell) : NULL;
+  if (known == NULL || m->x == NULL || m->id == NULL || (solid && m->cell == NULL)) {
     free(known);
     free_body_mesh(m);
     return 0;
@@ -115,6 +146,7 @@ static int make_grid_mesh(body_mesh* m, const body_grid* g, int32_t type) {
           if (grid_tag(g, face, i, j) == tag) add_grid_element(m, g, known, face, i, j);
   }
   m->first[MOST_TAGS] = m->elements;
+  if (solid) fill_grid(m, g, known);
   free(known);
   return 1;
 }

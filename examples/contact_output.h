@@ -175,11 +175,13 @@ static void write_body(const body_mesh* m, const double rotation[9], const doubl
   fclose(file);
 }
 
-/* Hands a mesh over to a body, faces by tags, and holds the nodes of some tags. */
+/* Hands a mesh over to a body, faces by tags, and holds the nodes of some tags. The inside of a
+   solid has tag 0. */
 static void give_mesh(rollcon_body* body, const body_mesh* m, int held_tags, const int* held) {
   int32_t* list = (int32_t*)malloc((size_t)m->nodes * sizeof *list);
   int tag, i;
   must(rollcon_body_set_nodes(body, m->nodes, &m->x[0][0], 3, 1));
+  if (m->cells > 0) must(rollcon_body_add_elements(body, m->solid_type, m->cells, m->cell, 0, 0));
   for (tag = 1; tag < MOST_TAGS; ++tag) {
     const int count = m->first[tag + 1] - m->first[tag];
     if (count > 0)

@@ -44,8 +44,8 @@ static void ring_position(const double q[3], const void* shape, double x[3]) {
   x[2] = q[2] * cos(q[0]);
 }
 
-/* type: ROLLCON_QUAD4, QUAD8 or QUAD9; all nodes lie on the ring itself. Returns 0 when there is
-   not enough memory. */
+/* type: ROLLCON_QUAD4, QUAD8, QUAD9, or of a solid HEX8, HEX20; all nodes of the surface lie on the
+   ring itself. Returns 0 when there is not enough memory. */
 static int make_ring_mesh(body_mesh* m, const ring_shape* r, int32_t type) {
   static const int32_t tag[6] = {6, 7, 4, 5, 3, 1};
   const double pi = acos(-1.0), depth = r->outer - r->inner;

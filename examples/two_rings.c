@@ -9,6 +9,7 @@
    two_rings.vtu for ParaView and text files that plot_rings.gp draws. Units: mm, N, s; so MPa, mW.
  */
 #include "contact_output.h"
+#include "frame_line.h"
 #include "ring_mesh.h"
 
 static const double radius = 50, width = 8, young = 1e4, poisson = 0.3, mu = 0.1;
@@ -20,43 +21,10 @@ static frame_results r;
 
 /* ------------------------------------------------------------------------------------- Table */
 
-typedef struct {
-  double x, p;
-} section_point;
-
-static int by_x(const void* a, const void* b) {
-  const double xa = ((const section_point*)a)->x, xb = ((const section_point*)b)->x;
-  return (xa > xb) - (xa < xb);
-}
-
-/* Largest pressure and half-width on the line of nodes at y, the latter by the second moment of the
-   pressure: a^2 = 4 <x^2> under Hertz's ellipse. Returns the number of nodes on the line. */
-static int on_line(double y, double* pressure, double* half_width) {
-  static section_point line[MOST_FRAME_NODES];
-  double sum = 0, first = 0, second = 0;
-  int k, n = 0;
-  for (k = 0; k < r.nodes; ++k) {
-    if (fabs(r.x[k][1] - y) > 1e-6) continue;
-    line[n].x = r.x[k][0];
-    line[n++].p = -r.t[k][2];
-  }
-  qsort(line, (size_t)n, sizeof *line, by_x);
-  *pressure = 0;
-  for (k = 0; k < n; ++k) {
-    const double dx = 0.5 * (line[k + 1 < n ? k + 1 : k].x - line[k > 0 ? k - 1 : k].x);
-    *pressure = fmax(*pressure, line[k].p);
-    sum += line[k].p * dx;
-    first += line[k].p * dx * line[k].x;
-    second += line[k].p * dx * line[k].x * line[k].x;
-  }
-  *half_width = 2 * sqrt(second / sum - first * first / (sum * sum));
-  return n;
-}
-
 /* Along the lines that have all nodes (quadratic elements: those through vertices). */
 static void print_sides(void) {
   double pressure, half_width, previous = -1e-6;
-  const int full = on_line(0, &pressure, &half_width);
+  const int full = on_line(&r, 0, &pressure, &half_width);
   printf(
       "\ntowards a free side: without the stress 2 nu p along the axle the same strain leaves\n");
   printf("(1 + nu)(1 - 2 nu)/(1 - nu) = %.2f of the pressure\n",
@@ -69,7 +37,7 @@ static void print_sides(void) {
       if (r.x[k][1] > previous) y = fmin(y, r.x[k][1]);
     if (y == width) break;
     previous = y + 1e-6;
-    if (on_line(y, &pressure, &half_width) < full) continue;
+    if (on_line(&r, y, &pressure, &half_width) < full) continue;
     printf("  %6.3f          %8.2f                %8.4f\n", fabs(y), pressure, half_width);
   }
 }
@@ -91,7 +59,7 @@ static void print_table(void) {
     if (r.state[k] == ROLLCON_SLIP) contact_fastest = fmax(contact_fastest, speed);
     widest = fmax(widest, r.gap[k]);
   }
-  on_line(0, &pressure, &half_width);
+  on_line(&r, 0, &pressure, &half_width);
   printf("\n                                 long cylinders     paper     rollcon\n");
   printf("  pressure at mid-plane   MPa      %11.5g           %11.5g\n", p0, pressure);
   printf("  half-width there        mm       %11.5g           %11.5g\n", a, half_width);

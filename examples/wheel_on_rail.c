@@ -31,7 +31,8 @@ static int make_rail_head(body_mesh* m, double half_length, double half_width, i
   m->type = ROLLCON_QUAD9;
   m->per_element = 9;
   m->nodes = side * side;
-  m->elements = 0;
+  m->elements = m->cells = 0;
+  m->cell = NULL;
   m->x = (double(*)[3])malloc((size_t)m->nodes * sizeof *m->x);
   m->id = (int32_t*)malloc((size_t)(9 * n * n) * sizeof *m->id);
   if (m->x == NULL || m->id == NULL) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a result: installs what is missing, builds the library, rolls a wheel meshed by
 # boundary elements over a rigid rail head through the public C API, prints the numbers and draws
-# tractions and slip; then the same for a sphere on a plane.
+# tractions and slip; the same for a sphere on a plane and a ring of finite elements on a half-space.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/demo
@@ -30,5 +30,6 @@ run() {
 }
 
 run sphere_on_plane sphere_on_plane.png plot_contact.gp
+run ring_on_halfspace ring_on_halfspace.png plot_ring_on_halfspace.gp
 run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
-say "pictures: $out/wheel_on_rail.png (and wheel_on_rail_fields.png, sphere_on_plane.png)"
+say "pictures: $out/wheel_on_rail.png (and wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"

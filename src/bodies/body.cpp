@@ -170,7 +170,8 @@ void Body::prepare_mesh() {
   require_supports(mesh_);
   if (kind_ == BodyKind::fem) {
     choose_contact_material();
-    response_ = std::make_unique<fem::System>(mesh_, material_, options_, context_->threads());
+    response_ = std::make_unique<fem::System>(mesh_, smooth_fans_, material_, options_,
+                                              context_->threads());
     return;
   }
   refuse_incompressible_cavities(mesh_, poisson());

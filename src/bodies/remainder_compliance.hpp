@@ -1,6 +1,6 @@
 #pragma once
-/// What a finite-element body does not feel of the tractions on a layer: they act on it through
-/// their projection on its own faces. The rest has no resultant on any face and moves the surface
+/// What a finite-element body does not feel of the tractions on a layer: they act on it as smoother
+/// tractions on its own faces. The rest has no resultant over a few faces and moves the surface
 /// near it alone, as it does a half-space's (docs/theory.md, section 10).
 
 #include <memory>
@@ -13,7 +13,7 @@
 namespace rollcon {
 
 /// Displacement, as part of u1 - u2, of a half-space of the body's constants under the tractions
-/// less their projection. frame and rows (which must have a projection) must outlive it.
+/// less those felt. frame and rows (which must have the latter) must outlive it.
 std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
                                                       int which, const SurfaceRows& rows,
                                                       double accuracy, int threads);

@@ -18,8 +18,8 @@ struct SurfaceRows {
   std::vector<std::int32_t> row;     ///< node of the body of each displacement row
   RowMatrix<double> u;               ///< (3 * row.size()) x (3 * column.size())
 
-  /// Finite elements under a layer feel, instead of its tractions, their projection (L2) on the
-  /// body's own faces: component by component, seen.row(i) of the tractions of all columns at
+  /// Finite elements under a layer feel, instead of its tractions, smoother ones on the body's own
+  /// faces: component by component, seen.row(i) of the tractions of all columns at
   /// seen_node[i] of the faces seen_face. Empty: felt as they are.
   std::vector<std::int64_t> seen_face;
   std::vector<std::int32_t> seen_node;

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <utility>
 
+#include "bodies/fem/felt_tractions.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -49,26 +51,6 @@ std::size_t bytes_of(const SparseSymmetric& matrix) {
          (matrix.row.capacity() + matrix.start.capacity()) * sizeof(std::int64_t);
 }
 
-/// The columns of a coupling: loads on nodes of the body under a unit traction.
-struct Column {
-  std::vector<std::pair<std::int32_t, double>> load;
-};
-
-std::vector<Column> columns_of(const SurfaceCoupling& coupling,
-                               const std::vector<std::int32_t>& column) {
-  std::vector<std::int32_t> number;
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    if (number.size() <= at(column[k])) number.resize(at(column[k]) + 1, -1);
-    number[at(column[k])] = static_cast<std::int32_t>(k);
-  }
-  std::vector<Column> result(column.size());
-  for (std::size_t r = 0; r < coupling.node.size(); ++r)
-    for (std::int64_t i = coupling.start[r]; i < coupling.start[r + 1]; ++i)
-      result[at(number[at(coupling.column[at(i)])])].load.emplace_back(coupling.node[r],
-                                                                       coupling.value[at(i)]);
-  return result;
-}
-
 }  // namespace
 
 void require_support() {
@@ -77,10 +59,12 @@ void require_support() {
          "kind is 1 (FEM); this build has neither CHOLMOD nor UMFPACK, which finite elements need");
 }
 
-System::System(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
-               const BodyOptions& options, int threads)
+System::System(const BodyMesh& mesh, const TractionNodes& fans,
+               const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
+               int threads)
     : ResponseCache(mesh.surface),
       mesh_(mesh),
+      fans_(fans),
       reference_(largest_modulus(material)),
       options_(options),
       assembly_(mesh, by_element(mesh, material, reference_),
@@ -182,8 +166,9 @@ void System::require_condensed(const std::vector<std::int32_t>& node, int thread
   if (!there) factorize(std::move(unknown), threads);
 }
 
-void System::condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int threads) {
-  std::vector<std::int32_t> node = coupling.node;
+void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
+                      SurfaceRows& rows, int threads) {
+  std::vector<std::int32_t> node = loaded;
   node.insert(node.end(), rows.row.begin(), rows.row.end());
   std::sort(node.begin(), node.end());
   node.erase(std::unique(node.begin(), node.end()), node.end());
@@ -192,20 +177,21 @@ void System::condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int th
   const Stopwatch watch(statistics_.seconds_condense);
   const BlasThreads blas(threads);
   ++statistics_.condensations;
-  const std::vector<Column> column = columns_of(coupling, rows.column);
-  const std::size_t m = condensed_.size();
+  const std::size_t m = condensed_.size(), columns = rows.column.size();
   rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()),
-                3 * static_cast<std::int64_t>(column.size()));
+                3 * static_cast<std::int64_t>(columns));
   constexpr std::size_t slab = 128;  // columns at a time
   std::vector<double> b;
-  for (std::size_t first = 0; first < column.size(); first += slab) {
-    const std::size_t count = std::min(slab, column.size() - first);
+  for (std::size_t first = 0; first < columns; first += slab) {
+    const std::size_t count = std::min(slab, columns - first);
     b.assign(m * 3 * count, 0.0);
-    for (std::size_t k = 0; k < count; ++k)
-      for (const auto& [loaded, area] : column[first + k].load)
-        for (std::size_t c = 0; c < 3; ++c)
-          if (const std::int64_t u = unknowns_.of[3 * at(loaded) + c]; u >= 0)
-            b[(3 * k + c) * m + at(condensed_at_[at(u)])] += area / reference_;
+    for (std::size_t i = 0; i < loaded.size(); ++i) {
+      const double* force = load.row(static_cast<std::int64_t>(i)) + first;
+      for (std::size_t c = 0; c < 3; ++c)
+        if (const std::int64_t u = unknowns_.of[3 * at(loaded[i]) + c]; u >= 0)
+          for (std::size_t k = 0; k < count; ++k)
+            b[(3 * k + c) * m + at(condensed_at_[at(u)])] = force[k] / reference_;
+    }
     factor_->solve_condensed(b.data(), static_cast<std::int64_t>(3 * count));
     for (std::size_t r = 0; r < rows.row.size(); ++r)
       for (std::size_t c = 0; c < 3; ++c) {
@@ -222,53 +208,69 @@ void System::condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int th
 }
 
 void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
-  condense(couple_faces(surface_, face), rows, threads);
+  const SurfaceCoupling mass = couple_faces(surface_, face);
+  RowMatrix<double> load;
+  load.resize(static_cast<std::int64_t>(mass.node.size()),
+              static_cast<std::int64_t>(rows.column.size()));
+  for (std::size_t r = 0; r < mass.node.size(); ++r)
+    for (std::int64_t k = mass.start[r]; k < mass.start[r + 1]; ++k) {
+      const auto column =
+          std::lower_bound(rows.column.begin(), rows.column.end(), mass.column[at(k)]);
+      load.row(static_cast<std::int64_t>(r))[column - rows.column.begin()] = mass.value[at(k)];
+    }
+  condense(mass.node, load, rows, threads);
+}
+
+// The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
+// surface whose displacements are known.
+std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
+                                                const SurfaceRows& rows, const Vec3& normal) const {
+  constexpr double least_cosine = 0.7;  // of faces around
+  std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
+  const auto all_marked = [&](std::int64_t e) {
+    const auto nodes = surface_.element(e);
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](std::int32_t k) { return known[at(k)] != 0; });
+  };
+  const auto fans_of = [&](std::int64_t e) {
+    return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
+  };
+  const std::vector<std::int64_t> candidates = contact_elements(mesh_);
+  std::vector<std::int64_t> face;
+  for (const std::int32_t k : coupling.node) known[at(k)] = 1;
+  for (const std::int64_t e : candidates) {
+    if (!all_marked(e)) continue;
+    face.push_back(e);
+    for (const std::int32_t f : fans_of(e)) fan[at(f)] = 1;
+  }
+  for (const std::int32_t k : rows.row) known[at(k)] = 1;
+  const std::size_t under = face.size();
+  for (const std::int64_t e : candidates) {
+    if (!all_marked(e) ||
+        std::binary_search(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(under), e))
+      continue;
+    const auto own = fans_of(e);
+    const bool around =
+        std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
+    if (around && dot(unit_normal(surface_, e, 1.0 / 3, 1.0 / 3), normal) > least_cosine)
+      face.push_back(e);
+  }
+  std::sort(face.begin(), face.end());
+  return face;
 }
 
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   const SurfaceCoupling coupling = couple_layer(surface_, contact_elements(mesh_), layer);
-  condense(coupling, rows, threads);
-  const BlasThreads blas(threads);
-  project(coupling, rows);
-}
-
-// M s = B t, with M of the faces whose nodes all feel the layer.
-void System::project(const SurfaceCoupling& coupling, SurfaceRows& rows) const {
-  std::vector<std::uint8_t> feels(at(surface_.nodes()), 0);
-  for (const std::int32_t k : coupling.node) feels[at(k)] = 1;
-  for (const std::int64_t e : contact_elements(mesh_)) {
-    const auto nodes = surface_.element(e);
-    if (std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return feels[at(k)] != 0; }))
-      rows.seen_face.push_back(e);
-  }
-  const SurfaceCoupling mass = couple_faces(surface_, rows.seen_face);
-  rows.seen_node = mass.node;
-  const auto n = static_cast<std::int64_t>(mass.node.size());
-  std::vector<std::int64_t> place(at(surface_.nodes()), -1);
-  for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
-  SparseSymmetric matrix;  // a symmetric matrix's rows are its columns
-  matrix.n = n;
-  matrix.start.push_back(0);
-  for (std::int64_t i = 0; i < n; ++i) {
-    for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
-      if (const std::int64_t j = place[at(mass.column[at(k)])]; j >= i) {
-        matrix.row.push_back(j);
-        matrix.value.push_back(mass.value[at(k)]);
-      }
-    matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
-  }
-  const auto factor =
-      by_cholmod(options_) ? factor_by_cholmod(matrix, {}) : factor_by_umfpack(matrix, {});
-  const std::vector<Column> column = columns_of(coupling, rows.column);
-  rows.seen.resize(n, static_cast<std::int64_t>(column.size()));
-  std::vector<double> b(at(n));
-  for (std::size_t k = 0; k < column.size(); ++k) {
-    std::fill(b.begin(), b.end(), 0.0);
-    for (const auto& [node, area] : column[k].load)
-      if (place[at(node)] >= 0) b[at(place[at(node)])] = area;
-    factor->solve(b.data(), 1);
-    for (std::int64_t i = 0; i < n; ++i) rows.seen.row(i)[k] = b[at(i)];
-  }
+  Vec3 normal{0, 0, 0};
+  for (std::int64_t e = 0; e < layer.elements(); ++e)
+    normal = normal + element_area(layer, e) * unit_normal(layer, e, 1.0 / 3, 1.0 / 3);
+  rows.seen_face = feeling_faces(coupling, rows, normalized(normal));
+  const std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
+  FeltTractions felt =
+      felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod(options_));
+  condense(felt.node, felt.load, rows, threads);
+  rows.seen_node = std::move(felt.node);
+  rows.seen = std::move(felt.traction);
 }
 
 BodyStatistics System::statistics() const {

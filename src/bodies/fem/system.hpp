@@ -10,6 +10,7 @@
 #include "bodies/response_cache.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "mesh/surface_coupling.hpp"
+#include "mesh/traction_nodes.hpp"
 
 namespace rollcon::fem {
 
@@ -19,10 +20,11 @@ void require_support();
 class System final : public ResponseCache {
  public:
   /// Assembles, and factorises at once when the contact faces are few or the body has loads of its
-  /// own: else the first frame says what to condense to. The mesh (checked, held) must outlive it.
+  /// own: else the first frame says what to condense to. The mesh (checked, held) and its fans (of
+  /// the smooth surface) must outlive it.
   /// Throws err_singular, err_memory and err_unsupported.
-  System(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
-         const BodyOptions& options, int threads);
+  System(const BodyMesh& mesh, const TractionNodes& fans,
+         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options, int threads);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   Resultant support_reaction() const override { return reaction_; }
@@ -35,10 +37,14 @@ class System final : public ResponseCache {
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
   void solve_own_load();
-  void condense(const SurfaceCoupling& coupling, SurfaceRows& rows, int threads);
-  void project(const SurfaceCoupling& coupling, SurfaceRows& rows) const;
+  /// load: at nodes `loaded` for each column of rows.
+  void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
+                SurfaceRows& rows, int threads);
+  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceRows& rows,
+                                          const Vec3& normal) const;
 
   const BodyMesh& mesh_;
+  const TractionNodes& fans_;
   double reference_ = 1;  ///< modulus
   BodyOptions options_;
   Assembly assembly_;

@@ -1,0 +1,164 @@
+#include "bodies/fem/felt_tractions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/quadrature.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon::fem {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Lower triangle of a coupling of faces with themselves, nodes numbered by place.
+SparseSymmetric symmetric(const SurfaceCoupling& mass, const std::vector<std::int64_t>& place) {
+  SparseSymmetric matrix;  // the rows of a symmetric matrix are its columns
+  matrix.n = static_cast<std::int64_t>(mass.node.size());
+  matrix.start.push_back(0);
+  for (std::int64_t i = 0; i < matrix.n; ++i) {
+    for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
+      if (const std::int64_t j = place[at(mass.column[at(k)])]; j >= i) {
+        matrix.row.push_back(j);
+        matrix.value.push_back(mass.value[at(k)]);
+      }
+    matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+  }
+  return matrix;
+}
+
+/// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size
+/// in each direction: by the coordinates of a square or an equilateral triangle of unit sides.
+void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share, double* out) {
+  constexpr int degree = 5;
+  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  const ElementType type = surface.type[at(e)];
+  const bool three = corner_count(type) == 3;
+  const PlaneRule& rule = three ? triangle : square;
+  const std::size_t n = surface.element(e).size();
+  std::fill_n(out, n * n, 0.0);
+  Shape shape;
+  double du[max_element_nodes], dv[max_element_nodes];
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+    const double area = length(evaluate_surface(surface, e, rule.xi[q], rule.eta[q]).normal);
+    for (std::size_t i = 0; i < n; ++i) {
+      du[i] = three ? shape.d_xi[i] : 2 * shape.d_xi[i];
+      dv[i] = three ? (2 * shape.d_eta[i] - shape.d_xi[i]) / std::sqrt(3.0) : 2 * shape.d_eta[i];
+    }
+    const double w = rule.w[q] * area * share * share;
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) out[i * n + j] += w * (du[i] * du[j] + dv[i] * dv[j]);
+  }
+}
+
+void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> face,
+                   std::span<const double> share, const std::vector<std::int64_t>& place,
+                   SparseSymmetric& matrix) {
+  double part[max_element_nodes * max_element_nodes];
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    if (share[f] == 0) continue;
+    const auto nodes = surface.element(face[f]);
+    element_smoothing(surface, face[f], share[f], part);
+    for (std::size_t a = 0; a < nodes.size(); ++a)
+      for (std::size_t b = 0; b < nodes.size(); ++b) {
+        const std::int64_t column = place[at(nodes[a])], row = place[at(nodes[b])];
+        if (row < column) continue;
+        const auto begin = matrix.row.begin() + matrix.start[at(column)];
+        const auto found =
+            std::lower_bound(begin, matrix.row.begin() + matrix.start[at(column) + 1], row);
+        matrix.value[at(found - matrix.row.begin())] += part[a * nodes.size() + b];
+      }
+  }
+}
+
+/// Mean square of the spacing of the columns' nodes around each row's: their areas, weighted.
+std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t nodes) {
+  std::vector<double> area;  // of the frame's nodes
+  for (std::size_t k = 0; k < coupling.column.size(); ++k) {
+    if (area.size() <= at(coupling.column[k])) area.resize(at(coupling.column[k]) + 1, 0.0);
+    area[at(coupling.column[k])] += coupling.value[k];
+  }
+  std::vector<double> spacing(at(nodes), 0.0);
+  for (std::size_t r = 0; r < coupling.node.size(); ++r) {
+    double sum = 0, weight = 0;
+    for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k) {
+      const double w = std::abs(coupling.value[at(k)]);
+      sum += w * std::abs(area[at(coupling.column[at(k)])]);
+      weight += w;
+    }
+    if (weight > 0) spacing[at(coupling.node[r])] = sum / weight;
+  }
+  return spacing;
+}
+
+}  // namespace
+
+std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionNodes& fans,
+                                     std::span<const std::int64_t> face,
+                                     const SurfaceCoupling& coupling) {
+  const std::vector<double> frame = frame_spacing(coupling, surface.nodes());
+  std::vector<double> share;
+  for (const std::int64_t e : face) {
+    const auto nodes = surface.element(e);
+    bool sharp = false;
+    double there = 0, known = 0;
+    for (const std::int32_t k : nodes) {
+      sharp = sharp || fans.start[at(k) + 1] - fans.start[at(k)] > 1;
+      there += frame[at(k)];
+      known += frame[at(k)] > 0;
+    }
+    const double per_node = is_quadratic(surface.type[at(e)]) ? 4 : 1;
+    const double own = element_area(surface, e) / per_node;
+    const double excess = known > 0 ? own - there / known : own;
+    share.push_back(sharp || excess <= 0 ? 0 : excess / own / std::sqrt(per_node));
+  }
+  return share;
+}
+
+FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::int64_t> face,
+                             std::span<const double> share, const SurfaceCoupling& coupling,
+                             std::span<const std::int32_t> column, bool by_cholmod) {
+  const SurfaceCoupling mass = couple_faces(surface, face);
+  FeltTractions felt;
+  felt.node = mass.node;
+  const auto n = static_cast<std::int64_t>(mass.node.size());
+  const auto columns = static_cast<std::int64_t>(column.size());
+  std::vector<std::int64_t> place(at(surface.nodes()), -1);
+  for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
+  SparseSymmetric matrix = symmetric(mass, place);
+  add_smoothing(surface, face, share, place, matrix);
+  const auto factor = by_cholmod ? factor_by_cholmod(matrix, {}) : factor_by_umfpack(matrix, {});
+
+  // B, column by column, then solved in place.
+  std::vector<std::int64_t> number;
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (number.size() <= at(column[k])) number.resize(at(column[k]) + 1, -1);
+    number[at(column[k])] = static_cast<std::int64_t>(k);
+  }
+  std::vector<double> b(at(n * columns), 0.0);
+  for (std::size_t r = 0; r < coupling.node.size(); ++r)
+    for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k)
+      b[at(number[at(coupling.column[at(k)])] * n + place[at(coupling.node[r])])] =
+          coupling.value[at(k)];
+  factor->solve(b.data(), columns);
+  felt.traction.resize(n, columns);
+  felt.load.resize(n, columns);
+  for (std::int64_t i = 0; i < n; ++i) {
+    double* traction = felt.traction.row(i);
+    double* load = felt.load.row(i);
+    for (std::int64_t c = 0; c < columns; ++c) {
+      const double* s = b.data() + c * n;
+      traction[c] = s[i];
+      double sum = 0;
+      for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
+        sum += mass.value[at(k)] * s[place[at(mass.column[at(k)])]];
+      load[c] = sum;
+    }
+  }
+  return felt;
+}
+
+}  // namespace rollcon::fem
