@@ -64,6 +64,9 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_normal = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_spin = 4_c_int32_t
 
+  ! parameter
+  integer(c_int32_t), parameter :: rollcon_friction = 5_c_int32_t
+
   ! how
   integer(c_int32_t), parameter :: rollcon_by_motion = 1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_by_force = 2_c_int32_t
@@ -868,6 +871,19 @@ module rollcon_c
       real(c_double), intent(out) :: creep(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_motion
+
+    function rollcon_contact_get_sensitivity(contact, parameter, force, moment, approach, creep) &
+        result(rc) bind(C, name="rollcon_contact_get_sensitivity")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: parameter
+      real(c_double), intent(out) :: force(*)
+      real(c_double), intent(out) :: moment(*)
+      real(c_double), intent(out) :: approach
+      real(c_double), intent(out) :: creep(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_sensitivity
 
     function rollcon_contact_get_displacements_at(contact, body, n, xy, u) &
         result(rc) bind(C, name="rollcon_contact_get_displacements_at")

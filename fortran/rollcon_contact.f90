@@ -26,6 +26,7 @@ module rollcon_contact
     procedure :: get_status
     procedure :: get_resultant
     procedure :: get_motion
+    procedure :: get_sensitivity
     procedure :: get_displacements_at
     procedure :: get_stat
     procedure :: get_history
@@ -177,6 +178,22 @@ contains
     approach = 0
     creep = 0
     call finish(rollcon_contact_get_motion(self%handle(), approach, creep), self%owner(), 'rc_contact%get_motion', stat, errmsg)
+  end subroutine
+
+  !> Derivatives of local force and moment, approach and creepages by the value prescribed in a direction
+  !> (ROLLCON_LONGITUDINAL, ...), or by a factor on every friction coefficient (ROLLCON_FRICTION).
+  subroutine get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer(rc_int), intent(in) :: parameter
+    real(rc_real), intent(out) :: force(3), moment(3), approach, creep(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    force = 0
+    moment = 0
+    approach = 0
+    creep = 0
+    call finish(rollcon_contact_get_sensitivity(self%handle(), parameter, force, moment, approach, creep), self%owner(), &
+      'rc_contact%get_sensitivity', stat, errmsg)
   end subroutine
 
   !> Displacements u(3,n) of body 1 or 2 at points xy(2,n) of the contact surface, in local axes.

@@ -222,6 +222,16 @@ subroutine rcmotn(icon, appr, creep, ierr)
   ierr = rollcon_contact_get_motion(contact_of(icon), appr, creep)
 end subroutine
 
+!> Derivatives of local force F and moment XM, approach and creepages by the value prescribed in a direction (IPAR 1 to 4)
+!> or by a factor on every friction coefficient (5).
+subroutine rcsens(icon, ipar, f, xm, appr, creep, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ipar, ierr
+  double precision :: f(3), xm(3), appr, creep(3)
+  ierr = rollcon_contact_get_sensitivity(contact_of(icon), narrow(ipar), f, xm, appr, creep)
+end subroutine
+
 !> Displacements U(3,N) of body 1 or 2 (not a handle) at points XY(2,N).
 subroutine rcdisp(icon, ibody, n, xy, u, ierr)
   use rollcon_f77_support

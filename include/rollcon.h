@@ -134,6 +134,12 @@ enum {
   ROLLCON_SPIN         = 4     /* rotation about n */
 };
 
+/* What rollcon_contact_get_sensitivity differentiates by, besides what is prescribed in a
+   direction. */
+enum {
+  ROLLCON_FRICTION = 5     /* a factor on the friction coefficient of every node */
+};
+
 /* How a direction is prescribed. */
 enum {
   ROLLCON_BY_MOTION = 1,    /* approach, creepage or spin is given; the force is found */
@@ -359,8 +365,8 @@ ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
  *   tag      finite elements: tag of the volume elements that get the material; half-spaces and
  *            boundary-element bodies, of one material, ignore it
  *   young    Young's modulus E > 0, force/length^2
- *   poisson  Poisson's ratio, -1 < nu <= 0.5; finite elements take less than 0.5, TET4 still less
- *            (ROLLCON_ERR_UNSUPPORTED from rollcon_body_prepare)
+ *   poisson  Poisson's ratio, -1 < nu <= 0.5; finite elements take up to 0.4999999, TET4 and
+ *            WEDGE6 up to 0.45 (ROLLCON_ERR_UNSUPPORTED from rollcon_body_prepare)
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
@@ -371,13 +377,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
 /*
  * Checks that the body is complete and its mesh and supports sound, assembles and factorises its
  * equations, and freezes it. Optional: the first solve does it. Calling it again does nothing.
- * ROLLCON_ERR_MESH names the offending elements or nodes: double nodes, degenerate or repeated
- * elements, neighbours of opposite orientation, and for elastic bodies open edges, normals that
- * point inwards, more than one outer shell; for finite elements turned elements, faces that meet
- * without matching, parts that share no face, tagged faces that are not on the boundary.
- * ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and the text says how; hold it
- * (three nodes not on a line, or a hub), since what is held is also what approach and creepage
- * move.
+ * (Finite elements with many contact faces and no loads of their own are factorised when a frame
+ * tells which part of the faces takes part.) ROLLCON_ERR_MESH names the offending elements or
+ * nodes: double nodes, degenerate or repeated elements, neighbours of opposite orientation, and
+ * for elastic bodies open edges, normals that point inwards, more than one outer shell; for
+ * finite elements turned elements, faces that meet without matching, parts that share no face,
+ * tagged faces that are not on the boundary. ROLLCON_ERR_SINGULAR: the supports leave the body
+ * free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what
+ * is held is also what approach and creepage move.
  * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
  *   again.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
@@ -460,8 +467,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces(rollcon_body *bod
     const int32_t *elements, const int32_t *faces, int32_t index_base, int32_t tag);
 
 /*
- * Gives a tag to the faces all of whose nodes are given: boundary faces of finite elements (later
- * calls win over earlier ones), or surface elements added so far.
+ * Gives a tag to the faces all of whose nodes are given, midside nodes too: boundary faces of
+ * finite elements (later calls win over earlier ones), or surface elements added so far.
+ * rollcon_body_prepare refuses loads and contact faces whose tag is then on no face
+ * (ROLLCON_ERR_MESH).
  *   body        with elements
  *   n           nodes, >= 0
  *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
@@ -1143,6 +1152,32 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
     const rollcon_contact *contact, double *approach, double *creep);
+
+/*
+ * Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion
+ * give, by one parameter. A direction stands for the value last solved with there: creepage, spin
+ * or approach where the motion was prescribed; force, spin moment or compressive load where the
+ * force was; motions that were found then change with it. FRICTION stands for a factor, now 1, on
+ * every friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of Newton's
+ * system at the solution, the state of every node held: at most one factorisation for all
+ * parameters (one more for NORMAL where pressures stand alone) and one right side each; kept
+ * until the next solve. After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself
+ * is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or the parameter is a
+ * tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
+ * friction.
+ *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION
+ *   force      [3], out, may be NULL; of the force on body 1, local axes
+ *   moment     [3], out, may be NULL; of its moment about the origin, local axes
+ *   approach   out, may be NULL; of the approach
+ *   creep      [3], out, may be NULL; of longitudinal and lateral creepage and spin
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/theory.md, Newton's iteration.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
+    const rollcon_contact *contact, int32_t parameter, double *force, double *moment,
+    double *approach, double *creep);
 
 /*
  * Elastic displacement of a body at any points of the contact surface, on the frame or off it, in

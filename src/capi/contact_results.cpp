@@ -83,6 +83,23 @@ rollcon_status rollcon_contact_get_motion(const rollcon_contact* contact, double
   });
 }
 
+rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, int32_t parameter,
+                                               double* force, double* moment, double* approach,
+                                               double* creep) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    if (parameter < ROLLCON_LONGITUDINAL || parameter > ROLLCON_FRICTION)
+      fail(Status::err_argument,
+           "parameter is %d; allowed: %d to %d (longitudinal, lateral, normal, spin, friction)",
+           parameter, ROLLCON_LONGITUDINAL, ROLLCON_FRICTION);
+    double f[3], m[3], a = 0, xi[3];
+    c.sensitivity(static_cast<Parameter>(parameter), f, m, &a, xi);
+    if (force) std::copy_n(f, 3, force);
+    if (moment) std::copy_n(m, 3, moment);
+    if (approach) *approach = a;
+    if (creep) std::copy_n(xi, 3, creep);
+  });
+}
+
 rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t body,
                                                     int64_t n, const double* xy, double* u) {
   return with_contact(__func__, contact, [&](const Contact& c) {

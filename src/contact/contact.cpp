@@ -131,6 +131,7 @@ Status Contact::solve_scene() {
   SolverState& s = *state_;
   const double start = now_seconds();
   s.solved = s.derived = s.laws_checked = s.settled = false;
+  s.sensitivities.forget();
   s.timings = {};
   s.history.clear();
   s.history.reserve(8 * history_rows);

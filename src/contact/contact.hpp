@@ -37,6 +37,15 @@ enum class Field : std::int32_t {
   weight = 12,
 };
 enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
+/// What results may be differentiated by: the value prescribed in a direction (Direction's
+/// numbers), or a factor on the friction coefficient of every node.
+enum class Parameter : std::int32_t {
+  longitudinal = 1,
+  lateral = 2,
+  normal = 3,
+  spin = 4,
+  friction = 5
+};
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
 struct SolverState;  // solution, caches and workspaces; contact/state.hpp
@@ -73,6 +82,10 @@ class Contact {
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
   void motion(double* approach, double* creep) const;
+  /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state:
+  /// the last solve did not converge, or a tangential load is prescribed without friction.
+  void sensitivity(Parameter parameter, double* force, double* moment, double* approach,
+                   double* creep) const;
   /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a
   /// curved frame in the local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;

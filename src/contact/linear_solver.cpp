@@ -9,6 +9,10 @@ namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60;
+constexpr double exact = 1e-9;  // residual of solve_exactly()
+// For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper
+// beyond this, or beyond krylov_space for all together.
+constexpr int exact_iterations = 25;
 constexpr int good_iterations = 5;  // with fresh factors
 // New factors cost about as much as this many iterations (40 at 1290 unknowns, 70 at 5163): they
 // are made when the excess over good iterations has added up to that much.
@@ -77,6 +81,7 @@ void LinearSolver::Kept::apply(const double* x, double* y) {
 bool LinearSolver::solve_direct(ReducedSystem& system, const std::vector<double>& b,
                                 std::vector<double>& x) {
   const std::int64_t n = system.size();
+  forget_exact();
   system.dense(lu_.prepare(n, n / 10));
   ++factorizations;
   if (!lu_.factor()) return false;
@@ -112,6 +117,9 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
     const GmresReport report = gmres_.solve(n, system, kept, b.data(), x.data(), tolerance, limit);
     iterations += report.iterations;
     if (report.converged) {
+      decades_[part] = report.residual > 0 && report.iterations > 0
+                           ? -std::log10(report.residual) / report.iterations
+                           : INFINITY;
       excess_[part] += std::max(0, report.iterations - good_iterations);
       return true;
     }
@@ -121,13 +129,50 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
   return solve_direct(system, b, x);
 }
 
+bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b,
+                                 std::vector<double>& x) {
+  const Stopwatch watch(seconds);
+  const std::int64_t n = system.size();
+  const auto part = static_cast<std::size_t>(system.part()) - 2;
+  Kept& kept = kept_[part];
+  x.resize(static_cast<std::size_t>(n));
+  const bool small = method == LinearMethod::automatic && n <= direct_limit;
+  const bool fresh_enough =
+      kept.usable(system) && decades_[part] * exact_iterations >= -std::log10(exact);
+  if (!exact_[part] && method != LinearMethod::lu && !small && fresh_enough) {
+    gcr_[part].reserve(n, krylov_space);
+    kept.match(system);
+    const GmresReport report =
+        gcr_[part].solve(n, system, kept, b.data(), x.data(), exact, exact_iterations);
+    iterations += report.iterations;
+    if (report.converged) return true;
+  }
+  Lu<double>& lu = system.part() == Part::normal ? normal_lu_ : lu_;
+  if (!exact_[part]) {
+    system.dense(lu.prepare(n, n / 10));
+    ++factorizations;
+    exact_[part] = lu.factor();
+    if (!exact_[part]) return false;
+  }
+  std::copy(b.begin(), b.begin() + n, x.begin());
+  lu.solve(x.data());
+  return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
+}
+
+void LinearSolver::forget_exact() {
+  for (bool& held : exact_) held = false;
+  for (RecyclingGcr& gcr : gcr_) gcr.forget();
+}
+
 void LinearSolver::forget() {
+  forget_exact();
   for (Kept& kept : kept_) kept.forget();
 }
 
 std::size_t LinearSolver::bytes() const {
-  std::size_t sum = lu_.bytes() + gmres_.bytes();
+  std::size_t sum = lu_.bytes() + normal_lu_.bytes() + gmres_.bytes();
   for (const Kept& kept : kept_) sum += kept.bytes();
+  for (const RecyclingGcr& gcr : gcr_) sum += gcr.bytes();
   return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/reduced_system.hpp"
+#include "linalg/gcr.hpp"
 #include "linalg/gmres.hpp"
 #include "linalg/lu.hpp"
 
@@ -26,6 +27,11 @@ class LinearSolver {
   /// return system.product() belongs to x.
   bool solve(ReducedSystem& system, std::int64_t node_count, const std::vector<double>& b,
              double tolerance, std::vector<double>& x);
+  /// For rates of a solution: solves to rounding or a residual of 1e-9. Until forget_exact() or
+  /// the next solve() the system of each part must stay what it is: double-precision factors made
+  /// for one right side serve the others, and nothing that solve() keeps is touched.
+  bool solve_exactly(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x);
+  void forget_exact();
   /// Forgets the kept factors, for instance when the operators change.
   void forget();
 
@@ -61,10 +67,14 @@ class LinearSolver {
   bool solve_direct(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x);
 
   Lu<double> lu_;
-  Kept kept_[3];  ///< one per part
+  Lu<double> normal_lu_;  ///< solve_exactly() of the normal part, which may come with another
+  bool exact_[3] = {};    ///< those two hold the part's system of solve_exactly()
+  Kept kept_[3];          ///< one per part
   Gmres gmres_;
+  RecyclingGcr gcr_[3];  ///< of solve_exactly(), one per part
   std::vector<double> check_;
-  int excess_[3] = {};  ///< Krylov iterations beyond good ones since the factors were made
+  double decades_[3] = {};  ///< of the residual per Krylov iteration, in the part's last system
+  int excess_[3] = {};      ///< Krylov iterations beyond good ones since the factors were made
 };
 
 }  // namespace rollcon

@@ -169,6 +169,32 @@ void Newton::freeze_other_part(Part part) {
                               : dot(p.op.block[r][2].row(i), iterate_->lambda[2].data(), n);
 }
 
+TangentialLaw Newton::law_of(Part part, std::int32_t node, bool bound_follows) const {
+  const Problem& p = *problem_;
+  const Iterate& it = *iterate_;
+  const std::int64_t i = node;
+  const std::size_t k = at(i);
+  double pressure = -it.lambda[2][k];
+  if (part == Part::full)
+    pressure =
+        -(it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
+  const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
+  const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
+  return linearise_coulomb(a1, a2, p.mu[k], p.mu[k] * pressure, bound_follows);
+}
+
+ReducedSystem& Newton::linearise(Problem& problem, Iterate& iterate, Part part) {
+  problem_ = &problem;
+  iterate_ = &iterate;
+  evaluate(part);
+  system_.gather(problem, part, active_, iterate.lambda, operators_changed_);
+  operators_changed_ = false;
+  if (part != Part::normal)
+    for (std::size_t a = 0; a < active_.size(); ++a)
+      system_.law(static_cast<std::int64_t>(a)) = law_of(part, active_[a], true);
+  return system_;
+}
+
 // Fills next_, next_image_ and next_motion_ with the solution of the linearised problem.
 bool Newton::newton_step(Part part, double forcing) {
   const Problem& p = *problem_;
@@ -186,15 +212,8 @@ bool Newton::newton_step(Part part, double forcing) {
     if (part != Part::tangential)
       known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
     if (part == Part::normal) continue;
-    double bound = -p.mu[k] * it.lambda[2][k];
-    if (part == Part::full)
-      bound = -p.mu[k] *
-              (it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
-    const double a1 = it.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
-    const double a2 = it.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
     system_.law(static_cast<std::int64_t>(a)) =
-        stick_first_ && p.mu[k] > 0 ? stick_law()
-                                    : linearise_coulomb(a1, a2, p.mu[k], bound, part == Part::full);
+        stick_first_ && p.mu[k] > 0 ? stick_law() : law_of(part, i, part == Part::full);
     known_[0][a] = p.rigid_slip1(i, known) + (has_frozen_ ? frozen_[0][k] : 0);
     known_[1][a] = p.rigid_slip2(i, known) + (has_frozen_ ? frozen_[1][k] : 0);
   }

@@ -45,6 +45,12 @@ class Newton {
   /// The problem's scales, friction and loads are changed by fallbacks and restored on return.
   NewtonReport solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
                      std::int64_t max_iterations, Monitor& monitor);
+  /// The part whose convergence ends a solve: all unknowns at once unless the normal problem stands
+  /// alone.
+  static Part goal(const Problem& problem, bool frictionless);
+  /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at
+  /// sliding nodes even where pressures are given.
+  ReducedSystem& linearise(Problem& problem, Iterate& iterate, Part part);
   /// To be called when the operators or scales were assembled anew.
   void operators_changed() {
     operators_changed_ = true;
@@ -75,6 +81,7 @@ class Newton {
   }
   Residual evaluate(Part part);
   void freeze_other_part(Part part);
+  TangentialLaw law_of(Part part, std::int32_t node, bool bound_follows) const;
   bool newton_step(Part part, double forcing);
   void advance(Part part, double alpha);
   double line_search(Part part, double merit);

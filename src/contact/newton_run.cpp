@@ -189,6 +189,13 @@ Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations
   return outcome;
 }
 
+Part Newton::goal(const Problem& problem, bool frictionless) {
+  if (frictionless) return Part::normal;
+  // Tangential tractions carry a part of the normal load of a curved frame.
+  const bool together = problem.op.coupled || (!problem.turn.empty() && problem.by_force[approach]);
+  return together ? Part::full : Part::tangential;
+}
+
 NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless, double tolerance,
                            std::int64_t max_iterations, Monitor& monitor) {
   problem_ = &problem;
@@ -196,9 +203,8 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   monitor_ = &monitor;
   report_ = {};
   iterations_left_ = max_iterations;
-  // Tangential tractions carry a part of the normal load of a curved frame.
-  const bool together = problem.op.coupled || (!problem.turn.empty() && problem.by_force[approach]);
-  goal_ = frictionless ? Part::normal : together ? Part::full : Part::tangential;
+  linear.forget_exact();
+  goal_ = goal(problem, frictionless);
   best_.worst = INFINITY;
   pressures_found_ = false;
   reserve(static_cast<std::size_t>(problem.nodes));

@@ -122,6 +122,29 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
          first, frame.mesh.index_base, held);
 }
 
+// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip
+// equation without unknowns. A little compliance of its own lets the traction be found: none where
+// no slip is forced on it, friction's bound where there is.
+void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
+  if (!op.tangential) return;
+  constexpr double rounding = 1e-12, looseness = 1e-6;
+  const std::int64_t n = frame.nodes();
+  const auto row_norm = [&](int r, std::int64_t k) {
+    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
+  };
+  double largest = 0;
+  for (std::int64_t k = 0; k < n; ++k)
+    if (frame.used[static_cast<std::size_t>(k)])
+      largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+  for (std::int64_t k = 0; k < n; ++k) {
+    if (!frame.used[static_cast<std::size_t>(k)]) continue;
+    const double norm[2] = {row_norm(0, k), row_norm(1, k)};
+    for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
+      if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
+        op.block[r][r].row(k)[k] = looseness * largest;
+  }
+}
+
 void build_operators(SolverState& state, const Scene& scene) {
   ContactOperators& op = state.problem.op;
   const Scheme scheme = scheme_of(scene.options.convection);
@@ -147,6 +170,7 @@ void build_operators(SolverState& state, const Scene& scene) {
     const Stopwatch watch(state.timings.compliance);
     assemble_operators(state.frame, *state.compliance, !state.frictionless, op);
     refuse_held_nodes(state.frame, op);
+    loosen_held_tangents(state.frame, op);
     ++state.assemblies;
     state.iterate.invalidate();
   }

@@ -154,6 +154,22 @@ LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&
   return sum;
 }
 
+void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3],
+                   Vec3& force, Vec3& moment) {
+  force = moment = {};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    Vec3 t{lambda[0][k], lambda[1][k], lambda[2][k]};
+    if (!p.turn.empty()) {
+      t = {};
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t c = 0; c < 3; ++c) t[j] += lambda[c][k] * p.turn[k][c][j];
+    }
+    const double height = p.turn.empty() ? p.weight[k] * frame.z[k] : p.moment_z[k];
+    const Vec3 m = cross({p.moment_x[k], p.moment_y[k], height}, t);
+    for (std::size_t j = 0; j < 3; ++j) force[j] += p.weight[k] * t[j], moment[j] += m[j];
+  }
+}
+
 void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
   const std::int64_t n = problem.nodes;
   const auto size = static_cast<std::size_t>(n);

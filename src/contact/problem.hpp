@@ -98,6 +98,10 @@ LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<doub
 /// The part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
 double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
 
+/// Force on body 1 and its moment about the origin, in the axes, of tractions at the nodes.
+void sum_tractions(const Problem& problem, const Frame& frame,
+                   const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment);
+
 /// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows)
 /// (docs/theory.md, section 2). A node whose rows vanish gets the mean of the others.
 void set_scales(Problem& problem, double normal_factor, double tangential_factor);

@@ -75,6 +75,7 @@ void ReducedSystem::add_border(const Problem& problem, int m,
   border.scale = m == spin ? mean * problem.length : mean;
   const double unit = m == spin ? area * problem.length : area;
   const double sign = m == approach ? -1 : 1;  // of the load row: symmetric with the column
+  border.per_load = sign / unit;
   border.right = sign * problem.value[static_cast<std::size_t>(m)] / unit;
   for (int c = 0; c < 3; ++c) {
     border.column[c].clear();
@@ -125,6 +126,30 @@ void ReducedSystem::right_side(std::span<const double> known_gap,
   for (int k = 0; k < borders_; ++k)
     b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] =
         border_[static_cast<std::size_t>(k)].right;
+}
+
+void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1,
+                              std::span<const double> slip2, std::span<const double> bound1,
+                              std::span<const double> bound2, const std::array<double, 4>& load,
+                              std::vector<double>& b) const {
+  const std::size_t na = nodes_.size();
+  b.resize(static_cast<std::size_t>(size_));
+  if (tangential())
+    for (std::size_t a = 0; a < na; ++a) {
+      const TangentialLaw& law = law_[a];
+      const double s1 = rt_[a] * slip1[a], s2 = rt_[a] * slip2[a];
+      b[a] = bound1[a] - law.slip[0][0] * s1 - law.slip[0][1] * s2;
+      b[na + a] = bound2[a] - law.slip[1][0] * s1 - law.slip[1][1] * s2;
+    }
+  if (normal()) {
+    const std::size_t first = static_cast<std::size_t>(count_ - 1) * na;
+    for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * gap[a];
+  }
+  for (int k = 0; k < borders_; ++k) {
+    const Border& border = border_[static_cast<std::size_t>(k)];
+    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] =
+        border.per_load * load[static_cast<std::size_t>(border.motion)];
+  }
 }
 
 void ReducedSystem::apply(const double* x, double* y) {

@@ -27,11 +27,20 @@ class ReducedSystem final : public LinearOperator {
 
   /// Linearised law of active node a; to be set for all before use when tangential.
   TangentialLaw& law(std::int64_t a) { return law_[static_cast<std::size_t>(a)]; }
+  const TangentialLaw& law(std::int64_t a) const { return law_[static_cast<std::size_t>(a)]; }
 
   /// Right side: gap (normal) and minus slip (tangential) that do not depend on the unknowns.
   /// known_gap[a], known_slip1[a], known_slip2[a] are per active node, unscaled.
   void right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
                   std::span<const double> known_slip2, std::vector<double>& b) const;
+
+  /// Right side for the rate of a solution: rates, at constant unknowns, of gap and slip and of
+  /// what the tangential rows equal (`bound1`, `bound2`, in units of traction), per active node;
+  /// and of the loads that the part's unknown motions belong to.
+  void rate_side(std::span<const double> gap, std::span<const double> slip1,
+                 std::span<const double> slip2, std::span<const double> bound1,
+                 std::span<const double> bound2, const std::array<double, 4>& load,
+                 std::vector<double>& b) const;
 
   void apply(const double* x, double* y) override;
   /// Row-major dense matrix of the whole system.
@@ -60,6 +69,7 @@ class ReducedSystem final : public LinearOperator {
     double scale = 1;               ///< unknown = motion times scale, a traction
     std::vector<double> column[3];  ///< by component, scaled like the rows; empty: zero
     std::vector<double> row[3];     ///< likewise
+    double per_load = 1;            ///< right side per unit of the load
     double right = 0;
   };
   void gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]);

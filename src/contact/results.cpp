@@ -6,6 +6,7 @@
 #include "contact/contact.hpp"
 #include "contact/state.hpp"
 #include "io/vtu.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace rollcon {
 namespace {
@@ -153,26 +154,11 @@ void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
 
 void Contact::resultant(InAxes axes, double* force, double* moment) const {
   require_solution(*state_, scene);
-  const Problem& p = state_->problem;
-  const Iterate& it = state_->iterate;
-  double f[3] = {}, m[3] = {};
-  for (std::size_t k = 0; k < p.turn.size(); ++k) {
-    const Turn& turn = p.turn[k];
-    Vec3 t{};  // traction in the axes
-    for (std::size_t j = 0; j < 3; ++j)
-      for (std::size_t c = 0; c < 3; ++c) t[j] += it.lambda[c][k] * turn[c][j];
-    const Vec3 moment = cross({p.moment_x[k], p.moment_y[k], p.moment_z[k]}, t);
-    for (std::size_t j = 0; j < 3; ++j) f[j] += p.weight[k] * t[j], m[j] += moment[j];
-  }
-  for (std::size_t k = 0; p.turn.empty() && k < static_cast<std::size_t>(p.nodes); ++k) {
-    for (int c = 0; c < 3; ++c) f[c] += p.weight[k] * it.lambda[c][k];
-    const double height = p.weight[k] * state_->frame.z[k];
-    m[0] += p.moment_y[k] * it.lambda[2][k] - height * it.lambda[1][k];
-    m[1] += height * it.lambda[0][k] - p.moment_x[k] * it.lambda[2][k];
-    m[2] += p.moment_x[k] * it.lambda[1][k] - p.moment_y[k] * it.lambda[0][k];
-  }
-  if (force) put(triad_of(state_->frame.axes), axes, f[0], f[1], f[2], force);
-  if (moment) put(triad_of(state_->frame.axes), axes, m[0], m[1], m[2], moment);
+  Vec3 f, m;
+  sum_tractions(state_->problem, state_->frame, state_->iterate.lambda, f, m);
+  const Triad local = triad_of(state_->frame.axes);
+  if (force) put(local, axes, f[0], f[1], f[2], force);
+  if (moment) put(local, axes, m[0], m[1], m[2], moment);
 }
 
 void Contact::motion(double* depth, double* creep) const {
@@ -180,6 +166,21 @@ void Contact::motion(double* depth, double* creep) const {
   const auto& m = state_->iterate.motion;
   if (depth) *depth = m[approach];
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
+}
+
+void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth,
+                          double* creep) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
+    fail(Status::err_state,
+         "the last solve did not converge: only a converged solution has derivatives");
+  const BlasThreads blas(context_->threads());
+  const Rates& r = find_rates(s, parameter);
+  if (force) std::copy(r.force.begin(), r.force.end(), force);
+  if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
+  if (depth) *depth = r.motion[approach];
+  if (creep) creep[0] = r.motion[xi1], creep[1] = r.motion[xi2], creep[2] = r.motion[spin];
 }
 
 void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy,

@@ -12,6 +12,7 @@
 #include "contact/contact.hpp"
 #include "contact/newton.hpp"
 #include "contact/problem.hpp"
+#include "contact/sensitivity.hpp"
 
 namespace rollcon {
 
@@ -62,6 +63,7 @@ struct SolverState {
   std::vector<double> slip[2];  ///< slip velocity
   std::vector<double> gap;      ///< deformed gap
   std::vector<std::int32_t> status;
+  Sensitivities sensitivities;
   bool laws_checked = false;
   std::array<double, 4> laws{};  ///< normal, friction, slip, equilibrium
 

@@ -117,6 +117,12 @@ constexpr Statistic table[] = {
     {"seconds_newton", [](SolverState& s) { return s.timings.newton; }},
     {"seconds_linear", [](SolverState& s) { return s.timings.linear; }},
     {"seconds_total", [](SolverState& s) { return s.timings.total; }},
+    {"seconds_sensitivity", [](SolverState& s) { return s.sensitivities.seconds; }},
+    {"sensitivity_right_sides", [](SolverState& s) { return number(s.sensitivities.right_sides); }},
+    {"sensitivity_factorizations",
+     [](SolverState& s) { return number(s.sensitivities.factorizations); }},
+    {"sensitivity_linear_iterations",
+     [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
     {"kernel_evaluations",
      [](SolverState& s) {

@@ -1,6 +1,7 @@
 /// Setters of a time loop allocate nothing, and neither do its solves; an allocation that fails
 /// leaves a contact that can be solved again.
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -114,14 +115,20 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
       ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3 * (1 + 0.01 * step), 0, 0), ROLLCON_OK);
       allocations = 0;
       const std::int32_t status = rollcon_contact_solve(contact);
+      double force[3];
+      std::int32_t slopes = ROLLCON_OK;
+      for (std::int32_t p = ROLLCON_LONGITUDINAL; p <= ROLLCON_FRICTION; ++p)
+        slopes += rollcon_contact_get_sensitivity(contact, p, force, nullptr, nullptr, nullptr);
       if (step > 0) counted += allocations;
       ASSERT_GE(status, 0);
+      ASSERT_EQ(slopes, ROLLCON_OK);
       double n = 0;
       ASSERT_EQ(rollcon_contact_get_stat(contact, "iterations", &n), ROLLCON_OK);
       iterations += step > 0 ? n : 0;
     }
-    std::printf("%s: allocations in 20 warm solves: %lld (bound 0), %g iterations\n", solver,
-                static_cast<long long>(counted), iterations);
+    std::printf(
+        "%s: allocations in 20 warm solves with derivatives: %lld (bound 0), %g iterations\n",
+        solver, static_cast<long long>(counted), iterations);
     EXPECT_EQ(counted, 0);
     EXPECT_GT(iterations, 0) << "the solves had something to do";
   }
@@ -263,6 +270,39 @@ TEST_F(allocation_meshed, calls_with_finite_elements_that_ran_out_of_memory_can_
   std::printf("finite elements: %d calls repeated after a failed allocation\n", repeated);
   EXPECT_GT(repeated, 100);
   EXPECT_LT(right[2], 0);
+}
+
+TEST_F(allocation, derivatives_that_ran_out_of_memory_can_be_asked_for_again) {
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  double right[3], force[3];
+  int injected = 0;
+  for (std::int64_t k = -1;; ++k) {
+    rollcon_contact_release(contact);  // a new one keeps no storage
+    ASSERT_EQ(rollcon_contact_create(context, sphere, plane, &contact), ROLLCON_OK);
+    set_scene();
+    ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", "lu"), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+    const auto ask = [&] {
+      return rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, force, nullptr, nullptr,
+                                             nullptr);
+    };
+    failed = false;
+    until_failure = k;
+    const std::int32_t status = ask();
+    until_failure = -1;
+    if (k < 0) {
+      ASSERT_EQ(status, ROLLCON_OK);
+      std::copy_n(force, 3, right);
+      continue;
+    }
+    if (!failed) break;
+    ++injected;
+    ASSERT_EQ(status, ROLLCON_ERR_MEMORY) << k;
+    ASSERT_EQ(ask(), ROLLCON_OK) << k;
+    for (int i = 0; i < 3; ++i) ASSERT_NEAR(force[i], right[i], 1e-9 * std::abs(right[2])) << k;
+  }
+  std::printf("failed allocations: %d, each followed by the right derivative\n", injected);
+  EXPECT_GT(injected, 5);
 }
 
 TEST_F(allocation, a_solve_that_ran_out_of_memory_can_be_repeated) {

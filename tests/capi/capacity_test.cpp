@@ -134,6 +134,9 @@ TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {
   EXPECT_EQ(rollcon_contact_get_size(contact, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_motion(contact, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, nullptr, nullptr), ROLLCON_OK);
+  EXPECT_EQ(
+      rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, nullptr, nullptr, nullptr, nullptr),
+      ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_displacements_at(contact, 1, 0, nullptr, nullptr), ROLLCON_OK);
 }
 

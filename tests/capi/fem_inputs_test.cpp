@@ -212,7 +212,8 @@ TEST_F(fem_inputs, tags_of_faces_are_not_those_of_materials) {
   const double t[3] = {0, 0, 1};
   const std::int32_t both[2] = {6, 40};
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_set_pressure(body, 0, 1), ROLLCON_ERR_STATE, "elements: call rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_set_pressure(body, 0, 1), ROLLCON_ERR_STATE,
+               "elements: call rollcon_body_add_elements");
   ASSERT_EQ(add_layers(0, 2, 40), ROLLCON_OK);
   ASSERT_EQ(tag_top(6), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_set_traction(body, 40, t), ROLLCON_ERR_ARGUMENT, "tag is 40", "0, 6");

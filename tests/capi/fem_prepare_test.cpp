@@ -214,7 +214,8 @@ TEST_F(fem_prepare, new_nodes_forget_everything_but_the_material) {
   ASSERT_EQ(rollcon_body_tag_faces(body, 1, &inner, &top, 0, 7), ROLLCON_OK) << "an inner face";
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
   expect_size(box.nodes(), 0);
-  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), ROLLCON_ERR_STATE, "elements: call rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), ROLLCON_ERR_STATE,
+               "elements: call rollcon_body_add_elements");
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "no volume elements");
   ASSERT_EQ(add_layers(0, 2, 0), ROLLCON_OK);
   EXPECT_EQ(frame_size(6).second, -1);

@@ -139,6 +139,9 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_get_status(contact, n, status.data()));
   EXPECT_SURVIVES(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, v.data(), v.data() + 3));
   EXPECT_SURVIVES(rollcon_contact_get_motion(contact, v.data(), v.data() + 1));
+  for (std::int32_t p = ROLLCON_LONGITUDINAL; p <= ROLLCON_FRICTION; ++p)
+    EXPECT_SURVIVES(rollcon_contact_get_sensitivity(contact, p, v.data(), v.data() + 3,
+                                                    v.data() + 6, v.data() + 7));
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 3, points, v.data()));
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 1, bad, v.data()));
   for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {

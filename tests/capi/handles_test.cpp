@@ -49,6 +49,8 @@ void with_each_contact_call(const void* handle, F&& check) {
   check("get_status", rollcon_contact_get_status(c, 16, s));
   check("get_resultant", rollcon_contact_get_resultant(c, ROLLCON_LOCAL, v, v + 3));
   check("get_motion", rollcon_contact_get_motion(c, v, v + 1));
+  check("get_sensitivity",
+        rollcon_contact_get_sensitivity(c, ROLLCON_NORMAL, v, v + 3, v + 6, v + 7));
   check("get_displacements_at", rollcon_contact_get_displacements_at(c, 1, 1, x, v));
   check("get_stat", rollcon_contact_get_stat(c, "iterations", v));
   check("get_history", rollcon_contact_get_history(c, 8, v, &n));

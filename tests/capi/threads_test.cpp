@@ -196,6 +196,8 @@ TEST_F(threads, second_thread_gets_busy_and_may_cancel) {
   EXPECT_EQ(rollcon_contact_set_creep(contact, 0, 0, 0), ROLLCON_ERR_BUSY);
   EXPECT_EQ(rollcon_contact_get_size(contact, &n, nullptr), ROLLCON_ERR_BUSY);
   EXPECT_EQ(rollcon_contact_get_motion(contact, v, nullptr), ROLLCON_ERR_BUSY);
+  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, v, nullptr, nullptr, nullptr),
+            ROLLCON_ERR_BUSY);
   EXPECT_EQ(rollcon_contact_retain(contact), ROLLCON_OK);
   rollcon_contact_release(contact);
   EXPECT_EQ(rollcon_contact_request_cancel(contact), ROLLCON_OK);

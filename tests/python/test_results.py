@@ -42,6 +42,41 @@ class Results(Scene):
         self.assertTrue(all(np.isfinite(contact.stat(name)) for name in rc.stat_names()))
         self.assertEqual(contact.displacements_at(1, self.x[:, :2]).shape, (NODES, 3))
 
+    def test_sensitivity_is_the_slope_of_solves(self):
+        contact = self.contact()
+        contact.set("tolerance", 1e-13)
+        value = {rc.LONGITUDINAL: 8.0, rc.LATERAL: 2e-4, rc.NORMAL: LOAD, rc.SPIN: 1e-4,
+                 rc.FRICTION: MU}
+        by_force = (rc.LONGITUDINAL, rc.NORMAL)
+
+        def solve(parameter, v):
+            if parameter == rc.FRICTION:
+                contact.set_friction(v)
+            else:
+                how = rc.BY_FORCE if parameter in by_force else rc.BY_MOTION
+                contact.prescribe(parameter, how, v)
+            self.assertEqual(contact.solve(), rc.OK)
+            approach, creep = contact.motion()
+            return np.concatenate([*contact.resultant(), [approach], creep]), contact.node_status()
+
+        for parameter, v in value.items():
+            solve(parameter, v)
+        for parameter, v in value.items():
+            result, state = solve(parameter, v)
+            force, moment, approach, creep = contact.sensitivity(parameter)
+            found = np.concatenate([force, moment, [approach], creep])
+            (low, a), (high, b) = solve(parameter, (1 - 1e-4) * v), solve(parameter, (1 + 1e-4) * v)
+            np.testing.assert_array_equal(a, state)
+            np.testing.assert_array_equal(b, state)
+            slope = (high - low) / 2e-4  # by a factor on the parameter
+            found *= 1 if parameter == rc.FRICTION else v
+            size = np.abs(result)
+            size[:6] = np.hypot(*result[:2])
+            error = (np.abs(found - slope) / size).max()
+            print(f"sensitivity to {parameter}: error {error:.1e} (bound 1e-6)")
+            self.assertLess(error, 1e-6)
+            solve(parameter, v)
+
     def test_layouts_give_the_same_nodes(self):
         wide = np.zeros((NODES, 8))
         wide[:, 2:5] = self.x

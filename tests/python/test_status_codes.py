@@ -126,7 +126,8 @@ class StatusCodes(Scene):
     def test_results_before_a_solve(self):
         contact = self.contact()
         for get in (contact.tractions, contact.node_status, contact.resultant, contact.motion,
-                    contact.plan, lambda: contact.field(rc.FIELD_SLIP)):
+                    contact.plan, lambda: contact.field(rc.FIELD_SLIP),
+                    lambda: contact.sensitivity(rc.SPIN)):
             self.fails(rc.ERR_STATE, get)
         self.fails(rc.ERR_STATE, rc.Contact(self.context, self.sphere, self.plane).solve)
 
@@ -142,6 +143,7 @@ class StatusCodes(Scene):
         contact.reset()
         contact.set("max_iterations", 1)
         self.assertEqual(contact.solve(), rc.NOT_CONVERGED)
+        self.fails(rc.ERR_STATE, contact.sensitivity, rc.FRICTION)
         self.assertEqual(contact.tractions().shape, (NODES, 3))
 
     def test_progress(self):

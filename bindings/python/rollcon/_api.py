@@ -61,6 +61,9 @@ LATERAL = 2
 NORMAL = 3
 SPIN = 4
 
+# parameter
+FRICTION = 5
+
 # how
 BY_MOTION = 1
 BY_FORCE = 2
@@ -238,6 +241,9 @@ FUNCTIONS = {
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_motion": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_sensitivity": (c_int32, [
+        c_void_p, c_int32, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_displacements_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double)]),

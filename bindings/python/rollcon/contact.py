@@ -193,6 +193,16 @@ class Contact(Settings, Handle):
         self._call("get_motion", byref(approach), address)
         return approach.value, creep
 
+    def sensitivity(self, parameter):
+        """Derivatives (force, moment, approach, creep) of what resultant() and motion() give.
+
+        By the value prescribed in a direction, LONGITUDINAL, LATERAL, NORMAL or SPIN, or, FRICTION,
+        by a factor on every friction coefficient."""
+        (force, pf), (moment, pm), (creep, pc) = room(3), room(3), room(3)
+        approach = c_double()
+        self._call("get_sensitivity", parameter, pf, pm, byref(approach), pc)
+        return force, moment, approach.value, creep
+
     def displacements_at(self, body, xy):
         """Displacements [n, 3] of body 1 or 2 at points xy[n, 2] of the contact surface."""
         xy, points = reals(xy, 2)
