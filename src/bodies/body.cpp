@@ -79,6 +79,12 @@ void Body::prepare() {
   lock.unlock();  // the log sink may ask the body
   if (!response_) return;
   const BodyStatistics s = response_->statistics();
+  if (s.factorizations == 0) {
+    context_->log(LogLevel::info,
+                  "finite-element body: %lld unknowns, to be factorised for its first frame",
+                  static_cast<long long>(s.unknowns));
+    return;
+  }
   context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s",
                 kind_ == BodyKind::fem ? "finite-element" : "boundary-element",
                 static_cast<long long>(s.unknowns), s.condition,
@@ -94,6 +100,8 @@ void Body::require_complete() const {
     fail(Status::err_state, "the body has no volume elements: %s", remedy);
   if (kind_ == BodyKind::bem && mesh_.surface.elements() == 0)
     fail(Status::err_state, "the body has no mesh: %s", remedy);
+  if (rigid() && mesh_.surface.nodes() > 0 && mesh_.surface.elements() == 0)
+    fail(Status::err_state, "the rigid body has nodes but no elements: %s", remedy);
   if (kind_ == BodyKind::fem) require_materials();
 }
 
@@ -128,6 +136,21 @@ void Body::require_materials() const {
   }
 }
 
+// Nodes given for a tag may have held no whole face, or later calls given its faces another one.
+void Body::require_tagged_faces() const {
+  const std::vector<std::int32_t>& tags = mesh_.surface.tag;
+  const auto require = [&](std::int32_t tag, const char* what) {
+    if (std::find(tags.begin(), tags.end(), tag) == tags.end())
+      fail(Status::err_mesh,
+           "tag %d, named by %s, is on no face of the body: of nodes a face counts when all of its "
+           "own are given, midside nodes too, and later calls win over earlier ones",
+           tag, what);
+  };
+  for (const FaceLoad& load : mesh_.load)
+    require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
+  for (const std::int32_t tag : mesh_.contact_tag) require(tag, "rollcon_body_set_contact_faces");
+}
+
 // The half-space field between nodes, and first guesses, need one material.
 void Body::choose_contact_material() {
   std::map<std::int32_t, double> area;
@@ -147,6 +170,7 @@ void Body::prepare_mesh() {
   if (kind_ == BodyKind::fem) {
     check_volume(mesh_.surface.node, mesh_.volume, mesh_.surface.index_base);
     update_boundary(mesh_);
+    require_tagged_faces();
   }
   if (mesh_.surface.elements() == 0) return;
   const SurfaceKind surface_kind = kind_ == BodyKind::fem ? SurfaceKind::boundary

@@ -93,6 +93,7 @@ class Body {
   void require_tag(std::int32_t tag, const std::string& entry) const;
   void require_complete() const;
   void require_materials() const;
+  void require_tagged_faces() const;
   void choose_contact_material();
   void prepare_mesh();
 

@@ -65,14 +65,19 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
     fail(Status::err_state,
          "the body has no %selements: call rollcon_body_add_elements before naming their tags",
          kind_ == BodyKind::fem ? "volume " : "");
+  const std::vector<std::int32_t>& tags = mesh_.surface.tag;
+  const bool volume = mesh_.volume.elements() > 0;
+  if (volume ? tag == 0 || std::any_of(mesh_.naming.begin(), mesh_.naming.end(),
+                                       [&](const FaceNaming& n) { return n.tag == tag; })
+             : std::find(tags.begin(), tags.end(), tag) != tags.end())
+    return;
   std::set<std::int32_t> present;
-  if (mesh_.volume.elements() > 0) {
+  if (volume) {
     present.insert(0);
     for (const FaceNaming& naming : mesh_.naming) present.insert(naming.tag);
   } else {
-    present.insert(mesh_.surface.tag.begin(), mesh_.surface.tag.end());
+    present.insert(tags.begin(), tags.end());
   }
-  if (present.count(tag) > 0) return;
   constexpr std::size_t most_named = 16;
   std::string names;
   std::size_t named = 0;

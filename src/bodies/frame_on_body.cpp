@@ -96,10 +96,19 @@ std::vector<std::int32_t> nodes_around(const SurfaceMesh& mesh,
   return row;
 }
 
+/// Supports of these components keep the face from moving along its normal.
+bool holds_normal(std::uint8_t held, const Vec3& normal) {
+  constexpr double rounding = 1e-6;
+  double free = 0;
+  for (std::size_t c = 0; c < 3; ++c)
+    if (!(held >> c & 1)) free += normal[c] * normal[c];
+  return free <= rounding * rounding;
+}
+
 void refuse_held_faces(const BodyMesh& mesh, const std::vector<SurfacePoint>& point, int which) {
   const std::vector<std::uint8_t> held = held_elements(mesh);
   for (const SurfacePoint& p : point)
-    if (p.element >= 0 && held[at(p.element)] == 7)
+    if (p.element >= 0 && holds_normal(held[at(p.element)], p.normal))
       fail(Status::err_state, "the contact frame lies on %s of body %d, which is held by a support",
            face_name(mesh, p.element).c_str(), which + 1);
 }

@@ -33,16 +33,19 @@ class MeshedCompliance final : public Compliance {
   bool resolves_frame() const override;
   void set_threads(int threads) override {
     threads_ = threads;
-    if (local_) local_->set_threads(threads);
+    for (Compliance* part : {halfspace_.get(), remainder_.get()})
+      if (part) part->set_threads(threads);
   }
   std::int64_t kernel_evaluations() const override {
-    return local_ ? local_->kernel_evaluations() : 0;
+    return (halfspace_ ? halfspace_->kernel_evaluations() : 0) +
+           (remainder_ ? remainder_->kernel_evaluations() : 0);
   }
   std::size_t bytes() const override { return response_.bytes() + correction_.bytes(); }
 
  private:
   /// Zone rows and weights that interpolate to a point of the surface.
   struct Interpolation {
+    bool beyond = false;  ///< the point is over no element of the zone
     int count = 0;
     std::int64_t row[max_element_nodes];
     double weight[max_element_nodes];
@@ -51,7 +54,6 @@ class MeshedCompliance final : public Compliance {
   /// Row of the frame node that stands exactly here and is a node of the body; -1: none.
   std::int64_t row_of_node(double x, double y) const;
   void collect_response(const SurfaceRows& rows);
-  void require_correction() const;
   /// The frame's own at its nodes: at a ridge the field knows only one of the faces that meet
   /// there.
   Triad triad(double x, double y) const {
@@ -76,21 +78,24 @@ class MeshedCompliance final : public Compliance {
   std::unique_ptr<SurfaceSearch> zone_;
   std::shared_ptr<const SurfaceRows> rows_;
   // Made when a point between nodes is asked for.
-  mutable std::unique_ptr<Compliance> local_;
+  mutable std::unique_ptr<Compliance> halfspace_, remainder_;
   mutable RowMatrix<double> correction_;  ///< response less the half-space's
+
+  /// How displacements between nodes are made: a local part, and one interpolated on the zone.
+  struct Between {
+    const Compliance* local;
+    const RowMatrix<double>* smooth;
+  };
+  Between between(bool beyond) const;
+  void require_correction() const;
   bool by_shape_functions() const { return body_.options().between_nodes == 1; }
-  /// Finite elements feel the projection of the tractions on their faces and move by shape
-  /// functions: on faces of their own nothing is missing, under a layer the remainder is. (Their
-  /// difference to a half-space is not smooth: under the load of a single node they move by what
-  /// the mesh does not resolve.)
-  bool moves_by_shape_functions() const {
-    return by_shape_functions() || body_.kind() == BodyKind::fem;
-  }
-  bool has_remainder() const { return !by_shape_functions() && rows_->seen.rows() > 0; }
-  /// What is interpolated on the body's mesh.
-  const RowMatrix<double>& smooth_part() const {
-    return moves_by_shape_functions() ? response_ : correction_;
-  }
+  /// Points that are not nodes of the body: those of the zone, and those beyond it.
+  struct Others {
+    std::vector<double> x, y;
+    std::vector<std::size_t> point;  ///< of those asked for
+    std::vector<Interpolation> where;
+  };
+  std::array<Others, 2> others(Points points) const;
 };
 
 MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which,
@@ -185,14 +190,29 @@ void MeshedCompliance::collect_response(const SurfaceRows& rows) {
   }
 }
 
+// Boundary elements: what a half-space does, and the difference, which is smooth. Under the load of
+// a single node finite elements move by what the mesh does not resolve: their difference is not
+// smooth. On faces of their own shape functions serve; under a layer the remainder goes to a
+// half-space. Beyond the zone, where its rim's displacement would be all, they take the difference.
+MeshedCompliance::Between MeshedCompliance::between(bool beyond) const {
+  if (by_shape_functions()) return {nullptr, &response_};
+  if (body_.kind() != BodyKind::fem || beyond) {
+    require_correction();
+    return {halfspace_.get(), &correction_};
+  }
+  if (rows_->seen.rows() > 0 && !remainder_)
+    remainder_ = make_remainder_compliance(frame_, pair_, which_, *rows_, accuracy_, threads_);
+  return {remainder_.get(), &response_};
+}
+
 void MeshedCompliance::require_correction() const {
-  if (local_) return;
-  if (has_remainder())
-    local_ = make_remainder_compliance(frame_, pair_, which_, *rows_, accuracy_, threads_);
-  if (moves_by_shape_functions()) return;
+  if (halfspace_) return;
   auto halfspace = make_halfspace_compliance(
-      frame_, halfspace_constants(body_.young(), body_.poisson(), which_ == 0 ? 1 : -1), accuracy_,
-      threads_);
+      frame_,
+      halfspace_constants(rows_->young > 0 ? rows_->young : body_.young(),
+                          rows_->young > 0 ? rows_->poisson : body_.poisson(),
+                          which_ == 0 ? 1 : -1),
+      accuracy_, threads_);
   const std::int64_t n = frame_.nodes();
   const std::size_t zone = zone_x_.size();
   std::vector<double> buffer[3][3];
@@ -213,13 +233,13 @@ void MeshedCompliance::require_correction() const {
           correction_.row(row)[3 * k + j] =
               response_.row(row)[3 * k + j] - buffer[i][j][z * at(n) + at(k)];
     }
-  local_ = std::move(halfspace);
+  halfspace_ = std::move(halfspace);
 }
 
 std::int64_t MeshedCompliance::row_of_node(double x, double y) const {
   const auto found = node_at_.find({x, y});
   if (found == node_at_.end()) return -1;
-  if (has_remainder()) return -1;
+  if (rows_->seen.rows() > 0 && !by_shape_functions()) return -1;  // the remainder moves nodes too
   const std::int32_t node = on_body_.node[at(found->second)];
   return node < 0 ? -1 : row_of_body_node_[at(node)];
 }
@@ -233,6 +253,7 @@ MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) con
   Shape shape;
   evaluate_shape(mesh.type[at(point.element)], point.xi, point.eta, shape);
   Interpolation where;
+  where.beyond = !hit;
   for (const std::int32_t k : mesh.element(point.element)) {
     where.weight[where.count] = shape.value[static_cast<std::size_t>(where.count)];
     where.row[where.count] = row_of_body_node_[at(k)];
@@ -241,79 +262,83 @@ MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) con
   return where;
 }
 
+std::array<MeshedCompliance::Others, 2> MeshedCompliance::others(Points points) const {
+  std::array<Others, 2> result;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    if (row_of_node(points.x[p], points.y[p]) >= 0) continue;
+    const Interpolation where = locate(points.x[p], points.y[p]);
+    Others& group = result[where.beyond ? 1 : 0];
+    group.x.push_back(points.x[p]);
+    group.y.push_back(points.y[p]);
+    group.point.push_back(p);
+    group.where.push_back(where);
+  }
+  return result;
+}
+
 void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
   const std::int64_t n = frame_.nodes();
-  std::vector<double> between_x, between_y;
-  std::vector<std::size_t> between;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::int64_t row = row_of_node(points.x[p], points.y[p]);
-    if (row < 0) {
-      between.push_back(p);
-      between_x.push_back(points.x[p]);
-      between_y.push_back(points.y[p]);
-      continue;
-    }
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        if (!out.a[i][j]) continue;
-        const double* from = response_.row(3 * row + i) + j;
-        double* to = out.a[i][j] + static_cast<std::ptrdiff_t>(p) * out.stride;
-        for (std::int64_t k = 0; k < n; ++k) to[k] = from[3 * k];
+  const auto destination = [&](std::size_t i, std::size_t j, std::size_t point) {
+    return out.a[i][j] + static_cast<std::ptrdiff_t>(point) * out.stride;
+  };
+  const auto add = [&](const double* from, double weight, double* to) {
+    for (std::int64_t k = 0; k < n; ++k) to[k] += weight * from[3 * k];
+  };
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j)
+      for (std::size_t p = 0; out.a[i][j] && p < points.size(); ++p) {
+        // Half-spaces that do not couple leave blocks alone.
+        std::fill_n(destination(i, j, p), n, 0.0);
+        if (const std::int64_t row = row_of_node(points.x[p], points.y[p]); row >= 0)
+          add(response_.row(3 * row + static_cast<std::int64_t>(i)) + j, 1, destination(i, j, p));
       }
-  }
-  if (between.empty()) return;
-  require_correction();
-  std::vector<double> buffer[3][3];
-  ComplianceBlock part;
-  part.stride = static_cast<std::ptrdiff_t>(n);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (out.a[i][j]) {
-        // Half-spaces that do not couple leave these blocks alone.
-        buffer[i][j].assign(between.size() * at(n), 0.0);
-        part.a[i][j] = buffer[i][j].data();
-      }
-  if (local_) local_->block({between_x, between_y}, part);
-  for (std::size_t b = 0; b < between.size(); ++b) {
-    const Interpolation where = locate(between_x[b], between_y[b]);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) {
-        if (!out.a[i][j]) continue;
-        double* to = out.a[i][j] + static_cast<std::ptrdiff_t>(between[b]) * out.stride;
-        std::copy_n(buffer[i][j].data() + b * at(n), n, to);
-        for (int a = 0; a < where.count; ++a) {
-          const double* from = smooth_part().row(3 * where.row[a] + i) + j;
-          for (std::int64_t k = 0; k < n; ++k) to[k] += where.weight[a] * from[3 * k];
+  const std::array<Others, 2> groups = others(points);
+  for (const Others& group : groups) {
+    if (group.point.empty()) continue;
+    const Between part = between(&group == &groups[1]);
+    std::vector<double> buffer[3][3];
+    ComplianceBlock local;
+    local.stride = static_cast<std::ptrdiff_t>(n);
+    for (std::size_t i = 0; part.local && i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        if (out.a[i][j]) {
+          buffer[i][j].assign(group.point.size() * at(n), 0.0);
+          local.a[i][j] = buffer[i][j].data();
         }
-      }
+    if (part.local) part.local->block({group.x, group.y}, local);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t b = 0; out.a[i][j] && b < group.point.size(); ++b) {
+          double* to = destination(i, j, group.point[b]);
+          if (part.local) std::copy_n(buffer[i][j].data() + b * at(n), n, to);
+          const Interpolation& where = group.where[b];
+          for (int a = 0; a < where.count; ++a)
+            add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j,
+                where.weight[a], to);
+        }
   }
 }
 
 void MeshedCompliance::apply(Points points, const double* traction, double* displacement) const {
-  std::vector<double> between_x, between_y;
-  std::vector<std::size_t> between;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    const std::int64_t row = row_of_node(points.x[p], points.y[p]);
-    if (row >= 0) {
+  for (std::size_t p = 0; p < points.size(); ++p)
+    if (const std::int64_t row = row_of_node(points.x[p], points.y[p]); row >= 0)
       multiply(response_.row(3 * row), 3, response_.columns(), traction, 0, displacement + 3 * p);
-      continue;
-    }
-    between.push_back(p);
-    between_x.push_back(points.x[p]);
-    between_y.push_back(points.y[p]);
-  }
-  if (between.empty()) return;
-  require_correction();
-  const RowMatrix<double>& matrix = smooth_part();
-  std::vector<double> smooth(at(matrix.rows())), local(3 * between.size(), 0.0);
-  multiply(matrix.data(), matrix.rows(), matrix.columns(), traction, 0, smooth.data());
-  if (local_) local_->apply({between_x, between_y}, traction, local.data());
-  for (std::size_t b = 0; b < between.size(); ++b) {
-    const Interpolation where = locate(between_x[b], between_y[b]);
-    for (std::size_t i = 0; i < 3; ++i) {
-      double u = local[3 * b + i];
-      for (int a = 0; a < where.count; ++a) u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
-      displacement[3 * between[b] + i] = u;
+  const std::array<Others, 2> groups = others(points);
+  for (const Others& group : groups) {
+    if (group.point.empty()) continue;
+    const Between part = between(&group == &groups[1]);
+    const RowMatrix<double>& matrix = *part.smooth;
+    std::vector<double> smooth(at(matrix.rows())), local(3 * group.point.size(), 0.0);
+    multiply(matrix.data(), matrix.rows(), matrix.columns(), traction, 0, smooth.data());
+    if (part.local) part.local->apply({group.x, group.y}, traction, local.data());
+    for (std::size_t b = 0; b < group.point.size(); ++b) {
+      const Interpolation& where = group.where[b];
+      for (std::size_t i = 0; i < 3; ++i) {
+        double u = local[3 * b + i];
+        for (int a = 0; a < where.count; ++a)
+          u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
+        displacement[3 * group.point[b] + i] = u;
+      }
     }
   }
 }

@@ -23,7 +23,10 @@ Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
   faces.offset.push_back(0);
   for (std::size_t i = 0; i < rows.seen_node.size(); ++i) {
     number[at(rows.seen_node[i])] = static_cast<std::int32_t>(i);
-    faces.node.push_back(pair.pose[at(which)].place(surface.node[at(rows.seen_node[i])]));
+    // Half-spaces see the projection on the axes' plane alone; steep faces are not refused for it.
+    const Vec3 d =
+        pair.pose[at(which)].place(surface.node[at(rows.seen_node[i])]) - frame.axes.origin;
+    faces.node.push_back(plane_point(frame.axes, dot(d, frame.axes.t1), dot(d, frame.axes.t2)));
   }
   for (const std::int64_t e : rows.seen_face) {
     faces.type.push_back(surface.type[at(e)]);
@@ -40,9 +43,8 @@ class RemainderCompliance final : public Compliance {
   RemainderCompliance(const Frame& frame, const PairOfBodies& pair, int which,
                       const SurfaceRows& rows, double accuracy, int threads)
       : rows_(rows), faces_(frame_of_faces(frame, pair, which, rows)) {
-    const Body& body = *pair.body[at(which)];
     const HalfspaceConstants constants =
-        halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
+        halfspace_constants(rows.young, rows.poisson, which == 0 ? 1 : -1);
     on_layer_ = make_halfspace_compliance(frame, constants, accuracy, threads);
     on_faces_ = make_halfspace_compliance(faces_, constants, accuracy, threads);
   }

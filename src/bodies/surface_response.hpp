@@ -24,6 +24,7 @@ struct SurfaceRows {
   std::vector<std::int64_t> seen_face;
   std::vector<std::int32_t> seen_node;
   RowMatrix<double> seen;
+  double young = 0, poisson = 0;  ///< of most of these faces
 };
 
 /// Moment about the origin of the body's axes.

@@ -123,6 +123,7 @@ void ElementCoupling::project(const PlaneChart& chart, std::int64_t element) {
 }
 
 std::span<const CoupledNode> ElementCoupling::integrate(std::int64_t element) {
+  for (const CoupledNode& r : row_) place_[at(r.node)] = -1;
   row_.clear();
   columns_ = layer_.element(element).size();
   const PlaneChart chart(layer_, element);
@@ -278,9 +279,12 @@ void ElementCoupling::to_nearest(std::int64_t element) {
 }
 
 CoupledNode& ElementCoupling::row(std::int32_t node) {
-  for (CoupledNode& r : row_)
-    if (r.node == node) return r;
-  return row_.emplace_back(CoupledNode{node, {}});
+  std::int32_t& place = place_[at(node)];
+  if (place < 0) {
+    place = static_cast<std::int32_t>(row_.size());
+    row_.emplace_back(CoupledNode{node, {}});
+  }
+  return row_[at(place)];
 }
 
 void ElementCoupling::add(const Shape& upper, std::int64_t face, const Shape& lower, double area) {

@@ -22,7 +22,10 @@ struct CoupledNode {
 class ElementCoupling {
  public:
   ElementCoupling(const SurfaceMesh& body, const SurfaceSearch& faces, const SurfaceMesh& layer)
-      : body_(body), faces_(faces), layer_(layer) {}
+      : body_(body),
+        faces_(faces),
+        layer_(layer),
+        place_(static_cast<std::size_t>(body.nodes()), -1) {}
 
   /// Faces near the element.
   std::span<const std::int64_t> candidates(std::int64_t element);
@@ -53,6 +56,7 @@ class ElementCoupling {
   std::vector<std::int64_t> candidate_;
   std::vector<Under> under_;
   std::vector<CoupledNode> row_;
+  std::vector<std::int32_t> place_;  ///< of each node of the body in row_, -1: none
   std::size_t columns_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "bodies/fem/felt_tractions.hpp"
@@ -14,9 +15,12 @@
 namespace rollcon::fem {
 namespace {
 
-/// Contact faces with more unknowns wait for the frame, which mostly covers a part of them: the
-/// condensed matrix is dense.
-constexpr std::int64_t most_condensed_at_once = 6000;
+/// Contact faces with more unknowns wait for the frame, which mostly covers a part of them (above
+/// all when the caller did not name them): the condensed matrix is dense.
+constexpr std::int64_t most_condensed_at_once = 6000, most_unnamed_at_once = 1500;
+
+/// Reference coordinates of a point inside every element.
+constexpr double middle = 1.0 / 3;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -76,7 +80,8 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans,
                                                           return v != Vec3{0, 0, 0};
                                                         });
   std::vector<std::int64_t> contact = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
-  const bool few = static_cast<std::int64_t>(contact.size()) <= most_condensed_at_once;
+  const bool few = static_cast<std::int64_t>(contact.size()) <=
+                   (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
   if (few || loaded) factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
 }
 
@@ -163,7 +168,13 @@ void System::require_condensed(const std::vector<std::int32_t>& node, int thread
   const bool there = factor_ && std::all_of(unknown.begin(), unknown.end(), [&](std::int64_t u) {
                        return condensed_at_[at(u)] >= 0;
                      });
-  if (!there) factorize(std::move(unknown), threads);
+  if (there) return;
+  // What earlier frames needed stays, so that going back to them costs nothing.
+  std::vector<std::int64_t> all;
+  std::set_union(unknown.begin(), unknown.end(), condensed_.begin(), condensed_.end(),
+                 std::back_inserter(all));
+  const bool few = static_cast<std::int64_t>(all.size()) <= most_condensed_at_once;
+  factorize(few ? std::move(all) : std::move(unknown), threads);
 }
 
 void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
@@ -221,11 +232,35 @@ void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int 
   condense(mass.node, load, rows, threads);
 }
 
+// Contact faces that look the way of a layer: no walls of the body beside it.
+std::vector<std::int64_t> System::facing(const Vec3& normal) const {
+  constexpr double least_cosine = 0.25;
+  std::vector<std::int64_t> face;
+  for (const std::int64_t e : contact_elements(mesh_))
+    if (dot(unit_normal(surface_, e, middle, middle), normal) > least_cosine) face.push_back(e);
+  return face;
+}
+
+// The half-space under a layer is of the material of most of the faces that feel it.
+void System::choose_material(SurfaceRows& rows) const {
+  std::map<std::pair<double, double>, double> area;
+  double most = 0;
+  for (const std::int64_t e : rows.seen_face) {
+    const Material& m = assembly_.material(mesh_.origin[at(e)].element);
+    double& sum = area[{m.young, m.poisson}];
+    sum += element_area(surface_, e);
+    if (sum <= most) continue;
+    most = sum;
+    rows.young = m.young * reference_;
+    rows.poisson = m.poisson;
+  }
+}
+
 // The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
 // surface whose displacements are known.
 std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
-                                                const SurfaceRows& rows, const Vec3& normal) const {
-  constexpr double least_cosine = 0.7;  // of faces around
+                                                const SurfaceRows& rows,
+                                                const std::vector<std::int64_t>& candidates) const {
   std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
   const auto all_marked = [&](std::int64_t e) {
     const auto nodes = surface_.element(e);
@@ -235,7 +270,6 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   const auto fans_of = [&](std::int64_t e) {
     return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
   };
-  const std::vector<std::int64_t> candidates = contact_elements(mesh_);
   std::vector<std::int64_t> face;
   for (const std::int32_t k : coupling.node) known[at(k)] = 1;
   for (const std::int64_t e : candidates) {
@@ -252,19 +286,20 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
     const auto own = fans_of(e);
     const bool around =
         std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
-    if (around && dot(unit_normal(surface_, e, 1.0 / 3, 1.0 / 3), normal) > least_cosine)
-      face.push_back(e);
+    if (around) face.push_back(e);
   }
   std::sort(face.begin(), face.end());
   return face;
 }
 
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
-  const SurfaceCoupling coupling = couple_layer(surface_, contact_elements(mesh_), layer);
   Vec3 normal{0, 0, 0};
   for (std::int64_t e = 0; e < layer.elements(); ++e)
-    normal = normal + element_area(layer, e) * unit_normal(layer, e, 1.0 / 3, 1.0 / 3);
-  rows.seen_face = feeling_faces(coupling, rows, normalized(normal));
+    normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
+  const std::vector<std::int64_t> candidates = facing(normalized(normal));
+  const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
+  rows.seen_face = feeling_faces(coupling, rows, candidates);
+  choose_material(rows);
   const std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
   FeltTractions felt =
       felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod(options_));

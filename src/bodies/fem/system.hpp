@@ -40,8 +40,10 @@ class System final : public ResponseCache {
   /// load: at nodes `loaded` for each column of rows.
   void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
                 SurfaceRows& rows, int threads);
+  std::vector<std::int64_t> facing(const Vec3& normal) const;
   std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceRows& rows,
-                                          const Vec3& normal) const;
+                                          const std::vector<std::int64_t>& candidates) const;
+  void choose_material(SurfaceRows& rows) const;
 
   const BodyMesh& mesh_;
   const TractionNodes& fans_;
