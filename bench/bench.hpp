@@ -55,6 +55,7 @@ std::vector<Case> kernel_cases();
 std::vector<Case> linear_solver_cases();
 std::vector<Case> body_cases();
 std::vector<Case> ring_load_cases();
+std::vector<Case> fem_cases();
 
 double now();  ///< seconds, monotonic
 

@@ -7,6 +7,7 @@
 #include "bench.hpp"
 #include "support/example1.hpp"
 #include "support/example4.hpp"
+#include "support/mid_plane.hpp"
 
 namespace rollcon::bench {
 namespace {
@@ -36,20 +37,7 @@ double warm_seconds(scenes::RollingPair& pair, const scenes::Solution& s) {
 }
 
 double mid_plane_pressure(const scenes::Solution& s) {
-  double p0 = 0;
-  for (std::size_t k = 0; k < s.nodes(); ++k)
-    if (std::abs(s.y[k]) < 1e-6) p0 = std::max(p0, s.pressure[k]);
-  return p0;
-}
-
-/// parts: elements along and across the zone; the rest of the ring follows.
-surfaces::Ring ring_of(int parts) {
-  surfaces::Ring shape = example1::paper_ring();
-  shape.zone_around = parts;
-  shape.across = parts;
-  shape.around = 2 * ((46 * parts / 12) / 2);
-  shape.deep = std::max(2, 4 * parts / 12);
-  return shape;
+  return scenes::mid_plane(s, example1::paper_ring().zone, example1::width).p0;
 }
 
 void rings(Runner& runner) {
@@ -66,7 +54,7 @@ void rings(Runner& runner) {
     for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
       Record record{.case_name = "rings", .method = scheme, .model = "BEM on BEM"};
       const double began = now();
-      auto pair = example1::pair(ring_of(mesh.parts), mesh.type, scheme, runner.threads);
+      auto pair = example1::pair(example1::bem_ring(mesh.parts), mesh.type, scheme, runner.threads);
       const auto s = timed_solve(*pair, record, began);
       record.mesh = surfaces::name_of(mesh.type) + ", " +
                     std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) +
@@ -112,7 +100,8 @@ void growth(Runner& runner) {
   for (const int n : parts) {
     Record record{.case_name = "growth", .method = "characteristic", .model = "BEM on BEM"};
     const double began = now();
-    auto pair = example1::pair(ring_of(n), ElementType::quad4, "characteristic", runner.threads);
+    auto pair =
+        example1::pair(example1::bem_ring(n), ElementType::quad4, "characteristic", runner.threads);
     const auto s = timed_solve(*pair, record, began);
     record.mesh =
         "quad4, " + std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes";

@@ -18,7 +18,7 @@ std::vector<Case> all_cases() {
   using namespace rollcon::bench;
   std::vector<Case> cases;
   for (auto family : {hertz_cases, carter_cases, kalker_cases, steady_rolling_cases, example3_cases,
-                      kernel_cases, linear_solver_cases, body_cases, ring_load_cases})
+                      kernel_cases, linear_solver_cases, body_cases, ring_load_cases, fem_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
   return cases;
 }

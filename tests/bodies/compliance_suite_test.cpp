@@ -10,6 +10,7 @@
 #include "support/frames.hpp"
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
+#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
@@ -68,16 +69,40 @@ ComplianceCase halfspace(ElementType type, double nu) {
 }
 
 /// Block [-2, 2]^2 x [-3, 0] held at its bottom, contact zone [-1, 1]^2 on its top.
-std::unique_ptr<statics::StaticBody> zone_body(ElementType type, int level, const Placement& where,
-                                               const std::function<Vec3(const Vec3&)>& held) {
-  const surfaces::ZoneBlock shape{
+surfaces::ZoneBlock zone_shape(int level) {
+  return {
       .side = 4, .depth = 3, .zone = 2, .n = 4 << level, .grade = 1 << level, .deep = 2 << level};
-  auto body = std::make_unique<statics::StaticBody>(
-      scaled(surfaces::zone_block(shape, type), where.length), where.stress * young, poisson);
+}
+
+statics::StaticBody elastic_block(ElementType type, int level, const Placement& where) {
+  return {scaled(surfaces::zone_block(zone_shape(level), type), where.length), where.stress * young,
+          poisson};
+}
+
+statics::StaticBody elastic_block(VolumeType type, int level, const Placement& where) {
+  surfaces::ZoneBlock shape = zone_shape(level);
+  shape.deep *= 2;
+  return {volumes::transform(volumes::zone_block(shape, type),
+                             [&](const Vec3& x) { return where.length * x; }),
+          where.stress * young, poisson};
+}
+
+template <class Type>
+std::unique_ptr<statics::StaticBody> zone_body(Type type, int level, const Placement& where,
+                                               const std::function<Vec3(const Vec3&)>& held) {
+  auto body = std::make_unique<statics::StaticBody>(elastic_block(type, level, where));
   const std::int32_t zone[] = {2};
   body->body().set_contact_faces(1, zone);
   body->hold_tags({3}, 7, held).solve();
   return body;
+}
+
+/// Elements of a frame of its own.
+ElementType frame_type(ElementType type) {
+  return type;
+}
+ElementType frame_type(VolumeType type) {
+  return is_quadratic(type) ? ElementType::quad8 : ElementType::quad4;
 }
 
 PlacedCompliance on_zone(std::unique_ptr<statics::StaticBody> made, const Placement& where,
@@ -91,24 +116,44 @@ PlacedCompliance on_zone(std::unique_ptr<statics::StaticBody> made, const Placem
   return placed({owner, &owner->body()}, owner, std::move(zone), where);
 }
 
-/// own_mesh: elements along the side of a frame of its own; 0: the zone's faces are the frame.
-ComplianceCase boundary_elements(ElementType type, bool own_mesh) {
+/// own_mesh: a frame of its own is laid on; else the zone's faces are the frame.
+template <class Type>
+ComplianceCase meshed_body(Type type, const std::string& name, bool own_mesh) {
   ComplianceCase c;
-  c.name = "boundary elements, " + surfaces::name_of(type) + (own_mesh ? ", frame laid on" : "");
+  c.name = name + (own_mesh ? ", frame laid on" : "");
   c.young = young;
   const auto divisions = [own_mesh](int level) { return own_mesh ? 5 << level : 0; };
   c.make = [type, divisions](int level, const Placement& where) {
-    return on_zone(zone_body(type, level, where, {}), where, type, divisions(level));
+    return on_zone(zone_body(type, level, where, {}), where, frame_type(type), divisions(level));
   };
   c.moved = [type, divisions](const std::function<Vec3(const Vec3&)>& motion) {
-    return on_zone(zone_body(type, 0, {}, motion), {}, type, divisions(0));
+    return on_zone(zone_body(type, 0, {}, motion), {}, frame_type(type), divisions(0));
   };
   const bool quadratic = is_quadratic(type);
   c.reciprocity = quadratic ? std::vector<double>{8e-3, 1e-3} : std::vector<double>{1.5e-2, 4e-3};
   c.least_order = quadratic ? 2.5 : 1.7;
+  return c;
+}
+
+ComplianceCase boundary_elements(ElementType type, bool own_mesh) {
+  ComplianceCase c = meshed_body(type, "boundary elements, " + surfaces::name_of(type), own_mesh);
   c.placement = 1e-12;
   c.units = 1e-7;
   c.rigid_motion = 1e-7;
+  return c;
+}
+
+ComplianceCase finite_elements(VolumeType type, bool own_mesh) {
+  ComplianceCase c = meshed_body(type, "finite elements, " + volumes::name_of(type), own_mesh);
+  c.placement = 1e-11;
+  c.units = 1e-11;
+  c.rigid_motion = 1e-11;
+  c.least_order = 1.7;
+  if (!own_mesh) {
+    c.nodal_reciprocity = 1e-12;
+    c.reciprocity = {1e-12, 1e-12};  // shape functions between nodes
+    c.least_order = 0;
+  }
   return c;
 }
 
@@ -119,6 +164,9 @@ TEST_P(BodyModels, superposition) {
 }
 TEST_P(BodyModels, reciprocity) {
   check_reciprocity(GetParam());
+}
+TEST_P(BodyModels, nodal_reciprocity) {
+  check_nodal_reciprocity(GetParam());
 }
 TEST_P(BodyModels, positive_definite) {
   check_positive_definite(GetParam());
@@ -133,20 +181,56 @@ TEST_P(BodyModels, rigid_motion) {
   check_rigid_motion(GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Compliance, BodyModels,
-                         ::testing::Values(halfspace(ElementType::quad4, 0.3),
-                                           halfspace(ElementType::tri6, 0.0),
-                                           boundary_elements(ElementType::quad4, false),
-                                           boundary_elements(ElementType::tri3, false),
-                                           boundary_elements(ElementType::quad8, false),
-                                           boundary_elements(ElementType::quad4, true),
-                                           boundary_elements(ElementType::quad8, true)),
-                         [](const auto& param) {
-                           std::string name = param.param.name;
-                           for (char& ch : name)
-                             if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Compliance, BodyModels,
+    ::testing::Values(
+        halfspace(ElementType::quad4, 0.3), halfspace(ElementType::tri6, 0.0),
+        boundary_elements(ElementType::quad4, false), boundary_elements(ElementType::tri3, false),
+        boundary_elements(ElementType::quad8, false), boundary_elements(ElementType::quad4, true),
+        boundary_elements(ElementType::quad8, true), finite_elements(VolumeType::hex8, false),
+        finite_elements(VolumeType::hex20, false), finite_elements(VolumeType::tet4, false),
+        finite_elements(VolumeType::tet10, false), finite_elements(VolumeType::wedge6, false),
+        finite_elements(VolumeType::wedge15, false), finite_elements(VolumeType::hex8, true),
+        finite_elements(VolumeType::hex20, true)),
+    [](const auto& param) {
+      std::string name = param.param.name;
+      for (char& ch : name)
+        if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
+      return name;
+    });
+
+// One block, one frame laid on it, finite and boundary elements: the work of smooth loads tends to
+// the same.
+TEST(SameBody, by_finite_and_by_boundary_elements) {
+  constexpr int frame_parts = 6;
+  const auto works = [&](auto type, int level) {
+    return work_of_smooth_loads(
+        on_zone(zone_body(type, level, {}, {}), {}, ElementType::quad8, frame_parts));
+  };
+  const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] / b[i] - 1));
+    return worst;
+  };
+  const auto reference = works(ElementType::quad8, 1);
+  const auto refine = [&](auto type, const std::string& name, double coarse, double fine,
+                          int level = 1) {
+    const double e0 = distance(works(type, 0), reference),
+                 e1 = distance(works(type, level), reference);
+    const std::string parts = std::to_string(4 << level);
+    validation::expect_error(name + ", 4 x 4 in the zone, work against 8 x 8 quad8", e0, coarse);
+    validation::expect_error(
+        name + ", " + parts + " x " + parts + " in the zone, work against 8 x 8 quad8", e1, fine);
+    EXPECT_LT(e1, 0.75 * e0) << name;
+  };
+  refine(ElementType::quad4, "quad4", 0.1, 0.04);
+  // Under a frame finer than the faces a half-space helps: the coarse mesh is better than its
+  // order.
+  refine(VolumeType::hex8, "hex8", 0.15, 0.04, 2);
+  refine(VolumeType::hex20, "hex20", 0.05, 0.01);
+  refine(VolumeType::tet10, "tet10", 0.2, 0.03);
+  refine(VolumeType::wedge15, "wedge15", 0.1, 0.015);
+}
 
 }  // namespace
 }  // namespace rollcon

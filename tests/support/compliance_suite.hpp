@@ -41,15 +41,21 @@ struct ComplianceCase {
   std::vector<double> reciprocity;  ///< one bound per level; errors must fall
   double least_order = 0;           ///< of reciprocity from first to last level, halving each time
   double rigid_motion = 1e-8;
+  /// t1^T M u2 = t2^T M u1 with the frame's mass matrix M; 0: not so.
+  double nodal_reciprocity = 0;
 };
 void PrintTo(const ComplianceCase& c, std::ostream* out);
 
 // Each prints errors and bounds and fails the running test.
 void check_superposition(const ComplianceCase& c);
 void check_reciprocity(const ComplianceCase& c);
+void check_nodal_reciprocity(const ComplianceCase& c);
 void check_positive_definite(const ComplianceCase& c);
 void check_placement(const ComplianceCase& c);
 void check_units(const ComplianceCase& c);
 void check_rigid_motion(const ComplianceCase& c);
+
+/// t^T M u of smooth loads that vanish at the frame's rim: four each along t1, t2 and n.
+std::vector<double> work_of_smooth_loads(const PlacedCompliance& p);
 
 }  // namespace rollcon

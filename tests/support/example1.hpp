@@ -2,6 +2,7 @@
 /// The first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two
 /// equal rings roll on each other. N, mm, MPa, s.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -27,25 +28,66 @@ inline surfaces::Ring paper_ring() {
   return {};
 }
 
-inline MeshedBody ring_body(const surfaces::Ring& shape, ElementType type) {
-  MeshedBody body;
-  body.mesh = surfaces::ring(shape, type);
-  body.material = material;
+/// parts: elements along and across the zone; the rest of the ring follows.
+inline surfaces::Ring bem_ring(int parts) {
+  surfaces::Ring shape = paper_ring();
+  shape.zone_around = parts;
+  shape.across = parts;
+  shape.around = 2 * ((46 * parts / 12) / 2);
+  shape.deep = std::max(2, 4 * parts / 12);
+  return shape;
+}
+
+/// Bound of the elements around a ring for which `rest` elements outside the zone grow steadily: a
+/// lower one makes a few of them leap to it.
+inline double longest(int rest) {
+  return std::max(40.0, 4 * std::acos(-1.0) * radius / rest);
+}
+
+/// The same for finite elements, finer below the zone and coarser elsewhere.
+inline surfaces::Ring fem_ring(int parts) {
+  surfaces::Ring shape = bem_ring(parts);
+  shape.around = 2 * ((28 * parts / 12) / 2);
+  shape.deep = std::max(4, 10 * parts / 12);
+  shape.top_layer = shape.zone / parts;
+  shape.largest = longest(shape.around - shape.zone_around);
+  return shape;
+}
+
+inline void hold(MeshedBody& body, const surfaces::Ring& shape) {
   body.held_tag = {3};
   if (shape.sector > 0) body.held_tag.insert(body.held_tag.end(), {6, 7});
   body.contact_tag = {1, 2};
+}
+
+inline MeshedBody ring_body(const surfaces::Ring& shape, ElementType type) {
+  MeshedBody body = meshed(surfaces::ring(shape, type), material);
+  hold(body, shape);
   return body;
 }
 
-/// Rings one above the other, the axle of each along y; the second is turned upside down.
-inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type,
+inline MeshedBody ring_body(const surfaces::Ring& shape, VolumeType type) {
+  MeshedBody body = meshed(volumes::ring(shape, type), material);
+  hold(body, shape);
+  return body;
+}
+
+/// Rings one above the other, the axle of each along y; the second is turned upside down. The
+/// frame is the first one's zone.
+inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ring2,
                                          const char* scheme, int threads = 1) {
-  auto p = std::make_unique<RollingPair>(ring_body(shape, type), TwinBody{}, threads);
+  auto p = std::make_unique<RollingPair>(ring1, ring2, threads);
   p->pose(2, {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {0, 0, 2 * radius});
   p->axes({0, 0, radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
   p->friction(mu).load(load).speed(speed);
   p->tangential_force(ROLLCON_LONGITUDINAL, force_ratio * mu * load).option("convection", scheme);
   return p;
+}
+
+/// Twins of boundary elements.
+inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type,
+                                         const char* scheme, int threads = 1) {
+  return pair(ring_body(shape, type), TwinBody{}, scheme, threads);
 }
 
 }  // namespace rollcon::scenes::example1

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
+
+#include "support/element_runs.hpp"
 
 namespace rollcon::scenes {
 
@@ -14,32 +17,91 @@ AnyBody half_space_or_rigid(const std::optional<Elastic>& material) {
   return RigidBody{};
 }
 
-std::vector<std::int32_t> nodes_of_tags(const SurfaceMesh& mesh,
-                                        const std::vector<std::int32_t>& tag) {
+std::vector<std::int32_t> nodes_of_tag(const SurfaceMesh& mesh, std::int32_t tag) {
   std::set<std::int32_t> nodes;
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    if (std::find(tag.begin(), tag.end(), mesh.tag[static_cast<std::size_t>(e)]) != tag.end())
+    if (mesh.tag[static_cast<std::size_t>(e)] == tag)
       for (const std::int32_t k : mesh.element(e)) nodes.insert(k);
   return {nodes.begin(), nodes.end()};
 }
 
-/// Calls add(type, tag, first element, count) for runs of elements of one type and tag.
-template <class Add>
-void for_runs(const SurfaceMesh& mesh, Add add) {
-  const auto same = [&](std::int64_t a, std::int64_t b) {
-    const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-    return mesh.type[i] == mesh.type[j] && mesh.tag[i] == mesh.tag[j];
+}  // namespace
+
+MeshedBody meshed(SurfaceMesh mesh, const Elastic& material) {
+  MeshedBody body;
+  body.mesh = std::move(mesh);
+  body.material = material;
+  return body;
+}
+
+MeshedBody meshed(volumes::Mesh mesh, const Elastic& material) {
+  MeshedBody body = meshed(std::move(mesh.surface), material);
+  body.volume = std::move(mesh.volume);
+  return body;
+}
+
+namespace {
+
+/// Throws with the context's message when status < 0.
+std::int32_t check(rollcon_context* context, std::int32_t status, const char* what) {
+  if (status >= 0) return status;
+  std::string text(1000, '\0');
+  std::int64_t needed = 0;
+  rollcon_context_get_error(context, static_cast<std::int64_t>(text.size()), text.data(), &needed);
+  throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status) + ": " +
+                           text.c_str());
+}
+
+void give_mesh(rollcon_context* context, rollcon_body* made, const MeshedBody& body) {
+  const auto must = [&](std::int32_t status, const char* what) { check(context, status, what); };
+  const SurfaceMesh& mesh = body.mesh;
+  must(rollcon_body_set_nodes(made, mesh.nodes(), mesh.node[0].data(), 3, 1), "body_set_nodes");
+  const auto add = [&](std::int32_t type, std::int32_t tag, std::int64_t count,
+                       const std::int32_t* connectivity) {
+    must(rollcon_body_add_elements(made, type, count, connectivity, 0, tag), "body_add_elements");
   };
-  for (std::int64_t first = 0; first < mesh.elements();) {
-    std::int64_t last = first;
-    while (last < mesh.elements() && same(last, first)) ++last;
-    add(static_cast<std::int32_t>(mesh.type[static_cast<std::size_t>(first)]),
-        mesh.tag[static_cast<std::size_t>(first)], first, last - first);
-    first = last;
+  for_runs(body.volume, add);
+  for_runs(mesh, add);
+  std::vector<Slide> support = body.slide;
+  for (const std::int32_t tag : body.held_tag) support.push_back({tag, 7});
+  for (const auto& [tag, dof_mask] : support) {
+    const std::vector<std::int32_t> held = nodes_of_tag(mesh, tag);
+    must(rollcon_body_set_support(made, static_cast<std::int64_t>(held.size()), held.data(), 0,
+                                  dof_mask, nullptr),
+         "body_set_support");
   }
+  if (!body.contact_tag.empty())
+    must(rollcon_body_set_contact_faces(made, static_cast<std::int64_t>(body.contact_tag.size()),
+                                        body.contact_tag.data()),
+         "body_set_contact_faces");
+  for (const auto& [name, value] : body.option)
+    must(rollcon_body_set_real(made, name.c_str(), value), name.c_str());
+  for (const auto& [name, value] : body.int_option)
+    must(rollcon_body_set_int(made, name.c_str(), value), name.c_str());
+}
+
+std::int32_t kind_of(const AnyBody& body) {
+  if (std::holds_alternative<HalfspaceBody>(body)) return ROLLCON_BODY_HALFSPACE;
+  const auto* meshed = std::get_if<MeshedBody>(&body);
+  if (!meshed || !meshed->material) return ROLLCON_BODY_RIGID;
+  return meshed->volume.elements() > 0 ? ROLLCON_BODY_FEM : ROLLCON_BODY_BEM;
 }
 
 }  // namespace
+
+rollcon_body* make_body(rollcon_context* context, const AnyBody& body) {
+  rollcon_body* made = nullptr;
+  check(context, rollcon_body_create(context, kind_of(body), &made), "body_create");
+  const auto* meshed = std::get_if<MeshedBody>(&body);
+  std::optional<Elastic> material;
+  if (meshed) material = meshed->material;
+  if (const auto* half = std::get_if<HalfspaceBody>(&body)) material = half->material;
+  if (material)
+    check(context, rollcon_body_set_elastic(made, 0, material->young(), material->poisson),
+          "body_set_elastic");
+  if (meshed) give_mesh(context, made, *meshed);
+  return made;
+}
 
 RollingPair::RollingPair(std::optional<Elastic> body1, std::optional<Elastic> body2, int threads)
     : RollingPair(half_space_or_rigid(body1), half_space_or_rigid(body2), threads) {}
@@ -48,52 +110,14 @@ RollingPair::RollingPair(const AnyBody& body1, const AnyBody& body2, int threads
   if (rollcon_context_create(rollcon_abi(), &context_) != 0)
     throw std::runtime_error("rollcon_context_create failed");
   check(rollcon_context_set_threads(context_, threads), "set_threads");
-  body_[0] = make(body1);
+  body_[0] = make_body(context_, body1);
   if (std::holds_alternative<TwinBody>(body2)) {
     body_[1] = body_[0];
     check(rollcon_body_retain(body_[0]), "body_retain");
   } else {
-    body_[1] = make(body2);
+    body_[1] = make_body(context_, body2);
   }
   check(rollcon_contact_create(context_, body_[0], body_[1], &contact_), "contact_create");
-}
-
-rollcon_body* RollingPair::make(const AnyBody& body) {
-  rollcon_body* made = nullptr;
-  const auto elastic = [&](const Elastic& material) {
-    check(rollcon_body_set_elastic(made, 0, material.young(), material.poisson),
-          "body_set_elastic");
-  };
-  if (const auto* half = std::get_if<HalfspaceBody>(&body)) {
-    check(rollcon_body_create(context_, ROLLCON_BODY_HALFSPACE, &made), "body_create");
-    elastic(half->material);
-    return made;
-  }
-  const auto* meshed = std::get_if<MeshedBody>(&body);
-  const bool rigid = !meshed || !meshed->material;
-  check(rollcon_body_create(context_, rigid ? ROLLCON_BODY_RIGID : ROLLCON_BODY_BEM, &made),
-        "body_create");
-  if (!meshed) return made;
-  if (meshed->material) elastic(*meshed->material);
-  const SurfaceMesh& mesh = meshed->mesh;
-  check(rollcon_body_set_nodes(made, mesh.nodes(), mesh.node[0].data(), 3, 1), "body_set_nodes");
-  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t first, std::int64_t count) {
-    check(rollcon_body_add_elements(made, type, count, mesh.element(first).data(), 0, tag),
-          "body_add_elements");
-  });
-  const std::vector<std::int32_t> held = nodes_of_tags(mesh, meshed->held_tag);
-  if (!held.empty())
-    check(rollcon_body_set_support(made, static_cast<std::int64_t>(held.size()), held.data(), 0, 7,
-                                   nullptr),
-          "body_set_support");
-  if (!meshed->contact_tag.empty())
-    check(
-        rollcon_body_set_contact_faces(made, static_cast<std::int64_t>(meshed->contact_tag.size()),
-                                       meshed->contact_tag.data()),
-        "body_set_contact_faces");
-  for (const auto& [name, value] : meshed->option)
-    check(rollcon_body_set_real(made, name.c_str(), value), name.c_str());
-  return made;
 }
 
 RollingPair::~RollingPair() {
@@ -104,20 +128,15 @@ RollingPair::~RollingPair() {
 }
 
 std::int32_t RollingPair::check(std::int32_t status, const char* what) const {
-  if (status >= 0) return status;
-  std::string text(1000, '\0');
-  std::int64_t needed = 0;
-  rollcon_context_get_error(context_, static_cast<std::int64_t>(text.size()), text.data(), &needed);
-  throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status) + ": " +
-                           text.c_str());
+  return scenes::check(context_, status, what);
 }
 
 RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
   check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1),
         "set_frame_nodes");
-  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t first, std::int64_t count) {
-    check(rollcon_contact_add_frame_elements(contact_, type, count, mesh.element(first).data(), 0,
-                                             tag),
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count,
+                     const std::int32_t* connectivity) {
+    check(rollcon_contact_add_frame_elements(contact_, type, count, connectivity, 0, tag),
           "add_frame_elements");
   });
   return *this;

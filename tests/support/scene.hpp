@@ -14,6 +14,7 @@
 #include "mesh/frame.hpp"
 #include "rollcon.h"
 #include "support/closed_forms.hpp"
+#include "support/volume_meshes.hpp"
 
 namespace rollcon::scenes {
 
@@ -33,14 +34,26 @@ struct Solution {
   std::size_t nodes() const { return x.size(); }
 };
 
-/// A boundary-element body, or a rigid one with a surface (no material).
+/// Faces whose nodes are held in some directions: bits 1 x, 2 y, 4 z.
+struct Slide {
+  std::int32_t tag = 0, dof_mask = 7;
+};
+
+/// A body of finite elements if it has any, else of boundary elements; without material a rigid
+/// surface.
 struct MeshedBody {
-  SurfaceMesh mesh;
+  SurfaceMesh mesh;  ///< the surface, with the volume's nodes and its faces' tags
+  VolumeElements volume;
   std::optional<Elastic> material;
-  std::vector<std::int32_t> held_tag;     ///< faces held in all directions
+  std::vector<std::int32_t> held_tag;  ///< faces held in all directions
+  std::vector<Slide> slide;
   std::vector<std::int32_t> contact_tag;  ///< empty: the library's choice
   std::vector<std::pair<std::string, double>> option;
+  std::vector<std::pair<std::string, std::int64_t>> int_option;
 };
+/// Of finite elements.
+MeshedBody meshed(volumes::Mesh mesh, const Elastic& material);
+MeshedBody meshed(SurfaceMesh mesh, const Elastic& material);
 
 struct HalfspaceBody {
   Elastic material;
@@ -49,6 +62,8 @@ struct RigidBody {};
 /// The same body as body 1, with a pose of its own.
 struct TwinBody {};
 using AnyBody = std::variant<HalfspaceBody, RigidBody, MeshedBody, TwinBody>;
+/// No twin. The caller releases it.
+rollcon_body* make_body(rollcon_context* context, const AnyBody& body);
 
 class RollingPair {
  public:
@@ -89,11 +104,11 @@ class RollingPair {
   std::string plan() const;
 
   rollcon_contact* handle() const { return contact_; }
+  rollcon_body* body(int which) const { return body_[which - 1]; }
 
  private:
   std::int32_t check(std::int32_t status, const char* what) const;
   std::vector<double> field(std::int32_t which, std::size_t components) const;
-  rollcon_body* make(const AnyBody& body);
 
   rollcon_context* context_ = nullptr;
   rollcon_body* body_[2] = {};

@@ -6,6 +6,7 @@
 
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
+#include "support/element_runs.hpp"
 #include "support/surface_meshes.hpp"
 
 namespace rollcon::statics {
@@ -13,6 +14,14 @@ namespace {
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
+}
+
+template <class Mesh>
+void add_runs(Body& body, const Mesh& mesh) {
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count,
+                     const std::int32_t* connectivity) {
+    body.add_elements(type, count, connectivity, 0, tag);
+  });
 }
 
 }  // namespace
@@ -38,23 +47,25 @@ Tensor strain_of(const Tensor& stress, double young, double poisson) {
   return strain;
 }
 
-StaticBody::StaticBody(SurfaceMesh mesh, double young, double poisson, double accuracy)
-    : mesh_(std::move(mesh)),
-      context_(std::make_shared<Context>()),
-      body_(std::make_unique<Body>(context_, static_cast<std::int32_t>(BodyKind::bem))) {
+StaticBody::StaticBody(BodyKind kind, double young, double poisson, const std::vector<Vec3>& node)
+    : context_(std::make_shared<Context>()),
+      body_(std::make_unique<Body>(context_, static_cast<std::int32_t>(kind))) {
   body_->set_elastic(0, young, poisson);
-  body_->set_nodes(mesh_.nodes(), mesh_.node.front().data(), 3, 1);
-  // One call for each run of elements of one type and tag, so that their order stays.
-  for (std::int64_t e = 0; e < mesh_.elements();) {
-    std::int64_t end = e + 1;
-    while (end < mesh_.elements() && mesh_.type[at(end)] == mesh_.type[at(e)] &&
-           mesh_.tag[at(end)] == mesh_.tag[at(e)])
-      ++end;
-    body_->add_elements(static_cast<std::int32_t>(mesh_.type[at(e)]), end - e,
-                        mesh_.connectivity.data() + mesh_.offset[at(e)], 0, mesh_.tag[at(e)]);
-    e = end;
-  }
+  body_->set_nodes(static_cast<std::int64_t>(node.size()), node.front().data(), 3, 1);
+}
+
+StaticBody::StaticBody(SurfaceMesh mesh, double young, double poisson, double accuracy)
+    : StaticBody(BodyKind::bem, young, poisson, mesh.node) {
+  mesh_ = std::move(mesh);
+  add_runs(*body_, mesh_);
   body_->set_real("accuracy", accuracy);
+}
+
+StaticBody::StaticBody(const volumes::Mesh& mesh, double young, double poisson)
+    : StaticBody(BodyKind::fem, young, poisson, mesh.surface.node) {
+  add_runs(*body_, mesh.volume);
+  add_runs(*body_, mesh.surface);
+  mesh_ = body_->surface_copy();
 }
 
 StaticBody& StaticBody::hold(std::span<const std::int32_t> nodes, std::int32_t dof_mask,
@@ -121,7 +132,7 @@ Vec3 StaticBody::traction_at(std::int64_t fan) const {
   return {t[3 * at(fan)], t[3 * at(fan) + 1], t[3 * at(fan) + 2]};
 }
 
-StaticBody::Resultant StaticBody::resultant(std::initializer_list<std::int32_t> tags) const {
+Resultant StaticBody::resultant(std::initializer_list<std::int32_t> tags) const {
   const TractionNodes& fans = body_->traction_nodes();
   const PlaneRule triangle = triangle_rule(10), square = square_rule(10);
   Resultant sum;

@@ -1,6 +1,6 @@
 #pragma once
-/// A boundary-element body under loads and given displacements, without contact: set up from a mesh
-/// in a few lines, solved, and asked for displacements and tractions.
+/// A body under loads and given displacements, without contact: set up from a mesh in a few lines,
+/// of boundary elements or of finite ones, solved, and asked for displacements and tractions.
 
 #include <functional>
 #include <memory>
@@ -10,6 +10,7 @@
 
 #include "bodies/body.hpp"
 #include "mesh/surface_mesh.hpp"
+#include "support/volume_meshes.hpp"
 
 namespace rollcon::statics {
 
@@ -25,7 +26,9 @@ Tensor strain_of(const Tensor& stress, double young, double poisson);
 class StaticBody {
  public:
   StaticBody(SurfaceMesh mesh, double young, double poisson, double accuracy = 1e-6);
+  StaticBody(const volumes::Mesh& mesh, double young, double poisson);
 
+  /// The surface; of finite elements the boundary, and all nodes.
   const SurfaceMesh& mesh() const { return mesh_; }
   Body& body() { return *body_; }
 
@@ -44,20 +47,22 @@ class StaticBody {
 
   Vec3 displacement(std::int32_t node) const;
   Vec3 displacement(const Vec3& near) const;  ///< of the node nearest to it
-  /// Of a traction node.
+  /// What the supports exert, about the origin.
+  Resultant reaction() const { return body_->response()->support_reaction(); }
+  /// Of a traction node (boundary elements).
   Vec3 traction_at(std::int64_t fan) const;
-  /// Sum over all elements of integral t, and of x cross t about the origin.
-  struct Resultant {
-    Vec3 force{0, 0, 0}, moment{0, 0, 0};
-  };
+  /// Sum over all elements of integral t, and of x cross t about the origin (boundary elements).
   Resultant resultant(std::initializer_list<std::int32_t> tags) const;
 
   /// Largest difference from a field over all nodes, over the field's largest length.
   double displacement_error(const std::function<Vec3(const Vec3&)>& exact) const;
-  /// The same for tractions sigma(x) n, over all traction nodes of faces with flat normals.
+  /// The same for tractions sigma(x) n, over all traction nodes of faces with flat normals
+  /// (boundary elements).
   double traction_error(const std::function<Tensor(const Vec3&)>& stress) const;
 
  private:
+  StaticBody(BodyKind kind, double young, double poisson, const std::vector<Vec3>& node);
+
   SurfaceMesh mesh_;
   std::shared_ptr<Context> context_;
   std::unique_ptr<Body> body_;

@@ -7,15 +7,17 @@
 #include <string>
 #include <vector>
 
-#include "support/static_solution.hpp"
-#include "support/surface_meshes.hpp"
+#include "support/static_cases.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
+using statics::Given;
+using statics::givens;
 using statics::StaticBody;
 using statics::Tensor;
+using statics::UniformStress;
 using validation::expect_error;
 
 constexpr double young = 200;
@@ -43,75 +45,15 @@ std::vector<MeshCase> meshes() {
   return cases;
 }
 
-struct Field {
-  const char* name;
-  Tensor stress;
-};
-
-constexpr Field fields[] = {
-    {"uniaxial x", {{{1, 0, 0}, {0, 0, 0}, {0, 0, 0}}}},
-    {"uniaxial y", {{{0, 0, 0}, {0, 1, 0}, {0, 0, 0}}}},
-    {"uniaxial z", {{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}}}},
-    {"shear", {{{0, 1, -0.4}, {1, 0, 0.7}, {-0.4, 0.7, 0}}}},
-};
-
-/// Strain of the stress, with a rotation and a translation on top.
-struct Motion {
-  Tensor gradient;
-  Vec3 shift{0.01, -0.02, 0.005};
-  Motion(const Tensor& stress, double poisson)
-      : gradient(statics::strain_of(stress, young, poisson)) {
-    const Vec3 spin{0.004, -0.003, 0.002};
-    gradient[0] = gradient[0] + Vec3{0, -spin[2], spin[1]};
-    gradient[1] = gradient[1] + Vec3{spin[2], 0, -spin[0]};
-    gradient[2] = gradient[2] + Vec3{-spin[1], spin[0], 0};
-  }
-  Vec3 operator()(const Vec3& x) const { return statics::times(gradient, x) + shift; }
-};
-
-/// Outward normals of a brick's tags 1 to 6.
-Vec3 face_normal(std::int32_t tag) {
-  Vec3 n{0, 0, 0};
-  n[static_cast<std::size_t>(tag - 1) / 2] = tag % 2 ? -1 : 1;
-  return n;
-}
-
-void give_tractions(StaticBody& body, const Tensor& stress,
-                    std::initializer_list<std::int32_t> tags) {
-  for (const std::int32_t tag : tags) body.traction(tag, statics::times(stress, face_normal(tag)));
-}
-
-enum class Given { tractions, displacements, clamped_face, symmetry_planes };
-constexpr std::pair<Given, const char*> givens[] = {{Given::tractions, "tractions"},
-                                                    {Given::displacements, "displacements"},
-                                                    {Given::clamped_face, "one face and a slide"},
-                                                    {Given::symmetry_planes, "three slides"}};
-
 struct Errors {
   double displacement = 0, traction = 0, condition = 0;
 };
 
 Errors patch_error(const SurfaceMesh& mesh, Given given, const Tensor& stress, double poisson,
                    double accuracy) {
-  const Motion exact(stress, poisson);
+  const UniformStress exact(stress, young, poisson);
   StaticBody body(mesh, young, poisson, accuracy);
-  switch (given) {
-    case Given::tractions:
-      give_tractions(body, stress, {1, 2, 3, 4, 5, 6});
-      body.hold_statically(exact);
-      break;
-    case Given::displacements:
-      body.hold_tags({1, 2, 3, 4, 5, 6}, 7, exact);
-      break;
-    case Given::clamped_face:
-      give_tractions(body, stress, {2, 3, 4, 5, 6});
-      body.hold_tags({1}, 7, exact).hold_tags({6}, 4, exact);
-      break;
-    case Given::symmetry_planes:
-      give_tractions(body, stress, {1, 2, 3, 4, 5, 6});
-      body.hold_tags({1}, 1, exact).hold_tags({3}, 2, exact).hold_tags({5}, 4, exact);
-      break;
-  }
+  statics::give(body, given, exact);
   body.solve();
   return {body.displacement_error(exact), body.traction_error([&](const Vec3&) { return stress; }),
           body.body().response()->statistics().condition};
@@ -124,7 +66,7 @@ TEST_P(Patch, uniform_strain_is_exact_with_exact_integrals) {
   double worst_condition = 0;
   for (const auto& [given, what] : givens) {
     Errors worst;
-    for (const Field& field : fields) {
+    for (const auto& field : statics::uniform_stresses) {
       const Errors e = patch_error(mesh.mesh, given, field.stress, 0.3, 1e-10);
       worst.displacement = std::max(worst.displacement, e.displacement);
       worst.traction = std::max(worst.traction, e.traction);
@@ -139,7 +81,7 @@ TEST_P(Patch, uniform_strain_is_exact_with_exact_integrals) {
 TEST_P(Patch, uniform_strain_with_standard_accuracy) {
   const MeshCase mesh = meshes()[GetParam()];
   for (const auto& [given, what] : givens) {
-    const Errors e = patch_error(mesh.mesh, given, fields[3].stress, 0.3, 1e-6);
+    const Errors e = patch_error(mesh.mesh, given, statics::uniform_stresses[3].stress, 0.3, 1e-6);
     expect_error(mesh.name + ", " + what + ": u", e.displacement, 1e-5);
     expect_error(mesh.name + ", " + what + ": t", e.traction, 1e-4);
   }
@@ -161,7 +103,8 @@ TEST(PatchMaterials, from_auxetic_to_incompressible) {
     for (const auto& [given, what] : givens) {
       // With all displacements given, an incompressible body has any pressure.
       if (given == Given::displacements && poisson > 0.49) continue;
-      const Errors e = patch_error(mesh, given, fields[0].stress, poisson, 1e-10);
+      const Errors e =
+          patch_error(mesh, given, statics::uniform_stresses[0].stress, poisson, 1e-10);
       const std::string text = "nu " + std::to_string(poisson) + ", " + what;
       expect_error(text + ": u", e.displacement, 1e-8);
       expect_error(text + ": t", e.traction, 1e-7);
@@ -172,7 +115,8 @@ TEST(PatchMaterials, the_error_follows_the_accuracy_asked_for) {
   const SurfaceMesh mesh = surfaces::distort(
       surfaces::block(surfaces::brick({3, 2, 2}, {1, 1, 1}), ElementType::quad8), 0.2, 5);
   for (const double accuracy : {1e-3, 1e-5, 1e-7, 1e-9}) {
-    const Errors e = patch_error(mesh, Given::clamped_face, fields[3].stress, 0.3, accuracy);
+    const Errors e =
+        patch_error(mesh, Given::clamped_face, statics::uniform_stresses[3].stress, 0.3, accuracy);
     expect_error("accuracy " + std::to_string(std::lround(std::log10(accuracy))) + ": t",
                  e.traction, 30 * accuracy);
   }

@@ -1,0 +1,166 @@
+#include "support/loaded_ring.hpp"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "linalg/dense.hpp"
+
+namespace rollcon::statics::loaded_ring {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double none = 0;  ///< not listed, or zero by symmetry
+
+/// At (s, y) = (0,0), (1,0), (2,0), (0,2), (0,3.9), (0,4), and the mean over the patch |s| <= 1.
+struct Row {
+  Load load;
+  double poisson;
+  char component;  ///< n inwards, s, y
+  std::array<double, 7> value;
+};
+constexpr Row rows[] = {
+    {Load::normal,
+     0.3,
+     'n',
+     {.0474826, .0394575, .0283727, .0480571, .0517939, .0522833, .0462414}},
+    {Load::normal, 0.3, 's', {none, -.0049983, -.0048333, none, none, none, none}},
+    {Load::normal, 0.3, 'y', {none, none, none, .0045073, .0124102, .0129436, none}},
+    {Load::tangential,
+     0.3,
+     's',
+     {.0754808, .0673031, .0558447, .0755530, .0733572, .0726928, .0729445}},
+    {Load::tangential, 0.3, 'n', {none, .0045039, .0040242, none, none, none, none}},
+    {Load::normal, 0.49, 'n', {.0440806, .0372047, .0275117, .0453897, none, .0541693, .0443127}}};
+constexpr const char* point_names[] = {"(0,0)",   "(1,0)", "(2,0)", "(0,2)",
+                                       "(0,3.9)", "(0,4)", "mean"};
+constexpr std::pair<double, double> points[] = {{0, 0}, {1, 0}, {2, 0}, {0, 2}, {0, 3.9}, {0, 4}};
+
+Vec3 outward(const Vec3& x) {
+  const double r = std::hypot(x[0], x[2]);
+  return {x[0] / r, 0, x[2] / r};
+}
+Vec3 around(const Vec3& x) {
+  const Vec3 n = outward(x);
+  return {n[2], 0, -n[0]};
+}
+/// On the outer surface, at the upper half, no further than s along the circumference.
+bool near_top(const Vec3& x, double s) {
+  return x[2] > 0 && std::abs(std::hypot(x[0], x[2]) - outer) < 1e-9 &&
+         std::abs(outer * std::atan2(x[0], x[2])) < s + 1e-9;
+}
+
+double component(const Vec3& local, char name) {
+  return local[name == 's' ? 0 : name == 'y' ? 1 : 2];
+}
+
+}  // namespace
+
+surfaces::Block quarter(const Quarter& q) {
+  surfaces::Block b;
+  for (int k = 0; k <= q.zone; ++k) b.line[0].push_back(2.0 / outer * k / q.zone);
+  const auto rest = surfaces::graded(q.far, 2.0 / outer, pi, 2.0 / outer / q.zone);
+  b.line[0].insert(b.line[0].end(), rest.begin() + 1, rest.end());
+  for (int k = 0; k <= q.across; ++k) b.line[1].push_back(side * std::sin(pi / 2 * k / q.across));
+  b.line[2] = surfaces::graded_to(q.deep, inner, outer, 2.0 / q.zone);
+  b.map = [](const Vec3& x) { return Vec3{x[2] * std::sin(x[0]), x[1], x[2] * std::cos(x[0])}; };
+  return b;
+}
+
+void hold_quarter(StaticBody& body, Load kind) {
+  body.hold_tags({5}).hold_tags({1, 2}, kind == Load::normal ? 1 : 6).hold_tags({3}, 2).solve();
+}
+
+std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh) {
+  std::vector<std::int64_t> patch;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    bool inside = true;
+    for (const std::int32_t k : mesh.element(e))
+      inside = inside && near_top(mesh.node[static_cast<std::size_t>(k)], 1);
+    if (inside) patch.push_back(e);
+  }
+  return patch;
+}
+
+Vec3 Answer::local(std::size_t k) const {
+  const Vec3& x = mesh->node[static_cast<std::size_t>(node[k])];
+  return {dot(u[k], around(x)), u[k][1], -dot(u[k], outward(x))};
+}
+
+Vec3 Answer::at(double s, double y) const {
+  std::map<double, std::size_t> line;
+  for (std::size_t k = 0; k < node.size(); ++k) {
+    const Vec3& x = mesh->node[static_cast<std::size_t>(node[k])];
+    if (std::abs(outer * std::atan2(x[0], x[2]) - s) > 1e-9) continue;
+    if (std::abs(x[1] - y) < 1e-9) return local(k);
+    line[x[1]] = k;
+  }
+  // The nodes of the element that holds y.
+  const std::vector<std::pair<double, std::size_t>> all(line.begin(), line.end());
+  const std::size_t steps = is_quadratic(mesh->type.front()) ? 2 : 1;
+  std::size_t first = 0;
+  while (first + 2 * steps < all.size() && all[first + steps].first < y) first += steps;
+  Vec3 sum{0, 0, 0};
+  for (std::size_t i = first; i <= first + steps; ++i) {
+    double weight = 1;
+    for (std::size_t j = first; j <= first + steps; ++j)
+      if (j != i) weight *= (y - all[j].first) / (all[i].first - all[j].first);
+    sum = sum + weight * local(all[i].second);
+  }
+  return sum;
+}
+
+Answer loaded(StaticBody& body, Load kind) {
+  const SurfaceMesh& mesh = body.mesh();
+  std::vector<std::int32_t> patch_node;
+  const SurfaceMesh patch = surfaces::part_of(mesh, patch_of(mesh), patch_node);
+  Answer a;
+  a.mesh = &mesh;
+  for (const std::int32_t k : surfaces::nodes_with_tag(mesh, std::array{6}))
+    if (near_top(mesh.node[static_cast<std::size_t>(k)], 2)) a.node.push_back(k);
+  const auto rows_of_layer = body.body().response()->layer(patch, a.node, 1);
+  std::vector<double> t;
+  for (const Vec3& x : patch.node) {
+    const Vec3 value = load * (kind == Load::normal ? -1.0 * outward(x) : around(x));
+    t.insert(t.end(), value.begin(), value.end());
+  }
+  std::vector<double> u(3 * a.node.size());
+  multiply(rows_of_layer->u.data(), rows_of_layer->u.rows(), rows_of_layer->u.columns(), t.data(),
+           0, u.data());
+  for (std::size_t k = 0; k < a.node.size(); ++k)
+    a.u.push_back({u[3 * k], u[3 * k + 1], u[3 * k + 2]});
+  // Mean over the patch: by the shape functions of its elements, all of whose nodes are known.
+  std::map<std::int32_t, std::size_t> place;
+  for (std::size_t k = 0; k < a.node.size(); ++k) place[a.node[k]] = k;
+  double area = 0;
+  const auto weights = surfaces::nodal_areas(patch);
+  for (std::size_t k = 0; k < patch_node.size(); ++k) {
+    a.mean = a.mean + weights[k] * a.local(place.at(patch_node[k]));
+    area += weights[k];
+  }
+  a.mean = (1 / area) * a.mean;
+  return a;
+}
+
+std::vector<ListedError> listed_errors(StaticBody& body, Load kind, double poisson) {
+  const Answer a = loaded(body, kind);
+  std::vector<ListedError> errors;
+  for (const Row& row : rows) {
+    if (row.load != kind || row.poisson != poisson) continue;
+    for (std::size_t p = 0; p < 7; ++p) {
+      if (row.value[p] == none) continue;
+      const double value =
+          component(p < 6 ? a.at(points[p].first, points[p].second) : a.mean, row.component);
+      const bool main = row.component == (kind == Load::normal ? 'n' : 's');
+      const double scale = main ? row.value[p] : kind == Load::normal ? .0474826 : .0754808;
+      errors.push_back({(kind == Load::normal ? "normal" : "tangential") +
+                            std::string(" load, nu ") + std::to_string(poisson).substr(0, 4) +
+                            ": u_" + row.component + " at " + point_names[p],
+                        (value - row.value[p]) / scale});
+    }
+  }
+  return errors;
+}
+
+}  // namespace rollcon::statics::loaded_ring

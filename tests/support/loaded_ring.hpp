@@ -1,0 +1,53 @@
+#pragma once
+/// The ring of the paper's first example under loads on a patch of its outer surface, against
+/// Fourier series with high-order elements in the section (relative accuracy 1e-5).
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "support/static_solution.hpp"
+#include "support/surface_meshes.hpp"
+
+namespace rollcon::statics::loaded_ring {
+
+inline constexpr double young = 1e4, inner = 25, outer = 50, side = 4, load = 100;
+
+enum class Load { normal, tangential };
+
+/// Half of the circumference and half of the width, between planes of (anti)symmetry; the hub is
+/// tag 5.
+struct Quarter {
+  /// Elements: half of the zone |s| <= 2, half of the rest, half of the width, from the hub
+  /// outwards.
+  int zone, far, across, deep;
+};
+surfaces::Block quarter(const Quarter& q);
+/// Holds hub and planes for one kind of load, and solves.
+void hold_quarter(StaticBody& body, Load kind);
+
+/// Faces of the patch |s| <= 1; their edges must lie at its ends.
+std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh);
+
+/// Displacements of the outer surface near the patch, and their mean over the patch.
+struct Answer {
+  std::vector<std::int32_t> node;
+  std::vector<Vec3> u;
+  const SurfaceMesh* mesh = nullptr;
+  Vec3 mean{0, 0, 0};  ///< local components s, y, n (inwards)
+
+  Vec3 local(std::size_t k) const;
+  /// On a line s = const of nodes.
+  Vec3 at(double s, double y) const;
+};
+Answer loaded(StaticBody& body, Load kind);
+
+/// Errors of every listed value: against the largest displacement of the row's load for the small
+/// components, against the value itself for the component of the load.
+struct ListedError {
+  std::string what;
+  double error = 0;
+};
+std::vector<ListedError> listed_errors(StaticBody& body, Load kind, double poisson);
+
+}  // namespace rollcon::statics::loaded_ring
