@@ -5,10 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "bodies/fem/felt_tractions.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
-#include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -18,9 +16,6 @@ namespace {
 /// Contact faces with more unknowns wait for the frame, which mostly covers a part of them (above
 /// all when the caller did not name them): the condensed matrix is dense.
 constexpr std::int64_t most_condensed_at_once = 6000, most_unnamed_at_once = 1500;
-
-/// Reference coordinates of a point inside every element.
-constexpr double middle = 1.0 / 3;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -41,13 +36,6 @@ std::vector<Material> by_element(const BodyMesh& mesh,
     result.push_back({m.young / reference, m.poisson});
   }
   return result;
-}
-
-bool by_cholmod(const BodyOptions& options) {
-  constexpr int cholmod = 1, umfpack = 2;
-  if (options.factorization == cholmod) return true;
-  if (options.factorization == umfpack) return false;
-  return ROLLCON_BUILD_CHOLMOD != 0;
 }
 
 std::size_t bytes_of(const SparseSymmetric& matrix) {
@@ -85,6 +73,13 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans,
   if (few || loaded) factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
 }
 
+bool System::by_cholmod() const {
+  constexpr int cholmod = 1, umfpack = 2;
+  if (options_.factorization == cholmod) return true;
+  if (options_.factorization == umfpack) return false;
+  return ROLLCON_BUILD_CHOLMOD != 0;
+}
+
 std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& node) const {
   std::vector<std::int64_t> unknown;
   for (const std::int32_t k : node)
@@ -104,8 +99,8 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   double seconds = 0;
   try {
     const Stopwatch watch(seconds);
-    factor_ = by_cholmod(options_) ? factor_by_cholmod(matrix_, condensed)
-                                   : factor_by_umfpack(matrix_, condensed, threads);
+    factor_ = by_cholmod() ? factor_by_cholmod(matrix_, condensed)
+                           : factor_by_umfpack(matrix_, condensed, threads);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();
@@ -230,82 +225,6 @@ void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int 
       load.row(static_cast<std::int64_t>(r))[column - rows.column.begin()] = mass.value[at(k)];
     }
   condense(mass.node, load, rows, threads);
-}
-
-// Contact faces that look the way of a layer: no walls of the body beside it.
-std::vector<std::int64_t> System::facing(const Vec3& normal) const {
-  constexpr double least_cosine = 0.25;
-  std::vector<std::int64_t> face;
-  for (const std::int64_t e : contact_elements(mesh_))
-    if (dot(unit_normal(surface_, e, middle, middle), normal) > least_cosine) face.push_back(e);
-  return face;
-}
-
-// The half-space under a layer is of the material of most of the faces that feel it.
-void System::choose_material(SurfaceRows& rows) const {
-  std::map<std::pair<double, double>, double> area;
-  double most = 0;
-  for (const std::int64_t e : rows.seen_face) {
-    const Material& m = assembly_.material(mesh_.origin[at(e)].element);
-    double& sum = area[{m.young, m.poisson}];
-    sum += element_area(surface_, e);
-    if (sum <= most) continue;
-    most = sum;
-    rows.young = m.young * reference_;
-    rows.poisson = m.poisson;
-  }
-}
-
-// The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
-// surface whose displacements are known.
-std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
-                                                const SurfaceRows& rows,
-                                                const std::vector<std::int64_t>& candidates) const {
-  std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
-  const auto all_marked = [&](std::int64_t e) {
-    const auto nodes = surface_.element(e);
-    return std::all_of(nodes.begin(), nodes.end(),
-                       [&](std::int32_t k) { return known[at(k)] != 0; });
-  };
-  const auto fans_of = [&](std::int64_t e) {
-    return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
-  };
-  std::vector<std::int64_t> face;
-  for (const std::int32_t k : coupling.node) known[at(k)] = 1;
-  for (const std::int64_t e : candidates) {
-    if (!all_marked(e)) continue;
-    face.push_back(e);
-    for (const std::int32_t f : fans_of(e)) fan[at(f)] = 1;
-  }
-  for (const std::int32_t k : rows.row) known[at(k)] = 1;
-  const std::size_t under = face.size();
-  for (const std::int64_t e : candidates) {
-    if (!all_marked(e) ||
-        std::binary_search(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(under), e))
-      continue;
-    const auto own = fans_of(e);
-    const bool around =
-        std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
-    if (around) face.push_back(e);
-  }
-  std::sort(face.begin(), face.end());
-  return face;
-}
-
-void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
-  Vec3 normal{0, 0, 0};
-  for (std::int64_t e = 0; e < layer.elements(); ++e)
-    normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
-  const std::vector<std::int64_t> candidates = facing(normalized(normal));
-  const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
-  rows.seen_face = feeling_faces(coupling, rows, candidates);
-  choose_material(rows);
-  const std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
-  FeltTractions felt =
-      felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod(options_));
-  condense(felt.node, felt.load, rows, threads);
-  rows.seen_node = std::move(felt.node);
-  rows.seen = std::move(felt.traction);
 }
 
 BodyStatistics System::statistics() const {

@@ -33,6 +33,7 @@ class System final : public ResponseCache {
  private:
   void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
   void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
+  bool by_cholmod() const;
   void factorize(std::vector<std::int64_t> condensed, int threads);
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;

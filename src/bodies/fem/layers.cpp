@@ -1,0 +1,99 @@
+/// Finite elements under a layer: which faces feel it, and as what.
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "bodies/fem/felt_tractions.hpp"
+#include "bodies/fem/system.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon::fem {
+namespace {
+
+/// Reference coordinates of a point inside every element.
+constexpr double middle = 1.0 / 3;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+// Contact faces that look the way of a layer: no walls of the body beside it.
+std::vector<std::int64_t> System::facing(const Vec3& normal) const {
+  constexpr double least_cosine = 0.25;
+  std::vector<std::int64_t> face;
+  for (const std::int64_t e : contact_elements(mesh_))
+    if (dot(unit_normal(surface_, e, middle, middle), normal) > least_cosine) face.push_back(e);
+  return face;
+}
+
+// The half-space under a layer is of the material of most of the faces that feel it.
+void System::choose_material(SurfaceRows& rows) const {
+  std::map<std::pair<double, double>, double> area;
+  double most = 0;
+  for (const std::int64_t e : rows.seen_face) {
+    const Material& m = assembly_.material(mesh_.origin[at(e)].element);
+    double& sum = area[{m.young, m.poisson}];
+    sum += element_area(surface_, e);
+    if (sum <= most) continue;
+    most = sum;
+    rows.young = m.young * reference_;
+    rows.poisson = m.poisson;
+  }
+}
+
+// The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
+// surface whose displacements are known.
+std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
+                                                const SurfaceRows& rows,
+                                                const std::vector<std::int64_t>& candidates) const {
+  std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
+  const auto all_marked = [&](std::int64_t e) {
+    const auto nodes = surface_.element(e);
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](std::int32_t k) { return known[at(k)] != 0; });
+  };
+  const auto fans_of = [&](std::int64_t e) {
+    return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
+  };
+  std::vector<std::int64_t> face;
+  for (const std::int32_t k : coupling.node) known[at(k)] = 1;
+  for (const std::int64_t e : candidates) {
+    if (!all_marked(e)) continue;
+    face.push_back(e);
+    for (const std::int32_t f : fans_of(e)) fan[at(f)] = 1;
+  }
+  for (const std::int32_t k : rows.row) known[at(k)] = 1;
+  const std::size_t under = face.size();
+  for (const std::int64_t e : candidates) {
+    if (!all_marked(e) ||
+        std::binary_search(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(under), e))
+      continue;
+    const auto own = fans_of(e);
+    const bool around =
+        std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
+    if (around) face.push_back(e);
+  }
+  std::sort(face.begin(), face.end());
+  return face;
+}
+
+void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
+  Vec3 normal{0, 0, 0};
+  for (std::int64_t e = 0; e < layer.elements(); ++e)
+    normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
+  const std::vector<std::int64_t> candidates = facing(normalized(normal));
+  const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
+  rows.seen_face = feeling_faces(coupling, rows, candidates);
+  choose_material(rows);
+  const std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
+  FeltTractions felt =
+      felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod());
+  condense(felt.node, felt.load, rows, threads);
+  rows.seen_node = std::move(felt.node);
+  rows.seen = std::move(felt.traction);
+}
+
+}  // namespace rollcon::fem
