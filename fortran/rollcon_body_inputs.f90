@@ -226,9 +226,16 @@ contains
     integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: none(1)
     if (size(elements) /= size(faces)) then
       call finish(ROLLCON_ERR_ARGUMENT, self%context, 'rc_body%tag_faces', stat, errmsg, &
         'the extents of elements and faces must be the same')
+      return
+    end if
+    if (size(elements) == 0) then  ! an empty array may have no address
+      none = 0
+      call finish(rollcon_body_tag_faces(self%p, 0_rc_long, none, none, 1_rc_int, int(tag, rc_int)), &
+        self%context, 'rc_body%tag_faces', stat, errmsg)
       return
     end if
     call finish(rollcon_body_tag_faces(self%p, size(elements, kind=rc_long), elements, faces, 1_rc_int, int(tag, rc_int)), &
@@ -252,6 +259,13 @@ contains
     integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
+    integer(c_int32_t) :: none(1)
+    if (size(nodes) == 0) then  ! an empty array may have no address
+      none = 0
+      call finish(rollcon_body_tag_faces_of_nodes(self%p, 0_rc_long, none, 1_rc_int, int(tag, rc_int)), &
+        self%context, 'rc_body%tag_faces_of_nodes', stat, errmsg)
+      return
+    end if
     call finish(rollcon_body_tag_faces_of_nodes(self%p, size(nodes, kind=rc_long), nodes, 1_rc_int, int(tag, rc_int)), &
       self%context, 'rc_body%tag_faces_of_nodes', stat, errmsg)
   end subroutine
