@@ -1,12 +1,14 @@
 /// Finite elements under a layer: which faces feel it, and as what.
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "bodies/fem/felt_tractions.hpp"
 #include "bodies/fem/system.hpp"
 #include "mesh/surface_geometry.hpp"
+#include "mesh/surface_search.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -16,6 +18,25 @@ constexpr double middle = 1.0 / 3;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
+}
+
+/// The half-space that takes what is smoothed away is deep: less is left to it where the body is
+/// thinner than its faces are wide, nothing below a third of that.
+void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64_t>& face,
+                        std::vector<double>& share) {
+  constexpr double none = 1.0 / 3;
+  if (std::all_of(share.begin(), share.end(), [](double s) { return s == 0; })) return;
+  const SurfaceSearch all(surface, {});
+  for (std::size_t f = 0; f < face.size(); ++f) {
+    if (share[f] == 0) continue;
+    const SurfaceFrame there = evaluate_surface(surface, face[f], middle, middle);
+    const Vec3 inward = -1.0 * normalized(there.normal);
+    const auto opposite = all.along(there.x, inward, inward);
+    if (!opposite) continue;
+    const double thickness =
+        std::abs(opposite->distance) / std::sqrt(element_area(surface, face[f]));
+    share[f] *= std::clamp((thickness - none) / (1 - none), 0.0, 1.0);
+  }
 }
 
 }  // namespace
@@ -88,7 +109,8 @@ void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
   rows.seen_face = feeling_faces(coupling, rows, candidates);
   choose_material(rows);
-  const std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
+  std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
+  limit_by_thickness(surface_, rows.seen_face, share);
   FeltTractions felt =
       felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod());
   condense(felt.node, felt.load, rows, threads);
