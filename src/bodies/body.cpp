@@ -79,14 +79,13 @@ void Body::prepare() {
   lock.unlock();  // the log sink may ask the body
   if (!response_) return;
   const BodyStatistics s = response_->statistics();
+  const char* model = kind_ == BodyKind::fem ? "finite-element" : "boundary-element";
   if (s.factorizations == 0) {
-    context_->log(LogLevel::info,
-                  "finite-element body: %lld unknowns, to be factorised for its first frame",
-                  static_cast<long long>(s.unknowns));
+    context_->log(LogLevel::info, "%s body: %lld unknowns, to be factorised for its first frame",
+                  model, static_cast<long long>(s.unknowns));
     return;
   }
-  context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s",
-                kind_ == BodyKind::fem ? "finite-element" : "boundary-element",
+  context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s", model,
                 static_cast<long long>(s.unknowns), s.condition,
                 s.seconds_assembly + s.seconds_factor);
 }

@@ -108,22 +108,41 @@ std::string face_name(const BodyMesh& mesh, std::int64_t element) {
          std::to_string(face.element + base) + " (both counting from " + std::to_string(base) + ")";
 }
 
-std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
-                                       const std::vector<std::int64_t>& element) {
+namespace {
+
+std::vector<std::uint8_t> touched_nodes(const SurfaceMesh& surface,
+                                        const std::vector<std::int64_t>& element) {
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(surface.nodes()), 0);
-  std::vector<std::uint8_t> wanted = touched;
   for (const std::int64_t e : element)
     for (const std::int32_t k : surface.element(e)) touched[static_cast<std::size_t>(k)] = 1;
+  return touched;
+}
+
+std::vector<std::int32_t> marked(const std::vector<std::uint8_t>& wanted) {
+  std::vector<std::int32_t> node;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (wanted[k]) node.push_back(static_cast<std::int32_t>(k));
+  return node;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface,
+                                   const std::vector<std::int64_t>& element) {
+  return marked(touched_nodes(surface, element));
+}
+
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
+                                       const std::vector<std::int64_t>& element) {
+  const std::vector<std::uint8_t> touched = touched_nodes(surface, element);
+  std::vector<std::uint8_t> wanted(touched.size(), 0);
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
     const auto nodes = surface.element(e);
     if (std::any_of(nodes.begin(), nodes.end(),
                     [&](std::int32_t k) { return touched[static_cast<std::size_t>(k)] != 0; }))
       for (const std::int32_t k : nodes) wanted[static_cast<std::size_t>(k)] = 1;
   }
-  std::vector<std::int32_t> node;
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (wanted[k]) node.push_back(static_cast<std::int32_t>(k));
-  return node;
+  return marked(wanted);
 }
 
 std::vector<std::uint8_t> held_elements(const BodyMesh& mesh) {

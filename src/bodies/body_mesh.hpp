@@ -57,6 +57,7 @@ struct BodyOptions {
   std::int64_t between_nodes = 0;  ///< "between_nodes": 0 with half-space, 1 shape functions
   std::int64_t factorization = 0;  ///< "factorization": 0 automatic, 1 CHOLMOD, 2 UMFPACK
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
+  std::int64_t prepare = 1;  ///< "prepare": 0 checks only, 1 factorises what is known to be needed
 };
 
 /// Gives the tag to the surface elements all of whose nodes are named.
@@ -75,6 +76,10 @@ std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
 
 /// Elements that may come into contact, ascending.
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
+
+/// The given faces' nodes, ascending.
+std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface,
+                                   const std::vector<std::int64_t>& element);
 
 /// The given faces' nodes and those of all surface elements that touch them, ascending.
 std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,

@@ -22,6 +22,10 @@ const SettingTable<BodyOptions>& body_option_table() {
       {"hex8", &BodyOptions::hex8, 0, 1,
        "Finite elements: 0 hex8 with incompatible modes, exact in bending; 1 B-bar, constant "
        "dilatation."},
+      {"prepare", &BodyOptions::prepare, 0, 1,
+       "1: preparing factorises what contacts are known to need; 0: it checks only, and what a "
+       "contact then asks for comes with it. Bodies with loads or given displacements of their own "
+       "are factorised in any case."},
   };
   return table;
 }

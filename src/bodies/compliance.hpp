@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "bodies/expanded_compliance.hpp"
+
 namespace rollcon {
 
 /// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2):
@@ -44,6 +46,10 @@ class Compliance {
   /// False when the frame has more nodes than the displacements of this body can tell apart: alone
   /// it makes singular equations.
   virtual bool resolves_frame() const { return true; }
+  /// The same displacements with the unknowns of the bodies written out (adds to `out`, whose
+  /// matrices belong to the same points). Condenses and factorises nothing. False: has no such
+  /// form.
+  virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

@@ -1,15 +1,10 @@
 #include "bodies/meshed_compliance.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <map>
-#include <mutex>
 #include <utility>
 #include <vector>
 
-#include "bodies/frame_on_body.hpp"
-#include "bodies/halfspace/halfspace.hpp"
-#include "bodies/remainder_compliance.hpp"
+#include "bodies/meshed_compliance_class.hpp"
 #include "mesh/shape.hpp"
 
 namespace rollcon {
@@ -19,84 +14,7 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-class MeshedCompliance final : public Compliance {
- public:
-  MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which, double accuracy,
-                   int threads);
-
-  std::int64_t nodes() const override { return frame_.nodes(); }
-  bool couples() const override { return true; }
-  void block(Points points, const ComplianceBlock& out) const override;
-  void apply(Points points, const double* traction, double* displacement) const override;
-  bool offset(Points points, double* u) const override;
-  std::string description() const override;
-  bool resolves_frame() const override;
-  void set_threads(int threads) override {
-    threads_ = threads;
-    for (Compliance* part : {halfspace_.get(), remainder_.get()})
-      if (part) part->set_threads(threads);
-  }
-  std::int64_t kernel_evaluations() const override {
-    return (halfspace_ ? halfspace_->kernel_evaluations() : 0) +
-           (remainder_ ? remainder_->kernel_evaluations() : 0);
-  }
-  std::size_t bytes() const override { return response_.bytes() + correction_.bytes(); }
-
- private:
-  /// Zone rows and weights that interpolate to a point of the surface.
-  struct Interpolation {
-    bool beyond = false;  ///< the point is over no element of the zone
-    int count = 0;
-    std::int64_t row[max_element_nodes];
-    double weight[max_element_nodes];
-  };
-  Interpolation locate(double x, double y) const;
-  /// Row of the frame node that stands exactly here and is a node of the body; -1: none.
-  std::int64_t row_of_node(double x, double y) const;
-  void collect_response(const SurfaceRows& rows);
-  /// The frame's own at its nodes: at a ridge the field knows only one of the faces that meet
-  /// there.
-  Triad triad(double x, double y) const {
-    const auto found = node_at_.find({x, y});
-    return found == node_at_.end() ? local_triad(frame_.axes, normals_.at(x, y))
-                                   : frame_.triad(at(found->second));
-  }
-
-  const Frame& frame_;
-  const Body& body_;
-  PairOfBodies pair_;
-  Pose pose_;
-  int which_;
-  double accuracy_;
-  int threads_;
-  NormalField normals_;
-  FrameOnBody on_body_;
-  std::vector<double> zone_x_, zone_y_;  ///< of the response's rows, in the axes
-  std::vector<std::int64_t> row_of_body_node_;
-  std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
-  RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
-  std::unique_ptr<SurfaceSearch> zone_;
-  std::shared_ptr<const SurfaceRows> rows_;
-  // Made when a point between nodes is asked for.
-  mutable std::unique_ptr<Compliance> halfspace_, remainder_;
-  mutable RowMatrix<double> correction_;  ///< response less the half-space's
-
-  /// How displacements between nodes are made: a local part, and one interpolated on the zone.
-  struct Between {
-    const Compliance* local;
-    const RowMatrix<double>* smooth;
-  };
-  Between between(bool beyond) const;
-  void require_correction() const;
-  bool by_shape_functions() const { return body_.options().between_nodes == 1; }
-  /// Points that are not nodes of the body: those of the zone, and those beyond it.
-  struct Others {
-    std::vector<double> x, y;
-    std::vector<std::size_t> point;  ///< of those asked for
-    std::vector<Interpolation> where;
-  };
-  std::array<Others, 2> others(Points points) const;
-};
+}  // namespace
 
 MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which,
                                    double accuracy, int threads)
@@ -109,14 +27,12 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       threads_(threads),
       normals_(frame.axes, pair),
       on_body_(lay_on_body(frame, body_, pose_, which)) {
-  SurfaceResponse& body = *body_.response();
-  rows_ = on_body_.matches() ? body.faces(on_body_.face, threads)
-                             : body.layer(on_body_.layer, on_body_.row, threads);
-  const SurfaceRows* rows = rows_.get();
+  const std::vector<std::int32_t> rows =
+      on_body_.matches() ? nodes_around(body_.mesh().surface, on_body_.face) : on_body_.row;
   row_of_body_node_.assign(at(body_.mesh().surface.nodes()), -1);
-  for (std::size_t r = 0; r < rows->row.size(); ++r) {
-    row_of_body_node_[at(rows->row[r])] = static_cast<std::int64_t>(r);
-    const Vec3 d = pose_.place(body_.mesh().surface.node[at(rows->row[r])]) - frame.axes.origin;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    row_of_body_node_[at(rows[r])] = static_cast<std::int64_t>(r);
+    const Vec3 d = pose_.place(body_.mesh().surface.node[at(rows[r])]) - frame.axes.origin;
     zone_x_.push_back(dot(d, frame.axes.t1));
     zone_y_.push_back(dot(d, frame.axes.t2));
   }
@@ -136,7 +52,12 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
     zone_x_[row] = frame.x[at(k)];  // without rounding: they share the node's triad
     zone_y_[row] = frame.y[at(k)];
   }
-  collect_response(*rows);
+}
+
+const SurfaceOutline& MeshedCompliance::outline() const {
+  if (loads_) return *loads_;
+  require_response();
+  return *rows_;
 }
 
 bool MeshedCompliance::resolves_frame() const {
@@ -151,28 +72,36 @@ bool MeshedCompliance::resolves_frame() const {
          std::count(moves.begin(), moves.end(), 1);
 }
 
+std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outline) const {
+  std::vector<std::int64_t> column(at(frame_.nodes()), -1);
+  if (!on_body_.matches()) {
+    for (std::size_t k = 0; k < column.size(); ++k)
+      if (frame_.used[k]) column[k] = static_cast<std::int64_t>(k);
+    return column;
+  }
+  std::vector<std::int64_t> of_node(row_of_body_node_.size(), -1);
+  for (std::size_t k = 0; k < outline.column.size(); ++k)
+    of_node[at(outline.column[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < column.size(); ++k)
+    if (on_body_.node[k] >= 0) column[k] = of_node[at(on_body_.node[k])];
+  return column;
+}
+
 // From the body's axes to local components, from the response's columns to the frame's nodes.
-void MeshedCompliance::collect_response(const SurfaceRows& rows) {
+void MeshedCompliance::require_response() const {
+  if (rows_) return;
+  SurfaceResponse& body = *body_.response();
+  std::shared_ptr<const SurfaceRows> found =
+      on_body_.matches() ? body.faces(on_body_.face, threads_)
+                         : body.layer(on_body_.layer, on_body_.row, threads_);
+  const SurfaceRows& rows = *found;
   const std::int64_t n = frame_.nodes(), zone = static_cast<std::int64_t>(rows.row.size());
-  std::vector<std::int64_t> column(at(n), -1);
-  if (on_body_.matches()) {
-    std::vector<std::int64_t> of_node(row_of_body_node_.size(), -1);
-    for (std::size_t k = 0; k < rows.column.size(); ++k)
-      of_node[at(rows.column[k])] = static_cast<std::int64_t>(k);
-    for (std::int64_t k = 0; k < n; ++k)
-      if (on_body_.node[at(k)] >= 0) column[at(k)] = of_node[at(on_body_.node[at(k)])];
-  } else {
-    for (std::int64_t k = 0; k < n; ++k) column[at(k)] = frame_.used[at(k)] ? k : -1;
-  }
+  const std::vector<std::int64_t> column = columns(rows);
   response_.resize(3 * zone, 3 * n);
-  std::vector<std::array<Vec3, 3>> load(at(n));  // local directions at the nodes, body axes
-  for (std::int64_t k = 0; k < n; ++k) {
-    const Triad t = triad(frame_.x[at(k)], frame_.y[at(k)]);
-    load[at(k)] = {pose_.turn_back(t.t1), pose_.turn_back(t.t2), pose_.turn_back(t.n)};
-  }
+  std::vector<LocalAxes> load(at(n));
+  for (std::size_t k = 0; k < at(n); ++k) load[k] = local_axes(frame_.x[k], frame_.y[k]);
   for (std::int64_t z = 0; z < zone; ++z) {
-    const Triad t = triad(zone_x_[at(z)], zone_y_[at(z)]);
-    const Vec3 local[3] = {pose_.turn_back(t.t1), pose_.turn_back(t.t2), pose_.turn_back(t.n)};
+    const LocalAxes local = local_axes(zone_x_[at(z)], zone_y_[at(z)]);
     const double* u[3] = {rows.u.row(3 * z), rows.u.row(3 * z + 1), rows.u.row(3 * z + 2)};
     for (std::size_t i = 0; i < 3; ++i) {
       double* out = response_.row(3 * z + static_cast<std::int64_t>(i));
@@ -188,95 +117,11 @@ void MeshedCompliance::collect_response(const SurfaceRows& rows) {
       }
     }
   }
-}
-
-// Boundary elements: what a half-space does, and the difference, which is smooth. Under the load of
-// a single node finite elements move by what the mesh does not resolve: their difference is not
-// smooth. On faces of their own shape functions serve; under a layer the remainder goes to a
-// half-space. Beyond the zone, where its rim's displacement would be all, they take the difference.
-MeshedCompliance::Between MeshedCompliance::between(bool beyond) const {
-  if (by_shape_functions()) return {nullptr, &response_};
-  if (body_.kind() != BodyKind::fem || beyond) {
-    require_correction();
-    return {halfspace_.get(), &correction_};
-  }
-  if (rows_->seen.rows() > 0 && !remainder_)
-    remainder_ = make_remainder_compliance(frame_, pair_, which_, *rows_, accuracy_, threads_);
-  return {remainder_.get(), &response_};
-}
-
-void MeshedCompliance::require_correction() const {
-  if (halfspace_) return;
-  auto halfspace = make_halfspace_compliance(
-      frame_,
-      halfspace_constants(rows_->young > 0 ? rows_->young : body_.young(),
-                          rows_->young > 0 ? rows_->poisson : body_.poisson(),
-                          which_ == 0 ? 1 : -1),
-      accuracy_, threads_);
-  const std::int64_t n = frame_.nodes();
-  const std::size_t zone = zone_x_.size();
-  std::vector<double> buffer[3][3];
-  ComplianceBlock part;
-  part.stride = static_cast<std::ptrdiff_t>(n);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) {
-      buffer[i][j].assign(zone * at(n), 0.0);
-      part.a[i][j] = buffer[i][j].data();
-    }
-  halfspace->block({zone_x_, zone_y_}, part);
-  correction_.resize(response_.rows(), response_.columns());
-  for (std::size_t z = 0; z < zone; ++z)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto row = static_cast<std::int64_t>(3 * z + i);
-      for (std::int64_t k = 0; k < n; ++k)
-        for (std::int64_t j = 0; j < 3; ++j)
-          correction_.row(row)[3 * k + j] =
-              response_.row(row)[3 * k + j] - buffer[i][j][z * at(n) + at(k)];
-    }
-  halfspace_ = std::move(halfspace);
-}
-
-std::int64_t MeshedCompliance::row_of_node(double x, double y) const {
-  const auto found = node_at_.find({x, y});
-  if (found == node_at_.end()) return -1;
-  if (rows_->seen.rows() > 0 && !by_shape_functions()) return -1;  // the remainder moves nodes too
-  const std::int32_t node = on_body_.node[at(found->second)];
-  return node < 0 ? -1 : row_of_body_node_[at(node)];
-}
-
-MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) const {
-  const Vec3 from = pose_.to_body(plane_point(frame_.axes, x, y));
-  const Vec3 direction = pose_.turn_back(frame_.axes.n);
-  const auto hit = zone_->along(from, direction, (which_ == 0 ? 1.0 : -1.0) * direction);
-  const SurfacePoint point = hit ? *hit : zone_->nearest(from);
-  const SurfaceMesh& mesh = body_.mesh().surface;
-  Shape shape;
-  evaluate_shape(mesh.type[at(point.element)], point.xi, point.eta, shape);
-  Interpolation where;
-  where.beyond = !hit;
-  for (const std::int32_t k : mesh.element(point.element)) {
-    where.weight[where.count] = shape.value[static_cast<std::size_t>(where.count)];
-    where.row[where.count] = row_of_body_node_[at(k)];
-    ++where.count;
-  }
-  return where;
-}
-
-std::array<MeshedCompliance::Others, 2> MeshedCompliance::others(Points points) const {
-  std::array<Others, 2> result;
-  for (std::size_t p = 0; p < points.size(); ++p) {
-    if (row_of_node(points.x[p], points.y[p]) >= 0) continue;
-    const Interpolation where = locate(points.x[p], points.y[p]);
-    Others& group = result[where.beyond ? 1 : 0];
-    group.x.push_back(points.x[p]);
-    group.y.push_back(points.y[p]);
-    group.point.push_back(p);
-    group.where.push_back(where);
-  }
-  return result;
+  rows_ = std::move(found);
 }
 
 void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
+  require_response();
   const std::int64_t n = frame_.nodes();
   const auto destination = [&](std::size_t i, std::size_t j, std::size_t point) {
     return out.a[i][j] + static_cast<std::ptrdiff_t>(point) * out.stride;
@@ -320,6 +165,7 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
 }
 
 void MeshedCompliance::apply(Points points, const double* traction, double* displacement) const {
+  require_response();
   for (std::size_t p = 0; p < points.size(); ++p)
     if (const std::int64_t row = row_of_node(points.x[p], points.y[p]); row >= 0)
       multiply(response_.row(3 * row), 3, response_.columns(), traction, 0, displacement + 3 * p);
@@ -379,8 +225,6 @@ std::string MeshedCompliance::description() const {
     return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
   return text + "the frame is a mesh of its own laid on it";
 }
-
-}  // namespace
 
 std::unique_ptr<Compliance> make_meshed_compliance(const Frame& frame, const PairOfBodies& pair,
                                                    int which, double accuracy, int threads) {

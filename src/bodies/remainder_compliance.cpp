@@ -16,7 +16,7 @@ std::size_t at(std::int64_t i) {
 
 /// The faces that feel the layer as a frame; they look out of body 1.
 Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
-                     const SurfaceRows& rows) {
+                     const SurfaceOutline& rows) {
   const SurfaceMesh& surface = pair.body[at(which)]->mesh().surface;
   std::vector<std::int32_t> number(at(surface.nodes()), -1);
   SurfaceMesh faces;
@@ -41,7 +41,7 @@ Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
 class RemainderCompliance final : public Compliance {
  public:
   RemainderCompliance(const Frame& frame, const PairOfBodies& pair, int which,
-                      const SurfaceRows& rows, double accuracy, int threads)
+                      const SurfaceOutline& rows, double accuracy, int threads)
       : rows_(rows), faces_(frame_of_faces(frame, pair, which, rows)) {
     const HalfspaceConstants constants =
         halfspace_constants(rows.young, rows.poisson, which == 0 ? 1 : -1);
@@ -63,7 +63,7 @@ class RemainderCompliance final : public Compliance {
   std::size_t bytes() const override { return on_layer_->bytes() + on_faces_->bytes(); }
 
  private:
-  const SurfaceRows& rows_;
+  const SurfaceOutline& rows_;
   Frame faces_;
   std::unique_ptr<Compliance> on_layer_, on_faces_;
 };
@@ -108,7 +108,7 @@ void RemainderCompliance::apply(Points points, const double* traction, double* d
 }  // namespace
 
 std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                      int which, const SurfaceRows& rows,
+                                                      int which, const SurfaceOutline& rows,
                                                       double accuracy, int threads) {
   return std::make_unique<RemainderCompliance>(frame, pair, which, rows, accuracy, threads);
 }

@@ -15,7 +15,7 @@ namespace rollcon {
 /// Displacement, as part of u1 - u2, of a half-space of the body's constants under the tractions
 /// less those felt. frame and rows (which must have the latter) must outlive it.
 std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                      int which, const SurfaceRows& rows,
+                                                      int which, const SurfaceOutline& rows,
                                                       double accuracy, int threads);
 
 }  // namespace rollcon

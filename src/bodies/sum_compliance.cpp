@@ -65,6 +65,11 @@ bool SumCompliance::offset(Points points, double* u) const {
   return any;
 }
 
+bool SumCompliance::expand(Points points, ExpandedCompliance& out) const {
+  return std::all_of(parts_.begin(), parts_.end(),
+                     [&](const auto& part) { return part->expand(points, out); });
+}
+
 std::string SumCompliance::description() const {
   std::string text;
   for (const auto& part : parts_) {

@@ -17,6 +17,7 @@ class SumCompliance final : public Compliance {
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override;
   bool offset(Points points, double* u) const override;
+  bool expand(Points points, ExpandedCompliance& out) const override;
   std::string description() const override;
   void set_threads(int threads) override;
   std::int64_t kernel_evaluations() const override;

@@ -1,22 +1,22 @@
 #pragma once
-/// An elastic body with a mesh, factorised: how its surface answers loads. Boundary-element and
-/// finite-element bodies implement it; everything above sees this face of them.
+/// An elastic body with a mesh: its equations, and how its surface answers loads. Boundary-element
+/// and finite-element bodies implement it; everything above sees this face of them.
 
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "bodies/expanded_compliance.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
 
-/// Displacements of some surface nodes under unit nodal tractions, all in the body's axes.
-struct SurfaceRows {
+/// Whose tractions and displacements a frame's are, all in the body's axes.
+struct SurfaceOutline {
   std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
   std::vector<std::int32_t> row;     ///< node of the body of each displacement row
-  RowMatrix<double> u;               ///< (3 * row.size()) x (3 * column.size())
 
   /// Finite elements under a layer feel, instead of its tractions, smoother ones on the body's own
   /// faces: component by component, seen.row(i) of the tractions of all columns at
@@ -25,6 +25,18 @@ struct SurfaceRows {
   std::vector<std::int32_t> seen_node;
   RowMatrix<double> seen;
   double young = 0, poisson = 0;  ///< of most of these faces
+};
+
+/// Displacements of some surface nodes under unit nodal tractions.
+struct SurfaceRows : SurfaceOutline {
+  RowMatrix<double> u;  ///< (3 * row.size()) x (3 * column.size())
+};
+
+/// The same before the body's unknowns are eliminated: right sides of its equations, and which
+/// unknowns the displacements are.
+struct SurfaceLoads : SurfaceOutline {
+  SparseColumns load;                 ///< unknowns x (3 * column.size())
+  std::vector<std::int64_t> unknown;  ///< of (row, component): [3 * r + c]; -1: held
 };
 
 /// Moment about the origin of the body's axes.
@@ -56,6 +68,16 @@ class SurfaceResponse {
   virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
                                                    std::span<const std::int32_t> row,
                                                    int threads) = 0;
+  /// Right sides for the tractions that faces() and layer() take, with their rows. The body
+  /// factorises and condenses nothing for them. Shared as long as anyone holds them.
+  virtual std::shared_ptr<const SurfaceLoads> loads_of_faces(std::span<const std::int64_t> face,
+                                                             int threads) = 0;
+  virtual std::shared_ptr<const SurfaceLoads> loads_of_layer(const SurfaceMesh& layer,
+                                                             std::span<const std::int32_t> row,
+                                                             int threads) = 0;
+  /// The matrix to these right sides, assembled once: shared like them, and kept by the body
+  /// itself until it is factorised (unless option keep_factors is 0).
+  virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
   /// Displacement of every node under the body's own loads and given displacements, u[3 * node +
   /// c]; empty when there are none.
   virtual std::span<const double> own_displacement() const = 0;

@@ -162,6 +162,9 @@ class BodyModels : public ::testing::TestWithParam<ComplianceCase> {};
 TEST_P(BodyModels, superposition) {
   check_superposition(GetParam());
 }
+TEST_P(BodyModels, written_out) {
+  check_expansion(GetParam());
+}
 TEST_P(BodyModels, reciprocity) {
   check_reciprocity(GetParam());
 }

@@ -10,7 +10,7 @@ class body_options : public BodyApi {};
 
 TEST_F(body_options, table_lists_what_new_bodies_have_and_every_number_keeps_its_range) {
   const std::int32_t count = rollcon_body_option_count();
-  ASSERT_EQ(count, 6);
+  ASSERT_EQ(count, 7);
   for (std::int32_t i = 0; i < count; ++i) {
     char name[32];
     std::int32_t type = 0;
@@ -62,7 +62,7 @@ TEST_F(body_options, unknown_names_and_wrong_types_are_refused) {
   EXPECT_FAILS(rollcon_body_get_int(body, "edge_angle", &integer), ROLLCON_ERR_OPTION,
                "not an integer");
   EXPECT_FAILS(rollcon_body_get_real(body, "tolerance", &real), ROLLCON_ERR_OPTION, "tolerance",
-               "accuracy, edge_angle, keep_factors, between_nodes, factorization, hex8");
+               "accuracy, edge_angle, keep_factors, between_nodes, factorization, hex8, prepare");
   EXPECT_FAILS(rollcon_body_set_int(body, nullptr, 5), ROLLCON_ERR_ARGUMENT, "name is NULL");
   EXPECT_FAILS(rollcon_body_get_int(body, "keep_factors", nullptr), ROLLCON_ERR_ARGUMENT,
                "value is NULL");

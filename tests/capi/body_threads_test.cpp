@@ -36,31 +36,56 @@ class body_threads : public BodyApi {
     EXPECT_EQ(rollcon_body_get_stat(body, name, &value), ROLLCON_OK);
     return value;
   }
+
+  /// On a context each. Force on the body.
+  std::array<double, 3> solve_in_many_threads() {
+    const int contacts = 3;
+    std::vector<std::array<double, 3>> force(contacts);
+    std::vector<std::thread> pool;
+    for (std::size_t i = 0; i < contacts; ++i) {
+      pool.emplace_back([&, i] {
+        rollcon_context* own = nullptr;
+        rollcon_context_create(ROLLCON_ABI, &own);
+        rollcon_context_set_threads(own, 1);
+        rollcon_contact* c = roll(own);
+        EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+        EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
+                  ROLLCON_OK);
+        rollcon_contact_release(c);
+        rollcon_context_release(own);
+      });
+    }
+    for (std::thread& t : pool) t.join();
+    EXPECT_LT(force[0][2], 0);
+    for (const auto& f : force)
+      for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
+    for (const char* name : {"assemblies", "factorizations", "condensations"})
+      EXPECT_EQ(count(name), 1) << name;
+    return force[0];
+  }
 };
 
 TEST_F(body_threads, one_body_is_assembled_once_for_contacts_in_many_threads) {
-  const int contacts = 3;
-  std::vector<std::array<double, 3>> force(contacts);
-  std::vector<std::thread> pool;
-  for (std::size_t i = 0; i < contacts; ++i) {
-    pool.emplace_back([&, i] {
-      rollcon_context* own = nullptr;
-      rollcon_context_create(ROLLCON_ABI, &own);
-      rollcon_context_set_threads(own, 1);
-      rollcon_contact* c = roll(own);
-      EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
-                ROLLCON_OK);
-      rollcon_contact_release(c);
-      rollcon_context_release(own);
-    });
-  }
-  for (std::thread& t : pool) t.join();
-  EXPECT_LT(force[0][2], 0);
-  for (const auto& f : force)
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
-  for (const char* name : {"assemblies", "factorizations", "condensations"})
-    EXPECT_EQ(count(name), 1) << name;
+  solve_in_many_threads();
+}
+
+TEST_F(body_threads, one_that_is_checked_only_is_factorised_by_the_first_contact) {
+  const std::array<double, 3> at_once = solve_in_many_threads();
+  rollcon_body_release(body);
+  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_BEM, &body), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
+  set_mesh(body);
+  ASSERT_EQ(rollcon_body_set_int(body, "prepare", 0), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "no supports");
+  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK);
+  EXPECT_GT(count("unknowns"), 0);
+  for (const char* name : {"assemblies", "factorizations", "condensations", "condition"})
+    EXPECT_EQ(count(name), 0) << name;
+  const std::array<double, 3> later = solve_in_many_threads();
+  EXPECT_GT(count("condition"), 1);
+  for (std::size_t c = 0; c < 3; ++c)  // sums by other numbers of threads
+    EXPECT_NEAR(later[c], at_once[c], 1e-9 * std::abs(at_once[2]));
 }
 
 TEST_F(body_threads, without_factors_another_frame_assembles_again) {

@@ -167,7 +167,7 @@ contains
     call demand(keep == 0, 'keep_factors read back')
     call b%get('accuracy', keep, stat)
     call expect(stat, ROLLCON_ERR_OPTION, 'integer from a real')
-    call demand(rc_body_option_count() == 6, 'number of options')
+    call demand(rc_body_option_count() == 7, 'number of options')
     do i = 1, rc_body_option_count()
       call rc_body_option_info(i, name, type, low, high, standard)
       call rc_body_option_doc(i, doc)

@@ -35,6 +35,7 @@ struct ComplianceCase {
   double young = 1;
   // Bounds.
   double superposition = 1e-12;  ///< apply of a sum; of the largest displacement
+  double expansion = 1e-10;      ///< with the unknowns written out; of the largest entry
   double block = 1e-12;          ///< block against apply
   double placement = 1e-10;      ///< turned and shifted
   double units = 1e-12;
@@ -48,12 +49,17 @@ void PrintTo(const ComplianceCase& c, std::ostream* out);
 
 // Each prints errors and bounds and fails the running test.
 void check_superposition(const ComplianceCase& c);
+void check_expansion(const ComplianceCase& c);
 void check_reciprocity(const ComplianceCase& c);
 void check_nodal_reciprocity(const ComplianceCase& c);
 void check_positive_definite(const ComplianceCase& c);
 void check_placement(const ComplianceCase& c);
 void check_units(const ComplianceCase& c);
 void check_rigid_motion(const ComplianceCase& c);
+
+/// Largest entry of P K^-1 B + N less block() over that block's largest: at the frame's nodes, at
+/// points upstream of them and between them, and at points around the frame.
+double expansion_error(const Frame& frame, const Compliance& compliance);
 
 /// t^T M u of smooth loads that vanish at the frame's rim: four each along t1, t2 and n.
 std::vector<double> work_of_smooth_loads(const PlacedCompliance& p);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <utility>
 
 #include "linalg/blas_threads.hpp"
@@ -33,26 +32,6 @@ void require_memory(std::int64_t unknowns) {
          static_cast<long long>(unknowns), gigabytes, machine);
 }
 
-/// Calls work(first point, count, thread's buffers) for packs of points, in parallel.
-template <class Work>
-void for_packs(std::int64_t points, int threads, Work work) {
-  std::exception_ptr failure;
-#pragma omp parallel num_threads(threads)
-  {
-    std::vector<double> h, g;
-#pragma omp for schedule(dynamic, 4)
-    for (std::int64_t first = 0; first < points; first += lanes) {
-      try {
-        work(first, std::min<std::int64_t>(lanes, points - first), h, g);
-      } catch (...) {
-#pragma omp critical(rollcon_bem_packs)
-        failure = std::current_exception();
-      }
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
@@ -74,22 +53,31 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       of_fan = std::max(of_fan, size);
     }
   }
-  factorize(threads);
+  statistics_.unknowns = unknowns_.columns;
+  const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
+  const bool loaded =
+      !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), given);
+  if (options.prepare != 0 || loaded) factorize(threads);
+  own_solved_ = true;
 }
 
 void System::factorize(int threads) {
   const BlasThreads blas(threads);
   std::vector<double> own_load;
   if (!own_solved_) own_load.assign(at(unknowns_.columns), 0.0);
-  {
+  double* a = matrix_.prepare(unknowns_.columns);
+  if (const auto known = equations_.lock()) {
+    std::copy(known->dense.begin(), known->dense.end(), a);
+    statistics_.peak_bytes = std::max(statistics_.peak_bytes, 2 * matrix_.bytes());
+  } else {
     const Stopwatch watch(statistics_.seconds_assembly);
-    assemble(threads, own_load);
+    assemble(threads, a, own_load);
     ++statistics_.assemblies;
   }
+  kept_equations_.reset();
   const Stopwatch watch(statistics_.seconds_factor);
   ++statistics_.factorizations;
   const bool regular = matrix_.factor();
-  statistics_.unknowns = unknowns_.columns;
   statistics_.condition = matrix_.condition();
   statistics_.peak_bytes =
       std::max(statistics_.peak_bytes,
@@ -103,124 +91,6 @@ void System::factorize(int threads) {
          statistics_.condition);
   }
   if (!own_solved_) solve_own_load(own_load);
-  own_solved_ = true;
-}
-
-// Traction over G that the caller prescribed, by traction node and component.
-std::vector<double> System::given_tractions() const {
-  std::vector<double> given;
-  for (std::int64_t e = 0; e < mesh_.surface.elements(); ++e)
-    for (const FaceLoad& load : mesh_.load) {
-      if (load.tag != mesh_.surface.tag[at(e)]) continue;
-      if (given.empty()) given.assign(3 * at(fans_.size()), 0.0);
-      for (std::int64_t k = mesh_.surface.offset[at(e)]; k < mesh_.surface.offset[at(e) + 1]; ++k) {
-        const auto f = at(fans_.of[at(k)]);
-        for (std::size_t c = 0; c < 3; ++c)
-          given[3 * f + c] = (load.traction[c] - load.pressure * fans_.normal[f][c]) / shear_;
-      }
-    }
-  return given;
-}
-
-// Fans whose tractions are unknown or given: columns of G; -1: none.
-std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given,
-                                              std::int32_t& columns) const {
-  std::vector<std::int32_t> column(at(fans_.size()), -1);
-  columns = 0;
-  for (std::size_t f = 0; f < column.size(); ++f) {
-    bool needed = false;
-    for (std::size_t c = 0; c < 3; ++c)
-      needed =
-          needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
-    if (needed) column[f] = columns++;
-  }
-  for (const SpreadReaction& spread : unknowns_.spread)
-    for (const auto& [f, part] : spread.others)
-      if (column[at(f)] < 0) column[at(f)] = columns++;
-  return column;
-}
-
-/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given
-/// ones times their value to the right side.
-struct System::PackTarget {
-  const std::int32_t* row;  ///< (point, component) to row, -1: none
-  std::int64_t count;       ///< points
-  double* matrix;
-  std::int64_t n;
-  std::vector<double>& own_load;  ///< empty: not wanted
-
-  template <class Entry>
-  void for_rows(const double* block, Entry entry) const {
-    for (std::int64_t i = 0; i < 3; ++i)
-      for (std::int64_t p = 0; p < count; ++p)
-        if (const std::int32_t r = row[3 * p + i]; r >= 0) entry(r, block[i * lanes + p]);
-  }
-  void set(const double* block, double factor, std::int64_t column) const {
-    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] = factor * v; });
-  }
-  void add(const double* block, double factor, std::int64_t column) const {
-    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] += factor * v; });
-  }
-  void load(const double* block, double value) const {
-    if (value == 0 || own_load.empty()) return;
-    for_rows(block, [&](std::int32_t r, double v) { own_load[at(r)] += value * v; });
-  }
-};
-
-void System::place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
-                   const std::vector<double>& given, const PackTarget& to) const {
-  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k) {
-    const double* block = h + k * 3 * lanes;
-    if (const std::int32_t column = unknowns_.displacement[k]; column >= 0)
-      to.set(block, 1, column);
-    else
-      to.load(block, -mesh_.held_value[k / 3][k % 3]);
-  }
-  const auto block_of = [&](std::int32_t fan, int c) {
-    return g + (3 * at(column_of_fan[at(fan)]) + at(c)) * 3 * lanes;
-  };
-  for (std::int32_t f = 0; f < fans_.size(); ++f) {
-    if (column_of_fan[at(f)] < 0) continue;
-    for (int c = 0; c < 3; ++c) {
-      const std::size_t k = 3 * at(f) + at(c);
-      // Unknown: traction times size over G, so that all entries are of order one.
-      if (const std::int32_t column = unknowns_.traction[k]; column >= 0)
-        to.set(block_of(f, c), -1 / fan_size_[at(f)], column);
-      else if (!given.empty())
-        to.load(block_of(f, c), given[k]);
-    }
-  }
-  for (const SpreadReaction& spread : unknowns_.spread) {
-    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
-    // The reaction comes on top of what is given there.
-    if (!given.empty()) to.load(block_of(spread.fan, spread.component), given[own]);
-    for (const auto& [f, part] : spread.others)
-      to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)],
-             unknowns_.traction[own]);
-  }
-}
-
-void System::assemble(int threads, std::vector<double>& own_load) {
-  const SurfaceMesh& surface = mesh_.surface;
-  const std::vector<double> given = given_tractions();
-  std::int32_t g_columns = 0;
-  const std::vector<std::int32_t> column_of_fan = needed_fans(given, g_columns);
-  std::vector<std::int32_t> g_column(fans_.of.size());
-  for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
-
-  const std::int64_t n = unknowns_.columns;
-  double* a = matrix_.prepare(n);
-  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
-  for_packs(
-      points, threads,
-      [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
-        h.resize(at(surface.nodes()) * 9 * lanes);
-        g.resize(at(g_columns) * 9 * lanes);
-        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_column.data(),
-                        g_columns, g_columns > 0 ? g.data() : nullptr);
-        place(h.data(), g.data(), column_of_fan, given,
-              {unknowns_.row.data() + 3 * first, count, a, n, own_load});
-      });
 }
 
 void System::solve_own_load(std::vector<double>& b) {
@@ -256,33 +126,11 @@ void System::solve_own_load(std::vector<double>& b) {
   }
 }
 
-void System::condense(const BoundaryIntegrals& integrals, const std::vector<std::int32_t>& g_column,
-                      bool on_the_mesh, SurfaceRows& rows, int threads) {
-  if (!matrix_.factored()) factorize(threads);
-  const Stopwatch watch(statistics_.seconds_condense);
+void System::condense(std::vector<double> b, SurfaceRows& rows, int threads) {
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
   const auto columns = static_cast<std::int64_t>(rows.column.size());
-  std::vector<double> b(at(n * 3 * columns), 0.0);
-  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
-  for_packs(
-      points, threads,
-      [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
-        g.resize(at(columns) * 9 * lanes);
-        CollocationPoint pack[lanes];
-        for (std::int64_t p = 0; p < count; ++p) {
-          pack[p] = unknowns_.point[at(first + p)];
-          if (!on_the_mesh) pack[p].node = pack[p].element = -1;
-        }
-        integrals.rows({pack, at(count)}, nullptr, g_column.data(), columns, g.data());
-        const std::int32_t* row = unknowns_.row.data() + 3 * first;
-        for (std::int64_t k = 0; k < 3 * columns; ++k)
-          for (std::int64_t i = 0; i < 3; ++i)
-            for (std::int64_t p = 0; p < count; ++p)
-              if (row[3 * p + i] >= 0)
-                b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
-      });
   matrix_.solve(b.data(), 3 * columns);
   rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * columns);
   for (std::size_t r = 0; r < rows.row.size(); ++r)
@@ -298,19 +146,19 @@ void System::condense(const BoundaryIntegrals& integrals, const std::vector<std:
 }
 
 void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
-  std::vector<std::int32_t> column_of_node(at(surface_.nodes()), -1);
-  for (std::size_t k = 0; k < rows.column.size(); ++k)
-    column_of_node[at(rows.column[k])] = static_cast<std::int32_t>(k);
-  std::vector<std::int32_t> g_column(surface_.connectivity.size(), -1);
-  for (const std::int64_t e : face)
-    for (std::int64_t k = surface_.offset[at(e)]; k < surface_.offset[at(e) + 1]; ++k)
-      g_column[at(k)] = column_of_node[at(surface_.connectivity[at(k)])];
-  condense(integrals_, g_column, true, rows, threads);
+  if (!matrix_.factored()) factorize(threads);
+  const Stopwatch watch(statistics_.seconds_condense);
+  condense(right_sides(integrals_, columns_of_faces(face, rows),
+                       static_cast<std::int64_t>(rows.column.size()), true, threads),
+           rows, threads);
 }
 
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
+  if (!matrix_.factored()) factorize(threads);
+  const Stopwatch watch(statistics_.seconds_condense);
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  condense(integrals, layer.connectivity, false, rows, threads);
+  condense(right_sides(integrals, layer.connectivity, layer.nodes(), false, threads), rows,
+           threads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
 }
 
@@ -319,6 +167,8 @@ BodyStatistics System::statistics() const {
   BodyStatistics s = statistics_;
   s.kernel_evaluations += integrals_.kernel_evaluations();
   s.bytes = matrix_.bytes() + integrals_.bytes() + kept_bytes();
+  if (const auto equations = equations_.lock())
+    s.bytes += equations->dense.capacity() * sizeof(double);
   s.nonzeros = s.unknowns * s.unknowns;
   return s;
 }

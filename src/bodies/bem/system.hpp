@@ -13,7 +13,8 @@ namespace rollcon::bem {
 
 class System final : public ResponseCache {
  public:
-  /// Assembles and factorises. The mesh (checked, held) and fans must outlive it. Throws
+  /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own:
+  /// then the first use does. The mesh (checked, held) and fans must outlive it. Throws
   /// err_singular and err_memory.
   System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
          const BodyOptions& options, int threads);
@@ -22,22 +23,32 @@ class System final : public ResponseCache {
   std::span<const double> own_traction() const override { return own_traction_; }
   Resultant support_reaction() const override;
   BodyStatistics statistics() const override;
+  std::shared_ptr<const BodyEquations> equations(int threads) override;
 
  private:
   void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
   void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
+  void load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) override;
+  void load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) override;
   void factorize(int threads);
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given,
                                         std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
              const std::vector<double>& given, const PackTarget& to) const;
-  void assemble(int threads, std::vector<double>& own_load);
+  /// matrix: unknowns squared, column-major, not cleared.
+  void assemble(int threads, double* matrix, std::vector<double>& own_load);
   void solve_own_load(std::vector<double>& b);
   std::vector<double> given_tractions() const;
-  /// Solves for unit tractions whose single-layer rows `integrals` gives, and keeps some rows.
-  void condense(const BoundaryIntegrals& integrals, const std::vector<std::int32_t>& g_column,
-                bool on_the_mesh, SurfaceRows& rows, int threads);
+  std::vector<std::int32_t> columns_of_faces(std::span<const std::int64_t> face,
+                                             const SurfaceOutline& outline) const;
+  /// Unit tractions, whose single-layer rows `integrals` gives: unknowns x (3 columns).
+  std::vector<double> right_sides(const BoundaryIntegrals& integrals,
+                                  const std::vector<std::int32_t>& g_column, std::int64_t columns,
+                                  bool on_the_mesh, int threads) const;
+  /// Solves for them and keeps some rows.
+  void condense(std::vector<double> b, SurfaceRows& rows, int threads);
+  void write_loads(const std::vector<double>& b, SurfaceLoads& loads) const;
 
   const BodyMesh& mesh_;
   const TractionNodes& fans_;
@@ -47,6 +58,8 @@ class System final : public ResponseCache {
   Unknowns unknowns_;
   std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
   FactoredMatrix matrix_;
+  std::weak_ptr<const BodyEquations> equations_;
+  std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
   std::vector<double> own_displacement_, own_traction_;
   bool own_solved_ = false;
 

@@ -51,7 +51,7 @@ std::vector<std::int64_t> System::facing(const Vec3& normal) const {
 }
 
 // The half-space under a layer is of the material of most of the faces that feel it.
-void System::choose_material(SurfaceRows& rows) const {
+void System::choose_material(SurfaceOutline& rows) const {
   std::map<std::pair<double, double>, double> area;
   double most = 0;
   for (const std::int64_t e : rows.seen_face) {
@@ -68,7 +68,7 @@ void System::choose_material(SurfaceRows& rows) const {
 // The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
 // surface whose displacements are known.
 std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
-                                                const SurfaceRows& rows,
+                                                const SurfaceOutline& rows,
                                                 const std::vector<std::int64_t>& candidates) const {
   std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
   const auto all_marked = [&](std::int64_t e) {
@@ -101,18 +101,21 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   return face;
 }
 
-void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
+FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) const {
   Vec3 normal{0, 0, 0};
   for (std::int64_t e = 0; e < layer.elements(); ++e)
     normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
   const std::vector<std::int64_t> candidates = facing(normalized(normal));
   const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
-  rows.seen_face = feeling_faces(coupling, rows, candidates);
-  choose_material(rows);
-  std::vector<double> share = smoothing_shares(surface_, fans_, rows.seen_face, coupling);
-  limit_by_thickness(surface_, rows.seen_face, share);
-  FeltTractions felt =
-      felt_tractions(surface_, rows.seen_face, share, coupling, rows.column, by_cholmod());
+  outline.seen_face = feeling_faces(coupling, outline, candidates);
+  choose_material(outline);
+  std::vector<double> share = smoothing_shares(surface_, fans_, outline.seen_face, coupling);
+  limit_by_thickness(surface_, outline.seen_face, share);
+  return felt_tractions(surface_, outline.seen_face, share, coupling, outline.column, by_cholmod());
+}
+
+void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
+  FeltTractions felt = feel(layer, rows);
   condense(felt.node, felt.load, rows, threads);
   rows.seen_node = std::move(felt.node);
   rows.seen = std::move(felt.traction);

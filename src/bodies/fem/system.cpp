@@ -5,6 +5,7 @@
 #include <iterator>
 #include <utility>
 
+#include "bodies/fem/equations.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -38,11 +39,6 @@ std::vector<Material> by_element(const BodyMesh& mesh,
   return result;
 }
 
-std::size_t bytes_of(const SparseSymmetric& matrix) {
-  return matrix.value.capacity() * sizeof(double) +
-         (matrix.row.capacity() + matrix.start.capacity()) * sizeof(std::int64_t);
-}
-
 }  // namespace
 
 void require_support() {
@@ -70,7 +66,8 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans,
   std::vector<std::int64_t> contact = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
   const bool few = static_cast<std::int64_t>(contact.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
-  if (few || loaded) factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
+  if ((few && options.prepare != 0) || loaded)
+    factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
 }
 
 bool System::by_cholmod() const {
@@ -88,14 +85,17 @@ std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& n
   return unknown;
 }
 
+void System::require_matrix(int threads) {
+  if (matrix_.n > 0) return;
+  const Stopwatch watch(statistics_.seconds_assembly);
+  matrix_ = assembly_.stiffness(unknowns_, threads);
+  ++statistics_.assemblies;
+}
+
 void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   const BlasThreads blas(threads);
   factor_.reset();
-  if (matrix_.n == 0) {
-    const Stopwatch watch(statistics_.seconds_assembly);
-    matrix_ = assembly_.stiffness(unknowns_, threads);
-    ++statistics_.assemblies;
-  }
+  require_matrix(threads);
   double seconds = 0;
   try {
     const Stopwatch watch(seconds);
@@ -231,6 +231,7 @@ BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   BodyStatistics s = statistics_;
   s.bytes = bytes_of(matrix_) + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
+  if (const auto equations = equations_.lock()) s.bytes += bytes_of(equations->matrix);
   return s;
 }
 

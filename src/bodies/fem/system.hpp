@@ -7,6 +7,7 @@
 
 #include "bodies/body_mesh.hpp"
 #include "bodies/fem/assembly.hpp"
+#include "bodies/fem/felt_tractions.hpp"
 #include "bodies/response_cache.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "mesh/surface_coupling.hpp"
@@ -19,21 +20,29 @@ void require_support();
 
 class System final : public ResponseCache {
  public:
-  /// Assembles, and factorises at once when the contact faces are few or the body has loads of its
-  /// own: else the first frame says what to condense to. The mesh (checked, held) and its fans (of
-  /// the smooth surface) must outlive it.
-  /// Throws err_singular, err_memory and err_unsupported.
+  /// Assembles and factorises at once when the contact faces are few (and option prepare is 1) or
+  /// the body has loads of its own: else the first frame says what to condense to. The mesh
+  /// (checked, held) and its fans (of the smooth surface) must outlive it. Throws err_singular,
+  /// err_memory and err_unsupported.
   System(const BodyMesh& mesh, const TractionNodes& fans,
          const std::map<std::int32_t, Elastic>& material, const BodyOptions& options, int threads);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   Resultant support_reaction() const override { return reaction_; }
   BodyStatistics statistics() const override;
+  std::shared_ptr<const BodyEquations> equations(int threads) override;
 
  private:
   void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
   void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
+  void load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) override;
+  void load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) override;
+  /// From entries by place in `loaded` and by column to the unknowns, component by component.
+  void write_loads(const std::vector<std::int32_t>& loaded, const SparseColumns& entries,
+                   SurfaceLoads& loads) const;
+  FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   bool by_cholmod() const;
+  void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
@@ -42,9 +51,10 @@ class System final : public ResponseCache {
   void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
                 SurfaceRows& rows, int threads);
   std::vector<std::int64_t> facing(const Vec3& normal) const;
-  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceRows& rows,
+  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling,
+                                          const SurfaceOutline& rows,
                                           const std::vector<std::int64_t>& candidates) const;
-  void choose_material(SurfaceRows& rows) const;
+  void choose_material(SurfaceOutline& rows) const;
 
   const BodyMesh& mesh_;
   const TractionNodes& fans_;
@@ -56,6 +66,7 @@ class System final : public ResponseCache {
   Resultant reaction_;
 
   SparseSymmetric matrix_;  ///< empty until needed, and once freed
+  std::weak_ptr<const BodyEquations> equations_;
   std::unique_ptr<SparseFactor> factor_;
   std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
   std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none

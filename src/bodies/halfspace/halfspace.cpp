@@ -63,6 +63,10 @@ class HalfspaceCompliance final : public Compliance {
 
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override;
+  bool expand(Points points, ExpandedCompliance& out) const override {
+    add_direct(*this, points, out);
+    return true;
+  }
 
  private:
   /// Runs work(point, workspace) for every point, each by one thread.

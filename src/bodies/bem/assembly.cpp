@@ -1,0 +1,191 @@
+/// Matrix and right sides of boundary elements, from the integrals' rows.
+
+#include <algorithm>
+#include <exception>
+
+#include "bodies/bem/system.hpp"
+
+namespace rollcon::bem {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Calls work(first point, count, thread's buffers) for packs of points, in parallel.
+template <class Work>
+void for_packs(std::int64_t points, int threads, Work work) {
+  std::exception_ptr failure;
+#pragma omp parallel num_threads(threads)
+  {
+    std::vector<double> h, g;
+#pragma omp for schedule(dynamic, 4)
+    for (std::int64_t first = 0; first < points; first += lanes) {
+      try {
+        work(first, std::min<std::int64_t>(lanes, points - first), h, g);
+      } catch (...) {
+#pragma omp critical(rollcon_bem_packs)
+        failure = std::current_exception();
+      }
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace
+
+// Traction over G that the caller prescribed, by traction node and component.
+std::vector<double> System::given_tractions() const {
+  std::vector<double> given;
+  for (std::int64_t e = 0; e < mesh_.surface.elements(); ++e)
+    for (const FaceLoad& load : mesh_.load) {
+      if (load.tag != mesh_.surface.tag[at(e)]) continue;
+      if (given.empty()) given.assign(3 * at(fans_.size()), 0.0);
+      for (std::int64_t k = mesh_.surface.offset[at(e)]; k < mesh_.surface.offset[at(e) + 1]; ++k) {
+        const auto f = at(fans_.of[at(k)]);
+        for (std::size_t c = 0; c < 3; ++c)
+          given[3 * f + c] = (load.traction[c] - load.pressure * fans_.normal[f][c]) / shear_;
+      }
+    }
+  return given;
+}
+
+// Fans whose tractions are unknown or given: columns of G; -1: none.
+std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given,
+                                              std::int32_t& columns) const {
+  std::vector<std::int32_t> column(at(fans_.size()), -1);
+  columns = 0;
+  for (std::size_t f = 0; f < column.size(); ++f) {
+    bool needed = false;
+    for (std::size_t c = 0; c < 3; ++c)
+      needed =
+          needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
+    if (needed) column[f] = columns++;
+  }
+  for (const SpreadReaction& spread : unknowns_.spread)
+    for (const auto& [f, part] : spread.others)
+      if (column[at(f)] < 0) column[at(f)] = columns++;
+  return column;
+}
+
+/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given
+/// ones times their value to the right side.
+struct System::PackTarget {
+  const std::int32_t* row;  ///< (point, component) to row, -1: none
+  std::int64_t count;       ///< points
+  double* matrix;
+  std::int64_t n;
+  std::vector<double>& own_load;  ///< empty: not wanted
+
+  template <class Entry>
+  void for_rows(const double* block, Entry entry) const {
+    for (std::int64_t i = 0; i < 3; ++i)
+      for (std::int64_t p = 0; p < count; ++p)
+        if (const std::int32_t r = row[3 * p + i]; r >= 0) entry(r, block[i * lanes + p]);
+  }
+  void set(const double* block, double factor, std::int64_t column) const {
+    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] = factor * v; });
+  }
+  void add(const double* block, double factor, std::int64_t column) const {
+    for_rows(block, [&](std::int32_t r, double v) { matrix[r + column * n] += factor * v; });
+  }
+  void load(const double* block, double value) const {
+    if (value == 0 || own_load.empty()) return;
+    for_rows(block, [&](std::int32_t r, double v) { own_load[at(r)] += value * v; });
+  }
+};
+
+void System::place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
+                   const std::vector<double>& given, const PackTarget& to) const {
+  for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k) {
+    const double* block = h + k * 3 * lanes;
+    if (const std::int32_t column = unknowns_.displacement[k]; column >= 0)
+      to.set(block, 1, column);
+    else
+      to.load(block, -mesh_.held_value[k / 3][k % 3]);
+  }
+  const auto block_of = [&](std::int32_t fan, int c) {
+    return g + (3 * at(column_of_fan[at(fan)]) + at(c)) * 3 * lanes;
+  };
+  for (std::int32_t f = 0; f < fans_.size(); ++f) {
+    if (column_of_fan[at(f)] < 0) continue;
+    for (int c = 0; c < 3; ++c) {
+      const std::size_t k = 3 * at(f) + at(c);
+      // Unknown: traction times size over G, so that all entries are of order one.
+      if (const std::int32_t column = unknowns_.traction[k]; column >= 0)
+        to.set(block_of(f, c), -1 / fan_size_[at(f)], column);
+      else if (!given.empty())
+        to.load(block_of(f, c), given[k]);
+    }
+  }
+  for (const SpreadReaction& spread : unknowns_.spread) {
+    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
+    // The reaction comes on top of what is given there.
+    if (!given.empty()) to.load(block_of(spread.fan, spread.component), given[own]);
+    for (const auto& [f, part] : spread.others)
+      to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)],
+             unknowns_.traction[own]);
+  }
+}
+
+void System::assemble(int threads, double* matrix, std::vector<double>& own_load) {
+  const SurfaceMesh& surface = mesh_.surface;
+  const std::vector<double> given = given_tractions();
+  std::int32_t g_columns = 0;
+  const std::vector<std::int32_t> column_of_fan = needed_fans(given, g_columns);
+  std::vector<std::int32_t> g_column(fans_.of.size());
+  for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
+
+  const std::int64_t n = unknowns_.columns;
+  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
+  for_packs(
+      points, threads,
+      [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
+        h.resize(at(surface.nodes()) * 9 * lanes);
+        g.resize(at(g_columns) * 9 * lanes);
+        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_column.data(),
+                        g_columns, g_columns > 0 ? g.data() : nullptr);
+        place(h.data(), g.data(), column_of_fan, given,
+              {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
+      });
+}
+
+std::vector<double> System::right_sides(const BoundaryIntegrals& integrals,
+                                        const std::vector<std::int32_t>& g_column,
+                                        std::int64_t columns, bool on_the_mesh, int threads) const {
+  const std::int64_t n = unknowns_.columns;
+  std::vector<double> b(at(n * 3 * columns), 0.0);
+  const auto points = static_cast<std::int64_t>(unknowns_.point.size());
+  for_packs(
+      points, threads,
+      [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
+        g.resize(at(columns) * 9 * lanes);
+        CollocationPoint pack[lanes];
+        for (std::int64_t p = 0; p < count; ++p) {
+          pack[p] = unknowns_.point[at(first + p)];
+          if (!on_the_mesh) pack[p].node = pack[p].element = -1;
+        }
+        integrals.rows({pack, at(count)}, nullptr, g_column.data(), columns, g.data());
+        const std::int32_t* row = unknowns_.row.data() + 3 * first;
+        for (std::int64_t k = 0; k < 3 * columns; ++k)
+          for (std::int64_t i = 0; i < 3; ++i)
+            for (std::int64_t p = 0; p < count; ++p)
+              if (row[3 * p + i] >= 0)
+                b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
+      });
+  return b;
+}
+
+std::vector<std::int32_t> System::columns_of_faces(std::span<const std::int64_t> face,
+                                                   const SurfaceOutline& outline) const {
+  std::vector<std::int32_t> column_of_node(at(surface_.nodes()), -1);
+  for (std::size_t k = 0; k < outline.column.size(); ++k)
+    column_of_node[at(outline.column[k])] = static_cast<std::int32_t>(k);
+  std::vector<std::int32_t> g_column(surface_.connectivity.size(), -1);
+  for (const std::int64_t e : face)
+    for (std::int64_t k = surface_.offset[at(e)]; k < surface_.offset[at(e) + 1]; ++k)
+      g_column[at(k)] = column_of_node[at(surface_.connectivity[at(k)])];
+  return g_column;
+}
+
+}  // namespace rollcon::bem

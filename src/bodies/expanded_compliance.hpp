@@ -1,0 +1,66 @@
+#pragma once
+/// A compliance with the bodies' own unknowns written out instead of eliminated: the parts of the
+/// monolithic systems (48), (58), (62).
+///
+///   u(points) = sum over bodies of P d  +  N t,     K d = B t
+///
+/// t are the nodal tractions of the frame (on body 1, local components, t[3 * node + c]), u the
+/// displacements u1 - u2 that Compliance::block() gives: P K^-1 B + N is that block. For body 2 d
+/// is minus its displacement, so that both bodies take the same tractions.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "linalg/dense.hpp"
+
+namespace rollcon {
+
+/// Compressed columns, rows ascending.
+struct SparseColumns {
+  std::int64_t rows = 0, columns = 0;
+  std::vector<std::int64_t> start;  ///< columns + 1
+  std::vector<std::int64_t> row;
+  std::vector<double> value;
+};
+
+inline std::size_t bytes_of(const SparseColumns& matrix) {
+  return matrix.value.capacity() * sizeof(double) +
+         (matrix.row.capacity() + matrix.start.capacity()) * sizeof(std::int64_t);
+}
+
+/// K of a body: sparse (finite elements) or dense (boundary elements). Without loads and given
+/// displacements of its own, which Compliance::offset() adds.
+struct BodyEquations {
+  std::int64_t unknowns = 0;
+  bool symmetric = false;     ///< positive definite
+  SparseColumns matrix;       ///< whole, both triangles; empty when dense
+  std::vector<double> dense;  ///< unknowns squared, column-major; empty when sparse
+};
+
+struct ExpandedBody {
+  std::shared_ptr<const BodyEquations> equations;
+  SparseColumns load;          ///< B: unknowns x (3 nodes of the frame)
+  SparseColumns displacement;  ///< P transposed: unknowns x (3 points)
+};
+
+struct ExpandedCompliance {
+  std::vector<ExpandedBody> body;  ///< those with unknowns of their own
+  RowMatrix<double> direct;        ///< N: (3 points) x (3 nodes); empty: zero
+};
+
+class Compliance;
+struct Points;
+
+/// Makes N, zero, where there is none yet.
+void require_direct(std::int64_t points, std::int64_t nodes, ExpandedCompliance& out);
+/// Adds the block of a compliance at points to the rows of others: of point p to those of
+/// target[p].
+void add_block(const Compliance& local, Points points, std::span<const std::size_t> target,
+               RowMatrix<double>& direct);
+/// Adds the block of a compliance without unknowns of its own to N.
+void add_direct(const Compliance& local, Points points, ExpandedCompliance& out);
+
+}  // namespace rollcon
