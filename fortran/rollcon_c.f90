@@ -935,6 +935,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_history
 
+    function rollcon_contact_get_error_function(contact, capacity, psi, seconds, n_rows) &
+        result(rc) bind(C, name="rollcon_contact_get_error_function")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: psi(*)
+      real(c_double), intent(out) :: seconds(*)
+      integer(c_int64_t), intent(out) :: n_rows
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_error_function
+
     function rollcon_contact_get_plan(contact, capacity, text, needed) &
         result(rc) bind(C, name="rollcon_contact_get_plan")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -30,6 +30,7 @@ module rollcon_contact
     procedure :: get_displacements_at
     procedure :: get_stat
     procedure :: get_history
+    procedure :: get_error_function
     procedure :: get_plan
     procedure :: write_vtu
   end type
@@ -246,6 +247,31 @@ contains
     if (status /= ROLLCON_OK) n = 0
     rows = rows(:, 1:n)
     call finish(status, self%owner(), 'rc_contact%get_history', stat, errmsg)
+  end subroutine
+
+  !> Error function of every row of get_history, and the seconds since the solve began.
+  subroutine get_error_function(self, psi, seconds, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: psi(:)
+    real(rc_real), allocatable, intent(out), optional :: seconds(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long), parameter :: usual_rows = 128
+    real(rc_real), allocatable :: when(:)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    allocate (psi(usual_rows), when(usual_rows))
+    status = rollcon_contact_get_error_function(self%handle(), usual_rows, psi, when, n)
+    if (status == ROLLCON_ERR_CAPACITY) then
+      deallocate (psi, when)
+      allocate (psi(n), when(n))
+      status = rollcon_contact_get_error_function(self%handle(), size(psi, 1, rc_long), psi, when, n)
+    end if
+    if (status /= ROLLCON_OK) n = 0
+    psi = psi(1:n)
+    if (present(seconds)) seconds = when(1:n)
+    call finish(status, self%owner(), 'rc_contact%get_error_function', stat, errmsg)
   end subroutine
 
   !> What the solver left out for this scene, and why.

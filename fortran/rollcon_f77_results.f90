@@ -291,6 +291,19 @@ subroutine rchist(icon, maxr, rows, nr, ierr)
   nr = int(n)
 end subroutine
 
+!> Error function of every row of RCHIST, PSI(MAXR), and the seconds since the solve began, SECS(MAXR); NR is set if MAXR is
+!> too small, too.
+subroutine rcerrf(icon, maxr, psi, secs, nr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, maxr, nr, ierr
+  double precision :: psi(*), secs(*)
+  integer(c_int64_t) :: n
+  n = 0
+  ierr = rollcon_contact_get_error_function(contact_of(icon), int(maxr, c_int64_t), psi, secs, n)
+  nr = int(n)
+end subroutine
+
 !> How the last solve was done.
 subroutine rcplan(icon, text, ierr)
   use rollcon_f77_support

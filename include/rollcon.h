@@ -1237,6 +1237,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
     const rollcon_contact *contact, int64_t capacity, double *rows, int64_t *n_rows);
 
 /*
+ * Convergence of the last solve: the error function of every row of rollcon_contact_get_history,
+ * and when it was evaluated. The error function is half the sum of the squared residuals of the
+ * contact laws over all nodes, each over the largest pressure or tangential traction of the
+ * iterate, and of the squared relative errors of the loads, times the nodes in contact. No rows
+ * before a solve.
+ *   capacity  rows that fit; 0 only asks for the need
+ *   psi       [capacity], out; error function, dimensionless; NULL: not wanted
+ *   seconds   [capacity], out; since the solve began; NULL: not wanted
+ *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY,
+ *   ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Source: docs/procedures.md, error function.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_error_function(
+    const rollcon_contact *contact, int64_t capacity, double *psi, double *seconds,
+    int64_t *n_rows);
+
+/*
  * How the last solve was done (sizes, schemes, linear solver and why), as text for people.
  *   capacity  bytes at text; 0 only asks for the need
  *   text      [capacity], out; NUL-terminated; NULL only with capacity 0

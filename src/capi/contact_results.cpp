@@ -153,6 +153,18 @@ rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, int64
   });
 }
 
+rollcon_status rollcon_contact_get_error_function(const rollcon_contact* contact, int64_t capacity,
+                                                  double* psi, double* seconds, int64_t* n_rows) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    const std::span<const double> merit = c.error_function(), history = c.history();
+    const auto count = static_cast<std::int64_t>(merit.size());
+    const void* wanted = psi ? psi : seconds;
+    if (!wants_copy(count, capacity, wanted, "psi and seconds", n_rows, "rows")) return;
+    if (psi) std::copy(merit.begin(), merit.end(), psi);
+    for (std::size_t k = 0; seconds && k < merit.size(); ++k) seconds[k] = history[8 * k + 7];
+  });
+}
+
 rollcon_status rollcon_contact_get_plan(const rollcon_contact* contact, int64_t capacity,
                                         char* text, int64_t* needed) {
   return with_contact(__func__, contact,

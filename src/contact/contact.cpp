@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/procedures/condensed.hpp"
+#include "contact/procedures/monolithic.hpp"
 #include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -11,11 +13,6 @@ namespace rollcon {
 namespace {
 
 constexpr std::size_t history_rows = 512;  // room without allocation
-
-LinearMethod method_of(const std::string& name) {
-  if (name == "lu") return LinearMethod::lu;
-  return name == "gmres" ? LinearMethod::gmres : LinearMethod::automatic;
-}
 
 // Records history and passes every iteration to the caller's callback.
 class Watch final : public Monitor {
@@ -35,6 +32,7 @@ class Watch final : public Monitor {
                            r.residual_normal, r.residual_tangential, r.step,
                            static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
       state_.history.push_back(v);
+    state_.merit.push_back(r.merit);
     context_.log(LogLevel::debug,
                  "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
                  "in contact, %lld sliding",
@@ -68,6 +66,56 @@ class Watch final : public Monitor {
   std::atomic<bool>& cancel_;
   double start_;
 };
+
+void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
+  LinearSolver& linear = s.newton.linear;
+  linear.method = s.procedure.linear;
+  linear.preconditioner = s.procedure.preconditioner;
+  s.newton.procedure = s.procedure;
+  s.linear_iterations = -linear.iterations;
+  s.factorizations = -linear.factorizations;
+  s.timings.linear = -linear.seconds;
+  s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, options.tolerance,
+                            options.max_iterations, monitor);
+  s.images_known = false;
+  s.system_unknowns = linear.unknowns;
+  s.system_nonzeros = linear.unknowns * linear.unknowns;
+  s.linear_iterations += linear.iterations;
+  s.factorizations += linear.factorizations;
+  s.timings.linear += linear.seconds;
+}
+
+std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
+  if (s.procedure.monolithic) {
+    const bool direct =
+        s.procedure.linear == LinearMethod::lu || s.procedure.linear == LinearMethod::automatic;
+    const MonolithicOptions options{direct ? StepSolver::lu : StepSolver::gmres,
+                                    s.procedure.preconditioner};
+    return std::make_unique<MonolithicSystem>(s.problem, s.frame, *s.compliance, options);
+  }
+  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear);
+}
+
+void run_published(SolverState& s, const Options& options, int /*threads*/, Monitor& monitor) {
+  LinearSolver& linear = s.newton.linear;
+  linear.method = s.procedure.linear;
+  linear.preconditioner = s.procedure.preconditioner;
+  linear.forget_exact();
+  const SolverState::StepKey key{s.procedure.monolithic, s.frictionless, s.problem.by_force,
+                                 s.procedure.linear, s.procedure.preconditioner};
+  if (!s.step_system || key != s.step_key) s.step_system = make_step_system(s);
+  s.step_key = key;
+  const StepCounters before = s.step_system->counters();
+  s.report = s.gnmls.solve(s.problem, s.iterate, *s.step_system, s.procedure, s.frictionless,
+                           options.tolerance, options.max_iterations, monitor);
+  const StepCounters after = s.step_system->counters();
+  s.linear_iterations = after.iterations - before.iterations;
+  s.factorizations = after.factorizations - before.factorizations;
+  s.timings.linear = after.seconds - before.seconds;
+  s.system_unknowns = after.unknowns;
+  s.system_nonzeros = after.nonzeros;
+  s.images_known = !s.frictionless;
+}
 
 }  // namespace
 
@@ -113,6 +161,7 @@ void Contact::reset() {
   s.newton.linear.forget();
   s.warm_usable = s.solved = s.derived = s.laws_checked = false;
   s.history.clear();
+  s.merit.clear();
   s.timings = {};
 }
 
@@ -132,9 +181,12 @@ Status Contact::solve_scene() {
   const double start = now_seconds();
   s.solved = s.derived = s.laws_checked = s.settled = false;
   s.sensitivities.forget();
+  s.error_estimate = {};
   s.timings = {};
   s.history.clear();
   s.history.reserve(8 * history_rows);
+  s.merit.clear();
+  s.merit.reserve(history_rows);
   const BlasThreads blas(context_->threads());
   Watch watch(s, *context_, progress_, progress_user_, cancel_, start);
   // A request belongs to the solve during which it was made.
@@ -143,14 +195,10 @@ Status Contact::solve_scene() {
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
                 static_cast<long long>(s.problem.nodes), now_seconds() - start);
   watch.tell(Phase::compliance, 0, 0, now_seconds() - start);
-  s.newton.linear.method = method_of(scene.options.linear_solver);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
   if (!warm) s.iterate.clear();
   s.warm_usable = false;
 
-  const std::int64_t linear_before = s.newton.linear.iterations;
-  const std::int64_t factors_before = s.newton.linear.factorizations;
-  const double linear_seconds = s.newton.linear.seconds;
   const double newton_start = now_seconds();
   if (s.frictionless) {
     s.settled = true;
@@ -162,14 +210,13 @@ Status Contact::solve_scene() {
              "at every node: there is no steady solution");
     s.settled = false;
   }
-  s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, scene.options.tolerance,
-                            scene.options.max_iterations, watch);
+  if (s.procedure.standard())
+    run_standard(s, scene.options, watch);
+  else
+    run_published(s, scene.options, context_->threads(), watch);
   s.settled = true;
   s.outcome = s.report.outcome;
   s.peak_bytes = std::max(s.peak_bytes, s.bytes());
-  s.linear_iterations = s.newton.linear.iterations - linear_before;
-  s.factorizations = s.newton.linear.factorizations - factors_before;
-  s.timings.linear = s.newton.linear.seconds - linear_seconds;
   s.timings.newton = now_seconds() - newton_start;
   s.timings.total = now_seconds() - start;
   context_->log(

@@ -95,6 +95,8 @@ class Contact {
   /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in
   /// contact, nodes in slip, seconds.
   std::span<const double> history() const;
+  /// Error function Psi of each row of history().
+  std::span<const double> error_function() const;
   std::string plan() const;
   void write(const char* path) const;  ///< VTU; err_io
 

@@ -46,7 +46,8 @@ void derive_fields(SolverState& s) {
   s.gap.assign(n, 0.0);
   s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
   std::vector<double> image[2];
-  if (!p.op.tangential) convect(s, displacements(s, s.frame.x, s.frame.y), image);
+  const bool known = p.op.tangential || s.images_known;
+  if (!known) convect(s, displacements(s, s.frame.x, s.frame.y), image);
   for (auto& v : s.slip) v.assign(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::int64_t>(k);
@@ -57,9 +58,9 @@ void derive_fields(SolverState& s) {
       continue;
     }
     it.update_gap(p, i);
-    if (p.op.tangential) it.update_slip(p, i);
-    const double w1 = p.op.tangential ? it.image[0][k] : image[0][k];
-    const double w2 = p.op.tangential ? it.image[1][k] : image[1][k];
+    if (known) it.update_slip(p, i);
+    const double w1 = known ? it.image[0][k] : image[0][k];
+    const double w2 = known ? it.image[1][k] : image[1][k];
     const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
     s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
     s.slip[0][k] = s.speed * s1;

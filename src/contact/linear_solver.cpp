@@ -9,6 +9,8 @@ namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60;
+// Without factors.
+constexpr int plain_krylov_space = 200, plain_iterations = 1000;
 constexpr double exact = 1e-9;  // residual of solve_exactly()
 // For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper
 // beyond this, or beyond krylov_space for all together.
@@ -97,8 +99,11 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
                          const std::vector<double>& b, double tolerance, std::vector<double>& x) {
   const Stopwatch watch(seconds);
   const std::int64_t n = system.size();
+  unknowns = n;
   if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit))
     return solve_direct(system, b, x);
+  if (preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal)
+    return solve_plainly(system, b, tolerance, x);
   const auto part = static_cast<std::size_t>(system.part()) - 2;
   Kept& kept = kept_[part];
   x.resize(static_cast<std::size_t>(n));
@@ -127,6 +132,19 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
   }
   kept.forget();
   return solve_direct(system, b, x);
+}
+
+bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double>& b,
+                                 double tolerance, std::vector<double>& x) {
+  const std::int64_t n = system.size();
+  x.resize(static_cast<std::size_t>(n));
+  const int space = static_cast<int>(std::min<std::int64_t>(n, plain_krylov_space));
+  gmres_.reserve(n + n / 10, space);
+  pair_blocks_.take(system, preconditioner == Preconditioner::diagonal);
+  const GmresReport report =
+      gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
+  iterations += report.iterations;
+  return report.converged || solve_direct(system, b, x);
 }
 
 bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b,

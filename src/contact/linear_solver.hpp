@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/linear_method.hpp"
+#include "contact/pair_blocks.hpp"
 #include "contact/reduced_system.hpp"
 #include "linalg/gcr.hpp"
 #include "linalg/gmres.hpp"
 #include "linalg/lu.hpp"
 
 namespace rollcon {
-
-enum class LinearMethod { automatic, lu, gmres };
 
 class LinearSolver {
  public:
@@ -21,6 +21,7 @@ class LinearSolver {
   static constexpr std::int64_t direct_limit = 240;
 
   LinearMethod method = LinearMethod::automatic;
+  Preconditioner preconditioner = Preconditioner::automatic;  ///< automatic: kept_lu
 
   /// Solves system x = b to a relative residual `tolerance` (LU: to rounding). node_count: of the
   /// frame. Returns false when no usable solution was found (singular to working precision). On
@@ -37,6 +38,7 @@ class LinearSolver {
 
   std::int64_t iterations = 0;      ///< Krylov, since construction
   std::int64_t factorizations = 0;  ///< dense, since construction
+  std::int64_t unknowns = 0;        ///< of the last system
   double seconds = 0;
   std::size_t bytes() const;
 
@@ -64,6 +66,9 @@ class LinearSolver {
     std::vector<float> work_;
   };
 
+  /// GMRES with no preconditioner or the pairs' own blocks.
+  bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
+                     std::vector<double>& x);
   bool solve_direct(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x);
 
   Lu<double> lu_;
@@ -71,6 +76,7 @@ class LinearSolver {
   bool exact_[3] = {};    ///< those two hold the part's system of solve_exactly()
   Kept kept_[3];          ///< one per part
   Gmres gmres_;
+  PairBlocks pair_blocks_;
   RecyclingGcr gcr_[3];  ///< of solve_exactly(), one per part
   std::vector<double> check_;
   double decades_[3] = {};  ///< of the residual per Krylov iteration, in the part's last system

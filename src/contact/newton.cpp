@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rollcon {
 namespace {
@@ -40,6 +39,7 @@ Newton::Residual Newton::evaluate(Part part) {
   Residual r;
   active_.clear();
   double pressure = 0, traction = 0, bound_max = 0, worst_n = 0, worst_t = 0;
+  double sum_n = 0, sum_t = 0;
   const double delta = it.motion[approach];
   for (std::int64_t i = 0; i < p.nodes; ++i) {
     const std::size_t k = at(i);
@@ -50,7 +50,9 @@ Newton::Residual Newton::evaluate(Part part) {
     if (part != Part::tangential) {
       it.update_gap(p, i);
       augmented = ln + p.rn[k] * (p.rigid_gap(k, delta) - it.image[2][k]);
-      worst_n = std::max(worst_n, std::abs(ln - std::min(augmented, 0.0)));
+      const double rest = ln - std::min(augmented, 0.0);
+      worst_n = std::max(worst_n, std::abs(rest));
+      sum_n += rest * rest;
     }
     pressure = std::max(pressure, -ln);
     const bool touching = augmented < 0;
@@ -71,7 +73,9 @@ Newton::Residual Newton::evaluate(Part part) {
       if (!(std::hypot(a1, a2) < bound)) ++r.sliding;
     }
     traction = std::max(traction, std::hypot(l1, l2));
-    worst_t = std::max(worst_t, std::hypot(l1 - t1, l2 - t2));
+    const double rest = std::hypot(l1 - t1, l2 - t2);
+    worst_t = std::max(worst_t, rest);
+    sum_t += rest * rest;
   }
   r.contact = static_cast<std::int64_t>(active_.size());
   // Relative measures. Tangential residuals hide under normal ones, so they are judged by the
@@ -84,6 +88,10 @@ Newton::Residual Newton::evaluate(Part part) {
   r.load = load_residual(part, 0);
   if (!(pressure_scale_ > 0)) pressure_scale_ = 1;
   if (!(traction_scale_ > 0)) traction_scale_ = 1;
+  // A relative error of a load stands for that error of the traction at every node.
+  r.merit = 0.5 * (sum_n / (pressure_scale_ * pressure_scale_) +
+                   sum_t / (traction_scale_ * traction_scale_) +
+                   r.load * r.load * static_cast<double>(active_.size()));
   return r;
 }
 
@@ -186,6 +194,7 @@ TangentialLaw Newton::law_of(Part part, std::int32_t node, bool bound_follows) c
 ReducedSystem& Newton::linearise(Problem& problem, Iterate& iterate, Part part) {
   problem_ = &problem;
   iterate_ = &iterate;
+  reserve(at(problem.nodes));
   evaluate(part);
   system_.gather(problem, part, active_, iterate.lambda, operators_changed_);
   operators_changed_ = false;
@@ -309,58 +318,6 @@ void Newton::advance(Part part, double alpha) {
       it.slip_valid[k] = 0;
     }
   }
-}
-
-// A cold start: the bodies are cut at half the approach, where a smooth Hertzian contact has its
-// edge, and the overlap there gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact
-// for a paraboloid. An unknown approach is first taken from Hertz's formula for a circle of the
-// same overlap.
-void Newton::guess_start() {
-  const Problem& p = *problem_;
-  Iterate& it = *iterate_;
-  const auto gap = [&](std::size_t k) { return p.gap[k] / p.closing(k); };  // as an approach
-  double low = INFINITY, high = -INFINITY;
-  for (std::size_t k = 0; k < at(p.nodes); ++k) {
-    if (!p.used[k]) continue;
-    low = std::min(low, gap(k));
-    high = std::max(high, gap(k));
-  }
-  if (!(low <= high)) return;
-  const auto overlap = [&](double depth) {
-    double area = 0;
-    for (std::size_t k = 0; k < at(p.nodes); ++k)
-      if (p.used[k] && gap(k) < low + depth) area += p.cell_area[k];
-    return area;
-  };
-  // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
-  const auto peak = [&](double half, double area) {
-    return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
-  };
-  const bool by_force = p.by_force[approach];
-  double half = 0.5 * (it.motion[approach] - low);
-  if (by_force) {
-    const double load = p.value[approach];
-    const auto carried = [&](double depth) {
-      const double area = overlap(depth);
-      return 2.0 / 3.0 * peak(depth, area) * area;
-    };
-    double a = 0, b = std::max(high - low, 1e-12 * std::abs(high));
-    if (!(b > 0)) b = load / (p.stiffness * p.length);
-    for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
-    for (int i = 0; i < 40; ++i) {
-      const double middle = 0.5 * (a + b);
-      (carried(middle) < load ? a : b) = middle;
-    }
-    half = b;
-    it.motion[approach] = low + 2 * half;
-  }
-  if (!(half > 0)) return;
-  const double p0 = peak(half, overlap(half));
-  for (std::size_t k = 0; k < at(p.nodes); ++k) {
-    const double depth = p.used[k] ? 1 - (gap(k) - low) / half : 0;
-    it.lambda[2][k] = depth > 0 ? -p0 * std::sqrt(depth) : 0.0;
-  }
-  it.invalidate();
 }
 
 // A body that gives way more than a half-space (a rim, a ring) parts everywhere under the guessed

@@ -7,6 +7,7 @@
 
 #include "contact/linear_solver.hpp"
 #include "contact/problem.hpp"
+#include "contact/procedures/procedure.hpp"
 #include "contact/reduced_system.hpp"
 
 namespace rollcon {
@@ -17,6 +18,7 @@ struct StepRecord {
   Part part = Part::normal;
   std::int64_t iteration = 0;
   double residual_normal = 0, residual_tangential = 0;
+  double merit = 0;  ///< error function Psi: half the squared norm of the relative residuals
   double step = 0;
   std::int64_t contact = 0, sliding = 0;
 };
@@ -39,6 +41,7 @@ struct NewtonReport {
 class Newton {
  public:
   LinearSolver linear;
+  Procedure procedure;  ///< tolerances of the linear systems
 
   /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the
   /// load is a force). frictionless: mu is zero at every node.
@@ -61,6 +64,7 @@ class Newton {
  private:
   struct Residual {
     double normal = 0, tangential = 0, load = 0;  ///< relative maxima
+    double merit = 0;
     std::int64_t contact = 0, sliding = 0;
     double worst(Part part) const;
   };
@@ -87,13 +91,9 @@ class Newton {
   double line_search(Part part, double merit);
   double trial_merit(Part part, double alpha) const;
   double load_residual(Part part, double alpha) const;
-  void guess_start();
   void fit_approach();
-  void start_cold();
   void reserve(std::size_t nodes);
   Outcome attempt(bool cold, double tolerance, std::int64_t max_iterations);
-  bool pressures_settled(Part part, double residual) const;
-  bool load_beyond_friction() const;
 
   Problem* problem_ = nullptr;
   Iterate* iterate_ = nullptr;

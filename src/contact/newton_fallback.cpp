@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/newton.hpp"
+#include "contact/start.hpp"
 
 namespace rollcon {
 namespace {
@@ -97,8 +98,8 @@ Outcome Newton::continue_in_friction(bool from_above, double tolerance,
   };
   const double loose = std::max(tolerance, 1e-6);
   Iterate& it = *iterate_;
-  start_cold();
-  guess_start();
+  start_cold(*problem_, *iterate_);
+  guess_start(*problem_, *iterate_);
   Outcome outcome = run(Part::normal, goal_ == Part::full ? loose : tolerance, max_iterations,
                         report_.normal_iterations);
   if (goal_ == Part::tangential && outcome != Outcome::converged) return outcome;

@@ -5,13 +5,13 @@
 #include <cmath>
 
 #include "contact/newton.hpp"
+#include "contact/start.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr double start_tolerance = 1e-2;  // of the frictionless start of a coupled problem
 constexpr std::int64_t patience = 12;     // iterations without progress before a run is stuck
-constexpr double settled = 1e-3;          // normal residual below which pressures are judged
 constexpr double progress = 0.7;          // factor on the best residual that counts as progress
 
 }  // namespace
@@ -22,11 +22,12 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
   merits_.clear();
   StepRecord record;
   record.part = part;
-  double last_worst = INFINITY, best = INFINITY;
+  double last_worst = INFINITY, best = INFINITY, last_merit = 0, eta = 0;
   std::int64_t waiting = 0;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(part);
     record.iteration = k;
+    record.merit = residual.merit;
     record.residual_normal = residual.normal;
     record.residual_tangential = residual.tangential;
     record.contact = residual.contact;
@@ -46,7 +47,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
         continue;
       }
       if (k > 1) return Outcome::not_converged;
-      guess_start();
+      guess_start(*problem_, *iterate_);
       if (k == 1) fit_approach();
       continue;
     }
@@ -56,13 +57,19 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     remember_best(part, worst);
     if (waiting > patience) return Outcome::not_converged;
     if (k >= max_iterations || iterations_left_ <= 0) return Outcome::not_converged;
-    if (part != Part::normal && pressures_settled(part, residual.normal) && load_beyond_friction())
+    const bool settled =
+        part == Part::tangential || pressures_settled(*problem_, iterate_->lambda, residual.normal);
+    if (part != Part::normal && settled && load_beyond_friction(*problem_, iterate_->lambda))
       return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
-    const double forcing =
+    double forcing =
         std::clamp(0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
                    std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
+    if (procedure.eta > 0) forcing = procedure.eta;
+    if (procedure.linear == LinearMethod::gmres_adaptive)
+      forcing = eta = adaptive_tolerance(procedure, residual.merit, last_merit, eta);
     last_worst = worst;
+    last_merit = residual.merit;
     if (!newton_step(part, std::max(forcing, 1e-13))) return Outcome::not_converged;
     if (stick_first_) free_steps_ = 1;
     stick_first_ = false;
@@ -71,58 +78,6 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     ++iterations;
     --iterations_left_;
   }
-}
-
-// True when the pressures are near those of the solution: capacities may be judged by them.
-bool Newton::pressures_settled(Part part, double residual) const {
-  if (part == Part::tangential) return true;
-  if (!(residual < settled)) return false;
-  if (!problem_->by_force[approach]) return true;
-  const double load = problem_->value[approach];
-  return std::abs(load_on_body1(*problem_, approach, iterate_->lambda).value - load) <=
-         settled * load;
-}
-
-// ||F_t|| >= mu F_n has no steady solution; neither has a spin moment beyond what full sliding
-// about the origin can give. On a curved frame pressures carry a part of these loads.
-bool Newton::load_beyond_friction() const {
-  const Problem& p = *problem_;
-  const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2], m = p.by_force[spin];
-  if (!f1 && !f2 && !m) return false;
-  const bool curved = !p.turn.empty();
-  double scale = 1;
-  if (p.by_force[approach]) {  // to the load that will be carried in the end
-    const double carried = load_on_body1(p, approach, iterate_->lambda).value;
-    if (!(carried > 0)) return false;
-    scale = p.value[approach] / carried;
-  }
-  const auto by_friction = [&](int motion) {
-    const auto k = static_cast<std::size_t>(motion);
-    if (!p.by_force[k]) return 0.0;
-    return p.value[k] - scale * load_of_pressures(p, motion, iterate_->lambda[2]);
-  };
-  const double along = by_friction(xi1), across = by_friction(xi2);
-  const double force = std::hypot(along, across);
-  // The part of a node's friction that can act in the direction of the force.
-  const auto share = [&](std::size_t k) {
-    if (!curved || !(force > 0)) return 1.0;
-    const Turn& t = p.turn[k];
-    return std::hypot(t[0][0] * along + t[0][1] * across, t[1][0] * along + t[1][1] * across) /
-           force;
-  };
-  double capacity = 0, moment = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
-    const double limit = -p.mu[k] * iterate_->lambda[2][k] * p.weight[k];
-    capacity += limit * share(k);
-    moment += std::abs(limit) * std::hypot(p.op.slip_x[k], p.op.slip_y[k]);
-  }
-  capacity *= scale;
-  moment *= scale;
-  // On a curved frame the share of friction in the normal load is not settled before the end.
-  const double margin = curved && p.by_force[approach] ? 2 * settled : -1e-12;
-  const double spin_moment = std::abs(by_friction(spin));
-  return (force > 0 && force >= capacity * (1 + margin)) ||
-         (m && spin_moment > 0 && spin_moment >= moment);
 }
 
 void Newton::remember_best(Part part, double worst) {
@@ -141,21 +96,6 @@ void Newton::return_to_best() {
   for (int c = 0; c < 3; ++c) iterate_->lambda[c] = best_.lambda[c];
   iterate_->motion = best_.motion;
   iterate_->invalidate();
-}
-
-// Zero tractions; unknown motions start from zero, but bodies that carry no load just touch.
-void Newton::start_cold() {
-  Iterate& it = *iterate_;
-  it.clear();
-  for (int m = 0; m < 4; ++m) {
-    const auto k = static_cast<std::size_t>(m);
-    if (!problem_->by_force[k]) it.motion[k] = problem_->value[k];
-  }
-  if (!problem_->by_force[approach]) return;
-  double low = INFINITY;
-  for (std::size_t k = 0; k < problem_->gap.size(); ++k)
-    if (problem_->used[k]) low = std::min(low, problem_->gap[k] / problem_->closing(k));
-  if (std::isfinite(low)) it.motion[approach] = low;
 }
 
 void Newton::reserve(std::size_t n) {
@@ -216,18 +156,18 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
       iterate.motion[k] = 0;
   }
   if (problem.by_force[approach] && !(problem.value[approach] > 0)) {
-    start_cold();
+    start_cold(problem, iterate);
     report_.outcome = Outcome::no_contact;
     return report_;
   }
   const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
                                  [](double l) { return l != 0; });
-  if (cold) guess_start();
+  if (cold) guess_start(problem, iterate);
   Outcome outcome = attempt(cold, tolerance, max_iterations);
   if (outcome == Outcome::not_converged && !cold && iterations_left_ > 0) {
     ++report_.fallbacks;
-    start_cold();
-    guess_start();
+    start_cold(problem, iterate);
+    guess_start(problem, iterate);
     outcome = attempt(true, tolerance, max_iterations);
   }
   // Without coupling the tangential problem has no meaning under pressures that were not found.

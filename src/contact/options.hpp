@@ -22,7 +22,20 @@ struct Options {
   double normal_scale = 1;                    // "normal_scale": multiplies r_n
   double tangential_scale = 1;                // "tangential_scale": multiplies r_t
   std::int64_t warm_start = 1;                // "warm_start"
-  std::int64_t revision = 0;                  ///< counts changes
+  // Which of the published solution procedures (contact/procedures/procedure.hpp).
+  std::string system = "condensed";     // "system"
+  std::string jacobian = "exact";       // "jacobian"
+  std::string slip_estimate = "auto";   // "slip_estimate"
+  double slip_time_step = 1;            // "slip_time_step"
+  double slip_extrapolation = 1.2;      // "slip_extrapolation"
+  double linear_tolerance = 0;          // "linear_tolerance"
+  double linear_tolerance_max = 0.01;   // "linear_tolerance_max"
+  double linear_tolerance_gamma = 0.3;  // "linear_tolerance_gamma"
+  std::string preconditioner = "auto";  // "preconditioner"
+  std::string line_search = "auto";     // "line_search"
+  double line_search_factor = 0.5;      // "line_search_factor"
+  double line_search_slope = 1e-4;      // "line_search_slope"
+  std::int64_t revision = 0;            ///< counts changes
 
   /// err_option: unknown name, wrong type, out of range (the message names them).
   void set_int(const char* name, std::int64_t value);

@@ -65,6 +65,16 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
     line(text, "loads and given displacements of the bodies: added to gap and slip");
 }
 
+void describe_procedure(std::string& text, const SolverState& s, const Options& o) {
+  if (s.procedure.monolithic)
+    line(text, "system: monolithic, %lld unknowns, %lld nonzeros; nothing condensed",
+         static_cast<long long>(s.system_unknowns), static_cast<long long>(s.system_nonzeros));
+  else
+    line(text, "system: condensed, %lld unknowns", static_cast<long long>(s.system_unknowns));
+  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s",
+       o.jacobian.c_str(), o.linear_solver.c_str());
+}
+
 }  // namespace
 
 std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
@@ -76,6 +86,8 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   if (s.frictionless) {
     line(text, "friction is zero: no tangential unknowns%s",
          op.tangential ? "" : ", no convective operator assembled");
+  } else if (!s.procedure.standard()) {
+    line(text, "the published iteration solves for all unknowns at once, coupled or not");
   } else if (!op.coupled && s.frame.curved() && s.problem.by_force[approach]) {
     line(text,
          "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
@@ -88,7 +100,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
-  if (op.tangential)
+  if (op.tangential || s.procedure.monolithic)
     line(text, "convective scheme: %s",
          *s.scheme == Scheme::godunov         ? "godunov"
          : *s.scheme == Scheme::least_squares ? "least_squares"
@@ -99,9 +111,11 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
                                               "approach", "spin"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
-  line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
-       static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6,
-       static_cast<long long>(s.assemblies));
+  if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
+  if (op.normal)
+    line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
+         static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6,
+         static_cast<long long>(s.assemblies));
   line(text, "last solve: %lld factorisation(s), %lld Krylov iteration(s)",
        static_cast<long long>(s.factorizations), static_cast<long long>(s.linear_iterations));
   return text;

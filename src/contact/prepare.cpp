@@ -96,6 +96,7 @@ void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies
   state.problem.stiffness = contact_modulus(pair);
   state.problem.op = ContactOperators{};
   state.scheme.reset();
+  state.step_system.reset();
   state.offset_known = false;
 }
 
@@ -145,6 +146,35 @@ void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   }
 }
 
+void assemble_missing(SolverState& state) {
+  ContactOperators& op = state.problem.op;
+  if (op.normal && (state.frictionless || op.tangential)) return;
+  const Stopwatch watch(state.timings.compliance);
+  assemble_operators(state.frame, *state.compliance, !state.frictionless, op);
+  refuse_held_nodes(state.frame, op);
+  loosen_held_tangents(state.frame, op);
+  ++state.assemblies;
+  state.iterate.invalidate();
+  if (!state.scales_estimated) state.normal_scale = 0;  // scales follow the operators
+  if (!state.procedure.monolithic) state.step_system.reset();
+}
+
+void choose_scales(SolverState& state, const Options& o) {
+  const bool estimate = !state.procedure.standard();
+  if (o.normal_scale == state.normal_scale && o.tangential_scale == state.tangential_scale &&
+      estimate == state.scales_estimated)
+    return;
+  if (estimate)
+    estimate_scales(state.problem, o.normal_scale, o.tangential_scale);
+  else
+    set_scales(state.problem, o.normal_scale, o.tangential_scale);
+  state.normal_scale = o.normal_scale;
+  state.tangential_scale = o.tangential_scale;
+  state.scales_estimated = estimate;
+  state.newton.operators_changed();
+  state.step_system.reset();
+}
+
 void build_operators(SolverState& state, const Scene& scene) {
   ContactOperators& op = state.problem.op;
   const Scheme scheme = scheme_of(scene.options.convection);
@@ -162,25 +192,12 @@ void build_operators(SolverState& state, const Scene& scene) {
     state.friction_revision = -1;  // the inflow rim may be another one
     state.kinematics_revision = -1;
     state.field_rows = {};
+    state.step_system.reset();
     state.offset_known = false;
   }
-  const bool missing = !op.normal || (!state.frictionless && !op.tangential);
-  const Options& o = scene.options;
-  if (missing) {
-    const Stopwatch watch(state.timings.compliance);
-    assemble_operators(state.frame, *state.compliance, !state.frictionless, op);
-    refuse_held_nodes(state.frame, op);
-    loosen_held_tangents(state.frame, op);
-    ++state.assemblies;
-    state.iterate.invalidate();
-  }
-  if (missing || o.normal_scale != state.normal_scale ||
-      o.tangential_scale != state.tangential_scale) {
-    set_scales(state.problem, o.normal_scale, o.tangential_scale);
-    state.normal_scale = o.normal_scale;
-    state.tangential_scale = o.tangential_scale;
-    state.newton.operators_changed();
-  }
+  op.nodes = state.frame.nodes();
+  if (!state.procedure.monolithic) assemble_missing(state);
+  choose_scales(state, scene.options);
 }
 
 void read_friction(SolverState& state, const Scene& scene) {
@@ -312,7 +329,13 @@ std::size_t SolverState::bytes() const {
          n * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
+void require_operators(SolverState& state) {
+  assemble_missing(state);
+  state.images_known = false;
+}
+
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads) {
+  state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.meshed() || body2.meshed());
   {
     const Stopwatch watch(state.timings.compliance);

@@ -229,6 +229,21 @@ void ReducedSystem::dense(T* out) const {
   }
 }
 
+void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
+  const std::int64_t na = active();
+  double own[3][3] = {};
+  for (int r = 0; r < count_; ++r)
+    for (int c = 0; c < count_; ++c) own[r][c] = matrix_.row(r * na + a)[c * na + a];
+  for (int r = 0; r < count_; ++r)
+    for (int c = 0; c < count_; ++c) {
+      block[r][c] = own[r][c];
+      if (component(r) == 2) continue;
+      const TangentialLaw& law = law_[static_cast<std::size_t>(a)];
+      block[r][c] =
+          law.own[r][component(c)] + law.slip[r][0] * own[0][c] + law.slip[r][1] * own[1][c];
+    }
+}
+
 template void ReducedSystem::dense<double>(double*) const;
 template void ReducedSystem::dense<float>(float*) const;
 

@@ -47,6 +47,9 @@ class ReducedSystem final : public LinearOperator {
   template <class T>
   void dense(T* out) const;
 
+  /// Entries of the rows and columns of active node a, by place of the component.
+  void pair_block(std::int64_t a, double (&block)[3][3]) const;
+
   /// Scaled operator rows times the tractions of the last apply().
   std::span<const double> product() const { return product_; }
   /// Unknowns that correspond to given tractions and motions.

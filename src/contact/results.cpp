@@ -176,6 +176,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
     fail(Status::err_state,
          "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
+  require_operators(s);
   const Rates& r = find_rates(s, parameter);
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
@@ -206,6 +207,10 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   // A lambda is u1 - u2: the second body's part carries the opposite sign.
   if (body == 2)
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
+}
+
+std::span<const double> Contact::error_function() const {
+  return state_->merit;
 }
 
 std::span<const double> Contact::history() const {

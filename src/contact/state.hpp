@@ -10,8 +10,10 @@
 
 #include "bodies/pair.hpp"
 #include "contact/contact.hpp"
+#include "contact/error_estimate.hpp"
 #include "contact/newton.hpp"
 #include "contact/problem.hpp"
+#include "contact/procedures/gnmls.hpp"
 #include "contact/sensitivity.hpp"
 
 namespace rollcon {
@@ -44,6 +46,19 @@ struct SolverState {
   Problem problem;
   Iterate iterate;
   Newton newton;
+  Gnmls gnmls;
+  /// Of the published procedures; made when one is asked for, for what `step_key` says.
+  std::unique_ptr<StepSystem> step_system;
+  struct StepKey {
+    bool monolithic = false, frictionless = false;
+    std::array<bool, 4> by_force{};
+    LinearMethod linear = LinearMethod::automatic;
+    Preconditioner preconditioner = Preconditioner::automatic;
+    bool operator==(const StepKey&) const = default;
+  } step_key;
+  /// Scales of the problem are those of estimate_scales(), not of set_scales().
+  bool scales_estimated = false;
+  bool images_known = false;  ///< of the solution, at all nodes, slip included
 
   // The last solve.
   bool solved = false;
@@ -53,7 +68,10 @@ struct SolverState {
   double speed = 1;
   NewtonReport report;
   Timings timings;
-  std::vector<double> history;  ///< rows of 8
+  Procedure procedure;
+  std::vector<double> history;                            ///< rows of 8
+  std::vector<double> merit;                              ///< error function of each row
+  std::int64_t system_unknowns = 0, system_nonzeros = 0;  ///< of the last linear system
   std::int64_t assemblies = 0;
   std::size_t peak_bytes = 0;
   std::int64_t linear_iterations = 0, factorizations = 0;  ///< of the last solve
@@ -64,6 +82,7 @@ struct SolverState {
   std::vector<double> gap;      ///< deformed gap
   std::vector<std::int32_t> status;
   Sensitivities sensitivities;
+  ErrorEstimate error_estimate;
   bool laws_checked = false;
   std::array<double, 4> laws{};  ///< normal, friction, slip, equilibrium
 
@@ -72,6 +91,8 @@ struct SolverState {
 
 /// Brings everything that depends on the scene up to date; only what changed is done again.
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
+/// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
+void require_operators(SolverState& state);
 
 /// Fills slip, gap and status of the last solution.
 void derive_fields(SolverState& state);

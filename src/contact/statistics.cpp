@@ -7,6 +7,7 @@
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 #include "contact/state.hpp"
+#include "linalg/blas_threads.hpp"
 
 namespace rollcon {
 namespace {
@@ -83,6 +84,10 @@ constexpr Statistic table[] = {
     {"law_friction", [](SolverState& s) { return law(s, 1); }},
     {"law_slip", [](SolverState& s) { return law(s, 2); }},
     {"law_equilibrium", [](SolverState& s) { return law(s, 3); }},
+    {"error_estimate", [](SolverState& s) { return find_error_estimate(s).worst(); }},
+    {"error_estimate_normal", [](SolverState& s) { return find_error_estimate(s).normal; }},
+    {"error_estimate_tangential", [](SolverState& s) { return find_error_estimate(s).tangential; }},
+    {"error_estimate_tractions", [](SolverState& s) { return find_error_estimate(s).tractions; }},
     {"nodes_contact",
      [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
     {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
@@ -123,12 +128,15 @@ constexpr Statistic table[] = {
      [](SolverState& s) { return number(s.sensitivities.factorizations); }},
     {"sensitivity_linear_iterations",
      [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
+    {"seconds_error_estimate", [](SolverState& s) { return s.error_estimate.seconds; }},
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
     {"kernel_evaluations",
      [](SolverState& s) {
        return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0;
      }},
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
+    {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
+    {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
     {"unknowns",
      [](SolverState& s) {
        const double components = s.frictionless ? 1 : 3;
@@ -155,6 +163,7 @@ double Contact::stat(const char* name) const {
     if (std::strcmp(s.name, name) == 0) {
       if (!state_->solved || state_->mesh_revision != scene.revision.mesh)
         fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
+      const BlasThreads blas(context_->threads());
       return s.value(*state_);
     }
   fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);

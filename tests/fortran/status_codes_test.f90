@@ -358,7 +358,7 @@ contains
     type(rc_contact) :: c
     integer :: stat, n, m
     integer(rc_int), allocatable :: state(:)
-    real(rc_real), allocatable :: t(:, :), p(:), s(:, :), rows(:, :), u(:, :)
+    real(rc_real), allocatable :: t(:, :), p(:), s(:, :), psi(:), seconds(:), rows(:, :), u(:, :)
     real(rc_real) :: force(3), moment(3), approach, creep(3), value, little(3)
     character(len=:), allocatable :: text
     character(len=400) :: message
@@ -409,6 +409,10 @@ contains
     call expect(stat, ROLLCON_ERR_NONFINITE, 'displacements at NaN')
     call c%get_history(rows)
     call demand(size(rows, 1) == 8 .and. size(rows, 2) >= 1, 'history')
+    call c%get_error_function(psi, seconds)
+    call demand(size(psi) == size(rows, 2) .and. size(seconds) == size(psi), 'error function: a value per row')
+    call demand(psi(size(psi)) >= 0 .and. psi(size(psi)) < 1e-12_rc_real, 'error function at the end')
+    call demand(all(seconds == rows(8, :)), 'error function: time stamps')
     call c%get_plan(text)
     call demand(len(text) > 0, 'plan')
     call c%get_stat('no such number', value, stat)

@@ -34,9 +34,9 @@ std::unique_ptr<RollingPair> block(double least, double mu, double creep) {
   return pair;
 }
 
-class HalfModel : public ::testing::TestWithParam<double> {};
+class HalfModels : public ::testing::TestWithParam<double> {};
 
-TEST_P(HalfModel, carries_half_of_the_forces) {
+TEST_P(HalfModels, carries_half_of_the_forces) {
   const auto whole = block(-1, 0.3, GetParam()), half = block(0, 0.3, GetParam());
   whole->solve();
   half->solve();
@@ -46,7 +46,21 @@ TEST_P(HalfModel, carries_half_of_the_forces) {
                              std::abs(2 * h.force[c] / w.force[c] - 1), 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(creepages, HalfModel, ::testing::Values(0.0, 1e-5, 1e-3, 0.1));
+TEST(HalfModel, is_for_the_condensed_form) {
+  const auto half = block(0, 0.3, 1e-3);
+  half->option("system", "monolithic");
+  try {
+    half->solve();
+    FAIL() << "a half model was solved in monolithic form";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("plane of symmetry"), std::string::npos)
+        << error.what();
+  }
+  half->option("system", "condensed");
+  EXPECT_EQ(half->solve(), ROLLCON_OK);
+}
+
+INSTANTIATE_TEST_SUITE_P(creepages, HalfModels, ::testing::Values(0.0, 1e-5, 1e-3, 0.1));
 
 }  // namespace
 }  // namespace rollcon

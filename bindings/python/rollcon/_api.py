@@ -253,6 +253,9 @@ FUNCTIONS = {
     "rollcon_contact_get_history": (c_int32, [
         c_void_p, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_get_error_function": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double),
+        POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_plan": (c_int32, [c_void_p, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_write": (c_int32, [c_void_p, c_char_p]),
     "rollcon_id_of": (c_int32, [c_void_p]),

@@ -225,6 +225,17 @@ class Contact(Settings, Handle):
         self._call("get_history", len(rows), address, byref(need))
         return rows
 
+    def error_function(self):
+        """Error function of every row of history(), and seconds since the solve began: one row
+        (psi, seconds) per iteration."""
+        need = c_int64()
+        self._call("get_error_function", 0, None, None, byref(need))
+        columns, psi = room(2, need.value)
+        if need.value > 0:
+            seconds = columns[1].ctypes.data_as(type(psi))
+            self._call("get_error_function", need.value, psi, seconds, byref(need))
+        return columns.T
+
     def plan(self):
         """How the last solve was done, as text."""
         status, text = read_text(lambda *a: lib.rollcon_contact_get_plan(self._handle, *a))

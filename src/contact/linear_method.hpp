@@ -1,0 +1,12 @@
+#pragma once
+/// How the linear systems of an iteration are solved.
+
+namespace rollcon {
+
+/// gmres_adaptive: with the tolerance of Kelley (1995), equations (72)-(74) of the paper.
+enum class LinearMethod { automatic, lu, gmres, gmres_adaptive };
+/// Of GMRES. diagonal: each pair's own block; bodies: matrices of the bodies factorised once, pairs
+/// by their own blocks (monolithic form only); kept_lu: factors of an earlier system.
+enum class Preconditioner { automatic, none, diagonal, bodies, kept_lu };
+
+}  // namespace rollcon

@@ -1,0 +1,145 @@
+#include "contact/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rollcon {
+namespace {
+
+constexpr double settled = 1e-3;  // normal residual below which pressures are judged
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+// The bodies cut at half the approach, where a smooth Hertzian contact has its edge.
+struct Cut {
+  double low = INFINITY;  ///< least gap, as an approach
+  double half = 0;        ///< half the approach beyond it
+  double p0 = 0;
+};
+
+double gap_at(const Problem& p, std::size_t k) {
+  return p.gap[k] / p.closing(k);
+}
+
+// An unknown approach is taken from Hertz's formula for a circle of the same overlap.
+Cut cut(const Problem& p, double given_approach) {
+  Cut c;
+  double high = -INFINITY;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    if (!p.used[k]) continue;
+    c.low = std::min(c.low, gap_at(p, k));
+    high = std::max(high, gap_at(p, k));
+  }
+  if (!(c.low <= high)) return c;
+  const auto overlap = [&](double depth) {
+    double area = 0;
+    for (std::size_t k = 0; k < at(p.nodes); ++k)
+      if (p.used[k] && gap_at(p, k) < c.low + depth) area += p.cell_area[k];
+    return area;
+  };
+  // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
+  const auto peak = [&](double half, double area) {
+    return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
+  };
+  c.half = 0.5 * (given_approach - c.low);
+  if (p.by_force[approach]) {
+    const double load = p.value[approach];
+    const auto carried = [&](double depth) {
+      const double area = overlap(depth);
+      return 2.0 / 3.0 * peak(depth, area) * area;
+    };
+    double a = 0, b = std::max(high - c.low, 1e-12 * std::abs(high));
+    if (!(b > 0)) b = load / (p.stiffness * p.length);
+    for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
+    for (int i = 0; i < 40; ++i) {
+      const double middle = 0.5 * (a + b);
+      (carried(middle) < load ? a : b) = middle;
+    }
+    c.half = b;
+  }
+  if (c.half > 0) c.p0 = peak(c.half, overlap(c.half));
+  return c;
+}
+
+}  // namespace
+
+void guess_approach(const Problem& p, std::array<double, 4>& motion) {
+  if (!p.by_force[approach]) return;
+  const Cut c = cut(p, motion[approach]);
+  if (c.low < INFINITY) motion[approach] = c.low + 2 * c.half;
+}
+
+// The overlap gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact for a paraboloid.
+void guess_start(const Problem& p, Iterate& it) {
+  const Cut c = cut(p, it.motion[approach]);
+  if (!(c.low < INFINITY)) return;
+  if (p.by_force[approach]) it.motion[approach] = c.low + 2 * c.half;
+  if (!(c.half > 0)) return;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    const double depth = p.used[k] ? 1 - (gap_at(p, k) - c.low) / c.half : 0;
+    it.lambda[2][k] = depth > 0 ? -c.p0 * std::sqrt(depth) : 0.0;
+  }
+  it.invalidate();
+}
+
+void start_cold(const Problem& p, Iterate& it) {
+  it.clear();
+  for (std::size_t m = 0; m < 4; ++m)
+    if (!p.by_force[m]) it.motion[m] = p.value[m];
+  if (!p.by_force[approach]) return;
+  double low = INFINITY;
+  for (std::size_t k = 0; k < p.gap.size(); ++k)
+    if (p.used[k]) low = std::min(low, gap_at(p, k));
+  if (std::isfinite(low)) it.motion[approach] = low;
+}
+
+bool pressures_settled(const Problem& p, const std::vector<double> (&lambda)[3], double residual) {
+  if (!(residual < settled)) return false;
+  if (!p.by_force[approach]) return true;
+  const double load = p.value[approach];
+  return std::abs(load_on_body1(p, approach, lambda).value - load) <= settled * load;
+}
+
+bool load_beyond_friction(const Problem& p, const std::vector<double> (&lambda)[3]) {
+  const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2], m = p.by_force[spin];
+  if (!f1 && !f2 && !m) return false;
+  const bool curved = !p.turn.empty();
+  double scale = 1;
+  if (p.by_force[approach]) {  // to the load that will be carried in the end
+    const double carried = load_on_body1(p, approach, lambda).value;
+    if (!(carried > 0)) return false;
+    scale = p.value[approach] / carried;
+  }
+  const auto by_friction = [&](int motion) {
+    const auto k = static_cast<std::size_t>(motion);
+    if (!p.by_force[k]) return 0.0;
+    return p.value[k] - scale * load_of_pressures(p, motion, lambda[2]);
+  };
+  const double along = by_friction(xi1), across = by_friction(xi2);
+  const double force = std::hypot(along, across);
+  // The part of a node's friction that can act in the direction of the force.
+  const auto share = [&](std::size_t k) {
+    if (!curved || !(force > 0)) return 1.0;
+    const Turn& t = p.turn[k];
+    return std::hypot(t[0][0] * along + t[0][1] * across, t[1][0] * along + t[1][1] * across) /
+           force;
+  };
+  double capacity = 0, moment = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    const double limit = -p.mu[k] * lambda[2][k] * p.weight[k];
+    capacity += limit * share(k);
+    moment += std::abs(limit) * std::hypot(p.op.slip_x[k], p.op.slip_y[k]);
+  }
+  capacity *= scale;
+  moment *= scale;
+  // On a curved frame the share of friction in the normal load is not settled before the end.
+  const double margin = curved && p.by_force[approach] ? 2 * settled : -1e-12;
+  const double spin_moment = std::abs(by_friction(spin));
+  return (force > 0 && force >= capacity * (1 + margin)) ||
+         (m && spin_moment > 0 && spin_moment >= moment);
+}
+
+}  // namespace rollcon
