@@ -1195,11 +1195,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
     const rollcon_contact *contact, int32_t body, int64_t n, const double *xy, double *u);
 
 /*
- * One number about the last solve: residuals, iterations, areas, power, seconds, bytes. Names:
- * rollcon_stat_name.
+ * One number about the last solve: residuals, error estimates, iterations, areas, power, seconds,
+ * bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is
+ * computed when one of its numbers is asked for, at about the price of a solve.
  *   value    out
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_contact *contact,

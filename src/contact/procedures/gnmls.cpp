@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t merit_window = 5;      // of the exact Jacobian's non-monotone search
 constexpr double smallest_step = 1.0 / 256;  // else the best step seen is taken
 constexpr double short_step = 0.25;
+constexpr int patience = 4;  // short steps in a row before a full one is taken
 constexpr double finest_linear_tolerance = 1e-12;
 
 std::size_t at(std::int64_t i) {
@@ -222,6 +223,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
   StepRecord record;
   record.part = tangential_ ? Part::full : Part::normal;
   bool raised = false;
+  int short_steps = 0;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(z_, true);
     const double worst = residual.worst();
@@ -265,6 +267,10 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     const bool free = stick_first_;
     stick_first_ = false;
     record.step = free ? 1 : search(residual.merit, trial_);
+    // What (77)-(92) estimate contracts although Psi need not fall along it.
+    short_steps = record.step < short_step ? short_steps + 1 : 0;
+    const bool stuck = short_steps == patience && procedure_.jacobian != Jacobian::exact;
+    if (stuck) record.step = 1, short_steps = 0;
     // A step that has to be cut short may be due to a loose linear solution.
     sharpening_ = record.step < short_step ? std::max(0.1 * sharpening_, finest_linear_tolerance)
                                            : std::min(1.0, 2 * sharpening_);
