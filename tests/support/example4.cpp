@@ -42,6 +42,10 @@ std::unique_ptr<RollingPair> pair(ElementType type, const char* scheme, int thre
   wheel.material = material;
   wheel.held_tag = {3, 6, 7};
   wheel.contact_tag = {1, 2};
+  return pair(wheel, scheme, threads);
+}
+
+std::unique_ptr<RollingPair> pair(const MeshedBody& wheel, const char* scheme, int threads) {
   MeshedBody head;
   head.mesh = rail_head(10, 20, 8);
   auto p = std::make_unique<RollingPair>(wheel, head, threads);

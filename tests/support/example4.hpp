@@ -19,5 +19,7 @@ inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson))
 /// direction crowned with a radius of 8 inches. The approach is given, the tangential force not
 /// yet.
 std::unique_ptr<RollingPair> pair(ElementType type, const char* scheme, int threads = 1);
+/// With another mesh of the wheel, or of a part of it around its top.
+std::unique_ptr<RollingPair> pair(const MeshedBody& wheel, const char* scheme, int threads = 1);
 
 }  // namespace rollcon::scenes::example4

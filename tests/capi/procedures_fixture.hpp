@@ -1,0 +1,126 @@
+#pragma once
+/// Solution procedures chosen by options through the public interface.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "fixture.hpp"
+
+namespace capi_test {
+
+struct Procedure {
+  const char *system = "condensed", *jacobian = "exact", *slip_estimate = "auto",
+             *linear_solver = "auto";
+
+  std::string name() const {
+    return std::string(system) + " " + jacobian + " " + slip_estimate + " " + linear_solver;
+  }
+};
+
+inline std::vector<Procedure> all_procedures() {
+  std::vector<Procedure> all;
+  for (const char* system : {"condensed", "monolithic"})
+    for (const char* solver : {"lu", "gmres", "gmres_adaptive"}) {
+      for (const char* jacobian : {"exact", "b_derivative", "simplified"})
+        all.push_back({system, jacobian, "auto", solver});
+      for (const char* estimate : {"jacobi", "pseudo_temporal", "extrapolation"})
+        all.push_back({system, "reduced", estimate, solver});
+    }
+  return all;
+}
+
+/// What a solve leaves to read.
+struct Results {
+  std::vector<double> traction, gap, slip;
+  std::vector<std::int32_t> state;
+  double force[3] = {}, moment[3] = {}, approach = 0, creep[3] = {};
+  double iterations = 0, law = 0;
+};
+
+inline double largest(const std::vector<double>& v) {
+  double m = 0;
+  for (const double x : v) m = std::max(m, std::abs(x));
+  return m;
+}
+
+/// Largest difference over the largest entry of the second; 1 stands for zeros.
+inline double difference(const std::vector<double>& a, const std::vector<double>& b) {
+  if (a.size() != b.size()) return std::nan("");
+  double d = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (!std::isfinite(a[k])) return std::nan("");
+    d = std::max(d, std::abs(a[k] - b[k]));
+  }
+  const double scale = largest(b);
+  return scale > 0 ? d / scale : d;
+}
+
+/// The scene of Api on a small frame by a scheme that every procedure can use.
+class ProcedureScene : public Api {
+ protected:
+  void SetUp() override {
+    Api::SetUp();
+    frame = SquareFrame(8, 1.5);
+    set_scene();
+    ASSERT_EQ(rollcon_contact_set_str(contact, "convection", "godunov"), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_set_creep(contact, -8e-4, 4e-4, 2e-4), ROLLCON_OK);
+  }
+
+  void set(const char* name, const char* value) {
+    ASSERT_EQ(rollcon_contact_set_str(contact, name, value), ROLLCON_OK) << error();
+  }
+  void set(const char* name, double value) {
+    ASSERT_EQ(rollcon_contact_set_real(contact, name, value), ROLLCON_OK) << error();
+  }
+  void set(const Procedure& p) {
+    set("system", p.system);
+    set("jacobian", p.jacobian);
+    set("slip_estimate", p.slip_estimate);
+    set("linear_solver", p.linear_solver);
+  }
+  void by_force(std::int32_t direction, double value) {
+    ASSERT_EQ(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, value), ROLLCON_OK);
+  }
+  void by_motion(std::int32_t direction, double value) {
+    ASSERT_EQ(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_MOTION, value), ROLLCON_OK);
+  }
+  std::int32_t solve_cold() {
+    EXPECT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
+    return rollcon_contact_solve(contact);
+  }
+  double stat(const char* name) const {
+    double v = 0;
+    EXPECT_EQ(rollcon_contact_get_stat(contact, name, &v), ROLLCON_OK) << name;
+    return v;
+  }
+  std::vector<double> field(std::int32_t which, std::size_t components) const {
+    std::vector<double> v(components * static_cast<std::size_t>(frame.nodes));
+    EXPECT_EQ(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL,
+                                        static_cast<std::int64_t>(v.size()), v.data(), nullptr),
+              ROLLCON_OK);
+    return v;
+  }
+  Results results() const {
+    Results r;
+    r.traction = field(ROLLCON_FIELD_TRACTION, 3);
+    r.gap = field(ROLLCON_FIELD_GAP, 1);
+    r.slip = field(ROLLCON_FIELD_SLIP, 2);
+    r.state.resize(static_cast<std::size_t>(frame.nodes));
+    EXPECT_EQ(rollcon_contact_get_status(contact, frame.nodes, r.state.data()), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, r.force, r.moment), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_motion(contact, &r.approach, r.creep), ROLLCON_OK);
+    r.iterations = stat("iterations");
+    for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
+      r.law = std::max(r.law, stat(law));
+    return r;
+  }
+  /// Of the standard procedure; leaves it set.
+  Results standard() {
+    set(Procedure{});
+    EXPECT_EQ(solve_cold(), ROLLCON_OK) << error();
+    return results();
+  }
+};
+
+}  // namespace capi_test

@@ -1,0 +1,136 @@
+// Every solution procedure finds the tractions of the standard one: on the paper's examples,
+// coarsely meshed.
+
+#include "procedure_runs.hpp"
+#include "support/example1.hpp"
+#include "support/example2.hpp"
+#include "support/example3.hpp"
+#include "support/example4.hpp"
+#include "support/graded_disc.hpp"
+
+namespace rollcon::validation {
+namespace {
+
+namespace example1 = scenes::example1;
+namespace example2 = scenes::example2;
+namespace example3 = scenes::example3;
+namespace example4 = scenes::example4;
+using Pair = std::unique_ptr<scenes::RollingPair>;
+
+surfaces::Ring coarse(surfaces::Ring shape, int zone_around, int across, int deep) {
+  shape.zone_around = zone_around;
+  shape.across = across;
+  shape.around = 2 * zone_around;
+  shape.deep = deep;
+  shape.largest = example1::longest(shape.around - shape.zone_around);
+  return shape;
+}
+
+/// Nothing condensed beforehand: the monolithic systems are not to gain by it.
+scenes::MeshedBody unprepared(scenes::MeshedBody body) {
+  body.int_option.emplace_back("prepare", 0);
+  return body;
+}
+
+scenes::MeshedBody bem_ring() {
+  return unprepared(
+      example1::ring_body(coarse(example1::paper_ring(), 6, 2, 1), ElementType::quad4));
+}
+
+scenes::MeshedBody fem_ring() {
+  surfaces::Ring shape = coarse(example1::paper_ring(), 6, 2, 3);
+  shape.top_layer = 0.4;
+  return unprepared(example1::ring_body(shape, VolumeType::hex8));
+}
+
+/// No force across: at a given creepage of 0, a lateral force that the reduced unknowns leave
+/// behind would die out, sweep by sweep, as slowly as a tyre's does along its way.
+Pair rings(const scenes::AnyBody& one, const scenes::AnyBody& two) {
+  auto pair = example1::pair(one, two, "godunov");
+  pair->tangential_force(ROLLCON_LATERAL, 0);
+  return pair;
+}
+
+Pair ring_on_ground() {
+  surfaces::Ring shape = coarse(example2::ring_of(8), 8, 2, 4);
+  auto pair = std::make_unique<scenes::RollingPair>(
+      unprepared(example2::ring_body(shape, VolumeType::hex8)),
+      scenes::HalfspaceBody{example2::ground}, 1);
+  pair->axes({0, 0, example2::radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
+  pair->friction(example2::mu).load(example2::load).speed(example2::speed);
+  pair->tangential_force(ROLLCON_LONGITUDINAL,
+                         example2::force_ratio * example2::mu * example2::load);
+  pair->option("convection", "godunov");
+  return pair;
+}
+
+Pair sphere(const SurfaceMesh& mesh, const char* scheme) {
+  return example3::pair(mesh, scheme);
+}
+
+SurfaceMesh quads() {
+  const double reach = 1.3 * example3::hertz().a;
+  return frames::o_grid(ElementType::quad4, 8, 2, reach, reach);
+}
+
+SurfaceMesh triangles() {
+  const double a = example3::hertz().a;
+  return scenes::graded_disc(a, a, 6);
+}
+
+/// A part of the wheel of example 4 around its top: 30 x 30 x 20 mm, 8 x 8 elements in 6 x 6 mm.
+Pair wheel() {
+  const SurfaceMesh flat = surfaces::zone_block({30, 20, 6, 8, 1, 1}, ElementType::quad4);
+  const auto bend = [](const Vec3& x) {
+    const double r = example4::radius + x[2] - example4::cone * x[1];
+    const double angle = x[0] / example4::radius;
+    return Vec3{r * std::sin(angle), x[1], r * std::cos(angle)};
+  };
+  scenes::MeshedBody body = scenes::meshed(surfaces::transform(flat, bend), example4::material);
+  body.held_tag = {3, 4, 5};
+  body.contact_tag = {1, 2};
+  auto pair = example4::pair(unprepared(body), "godunov");
+  pair->creep(-9e-4, 0, 0);
+  return pair;
+}
+
+struct Example {
+  const char* name;
+  Pair (*make)();
+  Plain plain = Plain::fast;
+  bool reduced = true;
+  std::vector<Failing> failing = {};
+};
+
+class Procedures : public ::testing::TestWithParam<Example> {};
+
+TEST_P(Procedures, condensed_reach_the_standard_tractions) {
+  const Example& e = GetParam();
+  compare_procedures(e.name, *e.make(), procedures_of("condensed", e.reduced), e.failing);
+}
+
+TEST_P(Procedures, monolithic_reach_the_standard_tractions) {
+  const Example& e = GetParam();
+  compare_procedures(e.name, *e.make(), procedures_of("monolithic", e.reduced, e.plain), e.failing);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Examples, Procedures,
+    ::testing::Values(
+        Example{"example_1_BEM_on_BEM", [] { return rings(bem_ring(), scenes::TwinBody{}); }},
+        Example{"example_1_FEM_on_FEM", [] { return rings(fem_ring(), scenes::TwinBody{}); }},
+        Example{"example_1_FEM_on_BEM", [] { return rings(fem_ring(), bem_ring()); }},
+        Example{"example_2_FEM_on_half_space", ring_on_ground},
+        Example{"example_3_quad4_godunov", [] { return sphere(quads(), "godunov"); }, Plain::all},
+        Example{"example_3_tri3_least_squares",
+                [] { return sphere(triangles(), "least_squares"); },
+                Plain::all,
+                true,
+                {{"", "reduced", "pseudo_temporal"}}},
+        Example{"example_3_quad4_characteristic", [] { return sphere(quads(), "characteristic"); },
+                Plain::all, false},
+        Example{"example_4_BEM_on_rigid", wheel}),
+    [](const auto& param) { return std::string(param.param.name); });
+
+}  // namespace
+}  // namespace rollcon::validation
