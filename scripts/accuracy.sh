@@ -1,7 +1,14 @@
 #!/usr/bin/env bash
-# Runs rollcon-bench and rewrites docs/accuracy.md (half-spaces), docs/accuracy_bodies.md (bodies of
-# boundary elements) and docs/accuracy_fem.md (of finite elements) with their plots.
-#   scripts/accuracy.sh [--quick] [half-spaces|bodies|fem|all] [BUILD_DIR]   (all, build/accuracy)
+# Runs rollcon-bench and rewrites documents with their tables and plots:
+#   half-spaces      docs/accuracy.md, scenes of half-spaces in detail
+#   work-precision   docs/accuracy.md, error over time and memory of every method
+#   estimates        docs/accuracy.md, error estimates beside true errors
+#   bodies           docs/accuracy_bodies.md, bodies of boundary elements
+#   fem              docs/accuracy_fem.md, bodies of finite elements
+#   procedures       docs/procedures.md, solution procedures
+#   scripts/accuracy.sh [--quick] [PART[,PART...]|all] [BUILD_DIR]   (all, build/accuracy)
+# Records are kept in BUILD_DIR/records, one file for each case and number of threads; each case
+# runs once however many parts need it.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 quick=()
@@ -13,33 +20,81 @@ if [[ "${1:-}" == "--quick" ]]; then
 fi
 part="${1:-all}"
 build="${2:-build/accuracy}"
+for name in ${part//,/ }; do
+  case "$name" in
+    half-spaces|work-precision|estimates|bodies|fem|procedures|all) ;;
+    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures or all" >&2; exit 2 ;;
+  esac
+done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
+work_precision=(hertz hertz_block carter case_e case_a case_b kalker_meshes creep_curve_meshes lame
+  example1 example2 example3 example4)
 bodies=(ring_loads rings wheel growth)
-fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs example2)
+fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs ring_on_halfspace)
+procedures=(procedures_example3 procedures_density procedures_example4 procedures_examples
+  procedures_speed preconditioners procedures_random)
 
-mkdir -p "$build"
+mkdir -p "$build/records"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
   -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF > "$build/configure.log" 2>&1 \
   || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
 
-if [[ $part == half-spaces || $part == all ]]; then
-  "$bench" run "${half_spaces[@]}" "${quick[@]}" --threads 1 --json "$build/records.jsonl"
-  python3 bench/report.py "$build/records.jsonl" docs "$command half-spaces"
-  echo "wrote docs/accuracy.md"
+declare -A ran
+# run_cases THREADS CASE...: leaves the names of their record files in the array `files`.
+run_cases() {
+  local threads=$1 name
+  shift
+  files=()
+  for name in "$@"; do
+    local file="$build/records/$name-$threads.jsonl"
+    files+=("$file")
+    [[ -n "${ran[$file]:-}" ]] && continue
+    echo "== $name, $threads thread(s)"
+    "$bench" run "$name" "${quick[@]}" --threads "$threads" --json "$file.new"
+    mv "$file.new" "$file"
+    ran[$file]=1
+  done
+}
+
+wanted() { [[ ",$part," == *",$1,"* || $part == all ]]; }
+
+if wanted half-spaces; then
+  run_cases 1 "${half_spaces[@]}"
+  cat "${files[@]}" > "$build/half_spaces.jsonl"
+  python3 bench/report.py "$build/half_spaces.jsonl" docs "$command half-spaces"
+  echo "wrote docs/accuracy.md, half-spaces"
 fi
-if [[ $part == bodies || $part == all ]]; then
-  "$bench" run "${bodies[@]}" "${quick[@]}" --threads 1 --json "$build/bodies1.jsonl"
-  "$bench" run growth "${quick[@]}" --threads 2 --json "$build/bodies2.jsonl"
-  cat "$build/bodies1.jsonl" "$build/bodies2.jsonl" > "$build/bodies.jsonl"
+if wanted work-precision; then
+  run_cases 1 "${work_precision[@]}"
+  python3 bench/report_precision.py docs "$command work-precision" "${files[@]}"
+  echo "wrote docs/accuracy.md, work-precision"
+fi
+if wanted estimates; then
+  run_cases 1 effectivity
+  python3 bench/report_estimates.py "${files[0]}" docs "$command estimates"
+  echo "wrote docs/accuracy.md, estimates"
+fi
+if wanted bodies; then
+  run_cases 1 "${bodies[@]}"
+  cat "${files[@]}" > "$build/bodies.jsonl"
+  run_cases 2 growth
+  cat "${files[@]}" >> "$build/bodies.jsonl"
   python3 bench/report_bodies.py "$build/bodies.jsonl" docs "$command bodies"
   echo "wrote docs/accuracy_bodies.md"
 fi
-if [[ $part == fem || $part == all ]]; then
-  "$bench" run "${fem[@]}" "${quick[@]}" --threads 1 --json "$build/fem1.jsonl"
-  "$bench" run fem_growth "${quick[@]}" --threads 2 --json "$build/fem2.jsonl"
-  cat "$build/fem1.jsonl" "$build/fem2.jsonl" > "$build/fem.jsonl"
+if wanted fem; then
+  run_cases 1 "${fem[@]}"
+  cat "${files[@]}" > "$build/fem.jsonl"
+  run_cases 2 fem_growth
+  cat "${files[@]}" >> "$build/fem.jsonl"
   python3 bench/report_fem.py "$build/fem.jsonl" docs "$command fem"
   echo "wrote docs/accuracy_fem.md"
+fi
+if wanted procedures; then
+  run_cases 1 "${procedures[@]}"
+  cat "${files[@]}" > "$build/procedures.jsonl"
+  python3 bench/report_procedures.py "$build/procedures.jsonl" docs "$command procedures"
+  echo "wrote docs/procedures.md"
 fi
