@@ -49,8 +49,8 @@ bool trustworthy(std::int32_t status) {
 }  // namespace
 
 void Runner::emit(const Record& r) {
-  std::printf("%-12s %-15s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n",
-              r.case_name.c_str(), r.method.c_str(), r.mesh.c_str(),
+  std::printf("%-12s %-15s %-12s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n",
+              r.case_name.c_str(), r.method.c_str(), r.element.c_str(), r.mesh.c_str(),
               static_cast<long long>(r.nodes), r.quantity.c_str(), r.value, r.error, r.seconds,
               static_cast<long long>(r.iterations),
               trustworthy(r.status) ? "" : "  (not converged)");
@@ -63,6 +63,7 @@ void Runner::emit(const Record& r) {
   for (const auto& [name, value] : r.extra) extra.add(name, value);
   JsonObject object;
   object.add("case", r.case_name).add("method", r.method).add("model", r.model).add("mesh", r.mesh);
+  object.add("element", r.element);
   object.add("nodes", r.nodes).add("elements", r.elements).add("pairs", r.pairs);
   object.add("unknowns", r.unknowns).add("status", static_cast<std::int64_t>(r.status));
   object.add("quantity", r.quantity).add("value", r.value).add("error", r.error);
@@ -70,6 +71,7 @@ void Runner::emit(const Record& r) {
   object.add("resident_bytes", r.resident_bytes).add("iterations", r.iterations);
   object.add("linear_iterations", r.linear_iterations);
   object.add("threads", static_cast<std::int64_t>(r.threads)).add("extra", extra);
+  for (const auto& [name, values] : r.series) object.add(name, values);
   std::fprintf(json_, "%s\n", object.text().c_str());
   std::fflush(json_);
 }

@@ -14,6 +14,7 @@ namespace rollcon::bench {
 
 struct Record {
   std::string case_name{}, method{}, model{}, mesh{};
+  std::string element{};  ///< kind of element: with method and model it names a curve of a plot
   std::string quantity{}, against{};  ///< what `error` is of, and what it is against
   double value = 0, error = 0;        ///< error relative unless `quantity` says otherwise
   std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
@@ -25,6 +26,7 @@ struct Record {
   std::int64_t iterations = 0, linear_iterations = 0;
   int threads = 1;
   std::vector<std::pair<std::string, double>> extra{};
+  std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< by iteration
 };
 
 class Runner {
@@ -49,6 +51,7 @@ struct Case {
 std::vector<Case> hertz_cases();
 std::vector<Case> carter_cases();
 std::vector<Case> kalker_cases();
+std::vector<Case> kalker_mesh_cases();
 std::vector<Case> steady_rolling_cases();
 std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
@@ -56,6 +59,13 @@ std::vector<Case> linear_solver_cases();
 std::vector<Case> body_cases();
 std::vector<Case> ring_load_cases();
 std::vector<Case> fem_cases();
+std::vector<Case> effectivity_cases();
+std::vector<Case> lame_cases();
+std::vector<Case> hertz_block_cases();
+std::vector<Case> example1_cases();
+std::vector<Case> example2_cases();
+std::vector<Case> example4_cases();
+std::vector<Case> procedure_cases();
 
 double now();  ///< seconds, monotonic
 

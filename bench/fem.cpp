@@ -103,7 +103,7 @@ void ring_on_halfspace(Runner& runner) {
   for (const Mesh& mesh : meshes)
     for (const example2::Ground on : {example2::Ground::half_space, example2::Ground::block})
       for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
-        Record record{.case_name = "example2", .method = scheme};
+        Record record{.case_name = "ring_on_halfspace", .method = scheme};
         record.model = on == example2::Ground::block ? "FEM on BEM block" : "FEM on half-space";
         record.threads = runner.threads;
         const surfaces::Ring shape = example2::ring_of(mesh.parts);
@@ -270,7 +270,7 @@ void location(Runner& runner) {
 std::vector<Case> fem_cases() {
   return {
       {"fem_growth", "finite elements from 5,000 to 300,000 unknowns, CHOLMOD and UMFPACK", growth},
-      {"example2", "ring of finite elements on a half-space, the paper's example 2",
+      {"ring_on_halfspace", "ring of finite elements on a half-space, beside long cylinders",
        ring_on_halfspace},
       {"ring_pairs", "the paper's example 1 by finite and by boundary elements", ring_pairs},
       {"same_block", "one block by finite and by boundary elements: refinement", same_block},

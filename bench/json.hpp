@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace rollcon::bench {
 
@@ -16,11 +17,11 @@ class JsonObject {
   JsonObject& add(const std::string& key, const char* value) {
     return add(key, std::string(value));
   }
-  JsonObject& add(const std::string& key, double value) {
-    if (!std::isfinite(value)) return raw(key, "null");
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return raw(key, text);
+  JsonObject& add(const std::string& key, double value) { return raw(key, number(value)); }
+  JsonObject& add(const std::string& key, const std::vector<double>& values) {
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ", ") + number(value);
+    return raw(key, "[" + list + "]");
   }
   JsonObject& add(const std::string& key, std::int64_t value) {
     return raw(key, std::to_string(value));
@@ -35,6 +36,12 @@ class JsonObject {
     if (!body_.empty()) body_ += ", ";
     body_ += quoted(key) + ": " + value;
     return *this;
+  }
+  static std::string number(double value) {
+    if (!std::isfinite(value)) return "null";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
   }
   static std::string quoted(const std::string& s) {
     std::string out = "\"";

@@ -127,7 +127,7 @@ def ring_pairs(records, _docs):
 
 def example2(records, _docs):
     rows = []
-    for r in of_case(records, "example2"):
+    for r in of_case(records, "ring_on_halfspace"):
         e = r["extra"]
         rows.append([r["model"], r["mesh"], r["method"].replace("_", " "), f"{e['p0']:.2f}",
                      percent(e["p0_over_hertz"] - 1), f"{e['half_width']:.3f}",

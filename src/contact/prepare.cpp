@@ -325,7 +325,8 @@ void prepare_body(Body& body, int which) {
 
 std::size_t SolverState::bytes() const {
   const auto n = static_cast<std::size_t>(problem.nodes);
-  return problem.op.bytes() + newton.bytes() + (compliance ? compliance->bytes() : 0) +
+  const std::size_t system = step_system ? step_system->counters().bytes : 0;
+  return problem.op.bytes() + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
          n * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 

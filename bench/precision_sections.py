@@ -1,0 +1,323 @@
+"""Sections of the work-precision part: for each family of cases a pair of plots and a table."""
+
+import os
+from collections import defaultdict
+
+from precision_plots import Panel, panels
+from report import of_case, seconds
+
+SCHEMES = ("godunov", "least_squares", "characteristic")
+TIME, MEMORY = "seconds, arrays to results", "peak memory, MB"
+
+# Wall seconds of CONTACT published with its own performance tests: sequential, a workstation of
+# 2016, steady rolling with given creepages, SteadyGS; by elements that slip.
+PUBLISHED_2016 = [(1872, 4.8), (7735, 97.0), (30181, 2210.0)]
+LIMITS = os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                      "../tests/data/steady_rolling_limits.csv")
+# CONTACT's published Carter example (user guide): 50 strips across the contact.
+PUBLISHED_STRIPS = [(50, 0.0125)]
+
+
+def megabytes(r):
+    return r["peak_bytes"] / 1e6
+
+
+def wall(r):
+    return r["seconds"]["wall"]
+
+
+def warm(r):
+    return r["extra"].get("warm_seconds")
+
+
+def error(r, name=None):
+    value = r["extra"].get("error_" + name) if name else r["error"]
+    return None if value is None else abs(value)
+
+
+def curves(records, x, y=error, name=lambda r: r["element"]):
+    found = defaultdict(list)
+    for r in sorted(records, key=lambda r: r["extra"]["across"]):
+        if r["status"] in (0, 4):
+            found[name(r)].append((x(r), y(r)))
+    return found
+
+
+def floor_of(records, name=None):
+    key = "uncertainty_" + name if name else "uncertainty"
+    return max((r["extra"].get(key, 0) for r in records), default=0)
+
+
+def by_scheme(records, x, xlabel, marks=None, **kwargs):
+    """A panel for each scheme."""
+    row = []
+    for scheme in SCHEMES:
+        own = [r for r in records if r["method"] == scheme]
+        found = curves(own, x, **kwargs)
+        if own and marks:
+            found.update(marks)
+        row.append(Panel(scheme.replace("_", " "), xlabel, found, floor_of(own)))
+    return row
+
+
+def error_text(r):
+    return f"{100 * r['error']:+.2g} %" if abs(r["error"]) >= 1e-4 else f"{100 * r['error']:+.1g} %"
+
+
+def memory_text(r):
+    return f"{megabytes(r):.0f} MB" if megabytes(r) >= 1 else f"{megabytes(r):.1f} MB"
+
+
+def size_table(records, columns):
+    """One row for each method; cells: size, error, seconds, memory."""
+    rows, most = defaultdict(list), 0
+    for r in records:
+        rows[tuple(f(r) for f in columns.values())].append(r)
+    lines = []
+    for key, found in rows.items():
+        found.sort(key=lambda r: r["extra"]["across"])
+        most = max(most, len(found))
+        cells = [f"**{r['extra']['across']:.3g}**: {error_text(r)}, {seconds(wall(r))}, "
+                 f"{memory_text(r)}" for r in found]
+        lines.append("| " + " | ".join(list(key) + cells) + " |")
+    head = list(columns) + ["**size**: error, time, memory"] + [""] * (most - 1)
+    return ("| " + " | ".join(head) + " |\n|" + " --- |" * len(head) + "\n" + "\n".join(lines) + "\n")
+
+
+def folded(title, text):
+    return f"<details><summary>{title}</summary>\n\n{text}\n</details>\n"
+
+
+ELEMENT = {"element": lambda r: r["element"]}
+SCHEME = {"scheme": lambda r: r["method"].replace("_", " ")}
+MODEL = {"model": lambda r: r["model"]}
+
+
+def reference_text(records):
+    r = records[0]
+    floor = floor_of(records)
+    text = f"Error of: {r['quantity']}; against: {r['against']}"
+    if floor > 0:
+        text += (f", which is uncertain by {100 * floor:.2g} % (grey line: below it a curve says "
+                 "nothing)")
+    return text + "."
+
+
+def section(title, records, image, note, columns, more=""):
+    if not records or image is None:
+        return ""
+    return (f"### {title}\n\n{note} {reference_text(records)}\n\n![{title}]({image})\n\n" + more
+            + folded(f"Every run: {title}", size_table(records, columns)) + "\n")
+
+
+def hertz(records, images):
+    flat = [r for r in of_case(records, "hertz") if "a/b" not in r["mesh"]]
+    blocks = of_case(records, "hertz_block")
+    if not flat:
+        return ""
+    image = panels(f"{images}/precision_hertz.png", "relative error of the force",
+                   [[Panel("time", TIME, curves(flat, wall)),
+                     Panel("memory", MEMORY, curves(flat, megabytes))]])
+    text = section("Hertz, half-spaces", flat, image, "Circle, frictionless; size: nodes across.",
+                   ELEMENT)
+    bem = [r for r in blocks if r["model"] == "BEM block"]
+    fem = [r for r in blocks if r["model"] == "FEM block"]
+    floor = floor_of(blocks)
+    image = panels(f"{images}/precision_hertz_block.png", "relative error of the approach",
+                   [[Panel(title, label, curves(own, x), floor)
+                     for title, own in (("BEM block", bem), ("FEM block", fem))]
+                    for x, label in ((wall, TIME), (megabytes, MEMORY))])
+    return text + section("Hertz, blocks", blocks, image,
+                          "Rigid sphere on a block of 10 x 10 x 5 mm held at its bottom, "
+                          "frictionless; the frame is the block's own zone of 2.5 mm, so that body "
+                          "and contact refine together. Size: elements along the zone.",
+                          MODEL | ELEMENT)
+
+
+def lame(records, images):
+    found = of_case(records, "lame")
+    kinds = ("cylinder", "sphere")
+    image = panels(f"{images}/precision_lame.png", "largest error of a displacement",
+                   [[Panel(kind, label, curves([r for r in found if r["model"] == kind], x))
+                     for kind in kinds] for x, label in ((wall, TIME), (megabytes, MEMORY))])
+    return section("Lame: thick walls under pressure", found, image,
+                   "Bodies by themselves, without contact: a quarter of a cylinder and a part of a "
+                   "sphere, inner radius 1, outer 2; boundary elements solid, finite elements dashed. "
+                   "Size: elements through the wall.",
+                   {"wall": lambda r: r["model"], "by": lambda r: r["method"]} | ELEMENT)
+
+
+def plain(case, title, image_name, ylabel, note, y=error):
+    """A section of panels scheme by scheme, time above memory."""
+    def make(records, images):
+        found = of_case(records, case)
+        image = panels(f"{images}/precision_{image_name}.png", ylabel,
+                       [by_scheme(found, wall, TIME, y=y),
+                        by_scheme(found, megabytes, MEMORY, y=y)])
+        return section(title, found, image, note, SCHEME | ELEMENT)
+    return make
+
+
+def worst_coefficient(r):
+    return max(abs(r["extra"][f"error_{c}"]) for c in ("C11", "C22", "C23", "C33"))
+
+
+def kalker(records, images):
+    found = of_case(records, "kalker_meshes")
+    if not found:
+        return ""
+    image = panels(f"{images}/precision_kalker.png", "worst error of the four",
+                   [by_scheme(found, wall, TIME, y=worst_coefficient),
+                    by_scheme(found, megabytes, MEMORY, y=worst_coefficient)])
+    finest = [r for r in found if r["element"] == "tri6 rings" and r["method"] == "characteristic"]
+    finest = max(finest, key=lambda r: r["extra"]["across"])["extra"]
+    listed = ", ".join(f"{c} {finest[c]:.4g} ({100 * finest['table_' + c]:+.1f} %)"
+                       for c in ("C11", "C22", "C23", "C33"))
+    return section("Kalker's coefficients", found, image,
+                   "Circle, nu = 1/4, creepages of 0.06 % of those at which all would slip; three "
+                   "solves on each frame. Plots: the worst of C11, C22, C23, C33; table: C11. "
+                   f"Finest tri6 rings beside Kalker's table: {listed}. Size: nodes across.",
+                   SCHEME | ELEMENT)
+
+
+def contact_marks(which):
+    """CONTACT's measured error and warm seconds by N (tests/data says how)."""
+    own = defaultdict(dict)
+    with open(LIMITS, encoding="utf-8") as lines:
+        for line in lines:
+            fields = line.strip().split(",")
+            kind, _, n = fields[1].partition("_") if len(fields) == 3 else ("", "", "")
+            if fields[0] == which and n.isdigit():
+                own[int(n)][kind] = float(fields[2])
+    return sorted((n, e["seconds"], e["error"]) for n, e in own.items())
+
+
+def contact_elements(n):
+    """Of N x N grids, nine tenths of their width in a circular contact."""
+    return 0.81 * 3.14159265 / 4 * n * n
+
+
+def steady_rolling(which):
+    def make(records, images):
+        found = of_case(records, "case_" + which)
+        if not found:
+            return ""
+        measured = contact_marks(which)
+        marks = {"CONTACT, measured": [(t, e) for _, t, e in measured]}
+        image = panels(f"{images}/precision_case_{which}.png", "relative error of Fx",
+                       [by_scheme(found, wall, TIME),
+                        by_scheme(found, warm, "seconds of a warm solve", marks),
+                        by_scheme(found, megabytes, MEMORY)])
+        sizes = {"CONTACT, measured": [(contact_elements(n), t) for n, t, _ in measured],
+                 "CONTACT, published 2016": PUBLISHED_2016}
+        one = [r for r in found if r["element"] == "quad4"]
+        growth = panels(f"{images}/precision_case_{which}_growth.png", "seconds",
+                        [[Panel("quad4, cold", "nodes in contact",
+                                curves(one, lambda r: r["pairs"], wall,
+                                       lambda r: r["method"].replace("_", " ")) | sizes),
+                          Panel("quad4, warm", "nodes in contact",
+                                curves(one, lambda r: r["pairs"], warm,
+                                       lambda r: r["method"].replace("_", " ")) | sizes)]])
+        return section(f"Case ({which})", found, image,
+                       "Circle, identical half-spaces, longitudinal creepage"
+                       + (" and spin" if which == "b" else "")
+                       + ". CONTACT (black): its error against its own limit and its warm time, "
+                       "N = 16 to 256, measured on one core of a machine of this kind; warm: solved "
+                       "again after 1 % of change in creepage. Size: nodes across.",
+                       SCHEME | ELEMENT,
+                       f"![Case ({which}), growth]({growth})\n\n"
+                       "Time over nodes in contact. Published: wall seconds that come with CONTACT's "
+                       "performance tests (steady rolling, creepages given, SteadyGS, a workstation "
+                       "of 2016, by elements in slip); measured: its fastest solver, warm.\n\n")
+    return make
+
+
+def case_e(records, images):
+    found = of_case(records, "case_e")
+    if not found:
+        return ""
+    def named(r):
+        return r["method"].replace("_", " ")
+    image = panels(f"{images}/precision_case_e.png", "relative error of the force",
+                   [[Panel("cold", TIME, curves(found, wall, name=named)),
+                     Panel("warm", "seconds of a warm solve",
+                           curves(found, warm, name=named)
+                           | {"CONTACT, measured": [(r["extra"]["contact_seconds"],
+                                                     r["extra"]["contact_error"])
+                                                    for r in found
+                                                    if r["method"] == "characteristic"]}),
+                     Panel("memory", MEMORY, curves(found, megabytes, name=named)),
+                     Panel("size", "nodes across the contact",
+                           curves(found, lambda r: r["extra"]["across"], name=named)
+                           | {"CONTACT, measured": [(0.9 * r["extra"]["n"],
+                                                     r["extra"]["contact_error"])
+                                                    for r in found
+                                                    if r["method"] == "characteristic"],
+                              "CONTACT, published": PUBLISHED_STRIPS})]])
+    return section("Case (e): Carter's strip beside CONTACT", found, image,
+                   "Equidistant nodes, nine tenths of them in contact. rollcon rolls a strip of 40 "
+                   "half-widths in three dimensions, 11 lines of nodes; CONTACT solves the plane "
+                   "problem, which is why its times are so much shorter. Published: 50 strips, user "
+                   "guide. CONTACT's measured errors are against its own limit.", SCHEME)
+
+
+def carter(records, images):
+    return plain("carter", "Carter's strip", "carter", "relative error of the force",
+                 "Long strip of identical cylinders, force in the middle section; equidistant nodes "
+                 "and nodes graded to the contact's edges. Size: nodes across.")(records, images)
+
+
+def bodies(case, title, note, second, second_label):
+    """Sections of the paper's examples with bodies that have a mesh: a second quantity, which does
+    not depend on the scheme, in a plot of its own."""
+    def make(records, images):
+        found = of_case(records, case)
+        if not found:
+            return ""
+        several = len({r["model"] for r in found}) > 2 or case == "example2"
+        def named(r):
+            return r["element"] + (", block" if "BEM block" in r["model"] else "")
+        image = panels(f"{images}/precision_{case}.png", "relative error",
+                       [by_scheme(found, wall, TIME, name=named),
+                        by_scheme(found, megabytes, MEMORY, name=named)])
+        one = [r for r in found if r["method"] == "characteristic"]
+        floor = floor_of(one, second)
+        other = panels(f"{images}/precision_{case}_{second}.png", f"relative error, {second_label}",
+                       [[Panel("time", TIME, curves(one, wall, lambda r: error(r, second),
+                                                          named), floor),
+                         Panel("memory", MEMORY,
+                               curves(one, megabytes, lambda r: error(r, second), named), floor)]])
+        more = (f"![{title}, {second_label}]({other})\n\nThe {second_label} of the same runs "
+                f"(characteristic); its reference is uncertain by {100 * floor:.2g} %.\n\n")
+        return section(title, found, image, note, (MODEL if several else {}) | SCHEME | ELEMENT,
+                       more)
+    return make
+
+
+SECTIONS = [
+    hertz,
+    carter,
+    case_e,
+    steady_rolling("a"),
+    steady_rolling("b"),
+    kalker,
+    plain("creep_curve_meshes", "Creep-force curve", "creep_curve", "largest error of F/(mu P)",
+          "Eleven creepages from stick to slip on one frame, a/b = 1/2; time is that of the whole "
+          "curve. Size: nodes across."),
+    lame,
+    bodies("example1", "Example 1: two rings",
+           "BEM on BEM (solid), FEM on FEM (dashed), FEM on BEM (dotted). The frame is the rings' "
+           "own zone: where the contact's edge falls between its nodes decides the creepage more "
+           "than the elements do. Size: nodes across the contact.", "approach", "approach"),
+    bodies("example2", "Example 2: a ring on a half-space or a block",
+           "FEM ring on a half-space (dashed) and on a block of boundary elements (dotted). Pressure "
+           "stretches the ring and not the ground: the creepage needs the ring's strains. Size: "
+           "nodes across the contact.", "approach", "approach"),
+    plain("example3", "Example 3: a sphere on a plane", "example3", "relative error of the creepage",
+          "The paper's four frames and others like them; rings are graded to the contact's edge. "
+          "Size: nodes across."),
+    bodies("example4", "Example 4: a wheel on a rail",
+           "Wheel of boundary (solid) or finite elements (dashed) on a rigid rail head. Pressure "
+           "strains the wheel and not the rail: what is left of the creepage drives the force. "
+           "Size: nodes along the zone.", "normal_force", "normal force"),
+]

@@ -1,0 +1,261 @@
+"""Which method to choose when, and what the defaults cost and give: written from the records."""
+
+import math
+from collections import defaultdict
+
+from report import of_case, seconds, table
+
+FAMILIES = {
+    "hertz": "Hertz, half-spaces", "hertz_block": "Hertz, blocks", "carter": "Carter",
+    "case_a": "case (a)", "case_b": "case (b)", "kalker_meshes": "Kalker, C11",
+    "creep_curve_meshes": "creep curve", "lame": "Lame", "example1": "example 1",
+    "example2": "example 2", "example3": "example 3", "example4": "example 4",
+}
+TARGETS = (0.03, 0.01, 0.003)
+DEFAULT = "characteristic"
+
+
+def curves(records):
+    found = defaultdict(list)
+    for r in records:
+        if r["status"] in (0, 4) and "a/b" not in r["mesh"]:
+            found[(r["case"], r["model"], r["element"], r["method"])].append(r)
+    for runs in found.values():
+        runs.sort(key=lambda r: r["extra"]["across"])
+    return found
+
+
+def reaching(runs, target):
+    """The coarsest run of a curve from which on no error is beyond the target. The finest alone
+    counts only if the one before it is not far: a curve may cross its reference by chance."""
+    count = 0
+    while count < len(runs) and abs(runs[-1 - count]["error"]) <= target:
+        count += 1
+    if count == 0 or (count == 1 and len(runs) > 1 and abs(runs[-2]["error"]) > 3 * target):
+        return None
+    return runs[-count]
+
+
+def cheapest(records, target, wanted=lambda r: True):
+    """Not by Godunov's differences: where they converge they are least squares (quadrilaterals along
+    the flow), elsewhere their curves cross the reference by chance."""
+    candidates = []
+    for runs in curves([r for r in records if wanted(r) and r["method"] != "godunov"]).values():
+        r = reaching(runs, target)
+        if r:
+            candidates.append(r)
+    return min(candidates, key=lambda r: r["seconds"]["wall"], default=None)
+
+
+def what(r, several_models):
+    scheme = {"frictionless": "", "BEM": "BEM", "FEM": "FEM"}.get(
+        r["method"], r["method"].replace("_", " "))
+    parts = [r["element"]] + ([r["model"]] if several_models else []) + ([scheme] if scheme else [])
+    return ", ".join(parts)
+
+
+def cell(r, several_models):
+    if r is None:
+        return "-"
+    return (f"{seconds(r['seconds']['wall'])}, {r['peak_bytes'] / 1e6:.1f} MB: "
+            + what(r, several_models))
+
+
+def cheapest_table(records):
+    rows = []
+    for case, title in FAMILIES.items():
+        found = of_case(records, case)
+        if not found:
+            continue
+        several = len({r["model"] for r in found}) > 1
+        floor = max(r["extra"].get("uncertainty", 0) for r in found)
+        rows.append([title] + ["below the reference's uncertainty" if t < floor
+                               else cell(cheapest(found, t), several) for t in TARGETS])
+    return table(["case"] + [f"error below {100 * t:g} %" for t in TARGETS], rows)
+
+
+def mean(values):
+    """Geometric."""
+    values = [v for v in values if v > 0]
+    return math.exp(sum(map(math.log, values)) / len(values)) if values else None
+
+
+def scheme_ratios(records, case, elements=None):
+    """Errors and seconds of the characteristic scheme and Godunov's over those of least squares on
+    the same mesh: geometric means. Errors below the reference's uncertainty count as that."""
+    runs = defaultdict(dict)
+    for r in of_case(records, case):
+        if r["status"] in (0, 4) and (elements is None or r["element"] in elements):
+            runs[(r["model"], r["element"], r["mesh"])][r["method"]] = r
+    found = {}
+    for scheme in ("characteristic", "godunov"):
+        pairs = [(g[scheme], g["least_squares"]) for g in runs.values()
+                 if scheme in g and "least_squares" in g]
+        def size(r):
+            return max(abs(r["error"]), r["extra"].get("uncertainty", 0), 1e-9)
+        found[scheme] = (mean([size(a) / size(b) for a, b in pairs]),
+                         mean([a["seconds"]["wall"] / b["seconds"]["wall"] for a, b in pairs]))
+    return found
+
+
+def scheme_table(records):
+    rows = []
+    for case, title in FAMILIES.items():
+        if not any(r["method"] == "godunov" for r in of_case(records, case)):
+            continue
+        ratios = scheme_ratios(records, case)
+        row = [title]
+        for scheme in ("characteristic", "godunov"):
+            row += ["-" if v is None else f"{v:.2f}" for v in ratios[scheme]]
+        rows.append(row)
+    return table(["case", "characteristic: error", "time", "Godunov: error", "time"], rows)
+
+
+def cost(r):
+    return f"{seconds(r['seconds']['wall'])} and {r['peak_bytes'] / 1e6:.1f} MB"
+
+
+def compare(records, case, target, first, second, words):
+    """words: with {first} and {second}, what the cheapest run of each sort costs."""
+    found = of_case(records, case)
+    a, b = cheapest(found, target, first), cheapest(found, target, second)
+    if a is None and b is None:
+        return ""
+    def said(r):
+        return f"{cost(r)} ({what(r, False)}, error {100 * r['error']:+.2g} %)" if r else "no run"
+    return words.format(first=said(a), second=said(b), target=f"{100 * target:g} %") + " "
+
+
+def listed(said):
+    return "\n" + "".join(f"  - {text}\n" for text in said) + "\n"
+
+
+def frames_text(records):
+    """With the default scheme."""
+    def rings(r):
+        return "rings" in r["element"] and r["method"] == DEFAULT
+    def grids(r):
+        return "rings" not in r["element"] and r["method"] == DEFAULT
+    text = ("- **Frame on half-spaces.** With the default scheme fit it to the contact where its "
+            "outline is known: below {target}, rings of triangles graded to the contact's edge and "
+            "equal elements cost ").replace("{target}", "1 %")
+    said = []
+    for case, name in (("case_a", "case (a)"), ("case_b", "case (b)"), ("example3", "example 3")):
+        said.append(compare(records, case, 0.01, rings, grids,
+                            f"in {name} {{first}} and {{second}}").strip())
+    said = [t for t in said if t]
+    return text + "; ".join(said) + ".\n" if said else ""
+
+
+def finest(records, case, element, scheme, model=None):
+    runs = [r for r in of_case(records, case) if r["element"] == element
+            and r["method"] == scheme and r["status"] in (0, 4) and model in (None, r["model"])]
+    return max(runs, key=lambda r: r["extra"]["across"], default=None)
+
+
+def signed(r):
+    return f"{100 * r['error']:+.2g} %"
+
+
+def by_schemes(records, case, element, model=None):
+    """Errors of the finest mesh by characteristic, least squares and Godunov."""
+    runs = [finest(records, case, element, s, model)
+            for s in ("characteristic", "least_squares", "godunov")]
+    return ", ".join(map(signed, runs)) if all(runs) else None
+
+
+def schemes_text(records):
+    said = []
+    for case, title in (("case_a", "case (a)"), ("kalker_meshes", "Kalker's C11"),
+                        ("example3", "example 3")):
+        for element in ("tri3 rings", "quad4", "quad8"):
+            errors = by_schemes(records, case, element)
+            if errors:
+                said.append(f"{title}, {element}: {errors}")
+    if not said:
+        return ""
+    return ("- **Scheme of convection.** Errors on the finest mesh by characteristic, least squares, Godunov:"
+            + listed(said) + "  The characteristic scheme is the one that goes on converging on "
+            "triangles fitted to the contact. On quadrilaterals along the flow Godunov's differences "
+            "and least squares are the same thing; on other meshes Godunov's seldom converge, "
+            "and are left out below. On coarse grids of quad8 least squares are the better choice.\n")
+
+
+def examples_text(records):
+    """The paper's examples with meshed bodies: what limits them."""
+    said = []
+    for case, title in (("example1", "example 1"), ("example2", "example 2"),
+                        ("example4", "example 4")):
+        def laid(r):
+            return r["element"].startswith("laid")
+        found = of_case(records, case)
+        floor = max((r["extra"]["uncertainty"] for r in found), default=0)
+        for target in (0.05, 0.03, 0.01):
+            if target < floor:
+                continue
+            a = cheapest(found, target, laid)
+            b = cheapest(found, target, lambda r: not laid(r))
+            if a is None and b is None:
+                continue
+            costs = [f"{cost(r)} ({what(r, True)})" if r else "not reached" for r in (a, b)]
+            said.append(f"{title}, below {100 * target:g} %: frame laid on the bodies {costs[0]}, "
+                        f"the bodies' own faces {costs[1]}")
+    if not said:
+        return ""
+    return ("- **Rolling bodies with a mesh.** What limits creepage and force is how well the frame "
+            "meets the contact's edge, not the bodies' elements: their approach and normal force are "
+            "right to a per cent on meshes whose creepage is off by ten. A frame of its own, graded "
+            "to the contact's edge and laid on coarse quadratic bodies, costs less. "
+            + "Cheapest runs:" + listed(said) + "  Where pressure strains one body only (examples 2 and 4) the slip "
+            "is a small difference of large strains: use quadratic elements, and see the curve of "
+            "your element before trusting a coarse mesh.\n")
+
+
+def bodies_text(records):
+    text = "- **Bodies.** "
+    for case, name, target in (("lame", "Thick walls", 0.003), ("hertz_block", "Sphere on a block",
+                                                                0.01)):
+        def boundary(r):
+            return r["method"] == "BEM" or r["model"].startswith("BEM")
+        text += compare(records, case, target, boundary, lambda r: not boundary(r),
+                        f"{name}, below {{target}}: boundary elements {{first}}, finite elements "
+                        "{second}.")
+        def quadratic(r):
+            return r["element"] in ("quad8", "quad9", "tri6", "hex20", "wedge15", "tet10")
+        text += compare(records, case, target, quadratic, lambda r: not quadratic(r),
+                        "Quadratic elements {first}, linear ones {second}.")
+    return text.rstrip() + "\n"
+
+
+def defaults_text(records):
+    """Of the scheme; those of the procedures are in a document of their own."""
+    groups = (("rings graded to the contact", lambda e: "rings" in e),
+              ("quad4 and tri3", lambda e: e in ("quad4", "tri3")),
+              ("quad8 and tri6", lambda e: e in ("quad8", "tri6")))
+    said = []
+    for case, name in (("case_a", "case (a)"), ("case_b", "case (b)"), ("example3", "example 3")):
+        for title, wanted in groups:
+            elements = {r["element"] for r in of_case(records, case) if wanted(r["element"])}
+            ratio = scheme_ratios(records, case, elements)[DEFAULT]
+            if ratio[0]:
+                said.append(f"{name}, {title}: {ratio[0]:.2f} times the error for {ratio[1]:.2f} "
+                            "times the time")
+    if not said:
+        return ""
+    return ("- **Defaults.** The characteristic scheme beside least squares on the same meshes:"
+            + listed(said) + "  Re-solves cost a small part of a cold solve whatever the scheme "
+            "(warm rows of the plots). What the default procedure (condensed, exact Jacobian) saves "
+            "is measured in [procedures.md](procedures.md).\n")
+
+
+def choice(records):
+    if not records:
+        return ""
+    return ("### Which method to choose when, and what the defaults cost and give\n\n"
+            + frames_text(records) + schemes_text(records) + bodies_text(records)
+            + examples_text(records) + defaults_text(records)
+            + "\nCheapest run of each case whose error, and that of all finer runs of its curve, is "
+            "below a bound:\n\n" + cheapest_table(records)
+            + "\nSchemes on the same meshes, over least squares (geometric means over all meshes of "
+            "a case; errors count as at least the reference's uncertainty):\n\n"
+            + scheme_table(records) + "\n")
