@@ -150,7 +150,7 @@ const ErrorEstimate& find_error_estimate(SolverState& s) {
       else if (s.outcome != Outcome::no_contact)
         e.normal = e.tangential = e.tractions = 1;
     } catch (const Error&) {
-      // A coarse frame that would be none, no memory left. What is known by then stays.
+      // A coarse frame that would be none. What is known by then stays.
     }
   }
   e.known = true;

@@ -75,6 +75,7 @@ void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies
   state.body_compliance[1].reset();
   Problem& p = state.problem;
   take_frame(p, state.frame);
+  state.normal_scale = 0;  // outside the option's range: scales are made anew
   state.gap_revision = state.kinematics_revision = state.friction_revision = -1;
   if (!same_size) {
     state.iterate.resize(p.nodes);
@@ -156,6 +157,7 @@ void assemble_missing(SolverState& state) {
   ++state.assemblies;
   state.iterate.invalidate();
   if (!state.scales_estimated) state.normal_scale = 0;  // scales follow the operators
+  state.newton.operators_changed();
   if (!state.procedure.monolithic) state.step_system.reset();
 }
 
@@ -331,7 +333,17 @@ std::size_t SolverState::bytes() const {
 }
 
 void require_operators(SolverState& state) {
-  assemble_missing(state);
+  try {
+    assemble_missing(state);
+  } catch (...) {
+    // Not during a solve: nothing else would drop what was half assembled.
+    ContactOperators& op = state.problem.op;
+    for (auto& row : op.block)
+      for (auto& block : row) block.release();
+    op.normal = op.tangential = false;
+    state.newton.operators_changed();
+    throw;
+  }
   state.images_known = false;
 }
 

@@ -12,10 +12,10 @@ template <class T>
 class RowMatrix {
  public:
   void resize(std::int64_t rows, std::int64_t columns) {
-    rows_ = rows;
-    columns_ = columns;
     const auto needed = static_cast<std::size_t>(rows * columns);
     if (data_.size() < needed) data_.resize(needed);
+    rows_ = rows;  // not before there is room
+    columns_ = columns;
   }
   void release() { std::vector<T>().swap(data_), rows_ = columns_ = 0; }
   /// Makes room for later growth, so that a resize up to this size does not allocate.

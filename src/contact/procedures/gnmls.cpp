@@ -11,7 +11,9 @@ namespace {
 constexpr std::size_t merit_window = 5;      // of the exact Jacobian's non-monotone search
 constexpr double smallest_step = 1.0 / 256;  // else the best step seen is taken
 constexpr double short_step = 0.25;
-constexpr int patience = 4;  // short steps in a row before a full one is taken
+constexpr int warm_patience = 12;  // iterations without progress
+constexpr double progress = 0.7;   // factor on the best residual that counts as progress
+constexpr int patience = 4;        // short steps in a row before a full one is taken
 constexpr double finest_linear_tolerance = 1e-12;
 
 std::size_t at(std::int64_t i) {
@@ -223,7 +225,9 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
   StepRecord record;
   record.part = tangential_ ? Part::full : Part::normal;
   bool raised = false;
-  int short_steps = 0;
+  int short_steps = 0, waiting = 0;
+  const bool newton =
+      procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(z_, true);
     const double worst = residual.worst();
@@ -249,6 +253,9 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       continue;
     }
     if (worst <= tolerance) return Outcome::converged;
+    // A warm start that leads nowhere is left for a cold one.
+    waiting = worst < progress * best_worst_ ? 0 : waiting + 1;
+    if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
     if (k >= max_iterations) return Outcome::not_converged;
     if (tangential_ && pressures_settled(p, z_.lambda, residual.normal) &&
@@ -285,6 +292,8 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   const std::size_t n = at(p.nodes);
   for (std::size_t m = 0; m < 4; ++m)
     if (!p.by_force[m]) iterate.motion[m] = p.value[m];
+  for (const int m : {xi1, xi2, spin})
+    if (frictionless && p.by_force[at(m)]) iterate.motion[at(m)] = 0;
   warm_ = std::any_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
                       [](double l) { return l != 0; });
   if (!warm_) {
@@ -332,6 +341,16 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   }
   begin(iterate, frictionless);
   report_.outcome = run(tolerance, max_iterations, monitor);
+  const std::int64_t left = max_iterations - report_.full_iterations - report_.normal_iterations;
+  if (report_.outcome == Outcome::not_converged && warm_ && left > 0) {
+    ++report_.fallbacks;
+    start_cold(problem, iterate);
+    merits_.clear();
+    eta_ = last_merit_ = 0;
+    sharpening_ = 1;
+    begin(iterate, frictionless);
+    report_.outcome = run(tolerance, left, monitor);
+  }
   const bool stopped =
       report_.outcome == Outcome::not_converged || report_.outcome == Outcome::cancelled;
   if (stopped && std::isfinite(best_worst_)) {
