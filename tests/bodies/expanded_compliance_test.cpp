@@ -289,9 +289,8 @@ void expect_one_assembly_for_threads(Type type) {
   const auto owner = elastic(type, 3);
   owner->body().set_int("prepare", 0);
   constexpr std::size_t threads = 4;
-  std::vector<Pair> pairs;
-  for (std::size_t k = 0; k < threads; ++k)
-    pairs.push_back(pair_on({of(owner), simple(BodyKind::rigid)}, zone_of(*owner)));
+  const auto pair = [&] { return pair_on({of(owner), simple(BodyKind::rigid)}, zone_of(*owner)); };
+  const Pair pairs[threads] = {pair(), pair(), pair(), pair()};  // in place: frames stay put
   std::vector<ExpandedCompliance> expanded(threads);
   std::vector<std::vector<double>> u(threads);
   std::vector<std::thread> pool;
