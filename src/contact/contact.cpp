@@ -96,7 +96,7 @@ std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
   return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear);
 }
 
-void run_published(SolverState& s, const Options& options, int /*threads*/, Monitor& monitor) {
+void run_published(SolverState& s, const Options& options, Monitor& monitor) {
   LinearSolver& linear = s.newton.linear;
   linear.method = s.procedure.linear;
   linear.preconditioner = s.procedure.preconditioner;
@@ -213,7 +213,7 @@ Status Contact::solve_scene() {
   if (s.procedure.standard())
     run_standard(s, scene.options, watch);
   else
-    run_published(s, scene.options, context_->threads(), watch);
+    run_published(s, scene.options, watch);
   s.settled = true;
   s.outcome = s.report.outcome;
   s.peak_bytes = std::max(s.peak_bytes, s.bytes());

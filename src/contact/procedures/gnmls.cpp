@@ -289,6 +289,9 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
 void Gnmls::begin(Iterate& iterate, bool frictionless) {
   const Problem& p = *problem_;
   tangential_ = !frictionless;
+  merits_.clear();
+  eta_ = last_merit_ = 0;
+  sharpening_ = 1;
   const std::size_t n = at(p.nodes);
   for (std::size_t m = 0; m < 4; ++m)
     if (!p.by_force[m]) iterate.motion[m] = p.value[m];
@@ -330,9 +333,6 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   system_ = &system;
   procedure_ = procedure;
   report_ = {};
-  merits_.clear();
-  eta_ = last_merit_ = 0;
-  sharpening_ = 1;
   best_worst_ = INFINITY;
   if (problem.by_force[approach] && !(problem.value[approach] > 0)) {
     start_cold(problem, iterate);
@@ -345,9 +345,6 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   if (report_.outcome == Outcome::not_converged && warm_ && left > 0) {
     ++report_.fallbacks;
     start_cold(problem, iterate);
-    merits_.clear();
-    eta_ = last_merit_ = 0;
-    sharpening_ = 1;
     begin(iterate, frictionless);
     report_.outcome = run(tolerance, left, monitor);
   }
