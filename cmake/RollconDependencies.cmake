@@ -1,10 +1,12 @@
-# Libraries that rollcon links: LAPACK, OpenMP, CHOLMOD and UMFPACK. ROLLCON_LICENCES collects what the
-# build carries.
+# Libraries that rollcon links: LAPACK, OpenMP and those of components. ROLLCON_LICENCES collects what
+# the build carries.
 
 set(ROLLCON_LICENCES "BSD-3-Clause (rollcon)")
 
 # A static rollcon is linked by targets of the parent project, which must see these targets too.
 set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)
+
+include(RollconComponents)
 
 if(NOT BLA_VENDOR)
   set(BLA_VENDOR OpenBLAS)
@@ -22,7 +24,7 @@ else()
   list(APPEND ROLLCON_LICENCES "that of the LAPACK found: ${LAPACK_LIBRARIES}")
 endif()
 
-if(ROLLCON_OPENMP)
+if(ROLLCON_BUILD_OPENMP)
   find_package(OpenMP REQUIRED COMPONENTS CXX)
   list(APPEND ROLLCON_LICENCES "that of the compiler's OpenMP runtime")
 endif()
@@ -32,39 +34,12 @@ find_package(Threads REQUIRED)
 find_package(Boost 1.74 REQUIRED)
 list(APPEND ROLLCON_LICENCES "BSL-1.0 (Boost headers)")
 
-# Sparse factorisations for finite-element bodies: taken where found, unless an option says which.
-include(rollconSuiteSparse)
-set(ROLLCON_SPARSE "")
-foreach(_name IN ITEMS cholmod umfpack)
-  string(TOUPPER ${_name} _option)
-  if(NOT DEFINED ROLLCON_${_option} OR ROLLCON_${_option})
-    rollcon_find_suitesparse(${_name})
-    set(_found ON)
-    if(NOT TARGET rollcon::${_name} OR NOT ROLLCON_${_option}_INCLUDE)
-      set(_found OFF)
-      if(ROLLCON_${_option})
-        message(FATAL_ERROR "ROLLCON_${_option} is ON, but ${_name} of SuiteSparse was not found "
-          "(library: ${ROLLCON_${_option}_LIBRARY}, header: ${ROLLCON_${_option}_INCLUDE}). Install "
-          "it (Debian: libsuitesparse-dev), name ROLLCON_${_option}_LIBRARY and "
-          "ROLLCON_${_option}_INCLUDE, or set ROLLCON_${_option}=OFF")
-      endif()
-      message(STATUS "${_option} of SuiteSparse was not found: built without it "
-        "(Debian: libsuitesparse-dev)")
-    endif()
-  endif()
-  option(ROLLCON_${_option} "Link ${_option} (GPL-2.0-or-later)" ${_found})
-  if(ROLLCON_${_option})
-    list(APPEND ROLLCON_SPARSE ${_name})
-    list(APPEND ROLLCON_LICENCES "GPL-2.0-or-later (${_option})")
-  endif()
-endforeach()
-
 # Libraries a program needs beside a static rollcon, by name: a C or Fortran linker adds no C++
 # runtime, and no OpenMP runtime, by itself.
 set(ROLLCON_RUNTIME ${CMAKE_CXX_IMPLICIT_LINK_LIBRARIES})
 list(REMOVE_ITEM ROLLCON_RUNTIME gcc gcc_s c ${CMAKE_C_IMPLICIT_LINK_LIBRARIES})
 list(APPEND ROLLCON_RUNTIME m ${CMAKE_THREAD_LIBS_INIT})
-if(ROLLCON_OPENMP)
+if(ROLLCON_BUILD_OPENMP)
   list(PREPEND ROLLCON_RUNTIME ${OpenMP_CXX_LIB_NAMES})
 endif()
 list(REMOVE_DUPLICATES ROLLCON_RUNTIME)

@@ -25,14 +25,22 @@ list(TRANSFORM ROLLCON_FORTRAN_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/fortran/"
 install(FILES ${_fortran_sources} DESTINATION "${_fortran_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 
-# The package of a static rollcon looks for SuiteSparse where this build found it, then anywhere.
-set(_sparse_folders "")
-foreach(_name IN LISTS ROLLCON_SPARSE)
+# The package of a static rollcon looks for libraries of components where this build found them, then
+# anywhere.
+set(_external_libraries "")
+foreach(_name IN LISTS ROLLCON_EXTERNALS)
   string(TOUPPER ${_name} _option)
-  get_filename_component(_folder "${ROLLCON_${_option}_LIBRARY}" DIRECTORY)
-  list(APPEND _sparse_folders "${_folder}")
+  list(PREPEND _external_libraries "${ROLLCON_${_option}_LIBRARY}")
 endforeach()
-list(REMOVE_DUPLICATES _sparse_folders)
+if(ROLLCON_BUILD_FFTW)
+  list(APPEND _external_libraries "${ROLLCON_FFTW_FLOAT_LIBRARY}")
+endif()
+set(_external_folders "")
+foreach(_library IN LISTS _external_libraries)
+  get_filename_component(_folder "${_library}" DIRECTORY)
+  list(APPEND _external_folders "${_folder}")
+endforeach()
+list(REMOVE_DUPLICATES _external_folders)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/rollconConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   INSTALL_DESTINATION "${_package_dir}" PATH_VARS _fortran_dir)
@@ -42,17 +50,12 @@ write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollconConfigVersion.cma
 install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   "${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconFortranTarget.cmake"
-  "${PROJECT_SOURCE_DIR}/cmake/rollconSuiteSparse.cmake"
+  "${PROJECT_SOURCE_DIR}/cmake/rollconExternal.cmake"
   DESTINATION "${_package_dir}")
 
 # pkg-config: libraries by name, their folder only where the linker would not look by itself.
 set(_private "")
-set(_sparse_libraries "")
-foreach(_name IN LISTS ROLLCON_SPARSE)
-  string(TOUPPER ${_name} _option)
-  list(PREPEND _sparse_libraries "${ROLLCON_${_option}_LIBRARY}")
-endforeach()
-foreach(_library IN LISTS _sparse_libraries LAPACK_LIBRARIES ROLLCON_RUNTIME)
+foreach(_library IN LISTS _external_libraries LAPACK_LIBRARIES ROLLCON_RUNTIME)
   if(IS_ABSOLUTE "${_library}")
     get_filename_component(_folder "${_library}" DIRECTORY)
     get_filename_component(_name "${_library}" NAME_WE)

@@ -21,7 +21,6 @@ endif()
 
 option(ROLLCON_SHARED "Build the shared library" ${_shared})
 option(ROLLCON_STATIC "Build the static library" ${_static})
-option(ROLLCON_OPENMP "Use OpenMP" ON)
 option(ROLLCON_FORTRAN "Build the Fortran module and the FORTRAN 77 layer" ${_fortran})
 option(ROLLCON_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
 option(ROLLCON_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})

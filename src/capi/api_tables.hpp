@@ -14,11 +14,13 @@ constexpr Feature feature_table[] = {
     {"halfspace", true},
     {"rigid", true},
     {"fem", ROLLCON_BUILD_FEM != 0},
-    {"bem", true},
+    {"bem", ROLLCON_BUILD_BEM != 0},
+    {"procedures", ROLLCON_BUILD_PROCEDURES != 0},
     {"cholmod", ROLLCON_BUILD_CHOLMOD != 0},
     {"umfpack", ROLLCON_BUILD_UMFPACK != 0},
+    {"fftw", ROLLCON_BUILD_FFTW != 0},
     {"openmp", ROLLCON_BUILD_OPENMP != 0},
-    {"vtu", true},
+    {"vtu", ROLLCON_BUILD_VTU != 0},
 };
 
 struct StatusText { std::int32_t status; const char* text; };

@@ -1,10 +1,5 @@
 #include "linalg/sparse_lu.hpp"
 
-#include "build_info.hpp"
-#include "support/error.hpp"
-
-#if ROLLCON_BUILD_UMFPACK
-
 #include <umfpack.h>
 
 #include <algorithm>
@@ -12,6 +7,7 @@
 
 #include "linalg/sparse_checks.hpp"
 #include "linalg/sparse_metis_random.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -132,28 +128,3 @@ void SparseLu::release(bool all) {
 }
 
 }  // namespace rollcon
-
-#else
-
-namespace rollcon {
-
-struct SparseLu::Factors {};
-SparseLu::SparseLu() = default;
-SparseLu::~SparseLu() = default;
-SparseLu::SparseLu(SparseLu&&) noexcept = default;
-SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
-bool SparseLu::available() {
-  return false;
-}
-bool SparseLu::factored() const {
-  return false;
-}
-bool SparseLu::factor(const SparseMatrix& /*matrix*/) {
-  fail(Status::err_unsupported, "this build of rollcon has no UMFPACK (ROLLCON_UMFPACK is OFF)");
-}
-void SparseLu::solve(double* /*b*/) {}
-void SparseLu::release(bool /*all*/) {}
-
-}  // namespace rollcon
-
-#endif

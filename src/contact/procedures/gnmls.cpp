@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/procedures/run.hpp"
 #include "contact/start.hpp"
 
 namespace rollcon {

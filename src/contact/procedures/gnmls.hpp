@@ -8,10 +8,6 @@
 
 namespace rollcon {
 
-/// Augmentation parameters of half-spaces on cells of the frame's size: unlike set_scales() without
-/// a look at any operator, so that both forms of the system walk the same path.
-void estimate_scales(Problem& problem, double normal_factor, double tangential_factor);
-
 class Gnmls {
  public:
   /// Solves from the given iterate; all zero: a cold start, (section 11.6) zero tractions, or a

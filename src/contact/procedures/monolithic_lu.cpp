@@ -33,7 +33,8 @@ bool MonolithicLu::factor(const MonolithicMatrix& matrix) {
     if (n > largest_dense)
       fail(Status::err_unsupported,
            "option 'system' is 'monolithic': a sparse system of %lld unknowns needs UMFPACK, which "
-           "this build of rollcon does not have (ROLLCON_UMFPACK is OFF; without it at most %lld)",
+           "this build of rollcon does not have (ROLLCON_WITH_UMFPACK is OFF; without it at most "
+           "%lld)",
            static_cast<long long>(n), static_cast<long long>(largest_dense));
     is_dense_ = true;
   }

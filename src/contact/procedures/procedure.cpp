@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "build_info.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -63,6 +64,12 @@ Procedure choose_procedure(const Options& o) {
   p.shorten = o.line_search_factor;
   p.slope = o.line_search_slope;
 
+  if (ROLLCON_BUILD_PROCEDURES == 0 && !p.standard())
+    fail(Status::err_unsupported,
+         "system is '%s' and jacobian is '%s', but this build of rollcon has no published solution "
+         "procedures (component PROCEDURES: ROLLCON_WITH_PROCEDURES is OFF); allowed: condensed "
+         "and exact",
+         o.system.c_str(), o.jacobian.c_str());
   if (o.slip_estimate != "auto" && p.jacobian != Jacobian::reduced)
     fail(
         Status::err_option,

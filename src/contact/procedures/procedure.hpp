@@ -27,7 +27,8 @@ struct Procedure {
   bool standard() const { return !monolithic && jacobian == Jacobian::exact; }
 };
 
-/// Throws err_option for combinations that make no sense, with the reason.
+/// Throws err_option for combinations that make no sense, with the reason, and err_unsupported for
+/// a published procedure in a build without them.
 Procedure choose_procedure(const Options& options);
 
 /// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the

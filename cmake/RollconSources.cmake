@@ -1,0 +1,78 @@
+# Which sources belong to which component: those of absent ones are not compiled.
+
+function(rollcon_any_built result)
+  set(${result} OFF PARENT_SCOPE)
+  foreach(_name IN LISTS ARGN)
+    if(ROLLCON_BUILD_${_name})
+      set(${result} ON PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
+
+# rollcon_belongs(<regular expression under src/> <components>...): compiled where any of these is built.
+macro(rollcon_belongs _pattern)
+  rollcon_any_built(_built ${ARGN})
+  if(NOT _built)
+    list(FILTER ROLLCON_SOURCES EXCLUDE REGEX "/src/(${_pattern})")
+  endif()
+endmacro()
+
+# rollcon_stands_for(<file under src/> <components>... [FOR <components>...]): compiled where none of
+# the components is built, and any of those after FOR, which call them; without FOR everybody does.
+macro(rollcon_stands_for _file)
+  cmake_parse_arguments(_stand "" "" "FOR" ${ARGN})
+  rollcon_any_built(_built ${_stand_UNPARSED_ARGUMENTS})
+  set(_called ON)
+  if(_stand_FOR)
+    rollcon_any_built(_called ${_stand_FOR})
+  endif()
+  if(_called AND NOT _built)
+    list(APPEND ROLLCON_SOURCES "${PROJECT_SOURCE_DIR}/src/${_file}")
+  endif()
+endmacro()
+
+list(FILTER ROLLCON_SOURCES EXCLUDE REGEX "_absent\\.cpp$")
+
+rollcon_belongs("bodies/fem/" FEM)
+rollcon_belongs("mesh/(volume_|surface_coupling|coupled_element|plane_chart|convex_polygon)" FEM)
+rollcon_stands_for(bodies/fem_absent.cpp FEM)
+rollcon_stands_for(mesh/volume_absent.cpp FEM)
+rollcon_stands_for(mesh/volume_shape_absent.cpp FEM)
+
+rollcon_belongs("bodies/bem/" BEM)
+rollcon_stands_for(bodies/bem_absent.cpp BEM)
+
+# What both kinds of elastic bodies with a mesh share; rigid ones need none of it.
+rollcon_belongs("bodies/(meshed_|remainder_|response_cache|saved_responses|supports|frame_on_body)" FEM BEM)
+rollcon_stands_for(bodies/meshed_absent.cpp FEM BEM)
+
+rollcon_belongs("contact/procedures/(condensed|estimated|gnmls|held|monolithic|run)" PROCEDURES)
+rollcon_stands_for(contact/procedures_absent.cpp PROCEDURES)
+
+rollcon_belongs("linalg/sparse_" CHOLMOD UMFPACK)
+rollcon_belongs("linalg/sparse_(order_)?cholmod" CHOLMOD)
+rollcon_belongs("linalg/sparse_(lu|umfpack|order_umfpack)" UMFPACK)
+rollcon_stands_for(linalg/cholmod_absent.cpp CHOLMOD FOR FEM PROCEDURES)
+rollcon_stands_for(linalg/umfpack_absent.cpp UMFPACK FOR FEM PROCEDURES)
+rollcon_belongs("linalg/condensed_factor" CHOLMOD UMFPACK)
+rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
+rollcon_belongs("linalg/kept_lu" PROCEDURES)
+
+rollcon_belongs("io/vtu" VTU)
+rollcon_stands_for(io/vtu_absent.cpp VTU)
+
+# Headers from outside are seen by those files alone that use them: a build that is configured anew with
+# other components compiles little again.
+macro(rollcon_sees _pattern _external)
+  if(TARGET rollcon::${_external})
+    get_target_property(_folder rollcon::${_external} INTERFACE_INCLUDE_DIRECTORIES)
+    set(_files ${ROLLCON_SOURCES})
+    list(FILTER _files INCLUDE REGEX "/src/(${_pattern})")
+    if(NOT _folder IN_LIST CMAKE_CXX_IMPLICIT_INCLUDE_DIRECTORIES)
+      set_source_files_properties(${_files} PROPERTIES COMPILE_OPTIONS "-isystem;${_folder}")
+    endif()
+  endif()
+endmacro()
+rollcon_sees("linalg/sparse_" cholmod)
+rollcon_sees("linalg/sparse_(lu|umfpack|order_umfpack)" umfpack)
+rollcon_sees("linalg/fft" fftw)

@@ -1,0 +1,131 @@
+#!/usr/bin/env bash
+# The library without components: each build links and contains nothing of what it leaves out, says so
+# by rollcon_has_feature, and passes the public tests.
+#
+#   check_components.sh <build folder>  quick: the libraries alone, most of them in a folder in which
+#                                       everything is built already, and with its public tests as they
+#                                       are; leaves the folder configured with everything
+#   check_components.sh                 each build in a folder of its own, with all of its tests
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cd "$root"
+built=${1:-}
+
+all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW)
+# Name and components of each build. In a quick run all with OpenMP share their objects.
+builds=(
+  "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
+  "without the GPL: BEM PROCEDURES VTU OPENMP"
+  "finite elements alone: FEM OPENMP CHOLMOD"
+  "boundary elements alone: BEM OPENMP"
+  "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
+  "half-spaces alone:"
+)
+# What a library that has the component shows: symbols, or for files the text that they begin with.
+declare -A symbols=(
+  [FEM]='rollcon::fem::(System|Assembly|element_stiffness)|rollcon::volume_rule'
+  [BEM]='rollcon::bem::(System|BoundaryIntegrals|kelvin)'
+  [PROCEDURES]='rollcon::(Gnmls::solve|MonolithicSystem::solve|CondensedSystem::solve)'
+  [OPENMP]=' (GOMP_|omp_get_|__kmpc_)'
+  [CHOLMOD]=' U cholmod_'
+  [UMFPACK]=' U umfpack_'
+  [FFTW]=' U fftwf?_'
+)
+declare -A needed=([OPENMP]='lib(gomp|omp|iomp5)\.' [CHOLMOD]='libcholmod' [UMFPACK]='libumfpack'
+  [FFTW]='libfftw3')
+
+options() {  # of a build with these components
+  local name
+  for name in "${all[@]}"; do
+    [[ " $* " == *" $name "* ]] && echo "-DROLLCON_WITH_$name=ON" || echo "-DROLLCON_WITH_$name=OFF"
+  done
+}
+
+shows() {  # shows <component> <library>
+  if [ "$1" = VTU ]; then
+    grep -q VTKFile "$2"
+  else
+    grep -qE "${symbols[$1]}" "$work/symbols"
+  fi
+}
+
+check_library() {  # check_library <library> <components...>
+  local library=$1 name
+  shift
+  nm -C "$library" >"$work/symbols"
+  objdump -p "$library" | awk '/NEEDED/ { print $2 }' >"$work/needed"
+  for name in "${all[@]}"; do
+    local feature wanted=0
+    feature=$("$python" -c "import ctypes, sys
+print(ctypes.CDLL(sys.argv[1]).rollcon_has_feature(sys.argv[2].encode()))" "$library" "${name,,}")
+    [[ " $* " == *" $name "* ]] && wanted=1
+    [ "$feature" = $wanted ] || fail "rollcon_has_feature(\"${name,,}\") is $feature, not $wanted"
+    # That everything shows where it is proves that nothing is overlooked where it must not be.
+    if [ $wanted = 1 ]; then
+      shows "$name" "$library" || fail "nothing of $name is in a library that has it"
+      [ -z "${needed[$name]:-}" ] || grep -qE "${needed[$name]}" "$work/needed" ||
+        fail "a library with $name does not link ${needed[$name]}"
+    else
+      ! shows "$name" "$library" || fail "a library without $name contains some of it"
+      [ -z "${needed[$name]:-}" ] || ! grep -E "${needed[$name]}" "$work/needed" ||
+        fail "a library without $name links it"
+    fi
+  done
+  if [[ " $* " != *" CHOLMOD "* && " $* " != *" UMFPACK "* ]] &&
+    ldd "$library" | grep -E 'suitesparse|metis|amd\.so'; then
+    fail "a library without SuiteSparse loads parts of it"
+  fi
+  strip -o "$work/stripped" "$library"
+  say "$(stat -c %s "$work/stripped") bytes stripped; links $(tr '\n' ' ' <"$work/needed")"
+}
+
+restore() {  # the folder of a quick run, with everything again
+  [ -n "$built" ] || return 0
+  local flags
+  mapfile -t flags < <(options "${all[@]}")
+  cmake -B "$built" "${flags[@]}" >/dev/null
+  cmake --build "$built" -j "$jobs" --target rollcon_shared >/dev/null
+}
+
+work=$(mktemp -d)
+trap 'rm -rf "$work"; restore' EXIT
+for build in "${builds[@]}"; do
+  name=${build%%:*}
+  read -r -a components <<<"${build#*:}"
+  folder=$root/build/components/${name// /-}
+  targets=()
+  extra=(-DROLLCON_WERROR=ON)
+  if [ -n "$built" ]; then
+    [ "$name" != "no OpenMP" ] || continue
+    targets=(--target rollcon_shared)
+    if [ "$name" = "half-spaces alone" ]; then
+      extra+=(-DROLLCON_TESTS=OFF -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF)
+    else
+      folder=$(realpath "$built")
+      extra=()
+    fi
+  fi
+  mapfile -t flags < <(options "${components[@]}")
+  start=$SECONDS
+  cmake --preset release -B "$folder" "${flags[@]}" "${extra[@]}" >"$work/log" 2>&1 || {
+    cat "$work/log"
+    fail "$name: configure"
+  }
+  cmake --build "$folder" -j "$jobs" "${targets[@]}" >"$work/log" 2>&1 || {
+    tail -50 "$work/log"
+    fail "$name: build"
+  }
+  say "$name"
+  check_library "$folder/librollcon.so" "${components[@]}"
+  if [ -z "$built" ]; then
+    ctest --test-dir "$folder" -j "$jobs" -LE abi --output-on-failure -Q || fail "$name: tests"
+  elif [ "$name" != everything ]; then
+    LD_LIBRARY_PATH=$folder "$built/tests/test_capi" --gtest_brief=1 \
+      '--gtest_filter=-procedure*:time_loop*:*thread*:*memory*' >"$work/log" 2>&1 || {
+      grep -v -A1 Skipped "$work/log" | tail -50
+      fail "$name: public tests"
+    }
+    tail -3 "$work/log"
+  fi
+  say "$((SECONDS - start)) s"
+done

@@ -1,0 +1,29 @@
+/// In place of finite-element bodies, in a build without them.
+
+#include "bodies/mesh_models.hpp"
+#include "support/error.hpp"
+
+namespace rollcon::fem {
+
+void require_support() {
+  fail(Status::err_unsupported,
+       "kind is 1 (FEM), but this build of rollcon has no finite-element bodies (component FEM: "
+       "ROLLCON_WITH_FEM is OFF, or neither CHOLMOD nor UMFPACK is built in)");
+}
+
+// Not reached: there is no body that could ask.
+double largest_poisson(VolumeType /*type*/) {
+  require_support();
+  return 0;
+}
+
+std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& /*mesh*/,
+                                               const TractionNodes& /*fans*/,
+                                               const std::map<std::int32_t, Elastic>& /*material*/,
+                                               const BodyOptions& /*options*/, int /*threads*/,
+                                               SectionReader* /*saved*/) {
+  require_support();
+  return nullptr;
+}
+
+}  // namespace rollcon::fem

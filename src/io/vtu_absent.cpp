@@ -1,0 +1,16 @@
+/// In place of VTU files, in a build without them.
+
+#include "io/vtu.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+
+void write_vtu(const std::string& path, const SurfaceMesh& /*mesh*/,
+               std::span<const PointArray> /*arrays*/) {
+  fail(Status::err_unsupported,
+       "cannot write '%s': this build of rollcon writes no VTU files (component VTU: "
+       "ROLLCON_WITH_VTU is OFF)",
+       path.c_str());
+}
+
+}  // namespace rollcon
