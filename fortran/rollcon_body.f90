@@ -19,6 +19,7 @@ module rollcon_body
     procedure, private :: get_option_real
     generic :: get => get_option_int32, get_option_int64, get_option_real
     procedure :: prepare
+    procedure :: save => save_to
     procedure :: get_kind
     procedure :: get_size
     procedure :: get_displacements
@@ -94,6 +95,15 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_prepare(self%handle()), self%owner(), 'rc_body%prepare', stat, errmsg)
+  end subroutine
+
+  !> Writes the body, prepared if it was not, to a file; `load` makes a prepared body of it.
+  subroutine save_to(self, path, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_save(self%handle(), c_text(path)), self%owner(), 'rc_body%save', stat, errmsg)
   end subroutine
 
   subroutine get_kind(self, kind, stat, errmsg)

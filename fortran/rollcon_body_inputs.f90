@@ -18,6 +18,7 @@ module rollcon_body_inputs
     type(c_ptr) :: context = c_null_ptr  ! a reference of its own, for the texts of failures
   contains
     procedure :: create
+    procedure :: load
     procedure :: free => release
     procedure :: from_id
     procedure :: id
@@ -66,6 +67,26 @@ contains
       self%context = ctx
     end if
     call finish(status, ctx, 'rc_body%create', stat, errmsg)
+  end subroutine
+
+  !> A prepared body from a file that rc_body%save wrote: nothing is assembled or factorised.
+  subroutine load(self, context, path, stat, errmsg)
+    class(rc_body_inputs), intent(inout) :: self
+    type(rc_context), intent(in) :: context
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    type(c_ptr) :: ctx
+    call self%free()
+    ctx = context%handle()
+    status = rollcon_body_load(ctx, c_text(path), self%p)
+    if (status /= ROLLCON_OK) then
+      self%p = c_null_ptr
+    else if (rollcon_context_retain(ctx) == ROLLCON_OK) then
+      self%context = ctx
+    end if
+    call finish(status, ctx, 'rc_body%load', stat, errmsg)
   end subroutine
 
   !> Gives the reference back; the object lives on while a contact or another variable uses it.

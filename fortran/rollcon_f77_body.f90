@@ -28,6 +28,27 @@ subroutine rcprep(ibody, ierr)
   ierr = rollcon_body_prepare(body_of(ibody))
 end subroutine
 
+!> Writes a body, prepared if it was not, to the file PATH.
+subroutine rcbsav(ibody, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: path
+  ierr = rollcon_body_save(body_of(ibody), c_text(path))
+end subroutine
+
+!> Prepared body from a file that RCBSAV wrote.
+subroutine rcblod(ictx, path, ibody, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, ibody, ierr
+  character(len=*) :: path
+  type(c_ptr) :: p
+  ibody = 0
+  ierr = rollcon_body_load(context_of(ictx), c_text(path), p)
+  if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
+end subroutine
+
 !> Kind of a body.
 subroutine rckind(ibody, kind, ierr)
   use rollcon_f77_support

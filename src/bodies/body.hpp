@@ -4,21 +4,15 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
 #include <utility>
 
-#include "bodies/body_mesh.hpp"
-#include "bodies/surface_response.hpp"
-#include "mesh/surface_search.hpp"
-#include "mesh/traction_nodes.hpp"
+#include "bodies/body_model.hpp"
 #include "support/context.hpp"
 
 namespace rollcon {
-
-enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4 };
 
 class Body {
  public:
@@ -58,8 +52,14 @@ class Body {
 
   /// Checks that the body is complete (err_state), its mesh (err_mesh) and supports, assembles and
   /// factorises (err_singular), and freezes it. Idempotent; contacts in several threads may call it
-  /// at the same time. Only a prepared body may be read.
-  void prepare();
+  /// at the same time. Only a prepared body may be read. A body equal to one that was prepared in
+  /// the same context shares what that one has.
+  void prepare() { prepare(nullptr); }
+  /// Writes the body, prepared if it was not, to a file: what was given, and what of its equations
+  /// is kept. err_io. See body_file.cpp for the sections.
+  void save(const std::string& path);
+  /// A prepared body from such a file; nothing is assembled or factorised. err_io, err_unsupported.
+  static std::shared_ptr<Body> load(std::shared_ptr<Context> context, const std::string& path);
 
   BodyKind kind() const { return kind_; }
   bool prepared() const { return prepared_.load(); }
@@ -70,9 +70,9 @@ class Body {
   std::pair<std::int64_t, std::int64_t> size() const;
   /// Where the contact is: of a prepared body of several materials, that of the greatest part of
   /// its contact faces.
-  double young() const { return contact_material_.young; }
-  double poisson() const { return contact_material_.poisson; }
-  const BodyMesh& mesh() const { return mesh_; }
+  double young() const { return model_->contact_material.young; }
+  double poisson() const { return model_->contact_material.poisson; }
+  const BodyMesh& mesh() const { return model_->mesh; }
   /// The surface as it is now; also while another thread gives more of it or prepares the body.
   /// Throws err_mesh when faces of finite elements were tagged that are not on the boundary.
   SurfaceMesh surface_copy();
@@ -80,34 +80,40 @@ class Body {
   Context& context() const { return *context_; }
 
   // Of a prepared body with a mesh.
-  const TractionNodes& traction_nodes() const { return traction_nodes_; }
+  const TractionNodes& traction_nodes() const { return model_->traction_nodes; }
   /// Fans that tags and supports do not divide: normals of the surface itself.
-  const TractionNodes& smooth_fans() const { return smooth_fans_; }
+  const TractionNodes& smooth_fans() const { return model_->smooth_fans; }
   /// Over the faces that may come into contact.
-  const SurfaceSearch& search() const { return *search_; }
+  const SurfaceSearch& search() const { return *model_->search; }
   /// Null for rigid bodies.
-  SurfaceResponse* response() const { return response_.get(); }
+  SurfaceResponse* response() const { return model_->response.get(); }
+
+  // Of any prepared body.
+  /// Prepared by sharing what an equal body had: nothing was assembled for this one.
+  bool shared() const { return shared_; }
+  /// Both have the same mesh and equations in memory: one handle twice, or equal bodies.
+  bool same_as(const Body& other) const { return model_ == other.model_; }
+  /// Read from a file.
+  bool loaded() const { return loaded_; }
 
  private:
   void require_unprepared(const char* what) const;
   void require_tag(std::int32_t tag, const std::string& entry) const;
   void require_complete() const;
   void require_materials() const;
-  void require_tagged_faces() const;
-  void choose_contact_material();
-  void prepare_mesh();
+  /// From what a file has, if one is given.
+  void prepare(SectionReader* saved);
+  void log_preparation() const;
+  BodyMesh& given() { return model_->mesh; }
+  const BodyMesh& given() const { return model_->mesh; }
 
   std::shared_ptr<Context> context_;
   BodyKind kind_;
   mutable std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
-  std::map<std::int32_t, Elastic> material_;  ///< by tag; of one material: tag 0
-  Elastic contact_material_;
-  BodyMesh mesh_;
+  bool shared_ = false, loaded_ = false;
+  std::shared_ptr<BodyModel> model_;  ///< its own until prepared
   BodyOptions options_;
-  TractionNodes traction_nodes_, smooth_fans_;
-  std::unique_ptr<SurfaceSearch> search_;
-  std::unique_ptr<SurfaceResponse> response_;
 };
 
 }  // namespace rollcon

@@ -61,20 +61,20 @@ void Body::require_unprepared(const char* what) const {
 // err_state without elements, err_argument if no face has the tag. entry: how messages name the
 // tag. Tags given to faces of a volume count before its boundary is known.
 void Body::require_tag(std::int32_t tag, const std::string& entry) const {
-  if (mesh_.surface.elements() == 0 && mesh_.volume.elements() == 0)
+  if (given().surface.elements() == 0 && given().volume.elements() == 0)
     fail(Status::err_state,
          "the body has no %selements: call rollcon_body_add_elements before naming their tags",
          kind_ == BodyKind::fem ? "volume " : "");
-  const std::vector<std::int32_t>& tags = mesh_.surface.tag;
-  const bool volume = mesh_.volume.elements() > 0;
-  if (volume ? tag == 0 || std::any_of(mesh_.naming.begin(), mesh_.naming.end(),
+  const std::vector<std::int32_t>& tags = given().surface.tag;
+  const bool volume = given().volume.elements() > 0;
+  if (volume ? tag == 0 || std::any_of(given().naming.begin(), given().naming.end(),
                                        [&](const FaceNaming& n) { return n.tag == tag; })
              : std::find(tags.begin(), tags.end(), tag) != tags.end())
     return;
   std::set<std::int32_t> present;
   if (volume) {
     present.insert(0);
-    for (const FaceNaming& naming : mesh_.naming) present.insert(naming.tag);
+    for (const FaceNaming& naming : given().naming) present.insert(naming.tag);
   } else {
     present.insert(tags.begin(), tags.end());
   }
@@ -98,10 +98,10 @@ void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
   BodyMesh mesh;
-  mesh.surface = mesh_of_nodes(n, x, node_stride, component_stride, mesh_.surface.index_base);
+  mesh.surface = mesh_of_nodes(n, x, node_stride, component_stride, given().surface.index_base);
   mesh.held.assign(static_cast<std::size_t>(n), 0);
   mesh.held_value.assign(static_cast<std::size_t>(n), Vec3{0, 0, 0});
-  std::swap(mesh_, mesh);
+  std::swap(given(), mesh);
 }
 
 void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
@@ -111,27 +111,27 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
   require_unprepared("mesh is");
   const char* node_setter = "rollcon_body_set_nodes";
   if (kind_ != BodyKind::fem) {
-    append_elements(mesh_.surface, type, n, connectivity, index_base, tag, "body", node_setter);
+    append_elements(given().surface, type, n, connectivity, index_base, tag, "body", node_setter);
     return;
   }
   if (is_volume_type(type)) {
-    append_elements(mesh_.volume, mesh_.surface.nodes(), type, n, connectivity, index_base, tag,
+    append_elements(given().volume, given().surface.nodes(), type, n, connectivity, index_base, tag,
                     node_setter);
   } else if (is_element_type(type)) {
-    SurfaceMesh given;  // for its checks
-    given.offset = {0};
-    given.node.swap(mesh_.surface.node);
+    SurfaceMesh faces;  // for its checks
+    faces.offset = {0};
+    faces.node.swap(given().surface.node);
     try {
-      append_elements(given, type, n, connectivity, index_base, tag, "body", node_setter);
+      append_elements(faces, type, n, connectivity, index_base, tag, "body", node_setter);
       if (n > 0)
-        mesh_.naming.push_back({.tag = tag,
-                                .connectivity = std::move(given.connectivity),
-                                .type = static_cast<ElementType>(type)});
+        given().naming.push_back({.tag = tag,
+                                  .connectivity = std::move(faces.connectivity),
+                                  .type = static_cast<ElementType>(type)});
     } catch (...) {
-      given.node.swap(mesh_.surface.node);
+      faces.node.swap(given().surface.node);
       throw;
     }
-    given.node.swap(mesh_.surface.node);
+    faces.node.swap(given().surface.node);
   } else {
     fail(Status::err_argument,
          "type is %d; allowed: 304 (tet4), 310 (tet10), 326 (wedge6), 335 (wedge15), 338 (hex8), "
@@ -139,8 +139,8 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
          type);
   }
   if (n == 0) return;
-  mesh_.surface.index_base = index_base;
-  mesh_.boundary_current = false;
+  given().surface.index_base = index_base;
+  given().boundary_current = false;
 }
 
 void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
@@ -153,7 +153,7 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   require_unprepared("mesh is");
   require_count(n, "n");
   require_index_base(index_base);
-  const VolumeElements& volume = mesh_.volume;
+  const VolumeElements& volume = given().volume;
   if (volume.elements() == 0)
     fail(Status::err_state,
          "the body has no volume elements: call rollcon_body_add_elements before tagging faces");
@@ -178,9 +178,9 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
            entry, index_base, side[i], index_base, static_cast<long long>(sides) - 1 + index_base);
     naming.face.push_back({e, static_cast<std::int32_t>(s)});
   }
-  mesh_.naming.push_back(std::move(naming));
-  mesh_.surface.index_base = index_base;
-  mesh_.boundary_current = false;
+  given().naming.push_back(std::move(naming));
+  given().surface.index_base = index_base;
+  given().boundary_current = false;
 }
 
 void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
@@ -188,19 +188,19 @@ void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int
   require_mesh_kind(kind_, "faces");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
-  require_node_ids(n, node, index_base, mesh_.surface.nodes(), "faces");
-  if (mesh_.surface.elements() == 0 && mesh_.volume.elements() == 0)
+  require_node_ids(n, node, index_base, given().surface.nodes(), "faces");
+  if (given().surface.elements() == 0 && given().volume.elements() == 0)
     fail(Status::err_state,
          "the body has no elements: call rollcon_body_add_elements before tagging their faces");
   if (n == 0) return;
-  mesh_.surface.index_base = index_base;
+  given().surface.index_base = index_base;
   FaceNaming naming{.tag = tag};
   for (std::int64_t i = 0; i < n; ++i) naming.nodes.push_back(node[i] - index_base);
   if (kind_ == BodyKind::fem) {
-    mesh_.naming.push_back(std::move(naming));
-    mesh_.boundary_current = false;
+    given().naming.push_back(std::move(naming));
+    given().boundary_current = false;
   } else {
-    tag_by_nodes(naming, mesh_.surface);
+    tag_by_nodes(naming, given().surface);
   }
 }
 
@@ -209,7 +209,7 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
   require_elastic_mesh_kind(kind_, "supports");
   const std::lock_guard lock(mutex_);
   require_unprepared("supports are");
-  require_node_ids(n, node, index_base, mesh_.surface.nodes(), "supports");
+  require_node_ids(n, node, index_base, given().surface.nodes(), "supports");
   if (dof_mask < 1 || dof_mask > 7)
     fail(Status::err_argument, "dof_mask is %d; allowed: 1 to 7, a sum of 1 (x), 2 (y), 4 (z)",
          dof_mask);
@@ -222,10 +222,10 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
   }
   for (std::int64_t i = 0; i < n; ++i) {
     const auto id = static_cast<std::size_t>(node[i] - index_base);
-    mesh_.held[id] = static_cast<std::uint8_t>(mesh_.held[id] | dof_mask);
+    given().held[id] = static_cast<std::uint8_t>(given().held[id] | dof_mask);
     for (std::size_t c = 0; c < 3; ++c) {
       if (dof_mask >> c & 1)
-        mesh_.held_value[id][c] = value ? value[3 * static_cast<std::size_t>(i) + c] : 0;
+        given().held_value[id][c] = value ? value[3 * static_cast<std::size_t>(i) + c] : 0;
     }
   }
 }
@@ -236,7 +236,7 @@ void Body::set_traction(std::int32_t tag, const double* traction) {
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");
-  load_of(mesh_.load, tag).traction = {traction[0], traction[1], traction[2]};
+  load_of(given().load, tag).traction = {traction[0], traction[1], traction[2]};
 }
 
 void Body::set_pressure(std::int32_t tag, double pressure) {
@@ -245,7 +245,7 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");
-  load_of(mesh_.load, tag).pressure = pressure;
+  load_of(given().load, tag).pressure = pressure;
 }
 
 void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {
@@ -259,7 +259,7 @@ void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {
     require_tag(tag[i], "entry " + std::to_string(i) + " of tags (counting from 0)");
     if (std::find(named.begin(), named.end(), tag[i]) == named.end()) named.push_back(tag[i]);
   }
-  std::swap(mesh_.contact_tag, named);
+  std::swap(given().contact_tag, named);
 }
 
 void Body::set_int(const char* option, std::int64_t value) {

@@ -58,6 +58,7 @@ struct BodyOptions {
   std::int64_t factorization = 0;  ///< "factorization": 0 automatic, 1 CHOLMOD, 2 UMFPACK
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
   std::int64_t prepare = 1;  ///< "prepare": 0 checks only, 1 factorises what is known to be needed
+  std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": of responses kept
 };
 
 /// Gives the tag to the surface elements all of whose nodes are named.

@@ -28,6 +28,13 @@ struct Statistic {
   double (*value)(const BodyStatistics&);
 };
 
+/// Of any prepared body.
+struct Origin {
+  const char* name;
+  bool (Body::*is)() const;
+};
+constexpr Origin origins[] = {{"shared", &Body::shared}, {"loaded", &Body::loaded}};
+
 template <class T>
 double number(T v) {
   return static_cast<double>(v);
@@ -41,6 +48,8 @@ constexpr Statistic statistics[] = {
     {"condensed_unknowns", [](const BodyStatistics& s) { return number(s.condensed); }},
     {"factor_nonzeros", [](const BodyStatistics& s) { return number(s.nonzeros); }},
     {"kernel_evaluations", [](const BodyStatistics& s) { return number(s.kernel_evaluations); }},
+    {"responses_kept", [](const BodyStatistics& s) { return number(s.responses_kept); }},
+    {"responses_dropped", [](const BodyStatistics& s) { return number(s.responses_dropped); }},
     {"condition", [](const BodyStatistics& s) { return s.condition; }},
     {"seconds_assembly", [](const BodyStatistics& s) { return s.seconds_assembly; }},
     {"seconds_order", [](const BodyStatistics& s) { return s.seconds_order; }},
@@ -75,12 +84,17 @@ void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
 }
 
 double body_statistic(const Body& body, const char* name) {
+  for (const Origin& origin : origins)
+    if (std::strcmp(origin.name, name) == 0) {
+      require_prepared(body);
+      return (body.*origin.is)() ? 1 : 0;
+    }
   const auto* found = std::find_if(std::begin(statistics), std::end(statistics),
                                    [&](const Statistic& s) { return !std::strcmp(s.name, name); });
   if (found == std::end(statistics)) {
     std::string known;
-    for (const Statistic& s : statistics)
-      known += (known.empty() ? "" : ", ") + std::string(s.name);
+    for (std::int64_t i = 0; i < body_statistic_count(); ++i)
+      known += (known.empty() ? "" : ", ") + std::string(body_statistic_name(i));
     fail(Status::err_option, "unknown statistic '%.64s'; statistics are: %s", name, known.c_str());
   }
   require_prepared(body);
@@ -88,11 +102,12 @@ double body_statistic(const Body& body, const char* name) {
 }
 
 std::int64_t body_statistic_count() {
-  return static_cast<std::int64_t>(std::size(statistics));
+  return static_cast<std::int64_t>(std::size(statistics) + std::size(origins));
 }
 
 const char* body_statistic_name(std::int64_t i) {
-  return statistics[static_cast<std::size_t>(i)].name;
+  const auto k = static_cast<std::size_t>(i);
+  return k < std::size(statistics) ? statistics[k].name : origins[k - std::size(statistics)].name;
 }
 
 }  // namespace rollcon

@@ -11,6 +11,8 @@
 
 namespace rollcon {
 
+struct HalfspaceConstants;
+
 /// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2):
 /// on a curved frame, the points of the surface above them. x.size() == y.size().
 struct Points {
@@ -50,6 +52,9 @@ class Compliance {
   /// matrices belong to the same points). Condenses and factorises nothing. False: has no such
   /// form.
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
+  /// True, and the constants, when this is the compliance of half-spaces under the frame's own
+  /// shape functions and nothing else (bodies/halfspace/halfspace.hpp).
+  virtual bool halfspace(HalfspaceConstants& /*sum*/) const { return false; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

@@ -57,7 +57,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
 const SurfaceOutline& MeshedCompliance::outline() const {
   if (loads_) return *loads_;
   require_response();
-  return *rows_;
+  return *outline_;
 }
 
 bool MeshedCompliance::resolves_frame() const {
@@ -89,9 +89,9 @@ std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outlin
 
 // From the body's axes to local components, from the response's columns to the frame's nodes.
 void MeshedCompliance::require_response() const {
-  if (rows_) return;
+  if (outline_) return;
   SurfaceResponse& body = *body_.response();
-  std::shared_ptr<const SurfaceRows> found =
+  const std::shared_ptr<const SurfaceRows> found =
       on_body_.matches() ? body.faces(on_body_.face, threads_)
                          : body.layer(on_body_.layer, on_body_.row, threads_);
   const SurfaceRows& rows = *found;
@@ -117,7 +117,8 @@ void MeshedCompliance::require_response() const {
       }
     }
   }
-  rows_ = std::move(found);
+  // Of the response itself this is a copy: whether the body keeps it is the body's matter.
+  outline_ = std::make_unique<const SurfaceOutline>(rows);
 }
 
 void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {

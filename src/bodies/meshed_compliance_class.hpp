@@ -89,7 +89,7 @@ class MeshedCompliance final : public Compliance {
   std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
   std::unique_ptr<SurfaceSearch> zone_;
   // Made when first asked for: condensed, written out, and at points between nodes.
-  mutable std::shared_ptr<const SurfaceRows> rows_;
+  mutable std::unique_ptr<const SurfaceOutline> outline_;
   mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
   mutable std::shared_ptr<const SurfaceLoads> loads_;
   mutable std::unique_ptr<Compliance> halfspace_, remainder_;

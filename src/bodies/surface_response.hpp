@@ -51,8 +51,12 @@ struct BodyStatistics {
   std::int64_t nonzeros = 0;   ///< of the factors; dense: unknowns squared
   double condition = 0;        ///< estimate, of the scaled matrix
   double seconds_assembly = 0, seconds_order = 0, seconds_factor = 0, seconds_condense = 0;
+  std::int64_t responses_kept = 0, responses_dropped = 0;  ///< to sets of faces and layers
   std::size_t bytes = 0, peak_bytes = 0;
 };
+
+class SectionReader;
+class SectionWriter;
 
 /// Safe for several threads.
 class SurfaceResponse {
@@ -60,11 +64,11 @@ class SurfaceResponse {
   virtual ~SurfaceResponse() = default;
   /// Tractions on faces of the body (elements, ascending), interpolated by the faces' own shape
   /// functions and zero elsewhere. Rows: the nodes of the faces and of all elements that touch
-  /// them. Kept: asking again for the same faces costs nothing.
+  /// them. Kept, up to option cache_bytes: asking again for the same faces costs nothing.
   virtual std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
                                                    int threads) = 0;
   /// Tractions on a mesh of its own that lies on the body's surface (in the body's coordinates).
-  /// The last one is kept.
+  /// Kept likewise.
   virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
                                                    std::span<const std::int32_t> row,
                                                    int threads) = 0;
@@ -88,6 +92,14 @@ class SurfaceResponse {
   /// What the supports exert on the body then.
   virtual Resultant support_reaction() const = 0;
   virtual BodyStatistics statistics() const = 0;
+
+  /// Unknowns for whose loads nothing needs to be assembled or factorised any more.
+  virtual std::int64_t solvable() const = 0;
+  /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be
+  /// found again from the mesh without factorising is left out.
+  virtual void save(SectionWriter& file) const = 0;
+  /// Adds what section "kept" has and is not kept yet.
+  virtual void add_kept(SectionReader& file) = 0;
 };
 
 }  // namespace rollcon

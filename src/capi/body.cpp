@@ -2,21 +2,48 @@
 
 #include "bodies/body.hpp"
 
+#include <memory>
+#include <utility>
+
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
 
+namespace {
+
+rollcon_body* handle_of(const std::shared_ptr<Context>& context, std::shared_ptr<Body> body) {
+  auto object = std::make_shared<Object>();
+  object->context = context;
+  object->body = std::move(body);
+  return static_cast<rollcon_body*>(
+      const_cast<void*>(handles().insert(Kind::body, std::move(object))));
+}
+
+}  // namespace
+
 rollcon_status rollcon_body_create(rollcon_context* context, int32_t kind, rollcon_body** body) {
   if (body) *body = nullptr;
   return with_object(__func__, Kind::context, context, [&](Object& parent) {
     require_pointer(body, "body");
-    auto object = std::make_shared<Object>();
-    object->context = parent.context;
-    object->body = std::make_shared<Body>(parent.context, kind);
-    *body = static_cast<rollcon_body*>(
-        const_cast<void*>(handles().insert(Kind::body, std::move(object))));
+    *body = handle_of(parent.context, std::make_shared<Body>(parent.context, kind));
+  });
+}
+
+rollcon_status rollcon_body_save(rollcon_body* body, const char* path) {
+  return with_body(__func__, body, [&](Body& b) {
+    require_pointer(path, "path");
+    b.save(path);
+  });
+}
+
+rollcon_status rollcon_body_load(rollcon_context* context, const char* path, rollcon_body** body) {
+  if (body) *body = nullptr;
+  return with_object(__func__, Kind::context, context, [&](Object& parent) {
+    require_pointer(body, "body");
+    require_pointer(path, "path");
+    *body = handle_of(parent.context, Body::load(parent.context, path));
   });
 }
 

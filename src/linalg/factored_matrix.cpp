@@ -44,6 +44,17 @@ void FactoredMatrix::solve(double* b, std::int64_t count) const {
   if (n > 0 && m > 0) dgetrs_("N", &n, &m, a_.get(), &n, pivot_.data(), b, &n, &info);
 }
 
+bool FactoredMatrix::restore(std::span<const std::int32_t> pivot, double condition) {
+  const bool good = pivot.size() == pivot_.size() &&
+                    std::all_of(pivot.begin(), pivot.end(),
+                                [&](std::int32_t row) { return row >= 1 && row <= n_; });
+  if (!good) return false;
+  std::copy(pivot.begin(), pivot.end(), pivot_.begin());
+  condition_ = condition;
+  factored_ = true;
+  return true;
+}
+
 void FactoredMatrix::release() {
   a_.reset();
   std::vector<int>().swap(pivot_);

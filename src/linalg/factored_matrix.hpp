@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace rollcon {
@@ -17,6 +18,13 @@ class FactoredMatrix {
   /// Overwrites `count` right sides of length size(), one after the other.
   void solve(double* b, std::int64_t count) const;
   void release();
+
+  /// Factors as they are kept, column-major, and the row that each step took (from 1).
+  std::span<const double> factors() const { return {a_.get(), bytes() / sizeof(double)}; }
+  std::span<const std::int32_t> pivots() const { return pivot_; }
+  /// Takes them back: the factors are where prepare() says, instead of a matrix. False when the
+  /// pivots are none.
+  bool restore(std::span<const std::int32_t> pivot, double condition);
 
   std::int64_t size() const { return n_; }
   bool factored() const { return factored_; }

@@ -1,21 +1,17 @@
 /// Cholesky factorisation with the condensed unknowns last: then the trailing block L_cc of the
 /// factor is that of the condensed matrix, K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc'.
 
-#include "build_info.hpp"
-#include "linalg/sparse_factor.hpp"
-#include "support/error.hpp"
-
-#if ROLLCON_BUILD_CHOLMOD
-
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "linalg/lapack.hpp"
+#include "linalg/condensed_factor.hpp"
 #include "linalg/sparse_checks.hpp"
 #include "linalg/sparse_cholmod_common.hpp"
+#include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
@@ -84,7 +80,12 @@ class CholmodFactor final : public SparseFactor {
   }
   std::int64_t size() const override { return size_; }
   void solve(double* b, std::int64_t count) override;
-  void solve_condensed(double* b, std::int64_t count) override;
+  void solve_condensed(double* b, std::int64_t count) override {
+    rollcon::solve_condensed(condensed(), b, count);
+  }
+  CondensedView condensed() const override {
+    return {CondensedForm::cholesky, condensed_, trailing_.get(), place_};
+  }
   void keep_condensed() override {
     factor_.reset();
     cholmod_l_free_work(&common_.c);
@@ -237,25 +238,6 @@ void CholmodFactor::solve_block(double* b, std::int64_t count) {
       b[r * size_ + unknown_[at(k)]] = work_[at(r * size_ + k)];
 }
 
-void CholmodFactor::solve_condensed(double* b, std::int64_t count) {
-  if (condensed_ == 0) return;
-  const auto n = static_cast<int>(condensed_);
-  const double one = 1;
-  std::vector<double> x(at(condensed_ * std::min(count, std::int64_t{512})));
-  for (std::int64_t first = 0; first < count; first += 512) {
-    const auto columns = static_cast<int>(std::min(count - first, std::int64_t{512}));
-    double* part = b + first * condensed_;
-    for (std::int64_t r = 0; r < columns; ++r)
-      for (std::int64_t k = 0; k < condensed_; ++k)
-        x[at(r * condensed_ + place_[at(k)])] = part[r * condensed_ + k];
-    dtrsm_("L", "L", "N", "N", &n, &columns, &one, trailing_.get(), &n, x.data(), &n);
-    dtrsm_("L", "L", "T", "N", &n, &columns, &one, trailing_.get(), &n, x.data(), &n);
-    for (std::int64_t r = 0; r < columns; ++r)
-      for (std::int64_t k = 0; k < condensed_; ++k)
-        part[r * condensed_ + k] = x[at(r * condensed_ + place_[at(k)])];
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& matrix,
@@ -264,16 +246,3 @@ std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& matrix,
 }
 
 }  // namespace rollcon
-
-#else
-
-namespace rollcon {
-
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& /*matrix*/,
-                                                std::span<const std::int64_t> /*condensed*/) {
-  fail(Status::err_unsupported, "this build of rollcon has no CHOLMOD (ROLLCON_CHOLMOD is OFF)");
-}
-
-}  // namespace rollcon
-
-#endif

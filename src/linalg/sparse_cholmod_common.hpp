@@ -23,7 +23,7 @@ struct CholmodCommon {
 
 /// CHOLMOD's own parallel loops, which only move data, ask for a fixed number of threads whatever
 /// the budget: inside this scope they run on one. The BLAS has threads of its own.
-class SerialLoops {
+class [[maybe_unused]] SerialLoops {
  public:
 #ifdef _OPENMP
   SerialLoops() : levels_(omp_get_max_active_levels()) {

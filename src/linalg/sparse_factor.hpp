@@ -40,6 +40,20 @@ struct SparseStatistics {
   std::size_t bytes = 0, peak_bytes = 0;
 };
 
+enum class CondensedForm : std::int32_t {
+  cholesky = 1,  ///< L of K_cc - K_ci K_ii^-1 K_ic = L L'
+  inverse = 2,   ///< the inverse of that matrix, symmetric
+};
+
+/// The dense matrix that solve_condensed works with, column-major; of L only the lower triangle
+/// counts.
+struct CondensedView {
+  CondensedForm form = CondensedForm::cholesky;
+  std::int64_t unknowns = 0;
+  const double* matrix = nullptr;
+  std::span<const std::int64_t> place;  ///< of L: row of each unknown, in the order given
+};
+
 /// Not to be used by two threads at a time: solves share workspace.
 class SparseFactor {
  public:
@@ -52,6 +66,8 @@ class SparseFactor {
   virtual void solve_condensed(double* b, std::int64_t count) = 0;
   /// Frees all that solve_condensed does not need; solve may not be called any more.
   virtual void keep_condensed() = 0;
+  /// What is kept then, owned by the factor. Only after keep_condensed.
+  virtual CondensedView condensed() const = 0;
   virtual SparseStatistics statistics() const = 0;
 };
 

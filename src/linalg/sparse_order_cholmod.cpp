@@ -1,13 +1,9 @@
-#include "build_info.hpp"
-#include "linalg/sparse_order.hpp"
-
-#if ROLLCON_BUILD_CHOLMOD
-
 #include <new>
 #include <numeric>
 
 #include "linalg/sparse_cholmod_common.hpp"
 #include "linalg/sparse_metis_random.hpp"
+#include "linalg/sparse_order.hpp"
 
 namespace rollcon {
 
@@ -44,5 +40,3 @@ GraphOrder dissect_by_cholmod(const SparseGroups& groups) {
 }
 
 }  // namespace rollcon
-
-#endif

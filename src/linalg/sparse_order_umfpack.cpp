@@ -1,8 +1,3 @@
-#include "build_info.hpp"
-#include "linalg/sparse_order.hpp"
-
-#if ROLLCON_BUILD_UMFPACK
-
 #include <umfpack.h>
 
 #include <algorithm>
@@ -10,6 +5,7 @@
 #include <numeric>
 
 #include "linalg/sparse_metis_random.hpp"
+#include "linalg/sparse_order.hpp"
 
 namespace rollcon {
 
@@ -59,5 +55,3 @@ GraphOrder dissect_by_umfpack(const SparseGroups& groups) {
 }
 
 }  // namespace rollcon
-
-#endif

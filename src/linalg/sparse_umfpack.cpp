@@ -2,32 +2,25 @@
 /// pivots on the diagonal; then the condensed matrix is inverted from the ends of the factors.
 /// Otherwise its inverse is found column by column from full solves.
 
-#include "build_info.hpp"
-#include "linalg/sparse_factor.hpp"
-#include "support/error.hpp"
-
-#if ROLLCON_BUILD_UMFPACK
-
 #include <umfpack.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "linalg/lapack.hpp"
+#include "linalg/condensed_factor.hpp"
 #include "linalg/sparse_checks.hpp"
+#include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_order.hpp"
 #include "linalg/sparse_umfpack_trailing.hpp"
 #include "support/clock.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 namespace {
 
 using Long = SuiteSparse_long;
 static_assert(sizeof(Long) == sizeof(std::int64_t));
-
-/// Right sides multiplied at a time.
-constexpr std::int64_t block = 512;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
@@ -102,6 +95,10 @@ class UmfpackFactor final : public SparseFactor {
   void solve(double* b, std::int64_t count) override;
   void solve_condensed(double* b, std::int64_t count) override;
   void keep_condensed() override;
+  CondensedView condensed() const override {
+    const auto unknowns = static_cast<std::int64_t>(condensed_.size());
+    return {CondensedForm::inverse, unknowns, compliance_.data(), {}};
+  }
   SparseStatistics statistics() const override {
     SparseStatistics now = statistics_;
     now.bytes = (numeric_ ? numeric_bytes_ : 0) + sizeof(double) * compliance_.size() +
@@ -208,19 +205,8 @@ void UmfpackFactor::solve(double* b, std::int64_t count) {
 }
 
 void UmfpackFactor::solve_condensed(double* b, std::int64_t count) {
-  const auto n = static_cast<int>(condensed_.size());
-  if (n == 0) return;
   form_compliance();
-  const auto width = static_cast<std::int64_t>(n);
-  const double one = 1, zero = 0;
-  std::vector<double> right(at(width * std::min(count, block)));
-  for (std::int64_t first = 0; first < count; first += block) {
-    const auto columns = static_cast<int>(std::min(count - first, block));
-    double* part = b + first * width;
-    std::copy_n(part, width * columns, right.data());
-    dgemm_("N", "N", &n, &columns, &n, &one, compliance_.data(), &n, right.data(), &n, &zero, part,
-           &n);
-  }
+  rollcon::solve_condensed(condensed(), b, count);
 }
 
 void UmfpackFactor::solve_units() {
@@ -268,17 +254,3 @@ std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& matrix,
 }
 
 }  // namespace rollcon
-
-#else
-
-namespace rollcon {
-
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& /*matrix*/,
-                                                std::span<const std::int64_t> /*condensed*/,
-                                                int /*threads*/) {
-  fail(Status::err_unsupported, "this build of rollcon has no UMFPACK (ROLLCON_UMFPACK is OFF)");
-}
-
-}  // namespace rollcon
-
-#endif

@@ -1,9 +1,5 @@
 #include "linalg/sparse_umfpack_trailing.hpp"
 
-#include "build_info.hpp"
-
-#if ROLLCON_BUILD_UMFPACK
-
 #include <umfpack.h>
 
 #include <algorithm>
@@ -97,5 +93,3 @@ std::vector<double> invert_trailing(void* numeric, std::int64_t n,
 }
 
 }  // namespace rollcon
-
-#endif

@@ -2,10 +2,13 @@
 /// What a context owns: log sink, thread budget, text of the last failure.
 
 #include <cstdint>
+#include <memory>
 #include <mutex>
 #include <string>
 
 namespace rollcon {
+
+class EqualBodies;
 
 enum class LogLevel : std::int32_t { error = 1, warning = 2, info = 3, debug = 4 };
 
@@ -24,6 +27,14 @@ class Context {
   void set_error(std::string text);
   std::string error() const;
 
+  /// The prepared bodies of this context, kept by weak references (set by the first of them).
+  template <class Make>
+  EqualBodies& bodies(Make make) {
+    const std::lock_guard lock(mutex_);
+    if (!bodies_) bodies_ = make();
+    return *bodies_;
+  }
+
  private:
   mutable std::mutex mutex_;
   std::string error_;
@@ -31,6 +42,7 @@ class Context {
   void* log_user_ = nullptr;
   std::int32_t log_level_ = 0;
   std::int32_t threads_ = 0;
+  std::shared_ptr<EqualBodies> bodies_;
 };
 
 }  // namespace rollcon

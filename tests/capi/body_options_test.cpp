@@ -10,7 +10,7 @@ class body_options : public BodyApi {};
 
 TEST_F(body_options, table_lists_what_new_bodies_have_and_every_number_keeps_its_range) {
   const std::int32_t count = rollcon_body_option_count();
-  ASSERT_EQ(count, 7);
+  ASSERT_EQ(count, 8);
   for (std::int32_t i = 0; i < count; ++i) {
     char name[32];
     std::int32_t type = 0;

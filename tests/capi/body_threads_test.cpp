@@ -11,6 +11,7 @@ class body_threads : public BodyApi {
  protected:
   void SetUp() override {
     BodyApi::SetUp();
+    if (IsSkipped()) return;
     cube = CubeSurface(6);
     set_mesh(body);
     ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);

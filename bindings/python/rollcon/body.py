@@ -1,6 +1,7 @@
 """Bodies."""
 
 import ctypes
+import os
 from ctypes import byref, c_double, c_int64
 
 from . import _api
@@ -25,6 +26,15 @@ class Body(Settings, Handle):
         made = ctypes.c_void_p()
         check(call(lib.rollcon_body_create, context.handle, kind, byref(made)), context)
         super().__init__(made.value, context)
+
+    @classmethod
+    def load(cls, context, path):
+        """A prepared body from a file that save() wrote: nothing is assembled or factorised."""
+        made = ctypes.c_void_p()
+        check(call(lib.rollcon_body_load, context.handle, os.fsencode(path), byref(made)), context)
+        body = cls.__new__(cls)
+        Handle.__init__(body, made.value, context)
+        return body
 
     def set_elastic(self, young, poisson, tag=0):
         """Young's modulus > 0 and Poisson's ratio in (-1, 0.5]: of the finite elements with this
@@ -94,6 +104,10 @@ class Body(Settings, Handle):
         """Checks that the body is complete, factorises its equations and freezes it; a solve does
         it if nobody did."""
         self._call("prepare")
+
+    def save(self, path):
+        """Writes the body, prepared if it was not, to a file; Body.load makes it again."""
+        self._call("save", os.fsencode(path))
 
     # ------------------------------------------------------------------------------- results
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bodies/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
@@ -35,8 +36,8 @@ void require_memory(std::int64_t unknowns) {
 }  // namespace
 
 System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
-               const BodyOptions& options, int threads)
-    : ResponseCache(mesh.surface),
+               const BodyOptions& options, int threads, SectionReader* saved)
+    : ResponseCache(mesh.surface, options.cache_bytes),
       mesh_(mesh),
       fans_(fans),
       shear_(young / (2 * (1 + poisson))),
@@ -57,7 +58,10 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
   const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
   const bool loaded =
       !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), given);
-  if (options.prepare != 0 || loaded) factorize(threads);
+  if (saved)
+    restore(*saved);
+  else if (options.prepare != 0 || loaded)
+    factorize(threads);
   own_solved_ = true;
 }
 
@@ -170,7 +174,17 @@ BodyStatistics System::statistics() const {
   if (const auto equations = equations_.lock())
     s.bytes += equations->dense.capacity() * sizeof(double);
   s.nonzeros = s.unknowns * s.unknowns;
+  count_kept(s);
   return s;
+}
+
+void require_support() {}
+
+std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
+                                               double young, double poisson,
+                                               const BodyOptions& options, int threads,
+                                               SectionReader* saved) {
+  return std::make_unique<System>(mesh, fans, young, poisson, options, threads, saved);
 }
 
 }  // namespace rollcon::bem

@@ -14,16 +14,18 @@ namespace rollcon::bem {
 class System final : public ResponseCache {
  public:
   /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own:
-  /// then the first use does. The mesh (checked, held) and fans must outlive it. Throws
-  /// err_singular and err_memory.
+  /// then the first use does. The mesh (checked, held) and fans must outlive it. saved: takes
+  /// instead what save() wrote for an equal body. Throws err_singular, err_memory and err_io.
   System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
-         const BodyOptions& options, int threads);
+         const BodyOptions& options, int threads, SectionReader* saved);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   std::span<const double> own_traction() const override { return own_traction_; }
   Resultant support_reaction() const override;
   BodyStatistics statistics() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
+  std::int64_t solvable() const override;
+  void save(SectionWriter& file) const override;
 
  private:
   void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
@@ -31,6 +33,9 @@ class System final : public ResponseCache {
   void load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) override;
   void load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) override;
   void factorize(int threads);
+  void restore(SectionReader& file);
+  /// Of the order of unknowns and equations, which factors belong to.
+  std::uint64_t numbering() const;
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given,
                                         std::int32_t& columns) const;

@@ -22,7 +22,4 @@ enum class Hex8 : std::int32_t { enhanced, b_bar };
 void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson, double* k,
                        Hex8 hex8 = Hex8::enhanced);
 
-/// Largest Poisson's ratio for which the element is accurate; beyond it bodies refuse it.
-double largest_poisson(VolumeType type);
-
 }  // namespace rollcon::fem

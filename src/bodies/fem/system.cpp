@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bodies/fem/equations.hpp"
+#include "bodies/mesh_models.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -41,16 +42,10 @@ std::vector<Material> by_element(const BodyMesh& mesh,
 
 }  // namespace
 
-void require_support() {
-  if (ROLLCON_BUILD_CHOLMOD == 0 && ROLLCON_BUILD_UMFPACK == 0)
-    fail(Status::err_unsupported,
-         "kind is 1 (FEM); this build has neither CHOLMOD nor UMFPACK, which finite elements need");
-}
-
 System::System(const BodyMesh& mesh, const TractionNodes& fans,
                const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
-               int threads)
-    : ResponseCache(mesh.surface),
+               int threads, SectionReader* saved)
+    : ResponseCache(mesh.surface, options.cache_bytes),
       mesh_(mesh),
       fans_(fans),
       reference_(largest_modulus(material)),
@@ -63,11 +58,13 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans,
                                                         mesh.held_value.end(), [](const Vec3& v) {
                                                           return v != Vec3{0, 0, 0};
                                                         });
-  std::vector<std::int64_t> contact = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
-  const bool few = static_cast<std::int64_t>(contact.size()) <=
+  contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
+  const bool few = static_cast<std::int64_t>(contact_.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
-  if ((few && options.prepare != 0) || loaded)
-    factorize(few ? std::move(contact) : std::vector<std::int64_t>{}, threads);
+  if (saved)
+    restore(*saved);
+  else if ((few && options.prepare != 0) || loaded)
+    factorize(few ? contact_ : std::vector<std::int64_t>{}, threads);
 }
 
 bool System::by_cholmod() const {
@@ -118,13 +115,19 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   statistics_.condition = s.condition;
   statistics_.condensed = static_cast<std::int64_t>(condensed.size());
   statistics_.peak_bytes = std::max(statistics_.peak_bytes, bytes_of(matrix_) + s.peak_bytes);
+  place_condensed(std::move(condensed));
+  if (own_displacement_.empty()) solve_own_load();
+  factor_->keep_condensed();
+  const bool all_of_contact = std::all_of(
+      contact_.begin(), contact_.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
+  if (options_.keep_factors == 0 || all_of_contact) matrix_ = {};
+}
+
+void System::place_condensed(std::vector<std::int64_t> condensed) {
   condensed_ = std::move(condensed);
   condensed_at_.assign(at(unknowns_.count), -1);
   for (std::size_t k = 0; k < condensed_.size(); ++k)
     condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
-  if (own_displacement_.empty()) solve_own_load();
-  factor_->keep_condensed();
-  if (options_.keep_factors == 0) matrix_ = {};
 }
 
 void System::solve_own_load() {
@@ -232,7 +235,17 @@ BodyStatistics System::statistics() const {
   BodyStatistics s = statistics_;
   s.bytes = bytes_of(matrix_) + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
   if (const auto equations = equations_.lock()) s.bytes += bytes_of(equations->matrix);
+  count_kept(s);
   return s;
+}
+
+void require_support() {}
+
+std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
+                                               const std::map<std::int32_t, Elastic>& material,
+                                               const BodyOptions& options, int threads,
+                                               SectionReader* saved) {
+  return std::make_unique<System>(mesh, fans, material, options, threads, saved);
 }
 
 }  // namespace rollcon::fem

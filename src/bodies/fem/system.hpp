@@ -15,22 +15,23 @@
 
 namespace rollcon::fem {
 
-/// Throws err_unsupported when this build has no sparse factorisation.
-void require_support();
-
 class System final : public ResponseCache {
  public:
   /// Assembles and factorises at once when the contact faces are few (and option prepare is 1) or
   /// the body has loads of its own: else the first frame says what to condense to. The mesh
-  /// (checked, held) and its fans (of the smooth surface) must outlive it. Throws err_singular,
-  /// err_memory and err_unsupported.
+  /// (checked, held) and its fans (of the smooth surface) must outlive it. saved: takes instead
+  /// what save() wrote for an equal body. Throws err_singular, err_memory, err_unsupported and
+  /// err_io.
   System(const BodyMesh& mesh, const TractionNodes& fans,
-         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options, int threads);
+         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options, int threads,
+         SectionReader* saved);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   Resultant support_reaction() const override { return reaction_; }
   BodyStatistics statistics() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
+  std::int64_t solvable() const override;
+  void save(SectionWriter& file) const override;
 
  private:
   void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
@@ -44,6 +45,11 @@ class System final : public ResponseCache {
   bool by_cholmod() const;
   void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
+  void place_condensed(std::vector<std::int64_t> condensed);
+  void restore(SectionReader& file);
+  void restore_factor(SectionReader& file);
+  /// Of the order of unknowns, which factors belong to.
+  std::uint64_t numbering() const;
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
   void solve_own_load();
@@ -65,11 +71,13 @@ class System final : public ResponseCache {
   std::vector<double> own_displacement_;
   Resultant reaction_;
 
-  SparseSymmetric matrix_;  ///< empty until needed, and once freed
+  /// Empty until needed, once freed, and once all that contact may need is condensed.
+  SparseSymmetric matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::unique_ptr<SparseFactor> factor_;
   std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
   std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none
+  std::vector<std::int64_t> contact_;       ///< unknowns that contact may need
   BodyStatistics statistics_;
 };
 

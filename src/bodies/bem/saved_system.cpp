@@ -1,0 +1,88 @@
+/// A boundary-element body's equations to and from a file.
+
+#include "bodies/archive.hpp"
+#include "bodies/bem/system.hpp"
+
+namespace rollcon::bem {
+namespace {
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+}  // namespace
+
+std::uint64_t System::numbering() const {
+  Checksum sum;
+  const auto add = [&](const auto& values) {
+    sum.add(values.data(), values.size() * sizeof values[0]);
+  };
+  add(unknowns_.displacement);
+  add(unknowns_.traction);
+  add(unknowns_.row);
+  add(fans_.of);
+  for (const CollocationPoint& point : unknowns_.point) {
+    add(point.x);
+    add(std::array{point.node, point.element});
+  }
+  return sum.value();
+}
+
+std::int64_t System::solvable() const {
+  const std::lock_guard lock(mutex_);
+  return matrix_.factored() ? unknowns_.columns : 0;
+}
+
+void System::save(SectionWriter& file) const {
+  const std::lock_guard lock(mutex_);
+  OutArchive ar(file);
+  file.begin("response");
+  ar(matrix_.factored() ? unknowns_.columns : std::int64_t{0});
+  ar(numbering());
+  ar(statistics_.condition);
+  ar(own_displacement_);
+  ar(own_traction_);
+  if (matrix_.factored()) {
+    file.begin("factors");
+    const auto pivots = matrix_.pivots();
+    ar(matrix_.size());
+    file.write(pivots.data(), pivots.size_bytes());
+    file.write(matrix_.factors().data(), matrix_.factors().size_bytes());
+  }
+  save_kept(file);
+}
+
+void System::restore(SectionReader& file) {
+  InArchive ar(file);
+  file.begin("response");
+  std::int64_t solvable = 0;
+  std::uint64_t numbers = 0;
+  ar(solvable);
+  ar(numbers);
+  ar(statistics_.condition);
+  ar(own_displacement_);
+  ar(own_traction_);
+  file.end();
+  if (numbers != numbering())
+    file.fail_here("this library numbers the unknowns of the body differently: save it again");
+  const std::size_t u = own_displacement_.size(), t = own_traction_.size();
+  if ((u != 0 || t != 0) && (u != unknowns_.displacement.size() || t != unknowns_.traction.size()))
+    file.fail_here("the displacements under loads do not fit the mesh");
+  if (solvable > 0) {
+    file.begin("factors");
+    const std::int64_t n = unknowns_.columns;
+    std::int64_t size = 0;
+    ar(size);
+    const std::uint64_t need = at(n) * sizeof(std::int32_t) + at(n) * at(n) * sizeof(double);
+    if (size != n || file.left() != need) file.fail_here("the factors do not fit the unknowns");
+    std::vector<std::int32_t> pivot(at(n));
+    file.read(pivot.data(), pivot.size() * sizeof pivot[0]);
+    file.read(matrix_.prepare(n), at(n) * at(n) * sizeof(double));
+    file.end();
+    if (!matrix_.restore(pivot, statistics_.condition)) file.fail_here("the pivots are none");
+  }
+  add_kept(file);
+  statistics_.peak_bytes = matrix_.bytes() + kept_bytes();
+}
+
+}  // namespace rollcon::bem

@@ -1,0 +1,228 @@
+/// What a body was given: digested, written, read and checked.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bodies/archive.hpp"
+#include "bodies/body_model.hpp"
+#include "bodies/body_options.hpp"
+#include "mesh/volume_shape.hpp"
+#include "support/error.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Bytes that an entry of a list takes at least.
+constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 36,
+                      least_face = 12;
+
+template <class Archive, class Model>
+void materials(Archive& ar, Model& model) {
+  std::vector<std::pair<std::int32_t, Elastic>> all(model.material.begin(), model.material.end());
+  ar.list(all, least_material, [](auto& a, auto& entry) {
+    a(entry.first);
+    a(entry.second.young);
+    a(entry.second.poisson);
+  });
+  if constexpr (Archive::reads) model.material = {all.begin(), all.end()};
+}
+
+struct NamedValue {
+  std::string name;
+  SettingType type = SettingType::integer;
+  std::int64_t integer = 0;
+  double real = 0;
+};
+
+// By name: a later library may have more of them.
+template <class Archive, class Model>
+void options(Archive& ar, Model& model) {
+  const auto& table = body_option_table();
+  std::vector<NamedValue> all;
+  if constexpr (!Archive::reads)
+    for (const Setting& s : table.settings()) {
+      const bool integer = s.type == SettingType::integer;
+      all.push_back({s.name, s.type, integer ? table.get_int(model.options, s.name) : 0,
+                     integer ? 0 : table.get_real(model.options, s.name)});
+    }
+  ar.list(all, least_option, [](auto& a, auto& value) {
+    a(value.name);
+    a(value.type);
+    a(value.integer);
+    a(value.real);
+  });
+  if constexpr (Archive::reads)
+    for (const NamedValue& value : all) {
+      if (value.type == SettingType::integer)
+        table.set_int(model.options, value.name.c_str(), value.integer);
+      else
+        table.set_real(model.options, value.name.c_str(), value.real);
+    }
+}
+
+template <class Archive, class Mesh>
+void mesh_content(Archive& ar, Mesh& mesh, bool volume) {
+  ar(mesh.surface.index_base);
+  ar(mesh.surface.node);
+  if (!volume) {  // that of a volume is made of it
+    ar(mesh.surface.type);
+    ar(mesh.surface.tag);
+    ar(mesh.surface.connectivity);
+  }
+  ar(mesh.volume.type);
+  ar(mesh.volume.tag);
+  ar(mesh.volume.connectivity);
+  ar.list(mesh.naming, least_naming, [](auto& a, auto& naming) {
+    a(naming.tag);
+    a.list(naming.face, least_face, [](auto& b, auto& face) {
+      b(face.element);
+      b(face.side);
+    });
+    a(naming.nodes);
+    a(naming.connectivity);
+    a(naming.type);
+  });
+  ar(mesh.held);
+  ar(mesh.held_value);
+  ar.list(mesh.load, least_load, [](auto& a, auto& load) {
+    a(load.tag);
+    a(load.traction);
+    a(load.pressure);
+  });
+  ar(mesh.contact_tag);
+}
+
+template <class Archive, class Model>
+void content(Archive& ar, Model& model) {
+  ar(model.kind);
+  materials(ar, model);
+  options(ar, model);
+  mesh_content(ar, model.mesh, model.kind == BodyKind::fem);
+}
+
+void require(bool good, const char* what) {
+  if (!good) fail(Status::err_mesh, "%s", what);
+}
+
+template <class Type>
+std::vector<std::int64_t> offsets(const std::vector<Type>& types,
+                                  const std::vector<std::int32_t>& tags,
+                                  const std::vector<std::int32_t>& connectivity) {
+  std::vector<std::int64_t> offset{0};
+  for (const Type type : types) {
+    require(node_count(type) > 0, "an element's type is unknown");
+    offset.push_back(offset.back() + node_count(type));
+  }
+  require(
+      tags.size() == types.size() && static_cast<std::size_t>(offset.back()) == connectivity.size(),
+      "counts of elements, tags and nodes do not match");
+  return offset;
+}
+
+void require_ids(const std::vector<std::int32_t>& id, std::int64_t count) {
+  require(std::all_of(id.begin(), id.end(), [&](std::int32_t k) { return k >= 0 && k < count; }),
+          "the id of a node is out of range");
+}
+
+void require_all_finite(const std::vector<Vec3>& vectors) {
+  for (const Vec3& v : vectors)
+    for (const double x : v) require(std::isfinite(x), "a number is not finite");
+}
+
+void check_naming(const FaceNaming& naming, const BodyMesh& mesh) {
+  for (const BoundaryFace& face : naming.face) {
+    require(face.element >= 0 && face.element < mesh.volume.elements(),
+            "a tagged face belongs to no element");
+    const auto sides = faces_of(mesh.volume.type[static_cast<std::size_t>(face.element)]).size();
+    require(face.side >= 0 && static_cast<std::size_t>(face.side) < sides,
+            "an element has no such face");
+  }
+  require_ids(naming.nodes, mesh.surface.nodes());
+  require_ids(naming.connectivity, mesh.surface.nodes());
+  if (naming.connectivity.empty()) return;
+  const int width = node_count(naming.type);
+  require(width > 0 && naming.connectivity.size() % static_cast<std::size_t>(width) == 0,
+          "a surface element is incomplete");
+}
+
+void check_materials(BodyModel& model) {
+  const auto kind = static_cast<std::int32_t>(model.kind);
+  require(kind >= 1 && kind <= 4, "the kind of body is unknown");
+  require(model.kind != BodyKind::rigid || model.material.empty(), "a rigid body has a material");
+  for (const auto& [tag, elastic] : model.material) {
+    require_elastic_constants(elastic.young, elastic.poisson);
+    require(model.kind == BodyKind::fem || tag == 0, "a body of one material has several");
+    model.contact_material = elastic;
+  }
+}
+
+// What setters check when a caller gives it.
+void check_mesh(BodyModel& model) {
+  BodyMesh& mesh = model.mesh;
+  const std::int64_t nodes = mesh.surface.nodes();
+  require(model.kind != BodyKind::halfspace || nodes == 0, "a half-space has nodes");
+  require(model.kind == BodyKind::fem || (mesh.volume.type.empty() && mesh.naming.empty()),
+          "a body without volume has volume elements");
+  require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1,
+          "the index base is neither 0 nor 1");
+  if (model.kind != BodyKind::fem)
+    mesh.surface.offset = offsets(mesh.surface.type, mesh.surface.tag, mesh.surface.connectivity);
+  mesh.volume.offset = offsets(mesh.volume.type, mesh.volume.tag, mesh.volume.connectivity);
+  require_ids(mesh.surface.connectivity, nodes);
+  require_ids(mesh.volume.connectivity, nodes);
+  for (const FaceNaming& naming : mesh.naming) check_naming(naming, mesh);
+  require(
+      mesh.held.size() == mesh.surface.node.size() && mesh.held_value.size() == mesh.held.size(),
+      "counts of nodes and supports do not match");
+  for (const std::uint8_t held : mesh.held) require(held <= 7, "a support holds no such component");
+  require_all_finite(mesh.surface.node);
+  require_all_finite(mesh.held_value);
+  for (const FaceLoad& load : mesh.load) {
+    require_all_finite({load.traction});
+    require(std::isfinite(load.pressure), "a number is not finite");
+  }
+}
+
+}  // namespace
+
+void require_elastic_constants(double young, double poisson) {
+  require_finite(young, "young");
+  require_finite(poisson, "poisson");
+  // Beyond these, squares of stiffnesses and compliances would leave the range of doubles.
+  constexpr double least = 1e-60, most = 1e60;
+  if (!(young >= least && young <= most))
+    fail(Status::err_argument, "young is %g; allowed: > 0, from %g to %g", young, least, most);
+  if (!(poisson > -1 && poisson <= 0.5))
+    fail(Status::err_argument, "poisson is %g; allowed: -1 < poisson <= 0.5", poisson);
+}
+
+ContentDigest digest_of(const BodyModel& model) {
+  Digest digest;
+  OutArchive ar(digest);
+  content(ar, model);
+  return digest.value();
+}
+
+void write_content(const BodyModel& model, SectionWriter& file) {
+  file.begin("body");
+  OutArchive ar(file);
+  content(ar, model);
+}
+
+void read_content(SectionReader& file, BodyModel& model) {
+  file.begin("body");
+  InArchive ar(file);
+  try {
+    content(ar, model);
+    file.end();
+    check_materials(model);
+    check_mesh(model);
+  } catch (const Error& e) {
+    if (e.status() == Status::err_io) throw;
+    file.fail_here(e.what());
+  }
+}
+
+}  // namespace rollcon

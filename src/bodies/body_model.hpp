@@ -1,0 +1,51 @@
+#pragma once
+/// What a body is made of and what preparing it made of that. Bodies of equal content share one.
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <utility>
+
+#include "bodies/body_mesh.hpp"
+#include "bodies/surface_response.hpp"
+#include "mesh/surface_search.hpp"
+#include "mesh/traction_nodes.hpp"
+
+namespace rollcon {
+
+class SectionReader;
+class SectionWriter;
+
+enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4 };
+
+struct BodyModel {
+  BodyKind kind = BodyKind::rigid;
+  std::map<std::int32_t, Elastic> material;  ///< by tag; of one material: tag 0
+  BodyMesh mesh;
+  BodyOptions options;  ///< those it was prepared with
+
+  // Made by preparing it; frozen from then on.
+  Elastic contact_material;  ///< of most of the contact faces; before: as given last
+  TractionNodes traction_nodes, smooth_fans;
+  std::unique_ptr<SurfaceSearch> search;
+  std::unique_ptr<SurfaceResponse> response;  ///< safe for several threads
+};
+
+/// Young's modulus and Poisson's ratio that every model takes; err_argument, err_nonfinite.
+void require_elastic_constants(double young, double poisson);
+
+/// Checks the mesh, and assembles and factorises what is known to be needed; with `saved`, takes
+/// instead what a file has of the equations. Throws what Body::prepare does.
+void prepare_model(BodyModel& model, int threads, SectionReader* saved);
+
+using ContentDigest = std::pair<std::uint64_t, std::uint64_t>;
+
+/// Of all that was given: kind, materials, mesh, supports, loads, contact faces, options.
+ContentDigest digest_of(const BodyModel& model);
+
+/// The same to and from section "body" of a file. Reading throws err_io for what cannot be: nothing
+/// of it is then used. (Shapes of elements are checked by preparing, as always.)
+void write_content(const BodyModel& model, SectionWriter& file);
+void read_content(SectionReader& file, BodyModel& model);
+
+}  // namespace rollcon

@@ -1,0 +1,34 @@
+#include "bodies/equal_bodies.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace rollcon {
+
+std::shared_ptr<EqualBodies::Slot> EqualBodies::slot_of(const BodyModel& model) {
+  const ContentDigest digest = digest_of(model);
+  const std::lock_guard lock(mutex_);
+  if (slot_.size() >= clean_at_) {
+    // Slots that threads hold are in use: their models may not be there yet.
+    std::erase_if(slot_, [](const auto& entry) {
+      return entry.second.use_count() == 1 && entry.second->model.expired();
+    });
+    clean_at_ = std::max(clean_at_, 2 * slot_.size());
+  }
+  std::shared_ptr<Slot>& slot = slot_[digest];
+  if (!slot) slot = std::make_shared<Slot>();
+  return slot;
+}
+
+std::shared_ptr<BodyModel> EqualBodies::share(std::shared_ptr<BodyModel> model,
+                                              const std::function<void(BodyModel&)>& make,
+                                              const std::function<bool(const BodyModel&)>& serves) {
+  const std::shared_ptr<Slot> slot = slot_of(*model);
+  const std::lock_guard lock(slot->turn);
+  if (auto known = slot->model.lock(); known && serves(*known)) return known;
+  make(*model);
+  slot->model = model;
+  return model;
+}
+
+}  // namespace rollcon
