@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
+#include <mutex>
 #include <numbers>
 #include <vector>
 
@@ -39,24 +40,23 @@ struct Workspace {
 class HalfspaceCompliance final : public Compliance {
  public:
   HalfspaceCompliance(const Frame& frame, HalfspaceConstants c, double tolerance, int threads)
-      : nodes_(frame.nodes()), c_(c), tolerance_(tolerance), threads_(std::max(1, threads)) {
-    std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
-    for (std::int64_t e = 0; e < frame.elements(); ++e) {
-      const ElementShape shape = element_shape(frame, e);
-      kinds[{shape.type, shape.map}].push_back(e);
-    }
-    for (auto& [kind, elements] : kinds) {
-      groups_.emplace_back(frame, std::move(elements), kind.first, kind.second);
-      largest_group_ = std::max(largest_group_, groups_.back().size());
-    }
-  }
+      : frame_(frame),
+        nodes_(frame.nodes()),
+        c_(c),
+        tolerance_(tolerance),
+        threads_(std::max(1, threads)) {}
 
   void set_threads(int threads) override { threads_ = std::max(1, threads); }
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
+  bool halfspace(HalfspaceConstants& sum) const override {
+    sum = c_;
+    return true;
+  }
   std::int64_t kernel_evaluations() const override { return evaluations_.load(); }
   std::size_t bytes() const override {
     std::size_t sum = sizeof *this;
+    if (!grouped_.load()) return sum;
     for (const FarGroup& group : groups_) sum += group.bytes();
     return sum;
   }
@@ -76,6 +76,7 @@ class HalfspaceCompliance final : public Compliance {
   void add_near(const double* integral, int terms, const std::int32_t* node, int nodes,
                 const double* traction, double* u) const;
   void write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const;
+  void require_groups() const;
   bool rigid() const { return c_.cn == 0 && c_.cv == 0 && c_.ck == 0; }
   /// The tolerance of one element's integrals, a length.
   double element_tolerance(double px, double py) const {
@@ -84,18 +85,39 @@ class HalfspaceCompliance final : public Compliance {
     return element_share * tolerance_ * scale;
   }
 
+  const Frame& frame_;
   std::int64_t nodes_;
   HalfspaceConstants c_;
   double tolerance_;
   int threads_;
-  std::vector<FarGroup> groups_;
-  std::int64_t largest_group_ = 0;
+  mutable std::once_flag grouping_;
+  mutable std::atomic<bool> grouped_{false};
+  mutable std::vector<FarGroup> groups_;
+  mutable std::int64_t largest_group_ = 0;
   mutable std::atomic<std::int64_t> evaluations_{0};
 };
+
+// Some kilobytes per element that regular frames never ask for.
+void HalfspaceCompliance::require_groups() const {
+  std::call_once(grouping_, [this] {
+    groups_.clear();  // of an attempt that ran out of memory
+    std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
+    for (std::int64_t e = 0; e < frame_.elements(); ++e) {
+      const ElementShape shape = element_shape(frame_, e);
+      kinds[{shape.type, shape.map}].push_back(e);
+    }
+    for (auto& [kind, elements] : kinds) {
+      groups_.emplace_back(frame_, std::move(elements), kind.first, kind.second);
+      largest_group_ = std::max(largest_group_, groups_.back().size());
+    }
+    grouped_.store(true);
+  });
+}
 
 template <class Work>
 void HalfspaceCompliance::for_each(std::size_t points, std::size_t row_size,
                                    const Work& work) const {
+  require_groups();
   const int threads =
       static_cast<int>(std::clamp<std::size_t>(points, 1, static_cast<std::size_t>(threads_)));
   std::vector<Workspace> workspaces(static_cast<std::size_t>(threads));
@@ -238,6 +260,7 @@ void HalfspaceCompliance::apply(Points points, const double* traction, double* d
     std::fill_n(displacement, 3 * points.size(), 0.0);
     return;
   }
+  require_groups();
   std::vector<FarGroup::Forces> forces;
   std::vector<std::vector<std::uint8_t>> loaded;
   for (const FarGroup& group : groups_) {

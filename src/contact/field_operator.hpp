@@ -1,0 +1,43 @@
+#pragma once
+/// Operators of a contact that are applied to whole fields and never formed.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "linalg/gmres.hpp"
+
+namespace rollcon {
+
+class ReducedSystem;
+
+/// Approximate inverse of a system on active nodes whose operators are not formed.
+class FieldPreconditioner : public LinearOperator {
+ public:
+  /// Brings it up to date with the system's nodes, laws and borders.
+  virtual void take(const ReducedSystem& system) = 0;
+  virtual std::size_t bytes() const = 0;
+};
+
+class FieldOperator {
+ public:
+  virtual ~FieldOperator() = default;
+  /// image[r] (r = 0, 1: convective slip per unit rolling speed, D (A lambda)_t; 2: normal
+  /// displacement (A lambda)_n) at all nodes of the frame, of tractions lambda[c] at all nodes.
+  /// Null lambda: zero. Null image: not wanted.
+  virtual void apply(const double* const (&lambda)[3], double* const (&image)[3]) = 0;
+  /// Entry of an interior node's own row r and column c.
+  virtual double entry(int r, int c) const = 0;
+  /// 2-norm of the tangential columns of slip row r of a node amid the others.
+  virtual double row_norm(int r) const = 0;
+  virtual bool couples() const = 0;
+  /// Null: none of its own.
+  virtual std::unique_ptr<FieldPreconditioner> make_preconditioner() const { return nullptr; }
+  /// The same operator with a workspace of its own, for another thread.
+  virtual std::unique_ptr<FieldOperator> clone() const = 0;
+  virtual std::size_t bytes() const = 0;
+  /// Calls of apply() so far.
+  virtual std::int64_t applications() const = 0;
+};
+
+}  // namespace rollcon

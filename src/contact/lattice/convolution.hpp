@@ -1,0 +1,72 @@
+#pragma once
+/// Convolution of nodal fields on a lattice with the operators' entries, by FFT. Sources are the
+/// nodes off the rim, targets all nodes.
+
+#include <complex>
+#include <cstdint>
+#include <vector>
+
+#include "contact/lattice/lattice_entries.hpp"
+#include "contact/lattice/spectrum_product.hpp"
+#include "linalg/fft.hpp"
+#include "mesh/lattice.hpp"
+
+namespace rollcon {
+
+/// T: precision of the transforms and of the stored spectra. Immutable, to be shared by threads;
+/// the lattice must outlive it.
+template <class T>
+class Convolution {
+ public:
+  Convolution(const Lattice& lattice, const LatticeEntries& entries);
+
+  /// What one thread needs.
+  class Workspace {
+   public:
+    explicit Workspace(const Convolution& owner);
+    std::size_t bytes() const;
+
+   private:
+    friend class Convolution;
+    AlignedArray<T> row;                   ///< one padded row
+    AlignedArray<std::complex<T>> waves;   ///< and its transform
+    AlignedArray<std::complex<T>> half;    ///< [component][block of kx][iy][kx]: rows transformed
+    AlignedArray<std::complex<T>> column;  ///< [component][kx of a block][ky]
+    AlignedArray<std::complex<T>> sum;     ///< [kx of a block][ky]
+    std::vector<std::uint8_t> loaded[3];   ///< rows with any source
+  };
+
+  /// image[r], at all nodes, = sum over c of the entries times lambda[c] at the nodes off the rim;
+  /// both in the frame's numbering. Null lambda: zero. Null image: not wanted.
+  void apply(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const;
+
+  std::size_t bytes() const;
+
+ private:
+  using Complex = std::complex<T>;
+  static constexpr std::int64_t block = 8;  ///< columns transformed together
+  /// Where block k of component c begins in Workspace::half.
+  std::int64_t tile(int c, std::int64_t k) const { return (c * blocks_ + k) * lattice_.ny * block; }
+  void fill_rows(const LatticeEntries& entries);
+  void transform_spectra();
+  void transform_rows(int c, const double* lambda, Workspace& w) const;
+  void convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3],
+                        Workspace& w) const;
+  bool multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields,
+                Complex* sum) const;
+
+  const Lattice& lattice_;
+  std::int64_t px_, py_;  ///< padded lengths
+  std::int64_t columns_;  ///< px / 2 + 1
+  bool mirrored_;         ///< spectra at -ky are those at ky up to the sign: half of them is kept
+  std::int64_t kept_;     ///< values of ky kept
+  std::int64_t blocks_, column_stride_, kept_stride_;
+  RealFft<T> along_;
+  ComplexFft<T> across_;
+  SpectrumProducts<T> products_;
+  EntryKinds kinds_;
+  std::vector<int> mirror_;                      ///< of each kind: sign at -ky
+  std::vector<AlignedArray<Complex>> spectrum_;  ///< of each kind: [kx][ky], times 1 / (px py)
+};
+
+}  // namespace rollcon

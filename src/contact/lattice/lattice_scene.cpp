@@ -1,0 +1,190 @@
+#include "contact/lattice/lattice_scene.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "contact/lattice/lattice_dense.hpp"
+#include "contact/lattice/lattice_operator.hpp"
+#include "contact/lattice/lattice_preconditioner.hpp"
+#include "contact/lattice/nested_start.hpp"
+#include "linalg/fft.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+// From so many nodes on FFT is faster, warm as well as cold (bench case `lattice`).
+constexpr std::int64_t fft_from = 600;
+
+// Why operators cannot be applied by FFT; null: they can.
+const char* obstacle(const SolverState& s) {
+  if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
+  HalfspaceConstants c;
+  if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
+  if (!s.lattice) return "the frame is not a regular grid of quad4 elements";
+  if (s.procedure.monolithic) return "system is monolithic";
+  if (!s.procedure.standard()) return "jacobian is not 'exact'";
+  if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
+  return nullptr;
+}
+
+// With the preconditioner that suits it.
+class SolvableLatticeOperator final : public LatticeOperator {
+ public:
+  using LatticeOperator::LatticeOperator;
+  std::unique_ptr<FieldOperator> clone() const override {
+    return std::make_unique<SolvableLatticeOperator>(*this);
+  }
+  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override {
+    return make_lattice_preconditioner(lattice(), constants());
+  }
+};
+
+// op: stencils of the scheme, whose rows are taken over.
+void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
+  HalfspaceConstants c;
+  s.compliance->halfspace(c);
+  const double delta =
+      op.upstream.empty() ? 0 : s.characteristic_step * lattice.spacing_along_flow();
+  op.field = std::make_shared<SolvableLatticeOperator>(lattice, c, delta, op.convection);
+  op.nodes = lattice.nodes();
+  op.coupled = op.field->couples();
+  op.normal = true;
+  op.tangential = !s.frictionless;
+}
+
+// Rows of another kind are of no use any more.
+void forget_rows(SolverState& s) {
+  ContactOperators& op = s.problem.op;
+  for (auto& row : op.block)
+    for (auto& block : row) block.release();
+  op.normal = op.tangential = op.coupling_vanished = false;
+  op.there.clear();
+  op.rows = 0;
+  s.newton.operators_changed();
+  s.step_system.reset();
+}
+
+void release_field(SolverState& s) {
+  if (!s.problem.op.field) return;
+  s.problem.op.field.reset();
+  forget_rows(s);
+}
+
+void choose_table(SolverState& s, bool wanted, bool asked) {
+  HalfspaceConstants c;
+  const bool can =
+      s.lattice && s.lattice->nx > 2 && s.lattice->ny > 2 && s.compliance->halfspace(c);
+  if (asked && !can)
+    fail(Status::err_unsupported, "option operators is 'table' but %s",
+         s.lattice ? "the bodies are not half-spaces alone, or the grid has no inner node"
+                   : "the frame is not a regular grid of quad4 elements");
+  if (s.table == (wanted && can)) return;
+  s.table = wanted && can;
+  if (s.problem.op.normal && !s.problem.op.field) forget_rows(s);
+}
+
+LatticeScene scene_of(const SolverState& s, std::function<bool()> cancelled) {
+  const auto make = [&s](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
+    prepare_convection(frame, Scheme::characteristic, s.characteristic_step, op);
+    fill_operators(s, lattice, op);
+  };
+  return {s.frame, *s.lattice, make, std::move(cancelled)};
+}
+
+}  // namespace
+
+void build_lattice_operators(SolverState& s, const Options& options) {
+  if (!s.lattice_known) {
+    s.lattice = s.frame.curved() ? std::nullopt : find_lattice(s.frame);
+    s.lattice_known = true;
+  }
+  const char* why_not = obstacle(s);
+  const bool asked = options.operators == "fft";
+  if (asked && why_not) fail(Status::err_unsupported, "option operators is 'fft' but %s", why_not);
+  const bool any = options.operators == "auto";
+  const bool fft = !why_not && (asked || (any && s.frame.nodes() >= fft_from));
+  choose_table(s, !fft && (any || options.operators == "table"), options.operators == "table");
+  if (!fft) return release_field(s);
+  ContactOperators& op = s.problem.op;
+  if (op.field && (op.tangential || s.frictionless)) return;
+  const Stopwatch watch(s.timings.compliance);
+  for (auto& row : op.block)
+    for (auto& block : row) block.release();
+  op.there.clear();
+  op.rows = s.frame.nodes();
+  fill_operators(s, *s.lattice, op);
+  s.iterate.invalidate();
+  s.normal_scale = 0;  // scales follow the operators
+  s.newton.operators_changed();
+  s.step_system.reset();
+}
+
+bool fill_from_table(SolverState& s) {
+  if (!s.table) return false;
+  HalfspaceConstants c;
+  s.compliance->halfspace(c);
+  ContactOperators& op = s.problem.op;
+  fill_lattice_operators(*s.lattice, c, !s.frictionless || op.tangential, op);
+  op.normal = true;
+  op.tangential = op.tangential || !s.frictionless;
+  op.rows = op.nodes;
+  op.there.clear();
+  return true;
+}
+
+void start_on_lattice(SolverState& s, const Monitor& monitor) {
+  if (!s.problem.op.field) return;
+  const std::vector<double>& pressure = s.iterate.lambda[2];
+  if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
+  const LatticeScene scene = scene_of(s, [&] { return monitor.cancelled(); });
+  start_from_coarser(s.problem, scene, s.frictionless, start_tolerance, s.iterate);
+}
+
+bool solve_on_coarser_lattice(const SolverState& s, double tolerance, Iterate& iterate) {
+  Problem p = s.problem;
+  p.by_force = {};
+  p.value = s.iterate.motion;
+  iterate.resize(p.nodes);
+  iterate.motion = s.iterate.motion;
+  return start_from_coarser(p, scene_of(s, [] { return false; }), s.frictionless, tolerance,
+                            iterate);
+}
+
+bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
+  HalfspaceConstants c;
+  if (!body.halfspace(c)) return false;
+  const std::size_t n = s.lattice->node.size();
+  SparseRows same;  // rows of an upwind scheme that leave displacements as they are
+  for (std::size_t k = 0; k <= n; ++k) same.start.push_back(static_cast<std::int64_t>(k));
+  for (std::size_t k = 0; k < n; ++k) same.column.push_back(static_cast<std::int32_t>(k));
+  same.value.assign(n, 1.0);
+  LatticeOperator displacements(*s.lattice, c, 0, std::move(same));
+  std::vector<double> part[3];
+  for (auto& v : part) v.resize(n);
+  const auto& l = s.iterate.lambda;
+  displacements.apply({l[0].data(), l[1].data(), l[2].data()},
+                      {part[0].data(), part[1].data(), part[2].data()});
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < 3; ++i) u[3 * k + i] = part[i][k];
+  return true;
+}
+
+std::string describe_lattice(const SolverState& s) {
+  if (s.table)
+    return "operators: rows of a regular grid, copied from a table of one node's influence: no "
+           "integrals";
+  if (!s.problem.op.field) return {};
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
+      "matrices; %.1f MB, applied %lld time(s)",
+      static_cast<long long>(s.lattice->nx), static_cast<long long>(s.lattice->ny),
+      static_cast<double>(s.problem.op.field->bytes()) / 1e6,
+      static_cast<long long>(s.problem.op.field->applications()));
+  return text;
+}
+
+}  // namespace rollcon

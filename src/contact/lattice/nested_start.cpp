@@ -1,0 +1,136 @@
+#include "contact/lattice/nested_start.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/friction/coulomb.hpp"
+
+namespace rollcon {
+namespace {
+
+// Below this many nodes along a side a lattice is solved from nothing.
+constexpr std::int64_t coarsest = 12;
+constexpr std::int64_t coarse_iterations = 60;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Every second node; on an even number of nodes the last one has no coarse neighbour.
+struct Coarser {
+  Lattice lattice;
+  Frame frame;
+  std::vector<std::int32_t> fine;  ///< coarse node -> node of the finer frame
+};
+
+Coarser coarsen(const Frame& frame, const Lattice& lattice) {
+  Coarser c;
+  const std::int64_t nx = (lattice.nx + 1) / 2, ny = (lattice.ny + 1) / 2;
+  SurfaceMesh mesh;
+  mesh.offset.push_back(0);
+  for (std::int64_t j = 0; j < ny; ++j)
+    for (std::int64_t i = 0; i < nx; ++i) {
+      const std::int32_t k = lattice.node[at(2 * j * lattice.nx + 2 * i)];
+      c.fine.push_back(k);
+      mesh.node.push_back(frame.mesh.node[at(k)]);
+    }
+  for (std::int64_t j = 0; j + 1 < ny; ++j)
+    for (std::int64_t i = 0; i + 1 < nx; ++i) {
+      const auto corner = static_cast<std::int32_t>(j * nx + i);
+      const auto row = static_cast<std::int32_t>(nx);
+      for (const std::int32_t k : {corner, corner + 1, corner + 1 + row, corner + row})
+        mesh.connectivity.push_back(k);
+      mesh.type.push_back(ElementType::quad4);
+      mesh.tag.push_back(0);
+      mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+    }
+  c.frame = build_frame(std::move(mesh), frame.axes);
+  c.lattice = lattice;
+  c.lattice.nx = nx;
+  c.lattice.ny = ny;
+  c.lattice.dx *= 2;
+  c.lattice.dy *= 2;
+  c.lattice.node.resize(at(nx * ny));
+  for (std::size_t k = 0; k < c.lattice.node.size(); ++k)
+    c.lattice.node[k] = static_cast<std::int32_t>(k);
+  return c;
+}
+
+Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coarser& c,
+                        bool frictionless) {
+  Problem q;
+  take_frame(q, c.frame);
+  scene.make_operators(c.frame, c.lattice, q.op);
+  set_scales(q, 1, 1);
+  const auto sample = [&](const std::vector<double>& from, std::vector<double>& to) {
+    if (from.empty()) return;
+    to.resize(c.fine.size());
+    for (std::size_t k = 0; k < to.size(); ++k) to[k] = from[at(c.fine[k])];
+  };
+  sample(p.gap, q.gap);
+  sample(p.mu, q.mu);
+  sample(p.slip1, q.slip1);
+  sample(p.slip2, q.slip2);
+  q.by_force = p.by_force;
+  q.value = p.value;
+  q.stiffness = p.stiffness;
+  if (frictionless) q.by_force[xi1] = q.by_force[xi2] = q.by_force[spin] = false;
+  return q;
+}
+
+/// Bilinear from every second node; none beyond the last.
+void interpolate(const Lattice& coarse, const std::vector<double>& from, const Lattice& fine,
+                 std::vector<double>& to) {
+  const auto value = [&](std::int64_t i, std::int64_t j) {
+    return i < coarse.nx && j < coarse.ny ? from[at(j * coarse.nx + i)] : 0.0;
+  };
+  for (std::int64_t j = 0; j < fine.ny; ++j)
+    for (std::int64_t i = 0; i < fine.nx; ++i) {
+      const std::int64_t a = i / 2, b = j / 2, c = (i + 1) / 2, d = (j + 1) / 2;
+      to[at(fine.node[at(j * fine.nx + i)])] =
+          0.25 * (value(a, b) + value(c, b) + value(a, d) + value(c, d));
+    }
+}
+
+class Quiet final : public Monitor {
+ public:
+  explicit Quiet(const std::function<bool()>& cancelled) : cancelled_(cancelled) {}
+  bool step(const StepRecord&) override { return cancelled_(); }
+
+ private:
+  const std::function<bool()>& cancelled_;
+};
+
+}  // namespace
+
+bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                        double tolerance, Iterate& iterate) {
+  if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
+  const Coarser coarser = coarsen(scene.frame, scene.lattice);
+  Problem p = coarser_problem(problem, scene, coarser, frictionless);
+  Iterate start;
+  start.resize(p.nodes);
+  start.motion = iterate.motion;
+  const LatticeScene next{coarser.frame, coarser.lattice, scene.make_operators, scene.cancelled};
+  start_from_coarser(p, next, frictionless, start_tolerance, start);
+  Newton newton;
+  Quiet quiet(scene.cancelled);
+  const NewtonReport report =
+      newton.solve(p, start, frictionless, tolerance, coarse_iterations, quiet);
+  if (report.outcome != Outcome::converged) return false;
+  for (int c = 0; c < 3; ++c)
+    interpolate(coarser.lattice, start.lambda[c], scene.lattice, iterate.lambda[c]);
+  for (std::size_t k = 0; k < at(problem.nodes); ++k) {
+    double& normal = iterate.lambda[2][k];
+    normal = problem.used[k] ? std::min(normal, 0.0) : 0.0;
+    double t1 = 0, t2 = 0;
+    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k], -problem.mu[k] * normal, t1, t2);
+    iterate.lambda[0][k] = t1;
+    iterate.lambda[1][k] = t2;
+  }
+  iterate.motion = start.motion;
+  iterate.invalidate();
+  return true;
+}
+
+}  // namespace rollcon

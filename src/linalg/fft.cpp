@@ -1,0 +1,192 @@
+#include "linalg/fft.hpp"
+
+#include "build_info.hpp"
+#include "support/error.hpp"
+
+#if ROLLCON_BUILD_FFTW
+#include <fftw3.h>
+
+#include <mutex>
+#endif
+
+namespace rollcon {
+
+namespace {
+
+/// Time of a transform of even length n by FFTW's estimated plans and of the work on its results,
+/// relative; none (0) with a prime factor above 7. Factors of 3 are slow, factors of 16 are fast.
+double transform_cost(std::int64_t n) {
+  int threes = 0;
+  std::int64_t rest = n;
+  for (; rest % 3 == 0; rest /= 3) ++threes;
+  for (const int prime : {2, 5, 7})
+    while (rest % prime == 0) rest /= prime;
+  if (rest != 1) return 0;
+  constexpr double by_threes[] = {1, 1.45, 1.7, 1.9};
+  const double slow = by_threes[threes < 3 ? threes : 3] * (n % 16 == 0 ? 1 : 1.3);
+  return static_cast<double>(n) * (1 + 2 * slow);
+}
+
+}  // namespace
+
+std::int64_t fft_size(std::int64_t least) {
+  if (least < 2) return 2;
+  std::int64_t best = 0;
+  double lowest = 0;
+  for (std::int64_t n = least + least % 2; best == 0 || n <= least + least / 3 + 1; n += 2) {
+    const double cost = transform_cost(n);
+    if (cost > 0 && (best == 0 || cost < lowest)) best = n, lowest = cost;
+  }
+  return best;
+}
+
+#if ROLLCON_BUILD_FFTW
+namespace {
+
+// FFTW's planner works on tables of the whole process. Plans are estimated, not measured: that is
+// done in a millisecond, and measuring takes longer than whole solves.
+std::mutex& planner() {
+  static std::mutex lock;
+  return lock;
+}
+
+/// The same calls in either precision.
+template <class T>
+struct Calls;
+#define ROLLCON_FFT_CALLS(T, name)                                                            \
+  template <>                                                                                 \
+  struct Calls<T> {                                                                           \
+    using Plan = name##_plan;                                                                 \
+    using Complex = name##_complex;                                                           \
+    static Plan plan_real(int n, T* in, Complex* out) {                                       \
+      return name##_plan_dft_r2c_1d(n, in, out, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);         \
+    }                                                                                         \
+    static Plan plan_real_back(int n, Complex* in, T* out) {                                  \
+      return name##_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);          \
+    }                                                                                         \
+    static Plan plan(int n, Complex* data, int sign) {                                        \
+      return name##_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);                          \
+    }                                                                                         \
+    static void run_real(Plan p, T* in, Complex* out) { name##_execute_dft_r2c(p, in, out); } \
+    static void run_back(Plan p, Complex* in, T* out) { name##_execute_dft_c2r(p, in, out); } \
+    static void run(Plan p, Complex* data) { name##_execute_dft(p, data, data); }             \
+    static void destroy(Plan p) { name##_destroy_plan(p); }                                   \
+  };
+ROLLCON_FFT_CALLS(double, fftw)
+ROLLCON_FFT_CALLS(float, fftwf)
+#undef ROLLCON_FFT_CALLS
+
+template <class T>
+typename Calls<T>::Complex* raw(std::complex<T>* data) {
+  return reinterpret_cast<typename Calls<T>::Complex*>(data);
+}
+
+template <class T>
+typename Calls<T>::Plan plan(void* p) {
+  return static_cast<typename Calls<T>::Plan>(p);
+}
+
+template <class T>
+void destroy(void* p) {
+  if (p == nullptr) return;
+  const std::lock_guard guard(planner());
+  Calls<T>::destroy(plan<T>(p));
+}
+
+void require(const void* a, const void* b, std::int64_t n) {
+  if (a == nullptr || b == nullptr)
+    fail(Status::err_internal, "FFTW has no plan for length %lld", static_cast<long long>(n));
+}
+
+}  // namespace
+
+bool has_fft() {
+  return true;
+}
+
+template <class T>
+RealFft<T>::RealFft(std::int64_t n) {
+  AlignedArray<T> real(n);
+  AlignedArray<std::complex<T>> half(n / 2 + 1);
+  const std::lock_guard guard(planner());
+  forward_ = Calls<T>::plan_real(static_cast<int>(n), real.data(), raw<T>(half.data()));
+  inverse_ = Calls<T>::plan_real_back(static_cast<int>(n), raw<T>(half.data()), real.data());
+  require(forward_, inverse_, n);
+}
+
+template <class T>
+RealFft<T>::~RealFft() {
+  destroy<T>(forward_);
+  destroy<T>(inverse_);
+}
+
+template <class T>
+void RealFft<T>::forward(const T* in, std::complex<T>* out) const {
+  Calls<T>::run_real(plan<T>(forward_), const_cast<T*>(in), raw<T>(out));
+}
+
+template <class T>
+void RealFft<T>::inverse(std::complex<T>* in, T* out) const {
+  Calls<T>::run_back(plan<T>(inverse_), raw<T>(in), out);
+}
+
+template <class T>
+ComplexFft<T>::ComplexFft(std::int64_t n) {
+  AlignedArray<std::complex<T>> data(n);
+  const std::lock_guard guard(planner());
+  forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_FORWARD);
+  inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_BACKWARD);
+  require(forward_, inverse_, n);
+}
+
+template <class T>
+ComplexFft<T>::~ComplexFft() {
+  destroy<T>(forward_);
+  destroy<T>(inverse_);
+}
+
+template <class T>
+void ComplexFft<T>::forward(std::complex<T>* data) const {
+  Calls<T>::run(plan<T>(forward_), raw<T>(data));
+}
+
+template <class T>
+void ComplexFft<T>::inverse(std::complex<T>* data) const {
+  Calls<T>::run(plan<T>(inverse_), raw<T>(data));
+}
+
+#else
+
+bool has_fft() {
+  return false;
+}
+
+template <class T>
+RealFft<T>::RealFft(std::int64_t) {
+  fail(Status::err_unsupported, "this build has no FFTW (ROLLCON_WITH_FFTW=OFF)");
+}
+template <class T>
+RealFft<T>::~RealFft() = default;
+template <class T>
+void RealFft<T>::forward(const T*, std::complex<T>*) const {}
+template <class T>
+void RealFft<T>::inverse(std::complex<T>*, T*) const {}
+template <class T>
+ComplexFft<T>::ComplexFft(std::int64_t) {
+  fail(Status::err_unsupported, "this build has no FFTW (ROLLCON_WITH_FFTW=OFF)");
+}
+template <class T>
+ComplexFft<T>::~ComplexFft() = default;
+template <class T>
+void ComplexFft<T>::forward(std::complex<T>*) const {}
+template <class T>
+void ComplexFft<T>::inverse(std::complex<T>*) const {}
+
+#endif
+
+template class RealFft<double>;
+template class RealFft<float>;
+template class ComplexFft<double>;
+template class ComplexFft<float>;
+
+}  // namespace rollcon

@@ -1,0 +1,187 @@
+#include "contact/lattice/lattice_operator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "contact/lattice_case.hpp"
+#include "linalg/fft.hpp"
+#include "mesh/lattice.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+struct Fields {
+  std::vector<double> value[3];
+  explicit Fields(std::size_t n) {
+    for (auto& v : value) v.assign(n, 0.0);
+  }
+};
+
+Fields product(const ContactOperators& op, const Fields& lambda) {
+  const auto n = static_cast<std::size_t>(op.nodes);
+  Fields image(n);
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c)
+      if (!op.block[r][c].empty())
+        multiply(op.block[r][c].data(), op.nodes, op.nodes, lambda.value[c].data(), 1.0,
+                 image.value[r].data());
+  return image;
+}
+
+double largest(const std::vector<double>& v) {
+  double m = 0;
+  for (const double x : v) m = std::max(m, std::abs(x));
+  return m;
+}
+
+double difference(const Fields& a, const Fields& b) {
+  double worst = 0;
+  for (int r = 0; r < 3; ++r) {
+    double error = 0;
+    for (std::size_t k = 0; k < a.value[r].size(); ++k)
+      error = std::max(error, std::abs(a.value[r][k] - b.value[r][k]));
+    worst = std::max(worst, error / largest(a.value[r]));
+  }
+  return worst;
+}
+
+void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool rim) {
+  const Frame frame = lattice_frame(c.nx, c.ny, c.dx, c.dy, c.angle);
+  const std::optional<Lattice> lattice = find_lattice(frame);
+  ASSERT_TRUE(lattice.has_value());
+  ContactOperators op = convection_of(frame, scheme);
+  LatticeOperator field(*lattice, c.c, scheme == Scheme::characteristic ? op.upstream[0] : 0.0,
+                        op.convection);
+  assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, op);
+  frames::Random random(7);
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  Fields lambda(n), image(n), single(n);
+  for (auto& t : lambda.value)
+    for (std::size_t k = 0; k < n; ++k) t[k] = rim || !frame.rim[k] ? random() : 0;
+  const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
+  double* out[3] = {image.value[0].data(), image.value[1].data(), image.value[2].data()};
+  field.apply(in, out);
+  const Fields dense = product(op, lambda);
+  const double error = difference(dense, image);
+  double* out_single[3] = {single.value[0].data(), single.value[1].data(), single.value[2].data()};
+  field.apply_single(in, out_single);
+  const double error_single = difference(dense, single);
+  std::printf("%-30s scheme %d rim %d: error %.1e, bound 1e-12; single %.1e, bound 1e-5\n", c.name,
+              static_cast<int>(scheme), rim, error, error_single);
+  EXPECT_LT(error, 1e-12);
+  EXPECT_LT(error_single, 1e-5);
+
+  // Fields left out.
+  const double* normal_in[3] = {nullptr, nullptr, in[2]};
+  double* normal_out[3] = {nullptr, nullptr, single.value[2].data()};
+  field.apply(normal_in, normal_out);
+  Fields only(n);
+  only.value[2] = lambda.value[2];
+  const std::vector<double> expected = product(op, only).value[2];
+  for (std::size_t k = 0; k < n; ++k)
+    EXPECT_NEAR(single.value[2][k], expected[k], 1e-12 * largest(expected));
+
+  // Own entries and norms of the node in the middle.
+  const std::int32_t middle =
+      lattice->node[static_cast<std::size_t>(lattice->ny / 2 * lattice->nx + lattice->nx / 2)];
+  for (int r = 0; r < 3; ++r)
+    for (int k = 0; k < 3; ++k)
+      if (!op.block[r][k].empty()) {
+        const double scale = std::abs(op.block[r][r].row(middle)[middle]) + 1e-3 * c.c.cn;
+        EXPECT_NEAR(field.entry(r, k), op.block[r][k].row(middle)[middle], 1e-12 * scale)
+            << r << " " << k;
+      }
+  // Norms differ by the halves of hats that are missing on the rim.
+  for (int r = 0; r < 2; ++r) {
+    const double norm = std::hypot(norm2(op.block[r][0].row(middle), op.nodes),
+                                   norm2(op.block[r][1].row(middle), op.nodes));
+    EXPECT_NEAR(field.row_norm(r) / norm, 1, 0.03);
+  }
+}
+
+TEST(LatticeOperator, EqualsTheDenseOperators) {
+  if (!has_fft()) GTEST_SKIP() << "built without FFTW";
+  for (const LatticeCase& c : lattice_cases)
+    for (const Scheme scheme : {Scheme::characteristic, Scheme::godunov, Scheme::least_squares})
+      for (const bool rim : {false, true}) expect_equals_dense(c, scheme, rim);
+}
+
+TEST(LatticeOperator, NeedsAnInnerNode) {
+  if (!has_fft()) GTEST_SKIP() << "built without FFTW";
+  const Frame frame = lattice_frame(4, 1, 0.1, 0.1, 0);
+  const ContactOperators op = convection_of(frame, Scheme::godunov);
+  EXPECT_THROW(LatticeOperator(*find_lattice(frame), alike, 0, op.convection), Error);
+}
+
+TEST(LatticeOperator, MemoryGrowsWithTheNodes) {
+  if (!has_fft()) GTEST_SKIP() << "built without FFTW";
+  for (const int cells : {64, 128, 256}) {
+    const Frame frame = lattice_frame(cells, cells, 0.1, 0.1, 0);
+    const std::optional<Lattice> lattice = find_lattice(frame);
+    ASSERT_TRUE(lattice.has_value());
+    LatticeOperator field(*lattice, unlike, 0.6 * lattice->spacing_along_flow(), {});
+    const double per_node = static_cast<double>(field.bytes()) / static_cast<double>(frame.nodes());
+    std::printf("%d x %d cells: %.0f bytes per node, bound 220\n", cells, cells, per_node);
+    EXPECT_LT(per_node, 220);
+  }
+}
+
+TEST(LatticeOperator, RimColumnsAreMadeWhenNeeded) {
+  if (!has_fft()) GTEST_SKIP() << "built without FFTW";
+  const Frame frame = lattice_frame(20, 24, 0.1, 0.1, 0);
+  const std::optional<Lattice> lattice = find_lattice(frame);
+  ASSERT_TRUE(lattice.has_value());
+  LatticeOperator field(*lattice, unlike, 0.06, {});
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  Fields lambda(n), image(n);
+  const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
+  double* out[3] = {image.value[0].data(), image.value[1].data(), image.value[2].data()};
+  lambda.value[2][static_cast<std::size_t>(
+      lattice->node[static_cast<std::size_t>(3 * lattice->nx + 5)])] = 1;
+  const std::size_t before = field.bytes();
+  field.apply(in, out);
+  EXPECT_EQ(field.bytes(), before);
+  lambda.value[2][static_cast<std::size_t>(lattice->node[3])] = 1;
+  field.apply(in, out);
+  const std::size_t with_side = field.bytes();
+  EXPECT_GT(with_side, before);
+  field.apply(in, out);
+  EXPECT_EQ(field.bytes(), with_side);
+  EXPECT_EQ(field.applications(), 3);
+}
+
+TEST(LatticeOperator, ClonesWorkSideBySide) {
+  if (!has_fft()) GTEST_SKIP() << "built without FFTW";
+  const Frame frame = lattice_frame(30, 20, 0.1, 0.1, 0.2);
+  const std::optional<Lattice> lattice = find_lattice(frame);
+  ASSERT_TRUE(lattice.has_value());
+  LatticeOperator field(*lattice, unlike, 0.06, {});
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  frames::Random random(3);
+  Fields lambda(n), alone(n);
+  for (auto& t : lambda.value)
+    for (double& v : t) v = random();
+  const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
+  double* out[3] = {alone.value[0].data(), alone.value[1].data(), alone.value[2].data()};
+  std::vector<Fields> image(4, Fields(n));
+  std::vector<std::thread> threads;
+  for (Fields& result : image)
+    threads.emplace_back([&, copy = std::shared_ptr<FieldOperator>(field.clone())] {
+      double* mine[3] = {result.value[0].data(), result.value[1].data(), result.value[2].data()};
+      for (int k = 0; k < 5; ++k) copy->apply(in, mine);
+    });
+  for (std::thread& t : threads) t.join();
+  field.apply(in, out);
+  for (const Fields& result : image)
+    for (int r = 0; r < 3; ++r) EXPECT_EQ(result.value[r], alone.value[r]);
+}
+
+}  // namespace
+}  // namespace rollcon

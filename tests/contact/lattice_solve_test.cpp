@@ -1,0 +1,241 @@
+// Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind
+// of scene; work and memory grow with the number of nodes.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "support/steady_rolling.hpp"
+
+namespace {
+
+namespace frames = rollcon::frames;
+namespace scenes = rollcon::scenes;
+namespace steady_rolling = scenes::steady_rolling;
+using scenes::RollingPair;
+
+constexpr double agreement = 1e-10;
+
+bool have_fft() {
+  return rollcon_has_feature("fftw") == 1;
+}
+
+enum class Second { same, rigid, softer };
+
+struct Case {
+  const char* name;
+  Second second = Second::same;
+  double lateral = 0, spin = 0, mu = steady_rolling::mu;
+  const char* scheme = "characteristic";
+  bool forces = false, approach = false;
+  double angle = 0;    ///< of the rolling direction to the frame's x axis
+  double narrow = 1;   ///< spacing across over spacing along
+  double covered = 1;  ///< side of the frame over that of the usual one
+};
+
+std::unique_ptr<RollingPair> make(const Case& c, const char* operators, int n = 20) {
+  const scenes::Elastic soft{.shear = 41000, .poisson = 0.4};
+  std::unique_ptr<RollingPair> pair;
+  if (c.second == Second::rigid)
+    pair = std::make_unique<RollingPair>(soft, std::nullopt);
+  else
+    pair = std::make_unique<RollingPair>(steady_rolling::steel,
+                                         c.second == Second::softer ? soft : steady_rolling::steel);
+  const double half = c.covered * steady_rolling::radius / 0.85;
+  const auto x = frames::uniform_lines(-half, half, n);
+  const auto y = frames::uniform_lines(-half, half, static_cast<int>(n / c.narrow));
+  pair->frame(frames::rectangle(rollcon::ElementType::quad4, x, y));
+  if (c.angle != 0) pair->rolling_at(c.angle);
+  pair->gap_quadratic(steady_rolling::hertz.A, steady_rolling::hertz.B).friction(c.mu);
+  pair->load(steady_rolling::hertz.load).creep(steady_rolling::creepage, c.lateral, c.spin);
+  if (c.approach) pair->approach(0.9 * steady_rolling::hertz.approach);
+  if (c.forces) {
+    const double carried = c.mu * steady_rolling::hertz.load;
+    pair->tangential_force(ROLLCON_LONGITUDINAL, 0.4 * carried);
+    pair->tangential_force(ROLLCON_LATERAL, -0.2 * carried);
+  }
+  pair->option("convection", c.scheme).option("operators", operators);
+  pair->option("tolerance", 1e-12).option("accuracy", 1e-11);
+  return pair;
+}
+
+/// Largest difference of the tractions over the largest pressure, and of the motions.
+double difference(const scenes::Solution& a, const scenes::Solution& b) {
+  double scale = 0, worst = 0;
+  for (std::size_t k = 0; k < a.nodes(); ++k) scale = std::max(scale, a.pressure[k]);
+  for (std::size_t k = 0; k < a.nodes(); ++k)
+    for (std::size_t c = 0; c < 3; ++c)
+      worst = std::max(worst, std::abs(a.traction[k][c] - b.traction[k][c]) / scale);
+  worst = std::max(worst, std::abs(a.approach / b.approach - 1));
+  for (std::size_t c = 0; c < 2; ++c)
+    worst = std::max(worst, std::abs(a.creep[c] - b.creep[c]) / 1e-3);
+  return worst;
+}
+
+class Lattices : public testing::TestWithParam<Case> {};
+
+TEST_P(Lattices, FftAgreesWithDenseOperators) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  const auto dense = make(GetParam(), "dense"), fft = make(GetParam(), "fft");
+  const std::int32_t expected = dense->solve();
+  EXPECT_EQ(fft->solve(), expected);
+  const double worst = difference(fft->solution(), dense->solution());
+  std::printf("%s: difference %.2e (bound %.0e)\n", GetParam().name, worst, agreement);
+  EXPECT_LE(worst, agreement);
+  EXPECT_GT(fft->stat("operator_applications"), 0);
+  EXPECT_EQ(fft->stat("kernel_evaluations"), 0);  // before the laws are checked by integrals
+  for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
+    EXPECT_LE(fft->stat(law), 1e-8) << law;
+}
+
+TEST_P(Lattices, WarmSolvesAgreeWithCold) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  const auto warm = make(GetParam(), "fft"), cold = make(GetParam(), "fft");
+  warm->load(0.9 * steady_rolling::hertz.load).solve();
+  warm->load(steady_rolling::hertz.load);
+  cold->load(steady_rolling::hertz.load);
+  EXPECT_EQ(warm->solve(), cold->solve());
+  EXPECT_LE(difference(warm->solution(), cold->solution()), 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, Lattices,
+    testing::Values(Case{.name = "longitudinal"},
+                    Case{.name = "spin", .lateral = 2e-4, .spin = 3e-4},
+                    Case{.name = "rigid", .second = Second::rigid, .spin = 3e-4},
+                    Case{.name = "unlike", .second = Second::softer, .lateral = -3e-4},
+                    Case{.name = "forces", .forces = true},
+                    Case{.name = "forces_rigid", .second = Second::rigid, .forces = true},
+                    Case{.name = "approach", .second = Second::rigid, .approach = true},
+                    Case{.name = "frictionless", .mu = 0},
+                    Case{.name = "frictionless_rigid", .second = Second::rigid, .mu = 0},
+                    Case{.name = "rolling_at_30_degrees",
+                         .second = Second::rigid,
+                         .spin = 1e-4,
+                         .angle = 0.5235987755982988},
+                    Case{.name = "rolling_backwards", .spin = 2e-4, .angle = 2.8},
+                    Case{.name = "least_squares", .spin = 1e-4, .scheme = "least_squares"},
+                    Case{.name = "godunov", .second = Second::rigid, .scheme = "godunov"},
+                    Case{
+                        .name = "flat_cells", .second = Second::rigid, .spin = 1e-4, .narrow = 2.5},
+                    Case{.name = "beyond_the_rim", .second = Second::rigid, .covered = 0.7}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+// Rolling cases (a) and (b), alike and unlike: Newton's iterations and the applications of the
+// operators hardly grow with the lattice, the bytes of a node not at all.
+TEST(Lattice, WorkAndMemoryGrowWithTheNodes) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  for (const Case& c :
+       {Case{.name = "a"}, Case{.name = "b", .spin = steady_rolling::spin},
+        Case{.name = "b on rigid", .second = Second::rigid, .spin = steady_rolling::spin}}) {
+    double first = 0;
+    for (const int n : {32, 64, 128}) {
+      const auto pair = make(c, "fft", n);
+      pair->option("tolerance", 1e-6);
+      ASSERT_EQ(pair->solve(), ROLLCON_OK);
+      const double per_node = pair->stat("peak_bytes") / ((n + 1) * (n + 1));
+      const double applications = pair->stat("operator_applications");
+      std::printf(
+          "%s, %d x %d: %g Newton iterations, %g applications (bound 250), %.0f bytes per "
+          "node\n",
+          c.name, n, n, pair->stat("iterations"), applications, per_node);
+      if (first == 0) first = per_node;
+      EXPECT_LE(per_node, 1.5 * first);
+      EXPECT_LE(applications, 250);
+      EXPECT_LE(pair->stat("iterations"), 14);
+    }
+  }
+}
+
+TEST(Lattice, AnythingElseIsRefusedByName) {
+  const auto error_of = [](RollingPair& pair) -> std::string {
+    try {
+      pair.solve();
+    } catch (const std::runtime_error& e) {
+      return e.what();
+    }
+    return {};
+  };
+  RollingPair triangles(steady_rolling::steel, steady_rolling::steel);
+  const auto lines = frames::uniform_lines(-6, 6, 12);
+  triangles.frame(frames::rectangle(rollcon::ElementType::tri3, lines, lines));
+  triangles.gap_quadratic(0.01, 0.01).load(1000).friction(0.3).option("operators", "fft");
+  const std::string message = error_of(triangles);
+  EXPECT_NE(message.find("operators"), std::string::npos) << message;
+  EXPECT_NE(message.find(have_fft() ? "grid" : "FFTW"), std::string::npos) << message;
+  // The handle stays usable.
+  triangles.option("operators", "auto");
+  EXPECT_EQ(triangles.solve(), ROLLCON_OK);
+  if (!have_fft()) return;
+  auto regular = make(Case{.name = "procedure"}, "fft");
+  regular->option("jacobian", "b_derivative");
+  EXPECT_NE(error_of(*regular).find("jacobian"), std::string::npos);
+}
+
+TEST(Lattice, DisplacementsOfEachBodyAreThoseOfIntegrals) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  const auto pair = make(Case{.name = "unlike", .second = Second::softer, .spin = 2e-4}, "fft");
+  pair->solve();
+  const scenes::Solution s = pair->solution();
+  std::vector<double> xy;
+  for (std::size_t k = 0; k < s.nodes(); ++k) xy.insert(xy.end(), {s.x[k], s.y[k]});
+  const std::vector<double> few(xy.begin(), xy.end() - 2);  // by integrals: not all the nodes
+  for (const int body : {1, 2}) {
+    const std::vector<double> fft = pair->displacements_at(body, xy);
+    const std::vector<double> integrals = pair->displacements_at(body, few);
+    double scale = 0, worst = 0;
+    for (std::size_t i = 0; i < integrals.size(); ++i) {
+      scale = std::max(scale, std::abs(integrals[i]));
+      worst = std::max(worst, std::abs(integrals[i] - fft[i]));
+    }
+    std::printf("body %d: displacements differ by %.1e of the largest (bound 1e-10)\n", body,
+                worst / scale);
+    EXPECT_LE(worst, 1e-10 * scale);
+  }
+}
+
+// Fx of the next finer lattices tells the error, which the estimate finds to a factor of a few.
+TEST(Lattice, ErrorEstimatesFollowTheErrors) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  const Case c{.name = "a"};
+  const auto solve = [&](int n) {
+    auto pair = make(c, "fft", n);
+    pair->option("tolerance", 1e-8).solve();
+    return pair;
+  };
+  const auto fine = solve(160);
+  const double limit = fine->solution().force[0];
+  double before = 1;
+  for (const int n : {24, 48, 96}) {
+    const auto pair = solve(n);
+    const double error = std::abs(pair->solution().force[0] / limit - 1);
+    const double estimate = pair->stat("error_estimate_tangential");
+    std::printf("%d x %d: error of Fx %.4f, estimate %.4f\n", n, n, error, estimate);
+    EXPECT_GT(estimate, 0.5 * error);
+    EXPECT_LT(estimate, 8 * error);
+    EXPECT_LT(estimate, before);
+    before = estimate;
+  }
+}
+
+TEST(Lattice, DerivativesAreThoseOfDenseOperators) {
+  if (!have_fft()) GTEST_SKIP() << "built without FFTW";
+  const Case c{.name = "derivatives", .second = Second::rigid, .spin = 2e-4};
+  const auto dense = make(c, "dense"), fft = make(c, "fft");
+  dense->solve();
+  fft->solve();
+  for (const std::int32_t parameter : {1, 2, 3, 4, 5}) {
+    double a[3], b[3];
+    ASSERT_EQ(
+        rollcon_contact_get_sensitivity(dense->handle(), parameter, a, nullptr, nullptr, nullptr),
+        ROLLCON_OK);
+    ASSERT_EQ(
+        rollcon_contact_get_sensitivity(fft->handle(), parameter, b, nullptr, nullptr, nullptr),
+        ROLLCON_OK);
+    const double scale = std::hypot(a[0], a[1], a[2]);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-6 * scale) << parameter;
+  }
+}
+
+}  // namespace
