@@ -117,6 +117,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_phase_normal = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_phase_tangential = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_phase_full = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_phase_cases = 5_c_int32_t
 
   abstract interface
 
@@ -278,6 +279,23 @@ module rollcon_c
       integer(c_int32_t), intent(out) :: kind
       integer(c_int32_t) :: rc
     end function rollcon_body_get_kind
+
+    function rollcon_body_save(body, path) result(rc) bind(C, name="rollcon_body_save")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_save
+
+    function rollcon_body_load(context, path, body) result(rc) bind(C, name="rollcon_body_load")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(out) :: body
+      integer(c_int32_t) :: rc
+    end function rollcon_body_load
 
     function rollcon_body_set_nodes(body, n, x, node_stride, component_stride) &
         result(rc) bind(C, name="rollcon_body_set_nodes")
@@ -799,6 +817,29 @@ module rollcon_c
       type(c_ptr), value :: contact
       integer(c_int32_t) :: rc
     end function rollcon_contact_solve
+
+    function rollcon_contact_solve_many(contact, n_parameters, parameters, n_cases, values, &
+        names, capacity, status, force, moment, approach, creep, derivatives, statistics, &
+        tractions) result(rc) bind(C, name="rollcon_contact_solve_many")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: n_parameters
+      integer(c_int32_t), intent(in) :: parameters(*)
+      integer(c_int64_t), value :: n_cases
+      real(c_double), intent(in) :: values(*)
+      character(kind=c_char), intent(in) :: names(*)
+      integer(c_int64_t), value :: capacity
+      type(c_ptr), value :: status
+      type(c_ptr), value :: force
+      type(c_ptr), value :: moment
+      type(c_ptr), value :: approach
+      type(c_ptr), value :: creep
+      type(c_ptr), value :: derivatives
+      type(c_ptr), value :: statistics
+      type(c_ptr), value :: tractions
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_solve_many
 
     function rollcon_contact_reset(contact) result(rc) bind(C, name="rollcon_contact_reset")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

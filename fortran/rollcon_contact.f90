@@ -4,7 +4,7 @@
 !> call takes `stat` (absent: a failure prints its message and stops; positive values are results with a caveat) and
 !> `errmsg` (set on failure, cut or padded).
 module rollcon_contact
-  use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_null_char, c_null_funptr, c_null_ptr, c_ptr
+  use, intrinsic :: iso_c_binding, only: c_char, c_funloc, c_funptr, c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_support
   use rollcon_scene
@@ -17,6 +17,7 @@ module rollcon_contact
     procedure :: set_progress
     procedure :: request_cancel
     procedure :: solve
+    procedure :: solve_many
     procedure :: reset
     procedure :: get_size
     procedure :: get_tractions
@@ -69,6 +70,103 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_solve(self%handle()), self%owner(), 'rc_contact%solve', stat, errmsg)
   end subroutine
+
+  !> Solves the scene for many load cases on the threads of the context. values(p,i) replaces in case i what is prescribed
+  !> in the direction parameters(p) (ROLLCON_LONGITUDINAL, ...), or is a factor on the friction coefficients
+  !> (ROLLCON_FRICTION). Only the results that are present are computed: status(n), force(3,n), moment(3,n), approach(n),
+  !> creep(3,n), derivatives(10,size(parameters),n) of force, moment, approach and creep, statistics(m,n) of the m `names`
+  !> (separated by blanks), tractions(3,nodes,n); NaN where a case has none.
+  subroutine solve_many(self, parameters, values, status, force, moment, approach, creep, derivatives, names, statistics, &
+      tractions, stat, errmsg)
+    class(rc_contact), intent(inout) :: self
+    integer(rc_int), intent(in), contiguous :: parameters(:)
+    real(rc_real), intent(in), contiguous :: values(:, :)
+    integer(rc_int), allocatable, target, intent(out), optional :: status(:)
+    real(rc_real), allocatable, target, intent(out), optional :: force(:, :), moment(:, :), approach(:), creep(:, :)
+    real(rc_real), allocatable, target, intent(out), optional :: derivatives(:, :, :), statistics(:, :), tractions(:, :, :)
+    character(len=*), intent(in), optional :: names
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: a(8)
+    integer(rc_long) :: n, nodes, elements
+    integer(rc_int) :: rc
+    n = size(values, 2, rc_long)
+    if (size(values, 1) /= size(parameters)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%owner(), 'rc_contact%solve_many', stat, errmsg, &
+        'the first extent of values must be the number of parameters')
+      return
+    end if
+    if (present(statistics) .neqv. present(names)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%owner(), 'rc_contact%solve_many', stat, errmsg, &
+        'names and statistics must come together')
+      return
+    end if
+    nodes = 0
+    elements = 0
+    rc = ROLLCON_OK
+    if (present(tractions)) rc = rollcon_contact_get_size(self%handle(), nodes, elements)
+    a = c_null_ptr
+    if (present(status)) then
+      allocate (status(n))
+      status = 0
+      if (n > 0) a(1) = c_loc(status(1))
+    end if
+    call matrix(force, 3_rc_long, n, a(2))
+    call matrix(moment, 3_rc_long, n, a(3))
+    if (present(approach)) then
+      allocate (approach(n))
+      approach = 0
+      if (n > 0) a(4) = c_loc(approach(1))
+    end if
+    call matrix(creep, 3_rc_long, n, a(5))
+    call cube(derivatives, 10_rc_long, size(parameters, kind=rc_long), n, a(6))
+    if (present(names)) call matrix(statistics, words(names), n, a(7))
+    call cube(tractions, 3_rc_long, nodes, n, a(8))
+    if (rc == ROLLCON_OK) then
+      if (present(names) .and. n > 0) then
+        rc = rollcon_contact_solve_many(self%handle(), size(parameters, kind=rc_int), parameters, n, values, c_text(names), &
+          nodes, a(1), a(2), a(3), a(4), a(5), a(6), a(7), a(8))
+      else
+        rc = rollcon_contact_solve_many(self%handle(), size(parameters, kind=rc_int), parameters, n, values, c_text(''), &
+          nodes, a(1), a(2), a(3), a(4), a(5), a(6), a(7), a(8))
+      end if
+    end if
+    call finish(rc, self%owner(), 'rc_contact%solve_many', stat, errmsg)
+  end subroutine
+
+  !> Zeros, and where they are, if the array is wanted.
+  subroutine matrix(array, rows, columns, address)
+    real(rc_real), allocatable, target, intent(inout), optional :: array(:, :)
+    integer(rc_long), intent(in) :: rows, columns
+    type(c_ptr), intent(inout) :: address
+    if (.not. present(array)) return
+    allocate (array(rows, columns))
+    array = 0
+    if (size(array, kind=rc_long) > 0) address = c_loc(array(1, 1))
+  end subroutine
+
+  subroutine cube(array, rows, columns, layers, address)
+    real(rc_real), allocatable, target, intent(inout), optional :: array(:, :, :)
+    integer(rc_long), intent(in) :: rows, columns, layers
+    type(c_ptr), intent(inout) :: address
+    if (.not. present(array)) return
+    allocate (array(rows, columns, layers))
+    array = 0
+    if (size(array, kind=rc_long) > 0) address = c_loc(array(1, 1, 1))
+  end subroutine
+
+  !> Number of words, separated by blanks.
+  pure integer(rc_long) function words(text)
+    character(len=*), intent(in) :: text
+    logical :: inside
+    integer :: i
+    words = 0
+    inside = .false.
+    do i = 1, len(text)
+      if (text(i:i) /= ' ' .and. .not. inside) words = words + 1
+      inside = text(i:i) /= ' '
+    end do
+  end function
 
   !> Forgets the last solution; keeps the scene.
   subroutine reset(self, stat, errmsg)

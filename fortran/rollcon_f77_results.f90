@@ -145,6 +145,28 @@ subroutine rcsolv(icon, ierr)
   ierr = rollcon_contact_solve(contact_of(icon))
 end subroutine
 
+!> Solves NC load cases: V(NP,NC) replaces what is prescribed in the directions IPAR(NP), 5 being a factor on friction. ISTAT(NC),
+!> F(3,NC), XM(3,NC), APPR(NC), CREEP(3,NC).
+subroutine rcmany(icon, np, ipar, nc, v, istat, f, xm, appr, creep, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, np, nc, ierr
+  integer :: ipar(*), istat(*)
+  double precision :: v(*), f(*), xm(*), appr(*), creep(*)
+  call solve_many_77(contact_of(icon), np, ipar, nc, v, istat, f, xm, appr, creep, c_null_ptr, ierr)
+end subroutine
+
+!> As RCMANY; D(10,NP,NC) gets the derivatives of F, XM, APPR and CREEP by each parameter's value.
+subroutine rcmand(icon, np, ipar, nc, v, istat, f, xm, appr, creep, d, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, np, nc, ierr
+  integer :: ipar(*), istat(*)
+  double precision :: v(*), f(*), xm(*), appr(*), creep(*)
+  double precision, target :: d(*)
+  call solve_many_77(contact_of(icon), np, ipar, nc, v, istat, f, xm, appr, creep, c_loc(d), ierr)
+end subroutine
+
 !> Forgets the last solution.
 subroutine rcrset(icon, ierr)
   use rollcon_f77_support

@@ -101,6 +101,33 @@ contains
     ierr = ROLLCON_OK
   end subroutine
 
+  !> RCMANY, and the derivatives at an address that may be null.
+  subroutine solve_many_77(contact, np, ipar, nc, v, istat, f, xm, appr, creep, d, ierr)
+    type(c_ptr), intent(in) :: contact, d
+    integer, intent(in) :: np, nc, ipar(*)
+    integer, intent(inout) :: istat(*)
+    double precision, intent(in) :: v(*)
+    double precision, intent(inout), target :: f(*), xm(*), appr(*), creep(*)
+    integer, intent(out) :: ierr
+    integer(c_int32_t), allocatable :: p(:)
+    integer(c_int32_t), allocatable, target :: s(:)
+    integer :: i, no_room
+    call pack_list_77(np, ipar, p, ierr)
+    if (ierr /= ROLLCON_OK) return
+    allocate (s(max(nc, 1)), stat=no_room)
+    if (no_room /= 0) then
+      ierr = ROLLCON_ERR_MEMORY
+      return
+    end if
+    s = 0
+    ierr = rollcon_contact_solve_many(contact, narrow(np), p, int(nc, c_int64_t), v, c_text(''), 0_c_int64_t, c_loc(s), &
+      c_loc(f), c_loc(xm), c_loc(appr), c_loc(creep), d, c_null_ptr, c_null_ptr)
+    if (ierr < 0) return
+    do i = 1, nc
+      istat(i) = int(s(i))
+    end do
+  end subroutine
+
   !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
   subroutine give_text(buffer, text, status)
     character(kind=c_char), intent(in) :: buffer(:)

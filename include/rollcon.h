@@ -89,8 +89,8 @@ typedef int32_t rollcon_status;
 
 /* Model of a body. */
 enum {
-  ROLLCON_BODY_FEM       = 1,    /* finite elements: a volume mesh, one material for each tag (ROLLCON_ERR_UNSUPPORTED in builds without CHOLMOD and UMFPACK) */
-  ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material */
+  ROLLCON_BODY_FEM       = 1,    /* finite elements: a volume mesh, one material for each tag (ROLLCON_ERR_UNSUPPORTED in builds without them) */
+  ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material only, no mesh */
   ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh only to compute gaps */
 };
@@ -205,7 +205,8 @@ enum {
   ROLLCON_PHASE_COMPLIANCE = 1,    /* compliance of the bodies on the frame */
   ROLLCON_PHASE_NORMAL     = 2,    /* normal problem alone */
   ROLLCON_PHASE_TANGENTIAL = 3,    /* tangential problem at given pressure */
-  ROLLCON_PHASE_FULL       = 4     /* normal and tangential problem together */
+  ROLLCON_PHASE_FULL       = 4,    /* normal and tangential problem together */
+  ROLLCON_PHASE_CASES      = 5     /* a case of rollcon_contact_solve_many ended; the iteration is the number of those solved so far */
 };
 
 /* Log sink. `message` has no newline at its end and is valid during the call only. Called in the
@@ -382,9 +383,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
  * nodes: double nodes, degenerate or repeated elements, neighbours of opposite orientation, and
  * for elastic bodies open edges, normals that point inwards, more than one outer shell; for
  * finite elements turned elements, faces that meet without matching, parts that share no face,
- * tagged faces that are not on the boundary. ROLLCON_ERR_SINGULAR: the supports leave the body
- * free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what
- * is held is also what approach and creepage move.
+ * tagged faces that are not on the boundary. A body equal to one that is prepared in the same
+ * context (mesh, tags, material, supports, loads, contact faces, options) shares its equations:
+ * nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and
+ * the text says how; hold it (three nodes not on a line, or a hub), since what is held is also
+ * what approach and creepage move.
  * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
  *   again.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
@@ -403,6 +406,37 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body)
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body *body,
     int32_t *kind);
+
+/*
+ * Writes the body, prepared if it was not, to a file: all that was given, the factors, and the
+ * responses to frames that it keeps (option cache_bytes). The file appears whole or not at all;
+ * an older one is replaced. Poses are the contacts'. Every library of the same ABI number and
+ * format reads it, on any machine of the same byte order with IEEE numbers.
+ *   path  name of the file
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_IO,
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, const char *path);
+
+/*
+ * Makes a prepared body from a file of rollcon_body_save: nothing is assembled or factorised, and
+ * solves give the same tractions as with the body that was saved. Statistics count what is done
+ * from here on. A body equal to one of this context shares its factors, as after
+ * rollcon_body_prepare. ROLLCON_ERR_IO: the file cannot be read, is none of these, truncated or
+ * changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number, format or byte order, or of a
+ * kind that this build does not have. The text names the file and what is wrong, where.
+ *   path     name of the file
+ *   body     new handle
+ * Ownership: The caller owns the new handle: release it. The body keeps what it needs of the
+ *   context. *body is NULL after a failure.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_IO,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *context,
+    const char *path, rollcon_body **body);
 
 /* ------------------------------------------------------------ Body: mesh, supports and loads */
 /* What bodies with a mesh are made of, in the body's own axes (rollcon_contact_set_pose says
@@ -662,7 +696,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_
 
 /*
  * One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds,
- * bytes; 0 for bodies without equations. Names: rollcon_body_stat_name.
+ * bytes; 0 for bodies without equations. Names: rollcon_body_stat_name. Counts are those of the
+ * equations, which equal bodies of a context share: "shared" is 1 for a body for which nothing
+ * was assembled because an equal one was prepared before, "loaded" for one from a file.
  *   value  out
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
  *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
@@ -1072,6 +1108,51 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *contact);
 
 /*
+ * Solves the scene for many load cases, each with some of what is prescribed replaced, on the
+ * threads of the context. A direction stands for the value prescribed there, as motion or as
+ * force (rollcon_contact_prescribe); FRICTION for a factor on the friction coefficients of all
+ * nodes as set (1: as set). Results do not depend on the order of the cases nor on the number of
+ * threads: the library orders them itself, solves equal ones once and starts warm along chains of
+ * neighbours (unless the option "warm_start" is 0). A case that fails has its negative status and
+ * NaN for results and leaves the others alone; texts go to the log as warnings. The status
+ * returned is the first that fits of CANCELLED (some cases were not solved), NOT_CONVERGED (or
+ * failed), RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was solved. All results
+ * are in local axes. The scene stays as it is, and so does the last solution unless something was
+ * set since. The progress callback hears of the iterations of the calling thread, and of
+ * ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
+ *   n_parameters  0 to 5
+ *   parameters    [n_parameters]; ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION, each
+ *                 once
+ *   n_cases       >= 0
+ *   values        [n_cases][n_parameters]; a normal load, and a factor on friction, are >= 0
+ *   names         statistics wanted, separated by blanks, of: iterations, fallbacks,
+ *                 residual_normal, residual_tangential, nodes_contact, contact_area,
+ *                 max_pressure, friction_power; NULL: none
+ *   capacity      nodes that fit into the tractions of each case; at least those of the frame if
+ *                 they are wanted
+ *   status        [n_cases], out, may be NULL; as rollcon_contact_solve would return
+ *   force         [n_cases][3], out, may be NULL; on body 1
+ *   moment        [n_cases][3], out, may be NULL; about the origin of the axes
+ *   approach      [n_cases], out, may be NULL; length
+ *   creep         [n_cases][3], out, may be NULL; longitudinal, lateral, spin
+ *   derivatives   [n_cases][n_parameters][10], out, may be NULL; by each parameter's value, of
+ *                 force, moment, approach and creep (rollcon_contact_get_sensitivity); NaN where
+ *                 there are none, such as by FRICTION at 0
+ *   statistics    [n_cases][names], out; NULL only without names
+ *   tractions     [n_cases][capacity][3], out, may be NULL; on body 1; the entries beyond the
+ *                 frame's nodes are NaN
+ * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
+ * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,
+    int32_t n_parameters, const int32_t *parameters, int64_t n_cases, const double *values,
+    const char *names, int64_t capacity, int32_t *status, double *force, double *moment,
+    double *approach, double *creep, double *derivatives, double *statistics, double *tractions);
+
+/*
  * Forgets the solution, the warm start and the history; keeps the scene and all that was computed
  * for the frame.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
@@ -1272,7 +1353,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_c
  * Writes frame and fields, in global axes, as a VTU file for ParaView and meshio.
  *   path     name of the file; an existing one is replaced
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ *   ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_contact *contact,

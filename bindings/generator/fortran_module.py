@@ -36,6 +36,11 @@ def dummy(arg):
     return f"type(c_ptr), {'intent(out)' if arg.out else 'value'} :: {arg.name}"
 
 
+def dummy_or_address(arg):
+    """As dummy, but an optional array is an address."""
+    return f"type(c_ptr), value :: {arg.name}" if arg.array and arg.optional else dummy(arg)
+
+
 def callback_dummy(arg):
     """As dummy, but a text arrives as an address: the callee does not know its length."""
     return f"type(c_ptr), value :: {arg.name}" if arg.base == "text" else dummy(arg)
@@ -85,7 +90,8 @@ def write(table):
     out.append("\n  end interface\n\n  interface\n")
     for function in table.functions:
         out.append(interface(function.name, function.returns, function.args,
-                             f'bind(C, name="{function.name}")', dummy))
+                             f'bind(C, name="{function.name}")',
+                             dummy_or_address if function.addresses else dummy))
     out.append("\n  end interface\nend module rollcon_c\n")
     text = "".join(out)
     long = [line for line in text.splitlines() if len(line) > 132]

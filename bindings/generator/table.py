@@ -42,6 +42,7 @@ class Function:
     ownership: str
     threads: str
     source: str
+    addresses: bool  # Fortran passes optional arrays by c_loc, to leave them out by c_null_ptr
 
 
 @dataclass
@@ -108,7 +109,7 @@ def parse_arguments(rows, where):
 def parse_function(entry, statuses):
     where = entry["name"]
     unknown = set(entry) - {"name", "returns", "doc", "args", "errors", "ownership", "threads",
-                            "source"}
+                            "source", "addresses"}
     if unknown:
         raise ValueError(f"{where}: unknown keys {sorted(unknown)}")
     returns = entry.get("returns", "status")
@@ -123,7 +124,8 @@ def parse_function(entry, statuses):
     threads = THREADS[entry.get("threads", "object")]
     return Function("rollcon_" + where, returns, entry["doc"],
                     parse_arguments(entry.get("args", []), where), errors,
-                    entry.get("ownership", ""), threads, entry.get("source", ""))
+                    entry.get("ownership", ""), threads, entry.get("source", ""),
+                    entry.get("addresses", False))
 
 
 def parse_enum(entry):

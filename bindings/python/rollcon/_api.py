@@ -114,6 +114,7 @@ PHASE_COMPLIANCE = 1
 PHASE_NORMAL = 2
 PHASE_TANGENTIAL = 3
 PHASE_FULL = 4
+PHASE_CASES = 5
 
 log_fn = CFUNCTYPE(None, c_int32, c_char_p, c_void_p)
 progress_fn = CFUNCTYPE(c_int32, c_void_p, c_void_p)
@@ -159,6 +160,8 @@ FUNCTIONS = {
     "rollcon_body_set_elastic": (c_int32, [c_void_p, c_int32, c_double, c_double]),
     "rollcon_body_prepare": (c_int32, [c_void_p]),
     "rollcon_body_get_kind": (c_int32, [c_void_p, POINTER(c_int32)]),
+    "rollcon_body_save": (c_int32, [c_void_p, c_char_p]),
+    "rollcon_body_load": (c_int32, [c_void_p, c_char_p, POINTER(c_void_p)]),
     "rollcon_body_set_nodes": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_int64, c_int64]),
     "rollcon_body_add_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
@@ -230,6 +233,9 @@ FUNCTIONS = {
     "rollcon_event_get_real": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
     "rollcon_contact_request_cancel": (c_int32, [c_void_p]),
     "rollcon_contact_solve": (c_int32, [c_void_p]),
+    "rollcon_contact_solve_many": (c_int32, [
+        c_void_p, c_int32, POINTER(c_int32), c_int64, POINTER(c_double), c_char_p, c_int64, POINTER(c_int32),
+        POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_reset": (c_int32, [c_void_p]),
     "rollcon_contact_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_contact_get_tractions": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),

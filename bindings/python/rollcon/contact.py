@@ -6,8 +6,8 @@ from ctypes import byref, c_double, c_int64
 import numpy as np
 
 from . import _api
-from ._arrays import elements, nodes, reals, room, vector
-from ._library import Handle, check, lib, read_text
+from ._arrays import elements, integers, nodes, reals, room, vector
+from ._library import Handle, call, check, lib, read_text
 from ._settings import Settings
 
 
@@ -29,6 +29,23 @@ class Event:
         lambda self: self._read(lib.rollcon_event_get_real, _api.EVENT_RESIDUAL, c_double))
     seconds = property(
         lambda self: self._read(lib.rollcon_event_get_real, _api.EVENT_SECONDS, c_double))
+
+
+class Cases:
+    """Results of Contact.solve_many, one row per case; NaN where a case has none.
+
+    worst: the call's status. status[n], force[n, 3], moment[n, 3], approach[n], creep[n, 3], and if
+    asked for derivatives[n, parameters, 10] (of force, moment, approach, creep), tractions[n,
+    nodes, 3]; cases["iterations"] is a statistic by name.
+    """
+
+    def __init__(self, worst, names, arrays):
+        self.worst = worst
+        self.names = names
+        self.__dict__.update(arrays)
+
+    def __getitem__(self, name):
+        return self.statistics[:, self.names.index(name)]
 
 
 class Contact(Settings, Handle):
@@ -141,6 +158,41 @@ class Contact(Settings, Handle):
         if self._raised:
             raise self._raised.pop()
         return check(status, self._context)
+
+    def solve_many(self, parameters, values, names=(), derivatives=False, tractions=False):
+        """Solves many load cases on the threads of the context; a Cases object.
+
+        values[n, p] replaces what is prescribed in the direction parameters[p], LONGITUDINAL,
+        LATERAL, NORMAL or SPIN; FRICTION: a factor on the coefficients. names: statistics wanted,
+        such as "iterations" or "friction_power". What a progress callback raises is raised.
+        """
+        values = np.ascontiguousarray(values, dtype=np.float64)
+        if values.ndim != 2 or values.shape[1] != len(parameters):
+            raise ValueError(f"expected values of shape (n, {len(parameters)}), got {values.shape}")
+        n = len(values)
+        ids, ids_address = integers(parameters, "parameters")
+        nodes = self.size[0] if tractions else 0
+        shapes = {"status": (n,), "force": (n, 3), "moment": (n, 3), "approach": (n,),
+                  "creep": (n, 3)}
+        if derivatives:
+            shapes["derivatives"] = (n, ids.size, 10)
+        if len(names) > 0:
+            shapes["statistics"] = (n, len(names))
+        if tractions:
+            shapes["tractions"] = (n, nodes, 3)
+        made = {key: room(*shape, dtype=np.int32 if key == "status" else np.float64)
+                for key, shape in shapes.items()}
+        outputs = [made[key][1] if key in made else None
+                   for key in ("status", "force", "moment", "approach", "creep", "derivatives",
+                               "statistics", "tractions")]
+        self._raised.clear()
+        worst = call(lib.rollcon_contact_solve_many, self._handle, ids.size, ids_address, n,
+                     values.ctypes.data_as(ctypes.POINTER(c_double)),
+                     " ".join(names).encode() or None, nodes, *outputs)
+        if self._raised:
+            raise self._raised.pop()
+        check(worst, self._context)
+        return Cases(worst, tuple(names), {key: array for key, (array, _) in made.items()})
 
     def request_cancel(self):
         """Makes the running solve return CANCELLED; from any thread."""

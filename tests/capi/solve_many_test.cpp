@@ -1,0 +1,518 @@
+/// Lists of load cases: results are those of single solves, whatever the order and the threads.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "fixture.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Everything that one call can give.
+struct Table {
+  std::vector<std::int32_t> status;
+  std::vector<double> force, moment, approach, creep, derivatives, statistics, tractions;
+
+  Table(std::size_t cases, std::size_t parameters, std::size_t names, std::size_t nodes)
+      : status(cases, -1000),
+        force(3 * cases),
+        moment(3 * cases),
+        approach(cases),
+        creep(3 * cases),
+        derivatives(10 * parameters * cases),
+        statistics(names * cases),
+        tractions(3 * nodes * cases) {}
+
+  std::vector<const std::vector<double>*> arrays() const {
+    return {&force, &moment, &approach, &creep, &derivatives, &statistics, &tractions};
+  }
+};
+
+/// Bit by bit, NaN included.
+bool same(const double* a, const double* b, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])))) return false;
+  return true;
+}
+
+/// Cases whose results differ from those of the cases `at` of another table.
+int differences(const Table& a, const Table& b, const std::vector<std::size_t>& at) {
+  int count = 0;
+  const std::size_t n = a.status.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    bool equal = a.status[i] == b.status[at[i]];
+    const auto left = a.arrays(), right = b.arrays();
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      const std::size_t width = left[k]->size() / n;
+      equal = equal && same(left[k]->data() + width * i, right[k]->data() + width * at[i], width);
+    }
+    count += !equal;
+  }
+  return count;
+}
+
+std::vector<std::size_t> in_order(std::size_t n) {
+  std::vector<std::size_t> at(n);
+  std::iota(at.begin(), at.end(), std::size_t{0});
+  return at;
+}
+
+constexpr const char* names = "iterations friction_power max_pressure contact_area nodes_contact";
+constexpr std::size_t name_count = 5;
+
+}  // namespace
+
+class solve_many : public Api {
+ protected:
+  void SetUp() override {
+    Api::SetUp();
+    set_scene();
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load),
+              ROLLCON_OK);
+  }
+
+  Table table(const std::vector<std::int32_t>& parameters, const std::vector<double>& values,
+              std::int32_t threads, std::int32_t expected = ROLLCON_OK) {
+    const std::size_t cases = values.size() / parameters.size();
+    Table t(cases, parameters.size(), name_count, nodes());
+    EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_solve_many(
+                  contact, static_cast<std::int32_t>(parameters.size()), parameters.data(),
+                  static_cast<std::int64_t>(cases), values.data(), names, frame.nodes,
+                  t.status.data(), t.force.data(), t.moment.data(), t.approach.data(),
+                  t.creep.data(), t.derivatives.data(), t.statistics.data(), t.tractions.data()),
+              expected)
+        << error();
+    return t;
+  }
+
+  /// Forces alone, one thread.
+  std::int32_t forces(const std::vector<std::int32_t>& parameters, std::int64_t cases,
+                      const std::vector<double>& values, std::vector<double>& force) {
+    force.assign(static_cast<std::size_t>(3 * cases), -1);
+    return rollcon_contact_solve_many(contact, static_cast<std::int32_t>(parameters.size()),
+                                      parameters.data(), cases, values.data(), nullptr, 0, nullptr,
+                                      force.data(), nullptr, nullptr, nullptr, nullptr, nullptr,
+                                      nullptr);
+  }
+
+  std::size_t nodes() const { return static_cast<std::size_t>(frame.nodes); }
+
+  static constexpr double load = 298.6;
+  const std::vector<std::int32_t> three{ROLLCON_LATERAL, ROLLCON_NORMAL, ROLLCON_SPIN};
+  /// 4 loads, 5 lateral creepages, 3 spins.
+  std::vector<double> grid() const {
+    std::vector<double> values;
+    for (const double f : {0.7, 0.9, 1.1, 1.3})
+      for (const double eta : {-2e-3, -1e-3, 0.0, 1e-3, 2e-3})
+        for (const double phi : {-5e-4, 0.0, 1e-3})
+          values.insert(values.end(), {eta, f * load, phi});
+    return values;
+  }
+  /// Values nowhere twice.
+  std::vector<double> scattered(std::size_t cases) const {
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    std::vector<double> values;
+    for (std::size_t i = 0; i < cases; ++i)
+      values.insert(values.end(), {2e-3 * unit(generator), (1 + 0.3 * unit(generator)) * load,
+                                   1e-3 * unit(generator)});
+    return values;
+  }
+};
+
+TEST_F(solve_many, results_are_those_of_single_solves) {
+  for (const std::int32_t longitudinal : {ROLLCON_BY_MOTION, ROLLCON_BY_FORCE}) {
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, longitudinal,
+                                        longitudinal == ROLLCON_BY_FORCE ? 8.0 : 1e-3),
+              ROLLCON_OK);
+    std::vector<std::int32_t> parameters = three;
+    parameters.push_back(ROLLCON_FRICTION);
+    std::vector<double> values;
+    const std::vector<double> some = scattered(20);
+    for (std::size_t i = 0; i < 20; ++i) {
+      values.insert(values.end(), some.begin() + 3 * static_cast<std::ptrdiff_t>(i),
+                    some.begin() + 3 * static_cast<std::ptrdiff_t>(i + 1));
+      values.push_back(0.8 + 0.05 * static_cast<double>(i));
+    }
+    const Table t = table(parameters, values, 2);
+    double worst = 0, worst_slope = 0;
+    for (std::size_t i = 0; i < 20; ++i) {
+      const double* v = &values[4 * i];
+      const double mu = 0.1 * v[3];
+      ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_MOTION, v[0]), 0);
+      ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, v[1]), 0);
+      ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_SPIN, ROLLCON_BY_MOTION, v[2]), 0);
+      ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &mu), 0);
+      ASSERT_EQ(rollcon_contact_solve(contact), t.status[i]);
+      double f[3], m[3], approach = 0, creep[3], number = 0;
+      ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, f, m), 0);
+      ASSERT_EQ(rollcon_contact_get_motion(contact, &approach, creep), 0);
+      for (std::size_t c = 0; c < 3; ++c) {
+        worst = std::max(worst, std::abs(t.force[3 * i + c] - f[c]) / load);
+        worst = std::max(worst, std::abs(t.moment[3 * i + c] - m[c]) / load);
+        worst = std::max(worst, std::abs(t.creep[3 * i + c] - creep[c]) / 1e-3);
+      }
+      worst = std::max(worst, std::abs(t.approach[i] / approach - 1));
+      for (const auto& [k, name] : {std::pair{1, "friction_power"}, std::pair{2, "max_pressure"},
+                                    std::pair{3, "contact_area"}, std::pair{4, "nodes_contact"}}) {
+        ASSERT_EQ(rollcon_contact_get_stat(contact, name, &number), 0);
+        worst = std::max(
+            worst, std::abs(t.statistics[name_count * i + static_cast<std::size_t>(k)] - number) /
+                       std::abs(number));
+      }
+      std::vector<double> traction(3 * nodes());
+      ASSERT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, traction.data()),
+                0);
+      for (std::size_t k = 0; k < traction.size(); ++k)
+        worst =
+            std::max(worst, std::abs(t.tractions[3 * nodes() * i + k] - traction[k]) / (load / 3));
+      for (std::size_t j = 0; j < 4; ++j) {
+        double df[3], dm[3], da = 0, dc[3];
+        ASSERT_EQ(rollcon_contact_get_sensitivity(contact, parameters[j], df, dm, &da, dc), 0);
+        const double* d = &t.derivatives[10 * (4 * i + j)];
+        const double scale =
+            std::abs(df[0]) + std::abs(df[1]) + std::abs(df[2]) + std::abs(dc[0]) * load;
+        const double unit = j == 3 ? v[3] : 1;
+        for (std::size_t c = 0; c < 3; ++c)
+          worst_slope = std::max({worst_slope, std::abs(d[c] * unit - df[c]) / scale,
+                                  std::abs(d[3 + c] * unit - dm[c]) / scale,
+                                  std::abs(d[7 + c] * unit - dc[c]) * load / scale});
+        worst_slope = std::max(worst_slope, std::abs(d[6] * unit - da) * load / scale);
+      }
+      const double former = 0.1;
+      ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &former), 0);
+    }
+    std::printf(
+        "20 cases, longitudinal by %s: off single solves by %.1e (bound 1e-7), slopes %.1e "
+        "(bound 1e-5)\n",
+        longitudinal == ROLLCON_BY_FORCE ? "force" : "motion", worst, worst_slope);
+    EXPECT_LT(worst, 1e-7);
+    EXPECT_LT(worst_slope, 1e-5);
+  }
+}
+
+TEST_F(solve_many, threads_and_order_change_no_bit) {
+  for (const std::vector<double>& values : {grid(), scattered(150)}) {
+    const std::size_t cases = values.size() / 3;
+    const Table one = table(three, values, 1);
+    for (const std::int32_t threads : {2, 3, 5})
+      EXPECT_EQ(differences(table(three, values, threads), one, in_order(cases)), 0) << threads;
+    std::vector<std::size_t> at = in_order(cases);
+    std::shuffle(at.begin(), at.end(), std::mt19937(3));
+    std::vector<double> shuffled;
+    for (const std::size_t i : at)
+      shuffled.insert(shuffled.end(), values.begin() + 3 * static_cast<std::ptrdiff_t>(i),
+                      values.begin() + 3 * static_cast<std::ptrdiff_t>(i + 1));
+    EXPECT_EQ(differences(table(three, shuffled, 3), one, at), 0);
+    // What was solved before does not matter either.
+    ASSERT_EQ(rollcon_contact_set_creep(contact, -1e-3, 1e-3, 1e-3), ROLLCON_OK);
+    ASSERT_GE(rollcon_contact_solve(contact), 0);
+    ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
+    EXPECT_EQ(differences(table(three, values, 2), one, in_order(cases)), 0);
+    // The order of the parameters is the caller's.
+    const std::vector<std::int32_t> turned{ROLLCON_SPIN, ROLLCON_LATERAL, ROLLCON_NORMAL};
+    std::vector<double> rows;
+    for (std::size_t i = 0; i < cases; ++i)
+      rows.insert(rows.end(), {values[3 * i + 2], values[3 * i], values[3 * i + 1]});
+    const Table other = table(turned, rows, 2);
+    EXPECT_TRUE(same(other.force.data(), one.force.data(), 3 * cases));
+    double iterations = 0;
+    for (std::size_t i = 0; i < cases; ++i) iterations += one.statistics[name_count * i];
+    std::printf(
+        "%zu cases: the same bits with 1, 2, 3, 5 threads and shuffled; %.2f iterations "
+        "per case\n",
+        cases, iterations / static_cast<double>(cases));
+  }
+}
+
+TEST_F(solve_many, equal_cases_are_solved_once_and_get_the_same_results) {
+  const std::vector<double> few = grid();
+  std::vector<double> twice = few;
+  twice.insert(twice.end(), few.begin(), few.end());
+  const std::size_t n = few.size() / 3;
+  std::vector<std::size_t> at(2 * n);
+  for (std::size_t i = 0; i < 2 * n; ++i) at[i] = i % n;
+  for (double& v : twice)
+    if (v == 0) v = -0.0;  // is no other value
+  EXPECT_EQ(differences(table(three, twice, 2), table(three, few, 2), at), 0);
+}
+
+TEST_F(solve_many, a_case_that_fails_leaves_the_others_alone) {
+  // Traction in parts of what friction can carry; 1.2 and 2 have no solution.
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0),
+            ROLLCON_OK);
+  const std::vector<std::int32_t> parameters{ROLLCON_LONGITUDINAL, ROLLCON_FRICTION};
+  const double most = 0.1 * load;
+  const std::vector<double> good{0.2 * most, 1, 0.5 * most, 1, -0.7 * most, 1, 0, 0};
+  std::vector<double> values = good;
+  values.insert(values.end(), {1.2 * most, 1, 2 * most, 1, 0.1 * most, 0});
+  const Table t = table(parameters, values, 2, ROLLCON_NOT_CONVERGED);
+  const Table only = table(parameters, good, 2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(t.status[i], only.status[i]);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(t.force[3 * i + c], only.force[3 * i + c], 1e-9 * load) << i;
+  }
+  for (std::size_t i = 4; i < 7; ++i) {
+    EXPECT_EQ(t.status[i], ROLLCON_ERR_LOAD);
+    EXPECT_TRUE(std::isnan(t.force[3 * i]) && std::isnan(t.approach[i]) &&
+                std::isnan(t.statistics[name_count * i]) && std::isnan(t.derivatives[20 * i]) &&
+                std::isnan(t.tractions[3 * nodes() * i]));
+  }
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(t.force[3 * i], good[2 * i], 1e-8 * load);
+  EXPECT_EQ(t.force[9], 0) << "no friction, no force";
+  EXPECT_TRUE(std::isnan(t.derivatives[20 * 3 + 10])) << "by friction at 0";
+}
+
+TEST_F(solve_many, lists_may_be_empty_and_cases_open) {
+  std::vector<double> force;
+  EXPECT_EQ(forces({ROLLCON_NORMAL}, 0, {}, force), ROLLCON_OK);
+  EXPECT_EQ(forces({ROLLCON_NORMAL}, 3, {load, 0, 0.5 * load}, force), ROLLCON_NO_CONTACT);
+  EXPECT_NEAR(force[2], -load, 1e-8 * load);
+  EXPECT_EQ(force[5], 0);
+  EXPECT_NEAR(force[8], -0.5 * load, 1e-8 * load);
+  // Without parameters all cases are the scene itself.
+  EXPECT_EQ(
+      rollcon_contact_solve_many(contact, 0, nullptr, 2, nullptr, nullptr, 0, nullptr, force.data(),
+                                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+      ROLLCON_OK);
+  EXPECT_NEAR(force[5], -load, 1e-8 * load);
+  EXPECT_EQ(forces({ROLLCON_NORMAL}, 1, {4 * load}, force), ROLLCON_RIM_CONTACT);
+}
+
+TEST_F(solve_many, the_contact_keeps_scene_and_solution) {
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  std::vector<double> before(3 * nodes()), after(3 * nodes()), force;
+  double slope[3], again[3], number = 0;
+  ASSERT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, before.data()), 0);
+  ASSERT_EQ(
+      rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, slope, nullptr, nullptr, nullptr), 0);
+  ASSERT_EQ(forces(three, 60, grid(), force), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, after.data()), 0);
+  EXPECT_EQ(before, after);
+  ASSERT_EQ(
+      rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, again, nullptr, nullptr, nullptr), 0);
+  for (int c = 0; c < 3; ++c) EXPECT_EQ(slope[c], again[c]);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "law_equilibrium", &number), 0);
+  EXPECT_LT(number, 1e-9);
+  // The next solve is the one that was to come: warm, of the same scene.
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "iterations", &number), 0);
+  EXPECT_EQ(number, 0);
+  // With a scene that changed since, the last solution is another scene's.
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 0.9 * load), 0);
+  ASSERT_EQ(forces(three, 60, grid(), force), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, after.data()),
+               ROLLCON_ERR_STATE, "solve");
+}
+
+TEST_F(solve_many, refuses_what_it_cannot_take) {
+  std::vector<double> force(30);
+  const auto call = [&](std::int32_t n, const std::int32_t* p, std::int64_t cases, const double* v,
+                        const char* wanted, std::int64_t capacity, double* statistics,
+                        double* tractions) {
+    return rollcon_contact_solve_many(contact, n, p, cases, v, wanted, capacity, nullptr,
+                                      force.data(), nullptr, nullptr, nullptr, nullptr, statistics,
+                                      tractions);
+  };
+  const auto refused = [&](std::int32_t status, std::int32_t expected, const char* word) {
+    EXPECT_EQ(status, expected);
+    EXPECT_NE(error().find(word), std::string::npos) << error();
+    EXPECT_EQ(error().substr(0, 26), "rollcon_contact_solve_many");
+  };
+  const std::int32_t normal = ROLLCON_NORMAL, unknown = 6, twice[2] = {1, 1};
+  const std::int32_t friction = ROLLCON_FRICTION;
+  const double good = load, negative = -1, not_a_number = none;
+  std::vector<double> room(3 * nodes());
+  refused(call(1, &unknown, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "is 6");
+  refused(call(2, twice, 1, room.data(), nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "both 1");
+  refused(call(-1, &normal, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
+  refused(call(1, nullptr, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "NULL");
+  refused(call(1, &normal, -1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
+  refused(call(1, &normal, 1, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "values is NULL");
+  refused(call(1, &normal, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "case 0");
+  refused(call(1, &friction, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "factor on friction");
+  refused(call(1, &normal, 1, &not_a_number, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_NONFINITE,
+          "case 0");
+  refused(call(1, &normal, 1, &good, " iterations  cost", 0, room.data(), nullptr),
+          ROLLCON_ERR_OPTION, "'cost'");
+  refused(call(1, &normal, 1, &good, "iterations", 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "statistics is NULL");
+  refused(call(1, &normal, 1, &good, nullptr, frame.nodes - 1, nullptr, room.data()),
+          ROLLCON_ERR_CAPACITY, "169 nodes");
+  EXPECT_EQ(call(1, &normal, 1, &good, "", frame.nodes, nullptr, room.data()), ROLLCON_OK);
+  EXPECT_EQ(call(1, &normal, 1, &good, " ", frame.nodes, nullptr, room.data()), ROLLCON_OK);
+}
+
+TEST_F(solve_many, workers_share_the_operators) {
+  // Of a frame large enough for its operators to count: 41 x 41 nodes.
+  const SquareFrame wide(40, 4.5);
+  ASSERT_EQ(set_nodes(wide), ROLLCON_OK);
+  ASSERT_EQ(add_elements(wide), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_str(contact, "operators", "dense"), ROLLCON_OK);
+  const auto peak = [&](std::int32_t threads) {
+    double bytes = 0;
+    std::vector<double> force;
+    EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
+    EXPECT_EQ(forces(three, 60, grid(), force), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_stat(contact, "peak_bytes", &bytes), ROLLCON_OK);
+    return bytes;
+  };
+  const double one = peak(1), four = peak(4);
+  const double blocks = 5.0 * 8 * std::pow(41.0, 4);  // dense, of one copy
+  std::printf(
+      "41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at "
+      "most %.1f MB)\n",
+      one / 1e6, four / 1e6, blocks / 1e6);
+  EXPECT_GT(four, one);
+  EXPECT_LT(four - one, 0.3 * one);
+}
+
+TEST_F(solve_many, threads_with_operators_that_are_not_formed_give_the_same) {
+  if (!rollcon_has_feature("fftw")) GTEST_SKIP() << "this build has no FFT";
+  const std::vector<double> values = scattered(24);
+  const Table dense = table(three, values, 2);
+  ASSERT_EQ(rollcon_contact_set_str(contact, "operators", "fft"), ROLLCON_OK);
+  const Table one = table(three, values, 1);
+  EXPECT_EQ(differences(table(three, values, 3), one, in_order(24)), 0);
+  double worst = 0;
+  for (std::size_t i = 0; i < one.force.size(); ++i)
+    worst = std::max(worst, std::abs(one.force[i] - dense.force[i]) / load);
+  std::printf("by FFT: off dense operators by %.1e (bound 1e-5, their accuracy is 1e-6)\n", worst);
+  EXPECT_LT(worst, 1e-5);
+}
+
+namespace {
+
+struct Watcher {
+  rollcon_contact* contact = nullptr;
+  std::int64_t calls = 0, cases = 0, stop_after = 1LL << 60;
+  std::thread::id thread = std::this_thread::get_id();
+  bool elsewhere = false, by_request = false;
+};
+
+std::int32_t watch(const rollcon_event* event, void* user) {
+  auto& w = *static_cast<Watcher*>(user);
+  std::int64_t phase = 0, iteration = 0;
+  EXPECT_EQ(rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, &phase), ROLLCON_OK);
+  EXPECT_EQ(rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration), ROLLCON_OK);
+  w.elsewhere = w.elsewhere || std::this_thread::get_id() != w.thread;
+  if (phase == ROLLCON_PHASE_CASES) {
+    EXPECT_GE(iteration, w.cases);
+    w.cases = iteration;
+  }
+  EXPECT_EQ(rollcon_contact_solve(w.contact), ROLLCON_ERR_BUSY);
+  if (++w.calls < w.stop_after) return 0;
+  if (!w.by_request) return 1;
+  EXPECT_EQ(rollcon_contact_request_cancel(w.contact), ROLLCON_OK);
+  return 0;
+}
+
+}  // namespace
+
+TEST_F(solve_many, callbacks_and_cancelling_work_with_threads) {
+  const std::vector<double> values = scattered(150);
+  for (const std::int32_t threads : {1, 3}) {
+    const Table whole = table(three, values, threads);
+    for (const bool by_request : {false, true})
+      for (const std::int64_t stop_after : {1LL, 40LL, 1LL << 60}) {
+        Watcher w;
+        w.contact = contact;
+        w.stop_after = stop_after;
+        w.by_request = by_request;
+        ASSERT_EQ(rollcon_contact_set_progress(contact, watch, &w), ROLLCON_OK);
+        const bool stops = stop_after < 1000;
+        const Table t = table(three, values, threads, stops ? ROLLCON_CANCELLED : ROLLCON_OK);
+        ASSERT_EQ(rollcon_contact_set_progress(contact, nullptr, nullptr), ROLLCON_OK);
+        EXPECT_FALSE(w.elsewhere) << "callbacks run in the caller's thread";
+        EXPECT_GE(w.calls, std::min<std::int64_t>(stop_after, 50));
+        int solved = 0;
+        for (std::size_t i = 0; i < 150; ++i) {
+          if (t.status[i] == ROLLCON_CANCELLED) {
+            EXPECT_TRUE(std::isnan(t.force[3 * i]));
+            continue;
+          }
+          ++solved;
+          EXPECT_TRUE(same(&t.force[3 * i], &whole.force[3 * i], 3));
+        }
+        EXPECT_EQ(solved == 150, !stops) << solved;
+      }
+  }
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+}
+
+TEST_F(solve_many, several_contacts_at_once_in_threads_of_their_own) {
+  const std::vector<double> values = grid();
+  std::vector<double> right;
+  ASSERT_EQ(forces(three, 60, values, right), ROLLCON_OK);
+  std::vector<std::vector<double>> force(2, std::vector<double>(180));
+  std::vector<std::thread> callers;
+  for (std::size_t k = 0; k < 2; ++k)
+    callers.emplace_back([&, k] {
+      rollcon_context* own = nullptr;
+      rollcon_contact* c = nullptr;
+      const double mu = 0.1;
+      EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, &own), ROLLCON_OK);
+      EXPECT_EQ(rollcon_context_set_threads(own, 2), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_create(own, sphere, plane, &c), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_set_frame_nodes(c, frame.nodes, frame.x.data(), 3, 1), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, frame.elements,
+                                                   frame.connectivity.data(), 0, 0),
+                ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_set_rolling(c, 10), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_set_creep(c, 1e-3, 0, 0), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
+      EXPECT_EQ(rollcon_contact_solve_many(c, 3, three.data(), 60, values.data(), nullptr, 0,
+                                           nullptr, force[k].data(), nullptr, nullptr, nullptr,
+                                           nullptr, nullptr, nullptr),
+                ROLLCON_OK);
+      rollcon_contact_release(c);
+      rollcon_context_release(own);
+    });
+  for (std::thread& t : callers) t.join();
+  // The number of BLAS threads belongs to the process: rounding differs.
+  double worst = 0;
+  for (const auto& f : force)
+    for (std::size_t i = 0; i < f.size(); ++i)
+      worst = std::max(worst, std::abs(f[i] - right[i]) / load);
+  std::printf("two callers with two threads each: off by %.1e (bound 1e-12)\n", worst);
+  EXPECT_LT(worst, 1e-12);
+}
+
+TEST_F(solve_many, published_procedures_solve_lists_too) {
+  if (!rollcon_has_feature("procedures"))
+    GTEST_SKIP() << "this build has no published solution procedures";
+  const std::vector<double> values = grid();
+  const Table standard = table(three, values, 2);
+  ASSERT_EQ(rollcon_contact_set_str(contact, "jacobian", "b_derivative"), ROLLCON_OK);
+  for (const char* system : {"condensed", "monolithic"}) {
+    ASSERT_EQ(rollcon_contact_set_str(contact, "system", system), ROLLCON_OK);
+    const Table one = table(three, values, 1), two = table(three, values, 2);
+    EXPECT_EQ(differences(one, two, in_order(60)), 0);
+    double worst = 0, slopes = 0;
+    for (std::size_t i = 0; i < one.force.size(); ++i)
+      worst = std::max(worst, std::abs(one.force[i] - standard.force[i]) / load);
+    for (std::size_t i = 0; i < one.derivatives.size(); ++i)
+      slopes =
+          std::max(slopes, std::abs(one.derivatives[i] - standard.derivatives[i]) / (load / 1e-3));
+    std::printf("%s: off the standard iteration by %.1e (bound 1e-7), slopes %.1e (bound 1e-5)\n",
+                system, worst, slopes);
+    EXPECT_LT(worst, 1e-7);
+    EXPECT_LT(slopes, 1e-5);
+  }
+}
