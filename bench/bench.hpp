@@ -66,6 +66,12 @@ std::vector<Case> example1_cases();
 std::vector<Case> example2_cases();
 std::vector<Case> example4_cases();
 std::vector<Case> procedure_cases();
+std::vector<Case> lattice_cases();
+std::vector<Case> saved_body_cases();
+std::vector<Case> resolve_cases();
+std::vector<Case> thrift_cases();
+std::vector<Case> time_loop_cases();
+std::vector<Case> many_cases();
 
 double now();  ///< seconds, monotonic
 

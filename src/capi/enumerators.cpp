@@ -68,5 +68,6 @@ static_assert(same(Phase::compliance, ROLLCON_PHASE_COMPLIANCE));
 static_assert(same(Phase::normal, ROLLCON_PHASE_NORMAL));
 static_assert(same(Phase::tangential, ROLLCON_PHASE_TANGENTIAL));
 static_assert(same(Phase::full, ROLLCON_PHASE_FULL));
+static_assert(same(Phase::cases, ROLLCON_PHASE_CASES));
 
 }  // namespace rollcon

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/procedures/condensed.hpp"
-#include "contact/procedures/monolithic.hpp"
+#include "contact/lattice/lattice_scene.hpp"
+#include "contact/procedures/run.hpp"
+#include "contact/reach.hpp"
 #include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -43,6 +44,8 @@ class Watch final : public Monitor {
                 std::max(r.residual_normal, r.residual_tangential), seconds);
   }
 
+  bool cancelled() const override { return cancel_.load(); }
+
   bool tell(Phase phase, std::int64_t iteration, double residual, double seconds) {
     if (cancel_.load()) return true;
     if (!function_) return false;
@@ -72,52 +75,74 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   linear.method = s.procedure.linear;
   linear.preconditioner = s.procedure.preconditioner;
   s.newton.procedure = s.procedure;
+  s.newton.look_for_sliding = options.total_sliding != 0;
+  s.newton.predict = options.prediction != 0;
+  linear.unknowns = 0;  // where nothing needs a system
   s.linear_iterations = -linear.iterations;
+  s.right_sides = -linear.right_sides;
   s.factorizations = -linear.factorizations;
   s.timings.linear = -linear.seconds;
+  start_on_lattice(s, monitor);
   s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, options.tolerance,
                             options.max_iterations, monitor);
+  // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
+  while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
+    const NewtonReport before = s.report;
+    s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, options.tolerance,
+                              options.max_iterations, monitor);
+    s.report.add(before);
+  }
   s.images_known = false;
   s.system_unknowns = linear.unknowns;
   s.system_nonzeros = linear.unknowns * linear.unknowns;
   s.linear_iterations += linear.iterations;
+  s.right_sides += linear.right_sides;
   s.factorizations += linear.factorizations;
   s.timings.linear += linear.seconds;
 }
 
-std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
-  if (s.procedure.monolithic) {
-    const bool direct =
-        s.procedure.linear == LinearMethod::lu || s.procedure.linear == LinearMethod::automatic;
-    const MonolithicOptions options{direct ? StepSolver::lu : StepSolver::gmres,
-                                    s.procedure.preconditioner};
-    return std::make_unique<MonolithicSystem>(s.problem, s.frame, *s.compliance, options);
-  }
-  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear);
-}
-
-void run_published(SolverState& s, const Options& options, Monitor& monitor) {
-  LinearSolver& linear = s.newton.linear;
-  linear.method = s.procedure.linear;
-  linear.preconditioner = s.procedure.preconditioner;
-  linear.forget_exact();
-  const SolverState::StepKey key{s.procedure.monolithic, s.frictionless, s.problem.by_force,
-                                 s.procedure.linear, s.procedure.preconditioner};
-  if (!s.step_system || key != s.step_key) s.step_system = make_step_system(s);
-  s.step_key = key;
-  const StepCounters before = s.step_system->counters();
-  s.report = s.gnmls.solve(s.problem, s.iterate, *s.step_system, s.procedure, s.frictionless,
-                           options.tolerance, options.max_iterations, monitor);
-  const StepCounters after = s.step_system->counters();
-  s.linear_iterations = after.iterations - before.iterations;
-  s.factorizations = after.factorizations - before.factorizations;
-  s.timings.linear = after.seconds - before.seconds;
-  s.system_unknowns = after.unknowns;
-  s.system_nonzeros = after.nonzeros;
-  s.images_known = !s.frictionless;
-}
-
 }  // namespace
+
+void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
+  if (s.procedure.standard())
+    run_standard(s, options, monitor);
+  else
+    run_published(s, options, monitor);
+}
+
+std::int64_t nodes_at_rim(const SolverState& s) {
+  std::int64_t count = 0;
+  for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
+    count += s.frame.rim[k] && s.iterate.lambda[2][k] < 0;
+  return count;
+}
+
+void refuse_tangential_loads(const Problem& problem) {
+  for (const int m : {xi1, xi2, spin})
+    if (problem.by_force[static_cast<std::size_t>(m)] &&
+        problem.value[static_cast<std::size_t>(m)] != 0)
+      fail(Status::err_load,
+           "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
+           "at every node: there is no steady solution");
+}
+
+Status status_of(const SolverState& s) {
+  switch (s.outcome) {
+    case Outcome::no_solution:
+      fail(Status::err_load,
+           "the prescribed tangential force or spin moment reaches what friction can carry "
+           "(|Ft| must be less than mu Fn): there is no steady solution");
+    case Outcome::cancelled:
+      return Status::cancelled;
+    case Outcome::not_converged:
+      return Status::not_converged;
+    case Outcome::no_contact:
+      return Status::no_contact;
+    case Outcome::converged:
+      break;
+  }
+  return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
+}
 
 Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
                  std::shared_ptr<Body> body2)
@@ -192,6 +217,8 @@ Status Contact::solve_scene() {
   // A request belongs to the solve during which it was made.
   cancel_.store(false);
   prepare(s, scene, *body1_, *body2_, context_->threads());
+  s.revision_solved = scene.revision;
+  s.options_solved = scene.options.revision;
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
                 static_cast<long long>(s.problem.nodes), now_seconds() - start);
   watch.tell(Phase::compliance, 0, 0, now_seconds() - start);
@@ -202,18 +229,10 @@ Status Contact::solve_scene() {
   const double newton_start = now_seconds();
   if (s.frictionless) {
     s.settled = true;
-    for (const int m : {xi1, xi2, spin})
-      if (s.problem.by_force[static_cast<std::size_t>(m)] &&
-          s.problem.value[static_cast<std::size_t>(m)] != 0)
-        fail(Status::err_load,
-             "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
-             "at every node: there is no steady solution");
+    refuse_tangential_loads(s.problem);
     s.settled = false;
   }
-  if (s.procedure.standard())
-    run_standard(s, scene.options, watch);
-  else
-    run_published(s, scene.options, watch);
+  solve_prepared(s, scene.options, watch);
   s.settled = true;
   s.outcome = s.report.outcome;
   s.peak_bytes = std::max(s.peak_bytes, s.bytes());
@@ -227,31 +246,13 @@ Status Contact::solve_scene() {
       static_cast<long long>(s.report.full_iterations), static_cast<long long>(s.report.fallbacks),
       s.timings.newton);
 
-  switch (s.outcome) {
-    case Outcome::no_solution:
-      fail(Status::err_load,
-           "the prescribed tangential force or spin moment reaches what friction can carry "
-           "(|Ft| must be less than mu Fn): there is no steady solution");
-    case Outcome::cancelled:
-      s.solved = true;
-      return Status::cancelled;
-    case Outcome::not_converged:
-      s.solved = true;
-      return Status::not_converged;
-    case Outcome::no_contact:
-      s.solved = true;
-      return Status::no_contact;
-    case Outcome::converged:
-      break;
-  }
-  s.solved = s.warm_usable = true;
-  std::int64_t at_rim = 0;
-  for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
-    at_rim += s.frame.rim[k] && s.iterate.lambda[2][k] < 0;
-  if (at_rim == 0) return Status::ok;
+  const Status status = status_of(s);
+  s.solved = true;
+  s.warm_usable = s.outcome == Outcome::converged;
+  if (status != Status::rim_contact) return status;
   context_->log(LogLevel::warning, "contact reaches the rim of the frame at %lld node(s)",
-                static_cast<long long>(at_rim));
-  return Status::rim_contact;
+                static_cast<long long>(nodes_at_rim(s)));
+  return status;
 }
 
 }  // namespace rollcon

@@ -21,7 +21,7 @@ struct Event {
   double seconds = 0;          ///< since the solve began
 };
 
-enum class Phase : std::int32_t { compliance = 1, normal = 2, tangential = 3, full = 4 };
+enum class Phase : std::int32_t { compliance = 1, normal = 2, tangential = 3, full = 4, cases = 5 };
 enum class Field : std::int32_t {
   point = 1,
   traction = 2,
@@ -48,6 +48,8 @@ enum class Parameter : std::int32_t {
 };
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
+struct CaseList;     // contact/solve_many.hpp
+struct CaseResults;  // contact/solve_many.hpp
 struct SolverState;  // solution, caches and workspaces; contact/state.hpp
 
 class Contact {
@@ -70,6 +72,10 @@ class Contact {
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
+  /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok,
+  /// or the first that fits of cancelled, not_converged (or failed), rim_contact, no_contact. The
+  /// scene stays, and so does the last solution unless something was set since.
+  Status solve_many(const CaseList& cases, const CaseResults& results);
   /// Forgets warm start, solution and history; keeps the scene and the caches that still fit.
   void reset();
 

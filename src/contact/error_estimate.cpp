@@ -10,6 +10,7 @@
 
 #include "contact/error_variant.hpp"
 #include "contact/gap_between_nodes.hpp"
+#include "contact/lattice/lattice_scene.hpp"
 #include "contact/state.hpp"
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"
@@ -94,6 +95,25 @@ std::optional<Variant> solved(const SolverState& s, bool given_load, double step
   return std::nullopt;
 }
 
+// Errors of forces are of second order in the spacing for pressures and of first order for
+// friction, those of tractions of first order: their edges.
+void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
+  constexpr double tolerance = 1e-6;
+  Iterate coarse;
+  if (!solve_on_coarser_lattice(s, tolerance, coarse)) return;
+  const Sums whole = sums_of(s, s.iterate.lambda);
+  e.normal = ratio(difference(s, coarse.lambda, s.iterate.lambda).normal, whole.normal) / 3;
+  // Under a given load friction does not feel that the approach was off.
+  const double carried = sums_of(s, coarse.lambda).normal;
+  if (s.problem.by_force[approach] && carried > 0)
+    for (auto& lambda : coarse.lambda)
+      for (double& l : lambda) l *= whole.normal / carried;
+  const Sums change = difference(s, coarse.lambda, s.iterate.lambda);
+  e.tangential = ratio(change.tangential, whole.magnitude);
+  e.tractions = std::sqrt(std::max(ratio(change.pressure2, whole.pressure2),
+                                   ratio(change.tangential2, whole.tangential2)));
+}
+
 void estimate(const SolverState& s, ErrorEstimate& e) {
   const Tractions& solution = s.iterate.lambda;
   const std::vector<double>& normal = solution[2];
@@ -101,6 +121,7 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   const bool friction = !s.frictionless;
   e.normal = e.tractions = 1;
   e.tangential = friction ? 1 : 0;
+  if (s.problem.op.field) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = *s.scheme == Scheme::characteristic;
   const double step = characteristic ? s.characteristic_step : standard_step;
@@ -141,6 +162,7 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
 const ErrorEstimate& find_error_estimate(SolverState& s) {
   ErrorEstimate& e = s.error_estimate;
   if (e.known) return e;
+  ++s.work.estimates;
   e = {};
   {
     const Stopwatch watch(e.seconds);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linalg/dense.hpp"
 #include "support/clock.hpp"
 
 namespace rollcon {
@@ -11,127 +12,113 @@ namespace {
 constexpr int krylov_space = 60;
 // Without factors.
 constexpr int plain_krylov_space = 200, plain_iterations = 1000;
+// With operators that are not formed: memory for the space grows with the number of nodes.
+constexpr int field_krylov_space = 40, field_iterations = 400;
+constexpr double useful = 0.1;  // residual of a solution that is worth a step
 constexpr double exact = 1e-9;  // residual of solve_exactly()
 // For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper
 // beyond this, or beyond krylov_space for all together.
 constexpr int exact_iterations = 25;
-constexpr int good_iterations = 5;  // with fresh factors
-// New factors cost about as much as this many iterations (40 at 1290 unknowns, 70 at 5163): they
-// are made when the excess over good iterations has added up to that much.
+// Up to this many free unknowns one factorisation costs less than iterations for all right sides.
+constexpr std::int64_t exact_direct_limit = 300;
+constexpr double loosest = 0.1;  // of a linear residual
+// New factors cost about as much as this many iterations: they are made when the excess over
+// iterations with fresh ones has added up to that much, or as many nodes have changed their state.
 int price_of_factors(std::int64_t n) {
-  return static_cast<int>(30 + n / 130);
+  return static_cast<int>(2 + n / 70);
 }
 
 }  // namespace
 
-void LinearSolver::Kept::factor(ReducedSystem& system, std::int64_t node_count, bool& good) {
-  const std::int64_t n = system.size();
-  system.dense(lu_.prepare(n, n / 10));
-  good = valid_ = lu_.factor();
-  part_ = system.part();
-  nodes_ = system.active();
-  components_ = system.components();
-  borders_ = n - components_ * nodes_;
-  place_.assign(static_cast<std::size_t>(node_count), -1);
-  for (std::int64_t a = 0; a < nodes_; ++a)
-    place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])] =
-        static_cast<std::int32_t>(a);
-  if (work_.size() < static_cast<std::size_t>(n))
-    work_.resize(static_cast<std::size_t>(n + n / 10));
-}
-
-bool LinearSolver::Kept::usable(const ReducedSystem& system) const {
-  return valid_ && part_ == system.part() &&
-         borders_ == system.size() - system.components() * system.active();
-}
-
-void LinearSolver::Kept::match(const ReducedSystem& system) {
-  const auto n = static_cast<std::size_t>(system.size());
-  if (index_.size() < n) index_.resize(n + n / 10);
-  const std::int64_t na = system.active();
-  for (std::int64_t a = 0; a < na; ++a) {
-    const std::int32_t place =
-        place_[static_cast<std::size_t>(system.nodes()[static_cast<std::size_t>(a)])];
-    for (int c = 0; c < components_; ++c)
-      index_[static_cast<std::size_t>(c * na + a)] = place < 0 ? -1 : c * nodes_ + place;
-  }
-  for (std::int64_t k = 0; k < borders_; ++k)
-    index_[static_cast<std::size_t>(components_ * na + k)] = components_ * nodes_ + k;
-  index_size_ = system.size();
-}
-
-void LinearSolver::Kept::apply(const double* x, double* y) {
-  const std::int64_t n = components_ * nodes_ + borders_;
-  std::fill(work_.begin(), work_.begin() + n, 0.0f);
-  // Single precision has a narrow range: scale the residual to order one.
-  double largest = 0;
-  for (std::int64_t i = 0; i < index_size_; ++i) largest = std::max(largest, std::abs(x[i]));
-  if (!(largest > 0) || !std::isfinite(largest)) {
-    std::copy(x, x + index_size_, y);
-    return;
-  }
-  for (std::int64_t i = 0; i < index_size_; ++i)
-    if (const std::int64_t k = index_[static_cast<std::size_t>(i)]; k >= 0)
-      work_[static_cast<std::size_t>(k)] = static_cast<float>(x[i] / largest);
-  lu_.solve(work_.data());
-  for (std::int64_t i = 0; i < index_size_; ++i) {
-    const std::int64_t k = index_[static_cast<std::size_t>(i)];
-    y[i] = k >= 0 ? largest * static_cast<double>(work_[static_cast<std::size_t>(k)]) : x[i];
-  }
-}
-
-bool LinearSolver::solve_direct(ReducedSystem& system, const std::vector<double>& b,
-                                std::vector<double>& x) {
-  const std::int64_t n = system.size();
-  forget_exact();
-  system.dense(lu_.prepare(n, n / 10));
+bool LinearSolver::factor_free(Lu<double>& lu) {
+  const std::int64_t n = free_.size();
+  free_.dense(FreeSystem::Rows::all, lu.prepare(n, n / 5));
   ++factorizations;
-  if (!lu_.factor()) return false;
-  x.resize(static_cast<std::size_t>(n));
-  std::copy(b.begin(), b.begin() + n, x.begin());
-  lu_.solve(x.data());
-  check_.resize(static_cast<std::size_t>(n));
-  system.apply(x.data(), check_.data());  // leaves the product that the caller reads
-  return std::all_of(x.begin(), x.begin() + n, [](double v) { return std::isfinite(v); });
+  return lu.factor();
+}
+
+bool LinearSolver::solve_direct(const std::vector<double>& b, std::vector<double>& x) {
+  forget_exact();
+  if (!factor_free(lu_)) return false;
+  free_.reduce(b, reduced_);
+  lu_.solve(reduced_.data());
+  return finish(reduced_.data(), x);
+}
+
+// All unknowns from the free ones; leaves the product that the caller reads.
+bool LinearSolver::finish(const double* y, std::vector<double>& x) {
+  free_.apply(y, check_.data());
+  free_.expand(y, x.data());
+  return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
 }
 
 bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
                          const std::vector<double>& b, double tolerance, std::vector<double>& x) {
   const Stopwatch watch(seconds);
-  const std::int64_t n = system.size();
-  unknowns = n;
+  unknowns = system.size();
+  ++right_sides;
+  if (system.field()) return solve_field(system, b, tolerance, x);
+  const bool plain =
+      preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
+  take(system, x);
+  const std::int64_t n = free_.size();
   if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit))
-    return solve_direct(system, b, x);
-  if (preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal)
-    return solve_plainly(system, b, tolerance, x);
-  const auto part = static_cast<std::size_t>(system.part()) - 2;
-  Kept& kept = kept_[part];
-  x.resize(static_cast<std::size_t>(n));
+    return solve_direct(b, x);
+  if (plain) return solve_plainly(system, b, tolerance, x);
+  return solve_with_kept(node_count, b, tolerance, x) || solve_direct(b, x);
+}
+
+void LinearSolver::take(ReducedSystem& system, std::vector<double>& x) {
+  free_.take(system);
+  const auto n = static_cast<std::size_t>(system.size());
+  x.resize(n);
+  if (check_.size() < n) check_.resize(n + n / 10), found_.resize(n + n / 10);
+}
+
+bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<double>& b,
+                                   double tolerance, std::vector<double>& x) {
+  const std::int64_t n = free_.size();
+  const auto part = static_cast<std::size_t>(free_.system().part()) - 2;
   gmres_.reserve(n + n / 10, krylov_space);
+  free_.reduce(b, reduced_);
+  // The tolerance is one of all rows.
+  const double left = norm2(reduced_.data(), n);
+  const double all = norm2(b.data(), free_.system().size());
+  const double wanted = left > 0 ? std::min(tolerance * all / left, loosest) : tolerance;
+  const int price = price_of_factors(n);
   for (int attempt = 0; attempt < 2; ++attempt) {
-    const bool fresh = attempt == 1 || excess_[part] > price_of_factors(n) || !kept.usable(system);
-    if (fresh) {
-      bool good = false;
-      kept.factor(system, node_count, good);
-      ++factorizations;
-      excess_[part] = 0;
-      if (!good) break;
+    bool fresh = attempt == 1 || excess_ > price || !kept_.usable(free_);
+    if (!fresh) {
+      kept_.match(free_);
+      fresh = kept_.changed() > price;
     }
-    kept.match(system);
-    const int limit = krylov_space;
-    const GmresReport report = gmres_.solve(n, system, kept, b.data(), x.data(), tolerance, limit);
+    if (fresh) {
+      ++factorizations;
+      excess_ = 0;
+      if (!kept_.factor(free_, node_count)) break;
+      kept_.match(free_);
+    }
+    const GmresReport report =
+        gmres_.solve(n, free_, kept_, reduced_.data(), found_.data(), wanted, krylov_space);
     iterations += report.iterations;
     if (report.converged) {
-      decades_[part] = report.residual > 0 && report.iterations > 0
-                           ? -std::log10(report.residual) / report.iterations
-                           : INFINITY;
-      excess_[part] += std::max(0, report.iterations - good_iterations);
+      const double decades = report.residual > 0 && report.iterations > 0
+                                 ? -std::log10(report.residual) / report.iterations
+                                 : INFINITY;
+      decades_[part] = decades;
+      if (fresh) fresh_decades_ = decades;
+      const double good = std::ceil(-std::log10(wanted) / fresh_decades_);
+      excess_ += std::max(0, report.iterations - static_cast<int>(good));
+      if (left > 0)
+        free_.expand(found_.data(), x.data());
+      else
+        finish(found_.data(), x);
       return true;
     }
     if (fresh) break;
   }
-  kept.forget();
-  return solve_direct(system, b, x);
+  kept_.forget();
+  return false;
 }
 
 bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double>& b,
@@ -144,36 +131,53 @@ bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double
   const GmresReport report =
       gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
   iterations += report.iterations;
-  return report.converged || solve_direct(system, b, x);
+  return report.converged || solve_direct(b, x);
+}
+
+bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>& b,
+                               double tolerance, std::vector<double>& x) {
+  const std::int64_t n = system.size();
+  x.resize(static_cast<std::size_t>(n));
+  gmres_.reserve(n + n / 10, field_krylov_space);
+  if (!field_blocks_) field_blocks_ = system.field()->make_preconditioner();
+  LinearOperator* blocks = field_blocks_.get();
+  if (field_blocks_)
+    field_blocks_->take(system);
+  else
+    pair_blocks_.take(system, true), blocks = &pair_blocks_;
+  const GmresReport report =
+      gmres_.solve(n, system, *blocks, b.data(), x.data(), tolerance, field_iterations);
+  iterations += report.iterations;
+  return report.converged || report.residual < useful;
 }
 
 bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b,
                                  std::vector<double>& x) {
   const Stopwatch watch(seconds);
-  const std::int64_t n = system.size();
+  if (system.field()) return solve_field(system, b, exact, x);
+  take(system, x);
+  const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(system.part()) - 2;
-  Kept& kept = kept_[part];
-  x.resize(static_cast<std::size_t>(n));
-  const bool small = method == LinearMethod::automatic && n <= direct_limit;
+  free_.reduce(b, reduced_);
+  const bool small = method == LinearMethod::automatic && n <= exact_direct_limit;
   const bool fresh_enough =
-      kept.usable(system) && decades_[part] * exact_iterations >= -std::log10(exact);
+      kept_.usable(free_) && decades_[part] * exact_iterations >= -std::log10(exact);
   if (!exact_[part] && method != LinearMethod::lu && !small && fresh_enough) {
     gcr_[part].reserve(n, krylov_space);
-    kept.match(system);
+    kept_.match(free_);
     const GmresReport report =
-        gcr_[part].solve(n, system, kept, b.data(), x.data(), exact, exact_iterations);
+        gcr_[part].solve(n, free_, kept_, reduced_.data(), found_.data(), exact, exact_iterations);
     iterations += report.iterations;
-    if (report.converged) return true;
+    if (report.converged) {
+      free_.expand(found_.data(), x.data());
+      return true;
+    }
   }
   Lu<double>& lu = system.part() == Part::normal ? normal_lu_ : lu_;
-  if (!exact_[part]) {
-    system.dense(lu.prepare(n, n / 10));
-    ++factorizations;
-    exact_[part] = lu.factor();
-    if (!exact_[part]) return false;
-  }
-  std::copy(b.begin(), b.begin() + n, x.begin());
-  lu.solve(x.data());
+  if (!exact_[part]) exact_[part] = factor_free(lu);
+  if (!exact_[part]) return false;
+  lu.solve(reduced_.data());
+  free_.expand(reduced_.data(), x.data());
   return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
 }
 
@@ -184,12 +188,14 @@ void LinearSolver::forget_exact() {
 
 void LinearSolver::forget() {
   forget_exact();
-  for (Kept& kept : kept_) kept.forget();
+  field_blocks_.reset();
+  kept_.forget();
 }
 
 std::size_t LinearSolver::bytes() const {
-  std::size_t sum = lu_.bytes() + normal_lu_.bytes() + gmres_.bytes();
-  for (const Kept& kept : kept_) sum += kept.bytes();
+  std::size_t sum =
+      lu_.bytes() + normal_lu_.bytes() + gmres_.bytes() + kept_.bytes() + free_.bytes();
+  if (field_blocks_) sum += field_blocks_->bytes();
   for (const RecyclingGcr& gcr : gcr_) sum += gcr.bytes();
   return sum;
 }

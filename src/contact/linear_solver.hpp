@@ -3,11 +3,14 @@
 /// single-precision LU that is kept from earlier iterations and solves as long as it serves.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "contact/free_system.hpp"
 #include "contact/linear_method.hpp"
 #include "contact/pair_blocks.hpp"
 #include "contact/reduced_system.hpp"
+#include "contact/split_factors.hpp"
 #include "linalg/gcr.hpp"
 #include "linalg/gmres.hpp"
 #include "linalg/lu.hpp"
@@ -16,9 +19,9 @@ namespace rollcon {
 
 class LinearSolver {
  public:
-  /// Up to this many unknowns `automatic` factorises every system (crossing measured by the bench
-  /// case linear_solver).
-  static constexpr std::int64_t direct_limit = 240;
+  /// Up to this many free unknowns `automatic` factorises every system (crossing measured by the
+  /// bench case linear_solver).
+  static constexpr std::int64_t direct_limit = 60;
 
   LinearMethod method = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;  ///< automatic: kept_lu
@@ -38,49 +41,38 @@ class LinearSolver {
 
   std::int64_t iterations = 0;      ///< Krylov, since construction
   std::int64_t factorizations = 0;  ///< dense, since construction
+  std::int64_t right_sides = 0;     ///< of solve(), since construction
   std::int64_t unknowns = 0;        ///< of the last system
   double seconds = 0;
   std::size_t bytes() const;
 
  private:
-  /// Factors of an earlier system, mapped onto the present one node by node: nodes that were not
-  /// active then keep their diagonal.
-  class Kept final : public LinearOperator {
-   public:
-    void factor(ReducedSystem& system, std::int64_t node_count, bool& good);
-    void match(const ReducedSystem& system);
-    void apply(const double* x, double* y) override;
-    bool usable(const ReducedSystem& system) const;
-    void forget() { valid_ = false; }
-    std::size_t bytes() const { return lu_.bytes(); }
-
-   private:
-    Lu<float> lu_;
-    bool valid_ = false;
-    Part part_ = Part::normal;
-    std::int64_t nodes_ = 0, borders_ = 0;
-    int components_ = 0;
-    std::vector<std::int32_t> place_;  ///< node -> position among the factorised, or -1
-    std::vector<std::int64_t> index_;  ///< present unknown -> factorised unknown, or -1
-    std::int64_t index_size_ = 0;
-    std::vector<float> work_;
-  };
-
   /// GMRES with no preconditioner or the pairs' own blocks.
   bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
                      std::vector<double>& x);
-  bool solve_direct(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x);
+  /// GMRES for operators that are not formed.
+  bool solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance,
+                   std::vector<double>& x);
+  void take(ReducedSystem& system, std::vector<double>& x);
+  bool solve_direct(const std::vector<double>& b, std::vector<double>& x);
+  bool solve_with_kept(std::int64_t node_count, const std::vector<double>& b, double tolerance,
+                       std::vector<double>& x);
+  bool factor_free(Lu<double>& lu);
+  bool finish(const double* y, std::vector<double>& x);
 
   Lu<double> lu_;
   Lu<double> normal_lu_;  ///< solve_exactly() of the normal part, which may come with another
   bool exact_[3] = {};    ///< those two hold the part's system of solve_exactly()
-  Kept kept_[3];          ///< one per part
+  FreeSystem free_;       ///< what is left of the present system
+  SplitFactors kept_;
   Gmres gmres_;
   PairBlocks pair_blocks_;
+  std::unique_ptr<FieldPreconditioner> field_blocks_;
   RecyclingGcr gcr_[3];  ///< of solve_exactly(), one per part
-  std::vector<double> check_;
-  double decades_[3] = {};  ///< of the residual per Krylov iteration, in the part's last system
-  int excess_[3] = {};      ///< Krylov iterations beyond good ones since the factors were made
+  std::vector<double> reduced_, found_, check_;
+  double decades_[3] = {};    ///< of the residual per Krylov iteration, in the part's last system
+  double fresh_decades_ = 7;  ///< likewise with factors just made
+  int excess_ = 0;            ///< Krylov iterations beyond those of fresh factors
 };
 
 }  // namespace rollcon

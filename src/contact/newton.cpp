@@ -24,7 +24,7 @@ double Newton::Residual::worst(Part part) const {
 }
 
 std::size_t Newton::bytes() const {
-  std::size_t sum = linear.bytes() + system_.bytes();
+  std::size_t sum = linear.bytes() + system_.bytes() + prediction_.bytes();
   for (int c = 0; c < 3; ++c)
     sum += sizeof(double) * (frozen_[c].capacity() + next_[c].capacity() +
                              next_image_[c].capacity() + known_[c].capacity());
@@ -160,8 +160,18 @@ void Newton::freeze_other_part(Part part) {
   if (!has_frozen_) return;
   const Problem& p = *problem_;
   const std::int64_t n = p.nodes;
+  if (p.op.field) {
+    const auto& l = iterate_->lambda;
+    const bool own = part == Part::normal;
+    p.op.field->apply({own && p.op.tangential ? l[0].data() : nullptr,
+                       own && p.op.tangential ? l[1].data() : nullptr, own ? nullptr : l[2].data()},
+                      {own ? nullptr : frozen_[0].data(), own ? nullptr : frozen_[1].data(),
+                       own ? frozen_[2].data() : nullptr});
+    return;
+  }
   if (part == Part::normal) {
     for (std::int64_t i = 0; i < n; ++i) {
+      if (!p.used[at(i)]) continue;
       double sum = 0;
       for (int c = 0; c < 2; ++c)
         if (!p.op.block[2][c].empty())
@@ -172,7 +182,7 @@ void Newton::freeze_other_part(Part part) {
   }
   for (int r = 0; r < 2; ++r)
     for (std::int64_t i = 0; i < n; ++i)
-      frozen_[r][at(i)] = p.op.block[r][2].empty()
+      frozen_[r][at(i)] = p.op.block[r][2].empty() || !p.used[at(i)]
                               ? 0
                               : dot(p.op.block[r][2].row(i), iterate_->lambda[2].data(), n);
 }
@@ -204,6 +214,31 @@ ReducedSystem& Newton::linearise(Problem& problem, Iterate& iterate, Part part) 
   return system_;
 }
 
+// After a step the images at hand are the product of the system with the iterate, unless nodes that
+// have just left the contact still carry tractions. False: they do. The first step of a run makes
+// the product anew, lest rounding adds up over solves.
+bool Newton::take_product(Part part) {
+  if (!images_fresh_) return false;
+  const Problem& p = *problem_;
+  const Iterate& it = *iterate_;
+  const int first = part == Part::normal ? 2 : 0, last = part == Part::tangential ? 1 : 2;
+  for (std::size_t k = 0; k < at(p.nodes); ++k)
+    for (int c = first; c <= last && !is_active_[k]; ++c)
+      if (it.lambda[c][k] != 0) return false;
+  const std::size_t na = active_.size();
+  product_.resize(static_cast<std::size_t>(system_.components()) * na);
+  for (int r = 0; r < system_.components(); ++r) {
+    const int c = system_.component(r);
+    for (std::size_t a = 0; a < na; ++a) {
+      const std::size_t k = at(active_[a]);
+      const double scale = c == 2 ? p.rn[k] : p.rt[k];
+      product_[static_cast<std::size_t>(r) * na + a] =
+          scale * (it.image[c][k] - (has_frozen_ ? frozen_[c][k] : 0));
+    }
+  }
+  return true;
+}
+
 // Fills next_, next_image_ and next_motion_ with the solution of the linearised problem.
 bool Newton::newton_step(Part part, double forcing) {
   const Problem& p = *problem_;
@@ -233,7 +268,11 @@ bool Newton::newton_step(Part part, double forcing) {
   x_.resize(n);
   jx_.resize(n);
   system_.start(it.lambda, it.motion, x_);
-  system_.apply(x_.data(), jx_.data());
+  if (take_product(part))
+    system_.apply_known(x_.data(), product_, jx_.data());
+  else
+    system_.apply(x_.data(), jx_.data());
+  images_fresh_ = true;
   product_.assign(system_.product().begin(), system_.product().end());
   for (std::size_t i = 0; i < n; ++i) b_[i] -= jx_[i];
   if (!linear.solve(system_, p.nodes, b_, forcing, correction_)) return false;
@@ -261,6 +300,10 @@ bool Newton::newton_step(Part part, double forcing) {
     const bool own = (m == approach) ? part != Part::tangential : part != Part::normal;
     next_motion_[at(m)] = own ? system_.motion(p, m, x_.data()) : it.motion[at(m)];
   }
+  if (p.op.field) {
+    take_step_field(part);
+    return true;
+  }
   if (part == Part::tangential) return true;
   for (std::int64_t i = 0; i < p.nodes; ++i) {
     const std::size_t k = at(i);
@@ -271,6 +314,17 @@ bool Newton::newton_step(Part part, double forcing) {
     next_image_[2][k] = sum;
   }
   return true;
+}
+
+// Images of the step at all nodes, by one application of operators that are not formed.
+void Newton::take_step_field(Part part) {
+  const ContactOperators& op = problem_->op;
+  const bool tangential = part != Part::normal, normal = part != Part::tangential;
+  const auto from = [&](int c) { return c == 2 || op.tangential ? next_[c].data() : nullptr; };
+  const auto to = [&](int r) {
+    return (r == 2 ? normal : tangential) ? next_image_[r].data() : nullptr;
+  };
+  op.field->apply({from(0), from(1), from(2)}, {to(0), to(1), to(2)});
 }
 
 // Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The
@@ -301,6 +355,7 @@ void Newton::advance(Part part, double alpha) {
     from = alpha == 1 ? to : from + alpha * (to - from);
   };
   for (int m = 0; m < 4; ++m) blend(it.motion[at(m)], next_motion_[at(m)]);
+  const bool everywhere = p.op.field != nullptr;  // the step's slip is known at all nodes
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
     for (int c = 0; c < 3; ++c) {
@@ -311,7 +366,7 @@ void Newton::advance(Part part, double alpha) {
       blend(it.image[2][k], next_image_[2][k]);
     else if (p.op.coupled)
       it.gap_valid[k] = 0;
-    if (part != Part::normal && is_active_[k]) {
+    if (part != Part::normal && (is_active_[k] || (everywhere && it.slip_valid[k]))) {
       blend(it.image[0][k], next_image_[0][k]);
       blend(it.image[1][k], next_image_[1][k]);
     } else if (part != Part::normal || p.op.coupled) {

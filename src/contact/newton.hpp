@@ -6,9 +6,11 @@
 #include <vector>
 
 #include "contact/linear_solver.hpp"
+#include "contact/prediction.hpp"
 #include "contact/problem.hpp"
 #include "contact/procedures/procedure.hpp"
 #include "contact/reduced_system.hpp"
+#include "contact/total_sliding.hpp"
 
 namespace rollcon {
 
@@ -27,6 +29,8 @@ struct StepRecord {
 struct Monitor {
   virtual ~Monitor() = default;
   virtual bool step(const StepRecord& record) = 0;
+  /// True once a stop was asked for; of work that has no iterations to tell of.
+  virtual bool cancelled() const { return false; }
 };
 
 enum class Outcome { converged, not_converged, cancelled, no_contact, no_solution };
@@ -36,12 +40,26 @@ struct NewtonReport {
   std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
   double residual_normal = 0, residual_tangential = 0;
   std::int64_t fallbacks = 0;
+  std::int64_t predictions = 0;    ///< parts that began from a predicted iterate
+  std::int64_t sliding_steps = 0;  ///< of total sliding; 0: the scene did not give that
+
+  /// Iterations of an earlier part of the same solve.
+  void add(const NewtonReport& earlier) {
+    normal_iterations += earlier.normal_iterations;
+    tangential_iterations += earlier.tangential_iterations;
+    full_iterations += earlier.full_iterations;
+    fallbacks += earlier.fallbacks;
+    predictions += earlier.predictions;
+    sliding_steps += earlier.sliding_steps;
+  }
 };
 
 class Newton {
  public:
   LinearSolver linear;
-  Procedure procedure;  ///< tolerances of the linear systems
+  Procedure procedure;           ///< tolerances of the linear systems
+  bool predict = true;           ///< warm starts look along the line of the last change
+  bool look_for_sliding = true;  ///< total sliding needs no linear systems
 
   /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the
   /// load is a force). frictionless: mu is zero at every node.
@@ -54,9 +72,13 @@ class Newton {
   /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at
   /// sliding nodes even where pressures are given.
   ReducedSystem& linearise(Problem& problem, Iterate& iterate, Part part);
+  /// The next iterate is not one that this class found.
+  void forget_prediction() { prediction_.forget(); }
   /// To be called when the operators or scales were assembled anew.
   void operators_changed() {
     operators_changed_ = true;
+    sliding_.operators_changed();
+    prediction_.forget();
     linear.forget();
   }
   std::size_t bytes() const;
@@ -84,8 +106,12 @@ class Newton {
                                       : report_.full_iterations;
   }
   Residual evaluate(Part part);
+  void begin_prediction();
+  bool start_predicted(Part part);
   void freeze_other_part(Part part);
+  void take_step_field(Part part);
   TangentialLaw law_of(Part part, std::int32_t node, bool bound_follows) const;
+  bool take_product(Part part);
   bool newton_step(Part part, double forcing);
   void advance(Part part, double alpha);
   double line_search(Part part, double merit);
@@ -107,11 +133,15 @@ class Newton {
   } best_;
   std::int64_t iterations_left_ = 0;
 
+  TotalSliding sliding_;
+  Prediction prediction_;
+  double prediction_ratio_ = 0;  ///< 0: none (any more) in this solve
   ReducedSystem system_;
   std::vector<std::int32_t> active_;
   std::vector<std::uint8_t> is_active_;
   std::vector<double> frozen_[3];  ///< images of the tractions that the current part holds fixed
   bool has_frozen_ = false;
+  bool images_fresh_ = false;  ///< from a step of this run
   std::vector<double> next_[3], next_image_[3];
   std::array<double, 4> next_motion_{};
   std::vector<double> known_[3], b_, x_, correction_, jx_, product_;

@@ -19,13 +19,17 @@ constexpr double progress = 0.7;          // factor on the best residual that co
 Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
                     std::int64_t& iterations) {
   freeze_other_part(part);
+  images_fresh_ = false;
   merits_.clear();
   StepRecord record;
   record.part = part;
   double last_worst = INFINITY, best = INFINITY, last_merit = 0, eta = 0;
   std::int64_t waiting = 0;
   for (std::int64_t k = 0;; ++k) {
-    const Residual residual = evaluate(part);
+    Residual residual = evaluate(part);
+    if (k == 0 && prediction_ratio_ != 0 && residual.worst(part) > tolerance &&
+        start_predicted(part))
+      residual = evaluate(part);
     record.iteration = k;
     record.merit = residual.merit;
     record.residual_normal = residual.normal;
@@ -62,9 +66,9 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     if (part != Part::normal && settled && load_beyond_friction(*problem_, iterate_->lambda))
       return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
-    double forcing =
-        std::clamp(0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
-                   std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
+    double forcing = std::clamp(
+        k == 0 ? 1e-3 * worst : 0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
+        std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
     if (procedure.eta > 0) forcing = procedure.eta;
     if (procedure.linear == LinearMethod::gmres_adaptive)
       forcing = eta = adaptive_tolerance(procedure, residual.merit, last_merit, eta);
@@ -119,6 +123,9 @@ Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations
     pressures_found_ = outcome == Outcome::converged;
   }
   if (outcome != Outcome::converged || goal_ == Part::normal) return outcome;
+  if (look_for_sliding && goal_ == Part::tangential && sliding_.given(*problem_, *iterate_))
+    report_.sliding_steps += sliding_.solve(*problem_, *iterate_, tolerance / 2);
+  if (report_.sliding_steps > 0) prediction_ratio_ = 0;
   free_steps_ = cold ? 0 : 2;
   // With creepages still unknown there is no slip direction to start from: full stick finds both
   // (15 to 9 iterations on the linear quadrilaterals of the sphere example).
@@ -148,6 +155,7 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   best_.worst = INFINITY;
   pressures_found_ = false;
   reserve(static_cast<std::size_t>(problem.nodes));
+  begin_prediction();
   for (const int m : {xi1, xi2, approach, spin}) {
     const auto k = static_cast<std::size_t>(m);
     if (!problem.by_force[k])
@@ -162,8 +170,13 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   }
   const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
                                  [](double l) { return l != 0; });
-  if (cold) guess_start(problem, iterate);
+  if (cold) {
+    prediction_.forget();
+    prediction_ratio_ = 0;
+    guess_start(problem, iterate);
+  }
   Outcome outcome = attempt(cold, tolerance, max_iterations);
+  prediction_ratio_ = 0;
   if (outcome == Outcome::not_converged && !cold && iterations_left_ > 0) {
     ++report_.fallbacks;
     start_cold(problem, iterate);
@@ -175,6 +188,10 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   if (outcome == Outcome::not_converged && worth_while && iterations_left_ > 0)
     outcome = fall_back(tolerance, max_iterations);
   if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
+  if (predict && outcome == Outcome::converged)
+    prediction_.solved();
+  else
+    prediction_.forget();
   report_.outcome = outcome;
   return report_;
 }

@@ -3,11 +3,14 @@
 /// for every load, creepage and friction.
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bodies/compliance.hpp"
 #include "contact/convection.hpp"
+#include "contact/field_operator.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/frame.hpp"
 
@@ -24,7 +27,12 @@ struct ContactOperators {
   bool coupled = false;
   bool coupling_vanished = false;           ///< assembled and found to be zero to rounding
   bool normal = false, tangential = false;  ///< which rows are assembled
+  /// n by n; rows of nodes that are not there hold nothing.
   RowMatrix<double> block[3][3];
+  std::vector<std::uint8_t> there;  ///< nodes whose rows are assembled; empty: all that ever were
+  std::int64_t rows = 0;            ///< number of those nodes
+  /// Instead of blocks, which are then empty: the same rows applied without being formed.
+  std::shared_ptr<FieldOperator> field;
   SparseRows convection;  ///< empty for the characteristic scheme
   /// Characteristic scheme: distance to the upstream point, in the projection and (curved frames;
   /// else empty) along the surface.
@@ -34,6 +42,7 @@ struct ContactOperators {
   double path(std::size_t k) const {
     return upstream_path.empty() ? upstream[k] : upstream_path[k];
   }
+  bool has_row(std::size_t k) const { return there.empty() || there[k] != 0; }
   std::size_t bytes() const;
 };
 
@@ -46,9 +55,10 @@ void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactO
 void convect(const ContactOperators& op, const double* w, const double* ahead,
              std::vector<double> (&slip)[2]);
 
-/// Assembles the rows asked for that are not there yet. Coupling blocks that turn out to be zero
-/// (two bodies that mirror each other) are dropped. docs/theory.md, sections 3 and 5.
+/// Assembles the rows asked for that are not there yet, of nodes with wanted[k] != 0 (empty: of
+/// all) and of those that have rows already. Coupling blocks that turn out to be zero (two bodies
+/// that mirror each other) are dropped. docs/theory.md, sections 3 and 5.
 void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
-                        ContactOperators& op);
+                        ContactOperators& op, std::span<const std::uint8_t> wanted = {});
 
 }  // namespace rollcon

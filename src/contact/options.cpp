@@ -25,6 +25,16 @@ const SettingTable<Options>& table() {
        "Factor on the augmentation parameter of the friction law."},
       {"warm_start", &Options::warm_start, 0, 1,
        "1: a solve starts from the last solution; 0: from nothing."},
+      {"prediction", &Options::prediction, 0, 1,
+       "1: a warm start goes on along the line of the last change where that helps; 0: never."},
+      {"operators", &Options::operators, "auto|dense|table|fft",
+       "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions."},
+      {"reach", &Options::reach, 0, 1,
+       "1: nodes that cannot touch get no rows of the operators; 0: all nodes do."},
+      {"total_sliding", &Options::total_sliding, 0, 1,
+       "1: where creepages let no node stick, tractions come without linear systems; 0: by "
+       "Newton's "
+       "iteration like others."},
       {"system", &Options::system, "condensed|monolithic",
        "The bodies' own unknowns eliminated, or written out as in (48), (58), (62)."},
       {"jacobian", &Options::jacobian, "exact|b_derivative|simplified|reduced",

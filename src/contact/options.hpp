@@ -22,6 +22,10 @@ struct Options {
   double normal_scale = 1;                    // "normal_scale": multiplies r_n
   double tangential_scale = 1;                // "tangential_scale": multiplies r_t
   std::int64_t warm_start = 1;                // "warm_start"
+  std::int64_t prediction = 1;                // "prediction"
+  std::string operators = "auto";             // "operators"
+  std::int64_t reach = 1;                     // "reach"
+  std::int64_t total_sliding = 1;             // "total_sliding"
   // Which of the published solution procedures (contact/procedures/procedure.hpp).
   std::string system = "condensed";     // "system"
   std::string jacobian = "exact";       // "jacobian"

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "contact/geometry.hpp"
+#include "contact/lattice/lattice_scene.hpp"
 #include "contact/state.hpp"
 
 namespace rollcon {
@@ -15,7 +16,7 @@ namespace {
 void line(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 void line(std::string& text, const char* format, ...) {
-  char buffer[256];
+  char buffer[512];
   std::va_list args;
   va_start(args, format);
   std::vsnprintf(buffer, sizeof buffer, format, args);
@@ -24,21 +25,33 @@ void line(std::string& text, const char* format, ...) {
   text += '\n';
 }
 
+const char* where_prepared(const Body& body) {
+  if (body.loaded()) return "; from a file: not assembled, not factorised";
+  return body.shared() ? "; shared with an equal body of this context" : "";
+}
+
 void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
                      const Body& body2) {
   int number = 1;
   for (const Body* body : {&body1, &body2}) {
+    const bool fem = body->kind() == BodyKind::fem;
     if (body->rigid())
-      line(text, "body %d: rigid%s, no compliance", number,
-           body->meshed() ? " surface of its own" : "");
+      line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
+           body->meshed() ? " surface of its own" : ", no mesh");
     else if (body->meshed())
-      line(text, "body %d: boundary elements, %lld nodes, %lld elements", number,
-           static_cast<long long>(body->mesh().surface.nodes()),
-           static_cast<long long>(body->mesh().surface.elements()));
+      line(text, "body %d: %s elements, %lld nodes, %lld elements%s", number,
+           fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
+           static_cast<long long>(body->mesh().surface.elements()), where_prepared(*body));
     ++number;
   }
+  if (body1.response() && body1.same_as(body2))
+    line(text, "body 2 equals body 1: no second assembly, no second factorisation");
+  if (body1.kind() != BodyKind::fem && body2.kind() != BodyKind::fem && s.procedure.standard())
+    line(text, "no finite-element body: no sparse matrix, no call of a sparse factorisation");
   if (body1.kind() == BodyKind::halfspace && body2.kind() == BodyKind::halfspace)
     line(text, "both half-spaces: one compliance with summed constants");
+  const std::string lattice = describe_lattice(s);
+  if (!lattice.empty()) text += lattice + '\n';
   const std::string compliance = s.compliance->description();
   if (!compliance.empty()) text += compliance + '\n';
 }
@@ -75,6 +88,54 @@ void describe_procedure(std::string& text, const SolverState& s, const Options& 
        o.jacobian.c_str(), o.linear_solver.c_str());
 }
 
+void describe_reach(std::string& text, const SolverState& s) {
+  const auto all = static_cast<long long>(s.problem.nodes);
+  if (s.reach.on)
+    line(text,
+         "reach: %lld of %lld nodes are out of it (a bound proves them open): no rows of the "
+         "operators, no part in the iteration",
+         all - static_cast<long long>(s.reach.nodes), all);
+  else if (s.reach.why_not)
+    line(text, "reach: all %lld nodes (%s)", all, s.reach.why_not);
+}
+
+// What of the last preparation was there already.
+void describe_reuse(std::string& text, const SolverState& s) {
+  const Work &now = s.work, &before = s.work_before;
+  std::string kept, made;
+  const auto tell = [&](bool again, const char* what) {
+    std::string& list = again ? made : kept;
+    list += (list.empty() ? "" : ", ") + std::string(what);
+  };
+  if (s.pair.body[0]->response() || s.pair.body[1]->response())
+    tell(now.bodies != before.bodies, "bodies");
+  tell(now.frames != before.frames, "frame");
+  tell(now.gaps != before.gaps, "gap");
+  tell(now.compliances != before.compliances, "compliance");
+  tell(now.stencils != before.stencils, "convective stencils");
+  tell(s.assemblies != s.assemblies_before, "operators");
+  if (made.empty())
+    line(text, "nothing is new since the solve before: no assembly, no preparation");
+  else if (!kept.empty())
+    line(text, "as before, not made again: %s", kept.c_str());
+  if (!made.empty()) line(text, "made for this solve: %s", made.c_str());
+}
+
+void describe_results(std::string& text, const SolverState& s) {
+  std::string missing;
+  const auto tell = [&](bool known, const char* what) {
+    if (!known) missing += (missing.empty() ? "" : ", ") + std::string(what);
+  };
+  tell(s.derived, "gap, slip and state of the nodes");
+  tell(s.laws_checked, "residuals of the laws");
+  tell(s.work.displacements > s.work_before.displacements, "displacements of the bodies");
+  tell(s.error_estimate.known, "error estimate");
+  tell(std::any_of(s.sensitivities.known.begin(), s.sensitivities.known.end(),
+                   [](bool known) { return known; }),
+       "sensitivities");
+  if (!missing.empty()) line(text, "not computed, as nobody asked: %s", missing.c_str());
+}
+
 }  // namespace
 
 std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
@@ -85,7 +146,9 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   describe_frame(text, s, scene, body1.meshed() || body2.meshed());
   if (s.frictionless) {
     line(text, "friction is zero: no tangential unknowns%s",
-         op.tangential ? "" : ", no convective operator assembled");
+         op.tangential ? ""
+                       : ", no convective operator assembled, no tangential column of the "
+                         "compliance");
   } else if (!s.procedure.standard()) {
     line(text, "the published iteration solves for all unknowns at once, coupled or not");
   } else if (!op.coupled && s.frame.curved() && s.problem.by_force[approach]) {
@@ -100,6 +163,11 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
+  if (s.report.sliding_steps > 0)
+    line(text,
+         "total sliding given (no node can stick): no stick test, no tangential system; %lld "
+         "step(s) of explicit tractions",
+         static_cast<long long>(s.report.sliding_steps));
   if (op.tangential || s.procedure.monolithic)
     line(text, "convective scheme: %s",
          *s.scheme == Scheme::godunov         ? "godunov"
@@ -112,12 +180,17 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
-  if (op.normal)
-    line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
-         static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6,
-         static_cast<long long>(s.assemblies));
-  line(text, "last solve: %lld factorisation(s), %lld Krylov iteration(s)",
-       static_cast<long long>(s.factorizations), static_cast<long long>(s.linear_iterations));
+  describe_reach(text, s);
+  if (op.normal && !op.field)
+    line(text,
+         "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
+         static_cast<long long>(op.nodes), static_cast<long long>(op.rows),
+         static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
+  describe_reuse(text, s);
+  line(text, "last solve: %lld linear system(s), %lld factorisation(s), %lld Krylov iteration(s)",
+       static_cast<long long>(s.right_sides), static_cast<long long>(s.factorizations),
+       static_cast<long long>(s.linear_iterations));
+  describe_results(text, s);
   return text;
 }
 

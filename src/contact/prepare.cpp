@@ -5,6 +5,8 @@
 #include <string>
 
 #include "contact/geometry.hpp"
+#include "contact/lattice/lattice_scene.hpp"
+#include "contact/procedures/run.hpp"
 #include "contact/state.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -60,6 +62,7 @@ void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies
   if (state.mesh_revision == scene.revision.mesh && state.axes_revision == scene.revision.axes &&
       same_poses)
     return;
+  ++state.work.frames;
   Frame frame = build_frame(scene.mesh(), scene.axes());
   state.frame_source = present_source(scene, pair);
   if (normal_source(pair) >= 0)
@@ -70,6 +73,7 @@ void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies
   state.frame = std::move(frame);
   state.mesh_revision = scene.revision.mesh;
   state.axes_revision = scene.revision.axes;
+  state.lattice_known = false;
   state.compliance.reset();
   state.body_compliance[0].reset();
   state.body_compliance[1].reset();
@@ -90,6 +94,7 @@ void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies
     return;
   }
   const Stopwatch watch(state.timings.compliance);
+  ++state.work.compliances;
   state.compliance = make_pair_compliance(state.frame, pair, scene.options.accuracy, threads);
   state.body_compliance[0].reset();
   state.body_compliance[1].reset();
@@ -111,10 +116,10 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k]) largest = std::max(largest, diagonal(k));
+    if (frame.used[k] && op.has_row(k)) largest = std::max(largest, diagonal(k));
   long long held = 0, first = -1;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k] && !(diagonal(k) > rounding * largest) && held++ == 0)
+    if (frame.used[k] && op.has_row(k) && !(diagonal(k) > rounding * largest) && held++ == 0)
       first = static_cast<long long>(k) + frame.mesh.index_base;
   if (held > 0)
     fail(Status::err_state,
@@ -134,12 +139,14 @@ void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   const auto row_norm = [&](int r, std::int64_t k) {
     return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
   };
+  const auto there = [&](std::int64_t k) {
+    return frame.used[static_cast<std::size_t>(k)] && op.has_row(static_cast<std::size_t>(k));
+  };
   double largest = 0;
   for (std::int64_t k = 0; k < n; ++k)
-    if (frame.used[static_cast<std::size_t>(k)])
-      largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+    if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
   for (std::int64_t k = 0; k < n; ++k) {
-    if (!frame.used[static_cast<std::size_t>(k)]) continue;
+    if (!there(k)) continue;
     const double norm[2] = {row_norm(0, k), row_norm(1, k)};
     for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
       if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
@@ -147,11 +154,22 @@ void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   }
 }
 
-void assemble_missing(SolverState& state) {
+bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> wanted) {
+  if (op.rows == op.nodes) return false;
+  if (wanted.empty()) return true;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (wanted[k] && !op.has_row(k)) return true;
+  return false;
+}
+
+// Of the nodes with wanted[k] != 0; empty: of all.
+void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) {
   ContactOperators& op = state.problem.op;
-  if (op.normal && (state.frictionless || op.tangential)) return;
+  if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
   const Stopwatch watch(state.timings.compliance);
-  assemble_operators(state.frame, *state.compliance, !state.frictionless, op);
+  if (!fill_from_table(state))
+    assemble_operators(state.frame, *state.compliance, !state.frictionless, op, wanted);
+  take_reach(state);
   refuse_held_nodes(state.frame, op);
   loosen_held_tangents(state.frame, op);
   ++state.assemblies;
@@ -170,6 +188,7 @@ void choose_scales(SolverState& state, const Options& o) {
     estimate_scales(state.problem, o.normal_scale, o.tangential_scale);
   else
     set_scales(state.problem, o.normal_scale, o.tangential_scale);
+  ++state.work.scales;
   state.normal_scale = o.normal_scale;
   state.tangential_scale = o.tangential_scale;
   state.scales_estimated = estimate;
@@ -177,7 +196,7 @@ void choose_scales(SolverState& state, const Options& o) {
   state.step_system.reset();
 }
 
-void build_operators(SolverState& state, const Scene& scene) {
+void build_stencils(SolverState& state, const Scene& scene) {
   ContactOperators& op = state.problem.op;
   const Scheme scheme = scheme_of(scene.options.convection);
   const double step = scene.options.characteristic_step;
@@ -189,6 +208,7 @@ void build_operators(SolverState& state, const Scene& scene) {
       for (int c = 0; c < 3; ++c) op.block[r][c].release();
     op.tangential = false;
     prepare_convection(state.frame, scheme, step, op);
+    ++state.work.stencils;
     state.scheme = scheme;
     state.characteristic_step = step;
     state.friction_revision = -1;  // the inflow rim may be another one
@@ -198,12 +218,18 @@ void build_operators(SolverState& state, const Scene& scene) {
     state.offset_known = false;
   }
   op.nodes = state.frame.nodes();
-  if (!state.procedure.monolithic) assemble_missing(state);
+}
+
+void build_operators(SolverState& state, const Scene& scene) {
+  build_lattice_operators(state, scene.options);
+  choose_reach(state, scene.options);
+  if (!state.procedure.monolithic) assemble_missing(state, state.reach.wanted);
   choose_scales(state, scene.options);
 }
 
 void read_friction(SolverState& state, const Scene& scene) {
   if (state.friction_revision == scene.revision.friction) return;
+  ++state.work.frictions;
   Problem& p = state.problem;
   p.mu.resize(static_cast<std::size_t>(p.nodes));
   bool frictionless = true;
@@ -226,7 +252,7 @@ void read_friction(SolverState& state, const Scene& scene) {
 void find_offset(SolverState& state) {
   if (state.offset_known) return;
   state.offset_known = true;
-  state.gap_revision = state.kinematics_revision = -1;
+  if (!state.offset_depth.empty()) state.gap_revision = state.kinematics_revision = -1;
   state.offset_depth.clear();
   for (auto& v : state.offset_slip) v.clear();
   const Frame& frame = state.frame;
@@ -234,6 +260,7 @@ void find_offset(SolverState& state) {
   const std::size_t n = frame.x.size();
   std::vector<double> u(3 * n), ahead;
   if (!state.compliance->offset({frame.x, frame.y}, u.data())) return;
+  state.gap_revision = state.kinematics_revision = -1;
   if (!op.upstream.empty()) {
     ahead.resize(3 * n);
     std::vector<double> x = frame.x;
@@ -273,6 +300,7 @@ void shift_field(SolverState& state) {
 
 void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
   if (state.gap_revision == scene.revision.gap) return;
+  ++state.work.gaps;
   Problem& p = state.problem;
   if (scene.has_gap()) {
     p.gap.resize(static_cast<std::size_t>(p.nodes));
@@ -290,6 +318,7 @@ void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) 
 void read_kinematics(SolverState& state, const Scene& scene) {
   Problem& p = state.problem;
   if (state.kinematics_revision != scene.revision.kinematics) {
+    ++state.work.slips;
     const auto& field = scene.creep_field();
     const std::size_t n = field.size() / 2;
     p.slip1.resize(n);
@@ -315,9 +344,11 @@ void read_kinematics(SolverState& state, const Scene& scene) {
 }
 
 // Which of the two bodies a message speaks of.
-void prepare_body(Body& body, int which) {
+void prepare_body(Body& body, int which, Work& work) {
   try {
+    const bool before = body.prepared();
     body.prepare();
+    if (!before && body.response() && !body.shared() && !body.loaded()) ++work.bodies;
   } catch (const Error& error) {
     throw Error(error.status(), "body " + std::to_string(which) + ": " + error.what());
   }
@@ -332,9 +363,11 @@ std::size_t SolverState::bytes() const {
          n * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
-void require_operators(SolverState& state) {
+void require_rows(SolverState& state, const Options& options,
+                  std::span<const std::uint8_t> wanted) {
   try {
-    assemble_missing(state);
+    assemble_missing(state, wanted);
+    choose_scales(state, options);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
     ContactOperators& op = state.problem.op;
@@ -347,25 +380,31 @@ void require_operators(SolverState& state) {
   state.images_known = false;
 }
 
+void require_operators(SolverState& state, const Options& options) {
+  require_rows(state, options, state.reach.wanted);
+}
+
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads) {
+  state.work_before = state.work;
+  state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.meshed() || body2.meshed());
   {
     const Stopwatch watch(state.timings.compliance);
-    prepare_body(body1, 1);
-    prepare_body(body2, 2);
+    prepare_body(body1, 1, state.work);
+    prepare_body(body2, 2, state.work);
   }
   state.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
   const PairOfBodies& pair = state.pair;
   build_frame_part(state, scene, pair);
-  read_friction(state, scene);
   build_compliance(state, scene, pair, threads);
-  build_operators(state, scene);
+  build_stencils(state, scene);
   find_offset(state);
   read_friction(state, scene);
   mask_inflow_rim(state);
   read_gap(state, scene, pair);
   read_kinematics(state, scene);
+  build_operators(state, scene);
   state.speed = scene.speed();
 }
 

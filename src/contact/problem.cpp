@@ -33,9 +33,22 @@ void Iterate::invalidate() {
   std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{0});
 }
 
+// With coupling the tractions are transformed once for all rows.
+void Iterate::update_field(const Problem& problem, bool slip, bool gap) {
+  const bool all = problem.op.coupled && problem.op.tangential;
+  const double* const from[3] = {lambda[0].data(), lambda[1].data(), lambda[2].data()};
+  double* const to[3] = {slip || all ? image[0].data() : nullptr,
+                         slip || all ? image[1].data() : nullptr,
+                         gap || all ? image[2].data() : nullptr};
+  problem.op.field->apply(from, to);
+  if (slip || all) std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{1});
+  if (gap || all) std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{1});
+}
+
 void Iterate::update_slip(const Problem& problem, std::int64_t i) {
   const auto k = static_cast<std::size_t>(i);
   if (slip_valid[k]) return;
+  if (problem.op.field) return update_field(problem, true, false);
   for (int r = 0; r < 2; ++r) {
     double sum = 0;
     for (int c = 0; c < 3; ++c)
@@ -49,6 +62,7 @@ void Iterate::update_slip(const Problem& problem, std::int64_t i) {
 void Iterate::update_gap(const Problem& problem, std::int64_t i) {
   const auto k = static_cast<std::size_t>(i);
   if (gap_valid[k]) return;
+  if (problem.op.field) return update_field(problem, false, true);
   double sum = 0;
   for (int c = 0; c < 3; ++c)
     if (!problem.op.block[2][c].empty())
@@ -173,6 +187,14 @@ void sum_tractions(const Problem& p, const Frame& frame, const std::vector<doubl
 void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
   const std::int64_t n = problem.nodes;
   const auto size = static_cast<std::size_t>(n);
+  if (const FieldOperator* field = problem.op.field.get()) {
+    problem.rn.assign(size, normal_factor / std::abs(field->entry(2, 2)));
+    problem.rt.assign(size, 0.0);
+    if (!problem.op.tangential) return;
+    const double norm = std::max(field->row_norm(0), field->row_norm(1));
+    problem.rt.assign(size, tangential_factor / norm);
+    return;
+  }
   problem.rn.assign(size, 0.0);
   for (std::int64_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -39,7 +39,7 @@ struct Problem {
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
   std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
-  std::vector<std::uint8_t> used;          ///< nodes that may carry traction
+  std::vector<std::uint8_t> used;          ///< nodes within reach that may carry traction
   std::array<bool, 4> by_force{};          ///< motion unknown, conjugate load given
   std::array<double, 4> value{};           ///< load (on body 1) where by force, else motion
   double length = 1;                       ///< of the frame; scales spin
@@ -87,6 +87,8 @@ struct Iterate {
   /// Computes the wanted image rows of one node from the tractions.
   void update_slip(const Problem& problem, std::int64_t i);
   void update_gap(const Problem& problem, std::int64_t i);
+  /// Computes wanted image rows of all nodes at once; for operators that are not formed.
+  void update_field(const Problem& problem, bool slip, bool gap);
 };
 
 /// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum

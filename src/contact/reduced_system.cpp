@@ -18,10 +18,8 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
       component_[static_cast<std::size_t>(count_++)] = 1;
     if (normal()) component_[static_cast<std::size_t>(count_++)] = 2;
     const auto na = static_cast<std::int64_t>(nodes_.size());
-    const std::int64_t rows = count_ * na;
-    if (matrix_.bytes() < static_cast<std::size_t>(rows * rows) * sizeof(double))
-      matrix_.reserve(rows + rows / 10, rows + rows / 10);
-    matrix_.resize(rows, rows);
+    const std::int64_t rows = rows_ = count_ * na;
+    field_ = problem.op.field.get();
     product_.resize(static_cast<std::size_t>(rows));
     law_.resize(nodes_.size());
     rn_.resize(nodes_.size());
@@ -31,6 +29,16 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
       rn_[a] = problem.rn[i];
       rt_[a] = problem.rt.empty() ? 0 : problem.rt[i];
     }
+    if (field_) {
+      for (int c = 0; c < count_; ++c)
+        for (std::vector<double>* v : {&field_lambda_[component(c)], &field_image_[component(c)]})
+          v->assign(static_cast<std::size_t>(problem.nodes), 0.0);
+      gather_borders(problem, lambda);
+      return;
+    }
+    if (matrix_.bytes() < static_cast<std::size_t>(rows * rows) * sizeof(double))
+      matrix_.reserve(rows + rows / 10, rows + rows / 10);
+    matrix_.resize(rows, rows);
     for (int r = 0; r < count_; ++r)
       for (std::int64_t a = 0; a < na; ++a) {
         const int row = component(r);
@@ -152,10 +160,72 @@ void ReducedSystem::rate_side(std::span<const double> gap, std::span<const doubl
   }
 }
 
-void ReducedSystem::apply(const double* x, double* y) {
+// Tractions of nodes that are not active stay zero in field_lambda_.
+void ReducedSystem::apply_field(const double* x) {
   const std::size_t na = nodes_.size();
-  const std::int64_t rows = matrix_.rows();
-  multiply(matrix_.data(), rows, rows, x, 0, product_.data());
+  const double* from[3] = {};
+  double* to[3] = {};
+  for (int r = 0; r < count_; ++r) {
+    const int c = component(r);
+    std::vector<double>& lambda = field_lambda_[c];
+    for (std::size_t a = 0; a < na; ++a)
+      lambda[static_cast<std::size_t>(nodes_[a])] = x[static_cast<std::size_t>(r) * na + a];
+    from[c] = lambda.data();
+    to[c] = field_image_[c].data();
+  }
+  field_->apply({from[0], from[1], from[2]}, {to[0], to[1], to[2]});
+  for (int r = 0; r < count_; ++r)
+    for (std::size_t a = 0; a < na; ++a) {
+      const int c = component(r);
+      product_[static_cast<std::size_t>(r) * na + a] =
+          (c == 2 ? rn_[a] : rt_[a]) * to[c][static_cast<std::size_t>(nodes_[a])];
+    }
+}
+
+void ReducedSystem::border_column(int k, double* y) const {
+  const std::size_t na = nodes_.size();
+  const Border& border = border_[static_cast<std::size_t>(k)];
+  const auto entry = [&](int c, std::size_t a) {
+    return border.column[c].empty() ? 0.0 : border.column[c][a];
+  };
+  if (tangential())
+    for (std::size_t a = 0; a < na; ++a)
+      for (std::size_t i = 0; i < 2; ++i)
+        y[i * na + a] = law_[a].slip[i][0] * entry(0, a) + law_[a].slip[i][1] * entry(1, a);
+  if (!normal()) return;
+  const std::size_t first = static_cast<std::size_t>(count_ - 1) * na;
+  for (std::size_t a = 0; a < na; ++a) y[first + a] = entry(2, a);
+}
+
+double ReducedSystem::border_product(int k, const double* x) const {
+  const std::size_t na = nodes_.size();
+  double sum = 0;
+  for (int c = 0; c < count_; ++c) {
+    const auto& row = border_[static_cast<std::size_t>(k)].row[component(c)];
+    for (std::size_t a = 0; a < row.size(); ++a)
+      sum += row[a] * x[static_cast<std::size_t>(c) * na + a];
+  }
+  return sum;
+}
+
+void ReducedSystem::apply(const double* x, double* y) {
+  const std::int64_t rows = rows_;
+  if (field_)
+    apply_field(x);
+  else
+    multiply(matrix_.data(), rows, rows, x, 0, product_.data());
+  add_laws(x, y);
+}
+
+void ReducedSystem::apply_known(const double* x, std::span<const double> product, double* y) {
+  std::copy(product.begin(), product.end(), product_.begin());
+  add_laws(x, y);
+}
+
+// Rows from the scaled operator rows.
+void ReducedSystem::add_laws(const double* x, double* y) const {
+  const std::size_t na = nodes_.size();
+  const std::int64_t rows = rows_;
   std::copy(product_.begin(), product_.begin() + rows, y);
   const double* motion = x + rows;
   for (int k = 0; k < borders_; ++k) {
@@ -185,7 +255,7 @@ void ReducedSystem::apply(const double* x, double* y) {
 
 template <class T>
 void ReducedSystem::dense(T* out) const {
-  const std::int64_t na = active(), rows = matrix_.rows(), n = size_;
+  const std::int64_t na = active(), rows = rows_, n = size_;
   const auto border_entry = [&](const Border& border, int c, std::int64_t a) {
     const auto& column = border.column[c];
     return column.empty() ? 0.0 : column[static_cast<std::size_t>(a)];
@@ -233,7 +303,12 @@ void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
   const std::int64_t na = active();
   double own[3][3] = {};
   for (int r = 0; r < count_; ++r)
-    for (int c = 0; c < count_; ++c) own[r][c] = matrix_.row(r * na + a)[c * na + a];
+    for (int c = 0; c < count_; ++c) {
+      const int row = component(r);
+      const double scale = row == 2 ? normal_scale(a) : slip_scale(a);
+      own[r][c] =
+          field_ ? scale * field_->entry(row, component(c)) : matrix_.row(r * na + a)[c * na + a];
+    }
   for (int r = 0; r < count_; ++r)
     for (int c = 0; c < count_; ++c) {
       block[r][c] = own[r][c];
@@ -257,7 +332,7 @@ void ReducedSystem::start(const std::vector<double> (&lambda)[3],
           lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
   for (int k = 0; k < borders_; ++k) {
     const Border& border = border_[static_cast<std::size_t>(k)];
-    x[static_cast<std::size_t>(matrix_.rows() + k)] =
+    x[static_cast<std::size_t>(rows_ + k)] =
         motion[static_cast<std::size_t>(border.motion)] * border.scale;
   }
 }
@@ -265,7 +340,7 @@ void ReducedSystem::start(const std::vector<double> (&lambda)[3],
 double ReducedSystem::motion(const Problem& problem, int m, const double* x) const {
   for (int k = 0; k < borders_; ++k)
     if (border_[static_cast<std::size_t>(k)].motion == m)
-      return x[matrix_.rows() + k] / border_[static_cast<std::size_t>(k)].scale;
+      return x[rows_ + k] / border_[static_cast<std::size_t>(k)].scale;
   return problem.value[static_cast<std::size_t>(m)];
 }
 

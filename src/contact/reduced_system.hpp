@@ -43,6 +43,8 @@ class ReducedSystem final : public LinearOperator {
                  std::vector<double>& b) const;
 
   void apply(const double* x, double* y) override;
+  /// The same where the scaled operator rows times the tractions of x are known.
+  void apply_known(const double* x, std::span<const double> product, double* y);
   /// Row-major dense matrix of the whole system.
   template <class T>
   void dense(T* out) const;
@@ -50,8 +52,34 @@ class ReducedSystem final : public LinearOperator {
   /// Entries of the rows and columns of active node a, by place of the component.
   void pair_block(std::int64_t a, double (&block)[3][3]) const;
 
+  /// Operators that are not formed, or null: then dense() must not be called.
+  FieldOperator* field() const { return field_; }
+  double normal_scale(std::int64_t a) const { return rn_[static_cast<std::size_t>(a)]; }
+  double slip_scale(std::int64_t a) const { return rt_[static_cast<std::size_t>(a)]; }
+  int borders() const { return borders_; }
+  /// Column of border k: what its motion adds to the rows of the active nodes, the laws included.
+  void border_column(int k, double* y) const;
+  /// The motion of border k; the approach is the last.
+  int border_motion(int k) const { return border_[static_cast<std::size_t>(k)].motion; }
+  /// Entries of border k's column and row at the active nodes by traction component, the laws left
+  /// out; empty: zero.
+  std::span<const double> border_column_part(int k, int component) const {
+    return border_[static_cast<std::size_t>(k)].column[component];
+  }
+  std::span<const double> border_row_part(int k, int component) const {
+    return border_[static_cast<std::size_t>(k)].row[component];
+  }
+  /// Scaled operator row without law and borders, over all tractions; not with field().
+  const double* row(std::int64_t i) const { return matrix_.row(i); }
+  /// Load row of border k times the tractions x.
+  double border_product(int k, const double* x) const;
+
   /// Scaled operator rows times the tractions of the last apply().
   std::span<const double> product() const { return product_; }
+  /// For an apply() that was done in parts.
+  void add_to_product(std::span<const double> other) {
+    for (std::size_t i = 0; i < other.size(); ++i) product_[i] += other[i];
+  }
   /// Unknowns that correspond to given tractions and motions.
   void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
              std::vector<double>& x) const;
@@ -64,7 +92,12 @@ class ReducedSystem final : public LinearOperator {
   std::span<const std::int32_t> nodes() const { return nodes_; }
   int components() const { return count_; }
   int component(int k) const { return component_[static_cast<std::size_t>(k)]; }
-  std::size_t bytes() const { return matrix_.bytes(); }
+  std::size_t bytes() const {
+    std::size_t sum = matrix_.bytes();
+    for (int c = 0; c < 3; ++c)
+      sum += (field_lambda_[c].capacity() + field_image_[c].capacity()) * sizeof(double);
+    return sum;
+  }
 
  private:
   struct Border {
@@ -77,6 +110,8 @@ class ReducedSystem final : public LinearOperator {
   };
   void gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]);
   void add_border(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
+  void apply_field(const double* x);
+  void add_laws(const double* x, double* y) const;
   bool tangential() const { return part_ != Part::normal; }
   bool normal() const { return part_ != Part::tangential; }
 
@@ -84,8 +119,10 @@ class ReducedSystem final : public LinearOperator {
   int count_ = 0;
   std::array<int, 3> component_{};
   std::vector<std::int32_t> nodes_;
-  std::int64_t size_ = 0;
+  std::int64_t size_ = 0, rows_ = 0;  ///< with and without the borders
   RowMatrix<double> matrix_;
+  FieldOperator* field_ = nullptr;
+  std::vector<double> field_lambda_[3], field_image_[3];  ///< at all nodes of the frame
   std::vector<TangentialLaw> law_;
   std::vector<double> product_;
   std::vector<double> rn_, rt_;

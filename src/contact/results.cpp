@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/lattice/lattice_scene.hpp"
 #include "contact/state.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -176,7 +177,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
     fail(Status::err_state,
          "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
-  require_operators(s);
+  require_operators(s, scene.options);
   const Rates& r = find_rates(s, parameter);
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
@@ -200,7 +201,11 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
-  compliance->apply({x, y}, t.data(), u);
+  ++s.work.displacements;
+  ++s.work.applications;
+  const bool at_nodes = s.problem.op.field && x == s.frame.x && y == s.frame.y;
+  if (!at_nodes || !displacements_on_lattice(s, *compliance, u))
+    compliance->apply({x, y}, t.data(), u);
   std::vector<double> own(3 * points);
   if (compliance->offset({x, y}, own.data()))
     for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];

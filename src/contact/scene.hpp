@@ -28,6 +28,7 @@ struct Load {
 struct Revisions {
   std::int64_t mesh = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
   std::array<std::int64_t, 2> pose{};
+  bool operator==(const Revisions&) const = default;
 };
 
 /// Where a frame that was taken from a body comes from.

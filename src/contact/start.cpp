@@ -66,6 +66,11 @@ Cut cut(const Problem& p, double given_approach) {
 
 }  // namespace
 
+GuessedContact guess_contact(const Problem& p) {
+  const Cut c = cut(p, p.value[approach]);
+  return {c.low, c.half};
+}
+
 void guess_approach(const Problem& p, std::array<double, 4>& motion) {
   if (!p.by_force[approach]) return;
   const Cut c = cut(p, motion[approach]);

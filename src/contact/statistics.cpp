@@ -76,6 +76,7 @@ constexpr Statistic table[] = {
      [](SolverState& s) { return number(s.report.tangential_iterations); }},
     {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
     {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }},
+    {"predictions", [](SolverState& s) { return number(s.report.predictions); }},
     {"linear_iterations", [](SolverState& s) { return number(s.linear_iterations); }},
     {"factorizations", [](SolverState& s) { return number(s.factorizations); }},
     {"residual_normal", [](SolverState& s) { return s.report.residual_normal; }},
@@ -137,6 +138,29 @@ constexpr Statistic table[] = {
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
+    {"rows_assembled", [](SolverState& s) { return number(s.problem.op.rows); }},
+    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.problem.op.bytes()); }},
+    {"operator_applications",
+     [](SolverState& s) {
+       const auto& field = s.problem.op.field;
+       return number(s.work.applications + (field ? field->applications() : 0));
+     }},
+    {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
+    {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
+    {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},
+    {"sliding_steps", [](SolverState& s) { return number(s.report.sliding_steps); }},
+    {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
+    {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},
+    {"compliance_builds", [](SolverState& s) { return number(s.work.compliances); }},
+    {"stencil_builds", [](SolverState& s) { return number(s.work.stencils); }},
+    {"gap_builds", [](SolverState& s) { return number(s.work.gaps); }},
+    {"friction_builds", [](SolverState& s) { return number(s.work.frictions); }},
+    {"slip_builds", [](SolverState& s) { return number(s.work.slips); }},
+    {"scale_builds", [](SolverState& s) { return number(s.work.scales); }},
+    {"fields_derived", [](SolverState& s) { return number(s.work.fields); }},
+    {"laws_checked", [](SolverState& s) { return number(s.work.laws); }},
+    {"displacement_fields", [](SolverState& s) { return number(s.work.displacements); }},
+    {"error_estimates", [](SolverState& s) { return number(s.work.estimates); }},
     {"unknowns",
      [](SolverState& s) {
        const double components = s.frictionless ? 1 : 3;

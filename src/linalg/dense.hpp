@@ -3,9 +3,30 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <new>
+#include <utility>
 #include <vector>
 
 namespace rollcon {
+
+/// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no
+/// memory before they are written.
+template <class T>
+struct UntouchedAllocator : std::allocator<T> {
+  template <class U>
+  struct rebind {
+    using other = UntouchedAllocator<U>;
+  };
+  template <class U>
+  void construct(U* at) {
+    ::new (static_cast<void*>(at)) U;
+  }
+  template <class U, class... Values>
+  void construct(U* at, Values&&... values) {
+    ::new (static_cast<void*>(at)) U(std::forward<Values>(values)...);
+  }
+};
 
 /// Row-major matrix that keeps its storage when it is resized to something smaller.
 template <class T>
@@ -13,30 +34,45 @@ class RowMatrix {
  public:
   void resize(std::int64_t rows, std::int64_t columns) {
     const auto needed = static_cast<std::size_t>(rows * columns);
-    if (data_.size() < needed) data_.resize(needed);
+    if (data_.size() < needed) data_.resize(needed, T{});
     rows_ = rows;  // not before there is room
     columns_ = columns;
   }
-  void release() { std::vector<T>().swap(data_), rows_ = columns_ = 0; }
+  /// Of an empty matrix: for one of which only some rows will be written.
+  void resize_untouched(std::int64_t rows, std::int64_t columns) {
+    data_.resize(static_cast<std::size_t>(rows * columns));
+    rows_ = rows;
+    columns_ = columns;
+  }
+  void release() { Data().swap(data_), shared_ = nullptr, rows_ = columns_ = 0; }
   /// Makes room for later growth, so that a resize up to this size does not allocate.
   void reserve(std::int64_t rows, std::int64_t columns) {
     const auto needed = static_cast<std::size_t>(rows * columns);
-    if (data_.size() < needed) data_.resize(needed);
+    if (data_.size() < needed) data_.resize(needed, T{});
   }
   std::int64_t rows() const { return rows_; }
   std::int64_t columns() const { return columns_; }
   bool empty() const { return rows_ == 0; }
-  T* row(std::int64_t i) { return data_.data() + static_cast<std::size_t>(i * columns_); }
-  const T* row(std::int64_t i) const {
-    return data_.data() + static_cast<std::size_t>(i * columns_);
+  T* row(std::int64_t i) { return data() + static_cast<std::size_t>(i * columns_); }
+  const T* row(std::int64_t i) const { return data() + static_cast<std::size_t>(i * columns_); }
+  T* data() { return shared_ ? shared_ : data_.data(); }
+  const T* data() const { return shared_ ? shared_ : data_.data(); }
+  /// Shows another matrix, which must outlive this one and be left as it is: read only, no bytes of
+  /// its own.
+  void share(RowMatrix& other) {
+    release();
+    rows_ = other.rows_;
+    columns_ = other.columns_;
+    shared_ = other.data();
   }
-  T* data() { return data_.data(); }
-  const T* data() const { return data_.data(); }
+  bool shared() const { return shared_ != nullptr; }
   std::size_t bytes() const { return data_.capacity() * sizeof(T); }
 
  private:
+  using Data = std::vector<T, UntouchedAllocator<T>>;
   std::int64_t rows_ = 0, columns_ = 0;
-  std::vector<T> data_;
+  Data data_;
+  T* shared_ = nullptr;
 };
 
 /// y = beta y + a x for a row-major a (rows by columns).

@@ -19,14 +19,6 @@ class inputs : public Api {};
 
 TEST_F(inputs, body_kinds) {
   rollcon_body* body = nullptr;
-  if (rollcon_has_feature("fem")) {
-    EXPECT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
-    rollcon_body_release(body);
-  } else {
-    EXPECT_FAILS(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_ERR_UNSUPPORTED,
-                 "FEM", "CHOLMOD", "UMFPACK");
-    EXPECT_EQ(body, nullptr);
-  }
   EXPECT_FAILS(rollcon_body_create(context, 0, &body), ROLLCON_ERR_ARGUMENT, "kind is 0",
                "3 (half-space)");
   EXPECT_FAILS(rollcon_body_create(context, ROLLCON_BODY_RIGID, nullptr), ROLLCON_ERR_ARGUMENT,

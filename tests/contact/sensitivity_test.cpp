@@ -413,7 +413,7 @@ TEST(sensitivity, costs_one_factorisation_and_its_right_sides) {
   for (const bool coupled : {false, true})
     for (const char* solver : {"lu", "gmres"}) {
       auto made = half_spaces(coupled ? std::optional<Elastic>{} : steel, 20);
-      made->option("linear_solver", solver);
+      made->option("linear_solver", solver).option("operators", "dense");
       Setting s(std::move(made), with({true, false, true, false}));
       RollingPair& pair = *s.pair;
       pair.option("tolerance", 1e-10);

@@ -167,7 +167,7 @@ contains
     call demand(keep == 0, 'keep_factors read back')
     call b%get('accuracy', keep, stat)
     call expect(stat, ROLLCON_ERR_OPTION, 'integer from a real')
-    call demand(rc_body_option_count() == 7, 'number of options')
+    call demand(rc_body_option_count() == 8, 'number of options')
     do i = 1, rc_body_option_count()
       call rc_body_option_info(i, name, type, low, high, standard)
       call rc_body_option_doc(i, doc)
@@ -268,13 +268,16 @@ contains
   end subroutine
 
   subroutine run()
+    if (.not. rc_has_feature('bem')) then
+      write (*, '(a)') 'this build has no boundary elements'
+      return
+    end if
     nan = ieee_value(nan, ieee_quiet_nan)
     infinity = ieee_value(infinity, ieee_positive_inf)
     call context%create()
     call context%set_threads(1)
     call halfspace%create(context, ROLLCON_BODY_HALFSPACE)
     call plane%create(context, ROLLCON_BODY_RIGID)
-    call demand(rc_has_feature('bem'), 'boundary elements are there')
     call meshes()
     call plane%create(context, ROLLCON_BODY_RIGID)
     call supports_and_loads()

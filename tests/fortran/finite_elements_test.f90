@@ -203,6 +203,7 @@ contains
     call b%tag_faces([8], [top], 6, stat)
     call expect(stat, ROLLCON_ERR_STATE, 'faces of a prepared body')
 
+    if (.not. rc_has_feature('bem')) return
     call boundary%create(context, ROLLCON_BODY_BEM)
     call boundary%tag_faces([1], [top], 6, stat)
     call expect(stat, ROLLCON_ERR_STATE, 'faces of elements of a boundary-element body')

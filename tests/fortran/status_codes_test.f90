@@ -422,7 +422,11 @@ contains
     call expect(int(rollcon_contact_get_tractions(c%handle(), ROLLCON_LOCAL, 1_rc_long, little)), ROLLCON_ERR_CAPACITY, &
       'room for one node only')
     call c%write_vtu('/no/such/directory/contact.vtu', stat)
-    call expect(stat, ROLLCON_ERR_IO, 'file in a directory that does not exist')
+    if (rc_has_feature('vtu')) then
+      call expect(stat, ROLLCON_ERR_IO, 'file in a directory that does not exist')
+    else
+      call expect(stat, ROLLCON_ERR_UNSUPPORTED, 'file in a build that writes none')
+    end if
     call c%reset(stat)
     call expect(stat, ROLLCON_OK, 'reset')
     call c%get_tractions(t, stat=stat)

@@ -483,11 +483,11 @@ TEST_F(sparse_factor, a_build_without_a_method_says_so) {
   std::string message;
   if (!ROLLCON_BUILD_CHOLMOD) {
     EXPECT_EQ(status_of([&] { factor_by_cholmod(a, {}); }, &message), Status::err_unsupported);
-    EXPECT_NE(message.find("ROLLCON_CHOLMOD"), std::string::npos) << message;
+    EXPECT_NE(message.find("ROLLCON_WITH_CHOLMOD"), std::string::npos) << message;
   }
   if (!ROLLCON_BUILD_UMFPACK) {
     EXPECT_EQ(status_of([&] { factor_by_umfpack(a, {}); }, &message), Status::err_unsupported);
-    EXPECT_NE(message.find("ROLLCON_UMFPACK"), std::string::npos) << message;
+    EXPECT_NE(message.find("ROLLCON_WITH_UMFPACK"), std::string::npos) << message;
   }
 }
 

@@ -1,6 +1,8 @@
 """Bodies with a mesh: a stretched cube, and bad input with the status that it deserves."""
 
 import math
+import pathlib
+import tempfile
 import unittest
 
 import numpy as np
@@ -14,6 +16,7 @@ X = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
 FACES = [[0, 4, 7, 3], [1, 2, 6, 5], [0, 1, 5, 4], [3, 7, 6, 2], [0, 3, 2, 1], [4, 5, 6, 7]]
 
 
+@unittest.skipUnless(rc.has_feature("bem"), "this build has no boundary elements")
 class Bodies(unittest.TestCase):
 
     def setUp(self):
@@ -59,6 +62,35 @@ class Bodies(unittest.TestCase):
         body.set_support([4, 5, 6, 7], values=lift)
         body.prepare()
         np.testing.assert_array_equal(body.displacements()[4:], lift)
+
+    def test_saved_and_loaded(self):
+        body = self.cube()
+        body.set_support([0, 1, 2, 3])
+        body.set_pressure(6, 2.0)
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "cube.rcb"
+            self.fails(rc.ERR_IO, rc.Body.load, self.context, path)
+            body.save(path)
+            again = rc.Body.load(rc.Context(threads=1), path)
+            self.assertEqual(again.size, body.size)
+            self.assertEqual(again.kind, rc.BODY_BEM)
+            self.assertEqual(again.stat("loaded"), 1)
+            self.assertEqual(again.stat("factorizations"), 0)
+            np.testing.assert_array_equal(again.displacements(), body.displacements())
+            data = bytearray(path.read_bytes())
+            data[len(data) // 2] ^= 1
+            path.write_bytes(data)
+            text = self.fails(rc.ERR_IO, rc.Body.load, self.context, path)
+            self.assertIn(str(path), text)
+            self.fails(rc.ERR_IO, body.save, folder + "/no/such/folder")
+
+    def test_equal_bodies_share(self):
+        one, two = self.cube(), self.cube()
+        for body in (one, two):
+            body.set_support([0, 1, 2, 3])
+            body.prepare()
+        self.assertEqual((one.stat("shared"), two.stat("shared")), (0, 1))
+        self.assertEqual(two.stat("assemblies"), 1)
 
     def test_meshes(self):
         body = rc.Body(self.context, rc.BODY_BEM)

@@ -170,7 +170,8 @@ class StatusCodes(Scene):
         self.fails(rc.ERR_OPTION, contact.stat, "no such number")
         self.fails(rc.ERR_ARGUMENT, contact.displacements_at, 3, [[0.0, 0.0]])
         self.fails(rc.ERR_NONFINITE, contact.displacements_at, 1, [[NAN, 0.0]])
-        self.fails(rc.ERR_IO, contact.write, "/no/such/directory/contact.vtu")
+        wanted = rc.ERR_IO if rc.has_feature("vtu") else rc.ERR_UNSUPPORTED
+        self.fails(wanted, contact.write, "/no/such/directory/contact.vtu")
         contact.reset()
         self.fails(rc.ERR_STATE, contact.tractions)
 

@@ -111,6 +111,18 @@ TEST(Rings, quadratic_elements_agree) {
                0.05);
 }
 
+TEST(Rings, two_equal_rings_cost_as_much_as_one_used_twice) {
+  const auto ring = example1::ring_body(example1::bem_ring(6), ElementType::quad4);
+  auto twins = example1::pair(ring, scenes::TwinBody{}, "characteristic");
+  auto equal = example1::pair(ring, ring, "characteristic");
+  ASSERT_EQ(twins->solve(), ROLLCON_OK);
+  ASSERT_EQ(equal->solve(), ROLLCON_OK);
+  EXPECT_EQ(equal->solution().traction, twins->solution().traction);
+  EXPECT_EQ(equal->body_stat(1, "shared") + equal->body_stat(2, "shared"), 1);
+  for (const char* count : {"assemblies", "factorizations", "condensations", "bytes"})
+    EXPECT_EQ(equal->body_stat(2, count), twins->body_stat(1, count)) << count;
+}
+
 TEST(Rings, new_creepages_need_no_assembly) {
   auto pair = example1::pair(example1::paper_ring(), ElementType::quad4, "characteristic");
   pair->creep(-1.4e-3, 0, 0);

@@ -14,6 +14,7 @@ struct TangentialLaw {
   double own[2][3];
   double slip[2][2];
   double constant[2];
+  double direction[2];  ///< of slip, where it slides: the row along it has no slip; 0: any
   bool sliding;
 };
 
@@ -38,6 +39,8 @@ inline TangentialLaw linearise_coulomb(double a1, double a2, double mu, double b
   }
   const double e1 = a1 / length, e2 = a2 / length;
   const double gamma = bound / length;
+  law.direction[0] = e1;
+  law.direction[1] = e2;
   // gamma (I - e e^T): the rotation of the slip direction
   const double r11 = gamma * e2 * e2, r12 = -gamma * e1 * e2, r22 = gamma * e1 * e1;
   law.own[0][0] = 1 - r11;

@@ -1,0 +1,141 @@
+/// Newton's systems without the tractions that sliding gives.
+
+#include "contact/free_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <random>
+
+#include "contact/linear_solver.hpp"
+
+namespace rollcon {
+namespace {
+
+using Rows = FreeSystem::Rows;
+
+constexpr std::int64_t nodes = 40;
+constexpr Part parts[] = {Part::normal, Part::tangential, Part::full};
+
+/// Random operators with heavy diagonals; a third of the nodes stick, one has no friction.
+struct Example {
+  Problem problem;
+  ReducedSystem system;
+  std::vector<double> lambda[3], b;
+  std::mt19937 generator{7};
+
+  double random() { return std::uniform_real_distribution<double>(-1, 1)(generator); }
+
+  Example(Part part, bool by_force) {
+    Problem& p = problem;
+    const auto n = static_cast<std::size_t>(nodes);
+    p.nodes = nodes;
+    p.op.nodes = nodes;
+    p.op.coupled = p.op.normal = p.op.tangential = true;
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) {
+        p.op.block[r][c].resize(nodes, nodes);
+        for (std::int64_t k = 0; k < nodes * nodes; ++k)
+          p.op.block[r][c].data()[k] = 0.1 * random();
+        for (std::int64_t k = 0; r == c && k < nodes; ++k) p.op.block[r][c].row(k)[k] += 4;
+      }
+    for (auto* v : {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.slip_x, &p.op.slip_y})
+      for (std::size_t k = 0; k < n; ++k) v->push_back(1 + 0.3 * random());
+    p.used.assign(n, 1);
+    for (auto& v : lambda) v.assign(n, 0.0);
+    p.by_force = {by_force, false, by_force, by_force};
+    std::vector<std::int32_t> active;
+    for (std::int32_t k = 0; k < nodes; k += 1 + (k % 5 == 0)) active.push_back(k);
+    system.gather(p, part, active, lambda, true);
+    if (part != Part::normal) slide(part);
+    for (std::int64_t i = 0; i < system.size(); ++i) b.push_back(random());
+  }
+
+  void slide(Part part) {
+    for (std::int64_t a = 0; a < system.active(); ++a) {
+      const double bound = a % 3 == 0 ? 10 : 0.3;
+      system.law(a) = linearise_coulomb(a == 4 ? 0 : random(), a == 4 ? 0 : random(), 0.3,
+                                        a == 4 ? 0 : bound, part == Part::full);
+    }
+  }
+
+  double residual(const std::vector<double>& x) {
+    std::vector<double> y(b.size());
+    system.apply(x.data(), y.data());
+    double worst = 0;
+    for (std::size_t i = 0; i < b.size(); ++i) worst = std::max(worst, std::abs(y[i] - b[i]));
+    return worst;
+  }
+};
+
+TEST(free_system, matrix_and_product_agree) {
+  for (const Part part : parts)
+    for (const bool by_force : {false, true}) {
+      Example e(part, by_force);
+      FreeSystem free;
+      free.take(e.system);
+      const auto n = static_cast<std::size_t>(free.size());
+      if (part != Part::normal) {
+        EXPECT_LT(free.size(), e.system.size());
+      }
+      std::vector<double> matrix(n * n), y(n), product(n);
+      free.dense(Rows::all, matrix.data());
+      for (double& v : y) v = e.random();
+      free.apply(y.data(), product.data());
+      double worst = 0;
+      for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t j = 0; j < n; ++j) product[i] -= matrix[i * n + j] * y[j];
+        worst = std::max(worst, std::abs(product[i]));
+      }
+      std::printf("%lld of %lld unknowns: rows times y against the matrix: %.1e (bound 1e-12)\n",
+                  static_cast<long long>(n), static_cast<long long>(e.system.size()), worst);
+      EXPECT_LT(worst, 1e-12);
+    }
+}
+
+TEST(free_system, every_row_of_the_whole_system_is_solved) {
+  for (const Part part : parts)
+    for (const bool by_force : {false, true})
+      for (const LinearMethod method : {LinearMethod::lu, LinearMethod::gmres}) {
+        Example e(part, by_force);
+        LinearSolver solver;
+        solver.method = method;
+        std::vector<double> x;
+        ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-12, x));
+        const std::vector<double> product(e.system.product().begin(), e.system.product().end());
+        const double worst = e.residual(x);
+        double drift = 0;
+        for (std::size_t i = 0; i < product.size(); ++i)
+          drift = std::max(drift, std::abs(product[i] - e.system.product()[i]));
+        std::printf("%s: residual %.1e, product %.1e (bounds 1e-10)\n",
+                    method == LinearMethod::lu ? "LU" : "GMRES", worst, drift);
+        EXPECT_LT(worst, 1e-10);
+        EXPECT_LT(drift, 1e-10);
+        EXPECT_EQ(solver.factorizations, 1);
+      }
+}
+
+TEST(free_system, factors_serve_a_system_in_another_state) {
+  for (const Part part : {Part::tangential, Part::full}) {
+    Example e(part, true);
+    LinearSolver solver;
+    solver.method = LinearMethod::gmres;
+    std::vector<double> x;
+    ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-10, x));
+    const std::int64_t fresh = solver.iterations;
+    // One node lets go, another turns.
+    e.system.law(3) = linearise_coulomb(1, 0.5, 0.3, 0.3, part == Part::full);
+    e.system.law(1) = linearise_coulomb(0.1, 1, 0.3, 0.3, part == Part::full);
+    ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-10, x));
+    const std::int64_t kept = solver.iterations - fresh;
+    std::printf("%lld iterations with fresh factors, %lld with kept ones\n",
+                static_cast<long long>(fresh), static_cast<long long>(kept));
+    EXPECT_EQ(solver.factorizations, 1);
+    EXPECT_LE(kept, fresh + 8);
+    EXPECT_LT(e.residual(x), 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace rollcon
