@@ -6,6 +6,7 @@
 #   bodies           docs/accuracy_bodies.md, bodies of boundary elements
 #   fem              docs/accuracy_fem.md, bodies of finite elements
 #   procedures       docs/procedures.md, solution procedures
+#   speed            docs/speed.md, regular frames and repeated solves
 #   scripts/accuracy.sh [--quick] [PART[,PART...]|all] [BUILD_DIR]   (all, build/accuracy)
 # Records are kept in BUILD_DIR/records, one file for each case and number of threads; each case
 # runs once however many parts need it.
@@ -22,8 +23,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    half-spaces|work-precision|estimates|bodies|fem|procedures|all) ;;
-    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures or all" >&2; exit 2 ;;
+    half-spaces|work-precision|estimates|bodies|fem|procedures|speed|all) ;;
+    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures, speed or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -33,6 +34,7 @@ bodies=(ring_loads rings wheel growth)
 fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs ring_on_halfspace)
 procedures=(procedures_example3 procedures_density procedures_example4 procedures_examples
   procedures_speed preconditioners procedures_random)
+speed=(lattice resolve table many time_loop loop curve saved_body)
 
 mkdir -p "$build/records"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
@@ -97,4 +99,10 @@ if wanted procedures; then
   cat "${files[@]}" > "$build/procedures.jsonl"
   python3 bench/report_procedures.py "$build/procedures.jsonl" docs "$command procedures"
   echo "wrote docs/procedures.md"
+fi
+if wanted speed; then
+  run_cases 1 "${speed[@]}"
+  cat "${files[@]}" > "$build/speed.jsonl"
+  python3 bench/report_speed.py "$build/speed.jsonl" docs "$command speed"
+  echo "wrote docs/speed.md"
 fi

@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+"""Tables and a picture of repeated solves and of regular frames, from the records of rollcon-bench.
+
+usage: report_speed.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
+
+Writes DOCS_DIR/speed.md and DOCS_DIR/images/speed_lattice.png (gnuplot).
+"""
+
+import os
+import sys
+from collections import defaultdict
+
+from report import load, of_case, plot, processor, seconds, table
+
+
+def number(x, digits=3):
+    return "-" if x is None else f"{x:.{digits}g}"
+
+
+def rows_of(records, columns):
+    """columns: heading -> function of a record that gives text."""
+    return table(list(columns), [[f(r) for f in columns.values()] for r in records])
+
+
+def extra(name, digits=3):
+    return lambda r: number(r["extra"].get(name), digits)
+
+
+def milliseconds(name):
+    return lambda r: "-" if name not in r["extra"] else f"{r['extra'][name]:.3g} ms"
+
+
+def lattice(records, docs):
+    found = of_case(records, "lattice")
+    if not found:
+        return ""
+    rows, time, memory = [], defaultdict(list), defaultdict(list)
+    by_key = {(r["model"], r["method"], r["extra"]["n"]): r for r in found}
+    for r in found:
+        e, n = r["extra"], r["extra"]["n"]
+        given = by_key.get((r["model"].replace(", forces", ""), r["method"], n))
+        forces = r["model"].endswith("forces")
+        ratio = number(r["seconds"]["wall"] / given["seconds"]["wall"], 2) if forces else "-"
+        rows.append([r["model"], f"{n:.0f} x {n:.0f}", r["method"], seconds(r["seconds"]["wall"]),
+                     seconds(e.get("warm_seconds")), ratio, seconds(e.get("contact_seconds")),
+                     r["iterations"], number(e["applications"]), f"{r['peak_bytes'] / 1e6:.1f} MB",
+                     f"{e['bytes_per_node']:.0f}"])
+        if not forces:
+            name = f"{r['model']}, {r['method']}"
+            time[name].append((n * n, r["seconds"]["wall"]))
+            memory[name].append((n * n, r["peak_bytes"] / 1e6))
+        if "contact_seconds" in e and r["method"] == "fft":
+            time[f"{r['model']}, CONTACT"].append((n * n, e["contact_seconds"]))
+    image = plot(f"{docs}/images/speed_lattice.png", "Cold solve to 1e-6, one core", "nodes", "seconds", time)
+    bytes_image = plot(f"{docs}/images/speed_lattice_memory.png", "Memory of a contact", "nodes", "MB",
+                       memory)
+    return ("## Regular frames on half-spaces\n\n"
+            "Cases (a) (longitudinal creepage) and (b) (with spin) of [accuracy.md](accuracy.md) on grids of N x N nodes, to a\n"
+            "tolerance of 1e-6, from the caller's arrays to the solution: operators, coarser grids and all. \"On rigid\": one body\n"
+            "carries all of the compliance, normal and tangential problem are coupled. \"Forces\": longitudinal and lateral force given\n"
+            "instead of the creepages, and their time over that of given creepages. Warm: after a change of creepage by 1 %. CONTACT's\n"
+            "times are for its fastest solver, warm, on a core of this kind (it solves unlike bodies in about 3, given forces in about 9\n"
+            "times as long).\n\n"
+            + table(["case", "grid", "operators", "cold", "warm", "forces / creepages", "CONTACT", "Newton iterations",
+                     "applications", "memory", "bytes per node"], rows)
+            + (f"\n![Time over nodes]({image})\n" if image else "")
+            + (f"\n![Memory over nodes]({bytes_image})\n" if bytes_image else "") + "\n")
+
+
+def resolve(records):
+    found = of_case(records, "resolve")
+    if not found:
+        return ""
+    steps = [r for r in found if "newton_ms" in r["extra"]]
+    derived = [r for r in found if "sensitivity_ms" in r["extra"]]
+    text = "## Solving again\n\nWarm solves after a change of creepage, dense operators. LAPACK: dgetrf and dgetrs of the system of one Newton iteration.\n\n"
+    text += rows_of(steps, {
+        "scene": lambda r: r["model"], "frame": lambda r: r["mesh"], "change": lambda r: r["method"],
+        "pairs": lambda r: r["pairs"], "time": lambda r: f"{1e3 * r['seconds']['wall']:.3g} ms",
+        "Newton iterations": extra("iterations_mean"), "GMRES": extra("linear_iterations_mean"),
+        "factorisations": extra("factorizations_mean"), "LAPACK": milliseconds("lapack_ms"),
+        "iteration / LAPACK": extra("iteration_over_lapack", 2)})
+    if derived:
+        text += "\nAll five derivatives after such a solve, in Newton iterations of it:\n\n"
+        text += rows_of(derived, {
+            "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
+            "time": milliseconds("sensitivity_ms"), "one Newton iteration": milliseconds("iteration_ms"),
+            "over iterations": lambda r: number(r["extra"]["sensitivity_ms"] / r["extra"]["iteration_ms"], 2),
+            "factorisations": extra("factorizations"), "GMRES": extra("linear_iterations")})
+    return text + "\n"
+
+
+def tables(records):
+    text = ""
+    found = of_case(records, "table")
+    if found:
+        text += "## A table of 3000 creepages\n\n" + rows_of(found, {
+            "bodies": lambda r: r["model"], "frame": lambda r: r["mesh"], "method": lambda r: r["method"],
+            "per scene": lambda r: f"{r['value']:.3g}", "in": lambda r: r["quantity"],
+            "Newton iterations": extra("iterations_mean"), "GMRES": extra("linear_iterations_mean"),
+            "slowest": milliseconds("slowest_ms"), "failures": extra("failures")}) + "\n"
+    found = of_case(records, "many")
+    if found:
+        text += "## A list of cases in one call\n\n`rollcon_contact_solve_many` beside a loop of solves.\n\n" + rows_of(found, {
+            "list": lambda r: r["mesh"], "method": lambda r: r["method"], "threads": lambda r: r["threads"],
+            "cases": extra("cases", 5), "per case": lambda r: f"{r['value']:.3g} ms",
+            "Newton iterations": extra("iterations_per_case"), "time / one by one": extra("seconds_over_one_by_one", 2),
+            "not converged": extra("not_ok"), "forces differ by": lambda r: f"{r['error']:.1e}"}) + "\n"
+    return text
+
+
+def loops(records):
+    text = ""
+    found = of_case(records, "time_loop")
+    if found:
+        text += ("## The time loop of a vehicle\n\nA wheelset's oscillation: load ±30 %, lateral creepage and spin vary slowly; creepages or "
+                 "the traction given. After 2000 steps.\n\n" + rows_of(found, {
+                     "drive": lambda r: r["model"], "elements": lambda r: r["mesh"], "solves": extra("solves", 6),
+                     "per solve": milliseconds("milliseconds_per_solve"),
+                     "first, last tenth": lambda r: f"{r['extra']['milliseconds_first_tenth']:.3g}, {r['extra']['milliseconds_last_tenth']:.3g} ms",
+                     "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
+                     "fallbacks": extra("fallbacks"), "allocations": extra("allocations"),
+                     "growth": lambda r: f"{r['extra']['resident_growth_bytes'] / 1024:.0f} KiB",
+                     "not converged": extra("not_converged"), "failed": extra("failed")}) + "\n")
+    found = of_case(records, "loop")
+    if found:
+        text += "Prediction along a loop of small steps:\n\n" + rows_of(found, {
+            "bodies": lambda r: r["model"], "method": lambda r: r["method"], "per step": milliseconds("ms_per_step"),
+            "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
+            "predictions taken": extra("predictions", 5)}) + "\n"
+    found = of_case(records, "curve")
+    if found:
+        text += "## Creep curve of the paper's two rings\n\n" + rows_of(found, {
+            "bodies": lambda r: r["model"], "mesh": lambda r: r["mesh"], "method": lambda r: r["method"],
+            "100 points": lambda r: seconds(r["seconds"]["wall"]), "Newton iterations": extra("iterations_mean"),
+            "GMRES": extra("linear_iterations_mean"), "factorisations": extra("factorizations_mean")}) + "\n"
+    return text
+
+
+def saved(records):
+    found = of_case(records, "saved_body")
+    if not found:
+        return ""
+    names = sorted({k for r in found for k in r["extra"]})
+    return ("## Prepared bodies as files\n\n"
+            + table(["", *(f"{r['model']}, {r['mesh']}" for r in found)],
+                    [[name.replace("_", " "), *(number(r["extra"].get(name), 4) for r in found)] for name in names])
+            + "\n")
+
+
+def main():
+    path, docs, command = sys.argv[1:4]
+    records = load(path)
+    os.makedirs(f"{docs}/images", exist_ok=True)
+    text = ("# Regular frames and repeated solves: time and memory\n\n"
+            f"Made by `{command}` on one core of {processor()}. Times are of single runs or the least of a few, on a shared machine good\n"
+            "to a few ten per cent; ratios are within one run. What each shortcut saves by itself is in [thrift.md](thrift.md).\n\n"
+            + lattice(records, docs) + resolve(records) + tables(records) + loops(records) + saved(records))
+    with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:
+        out.write(text.rstrip() + "\n")
+
+
+if __name__ == "__main__":
+    main()
