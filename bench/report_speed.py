@@ -51,7 +51,8 @@ def lattice(records, docs):
             memory[name].append((n * n, r["peak_bytes"] / 1e6))
         if "contact_seconds" in e and r["method"] == "fft":
             time[f"{r['model']}, CONTACT"].append((n * n, e["contact_seconds"]))
-    image = plot(f"{docs}/images/speed_lattice.png", "Cold solve to 1e-6, one core", "nodes", "seconds", time)
+    image = plot(f"{docs}/images/speed_lattice.png", "Cold solve to 1e-6, one core", "nodes", "seconds",
+                 time)
     bytes_image = plot(f"{docs}/images/speed_lattice_memory.png", "Memory of a contact", "nodes", "MB",
                        memory)
     return ("## Regular frames on half-spaces\n\n"
@@ -73,9 +74,10 @@ def resolve(records):
         return ""
     steps = [r for r in found if "newton_ms" in r["extra"]]
     derived = [r for r in found if "sensitivity_ms" in r["extra"]]
-    text = "## Solving again\n\nWarm solves after a change of creepage, dense operators. LAPACK: dgetrf and dgetrs of the system of one Newton iteration.\n\n"
+    text = "## Solving again\n\nWarm solves after a change of creepage, dense operators, without prediction. LAPACK: dgetrf and dgetrs of the system of one Newton iteration\nbefore sliding unknowns are eliminated.\n\n"
     text += rows_of(steps, {
-        "scene": lambda r: r["model"], "frame": lambda r: r["mesh"], "change": lambda r: r["method"],
+        "scene": lambda r: r["model"], "frame": lambda r: r["mesh"],
+        "change": lambda r: r["quantity"].replace("seconds of a re-solve after ", ""),
         "pairs": lambda r: r["pairs"], "time": lambda r: f"{1e3 * r['seconds']['wall']:.3g} ms",
         "Newton iterations": extra("iterations_mean"), "GMRES": extra("linear_iterations_mean"),
         "factorisations": extra("factorizations_mean"), "LAPACK": milliseconds("lapack_ms"),
@@ -125,7 +127,8 @@ def loops(records):
     found = of_case(records, "loop")
     if found:
         text += "Prediction along a loop of small steps:\n\n" + rows_of(found, {
-            "bodies": lambda r: r["model"], "method": lambda r: r["method"], "per step": milliseconds("ms_per_step"),
+            "bodies": lambda r: r["model"], "prediction": lambda r: "yes" if r["method"] else "no",
+            "tolerance": lambda r: r["quantity"].rsplit(" ", 1)[-1], "per step": milliseconds("ms_per_step"),
             "Newton iterations": lambda r: number(r["value"]), "most": extra("most_iterations"),
             "predictions taken": extra("predictions", 5)}) + "\n"
     found = of_case(records, "curve")

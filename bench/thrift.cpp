@@ -216,6 +216,13 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                    for (int i = 1; i <= 10; ++i) pair.creep(-1e-3, 1e-5 * i, 3e-4).solve();
                  },
                  solve});
+  all.push_back({"regular frame", "case (b), rows from a table",
+                 [=](bool with) {
+                   auto pair = case_b(n, 0, t);
+                   pair->option("operators", with ? "table" : "dense").option("tolerance", 1e-8);
+                   return pair;
+                 },
+                 solve, [](RollingPair&, bool) {}, 3});
   if (rollcon_has_feature("fftw"))
     all.push_back({"regular frame", "case (b), FFT",
                    [=](bool with) {

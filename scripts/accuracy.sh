@@ -54,7 +54,7 @@ run_cases() {
     files+=("$file")
     [[ -n "${ran[$file]:-}" ]] && continue
     echo "== $name, $threads thread(s)"
-    "$bench" run "$name" "${quick[@]}" --threads "$threads" --json "$file.new"
+    OPENBLAS_NUM_THREADS=$threads "$bench" run "$name" "${quick[@]}" --threads "$threads" --json "$file.new"
     mv "$file.new" "$file"
     ran[$file]=1
   done

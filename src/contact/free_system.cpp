@@ -51,7 +51,7 @@ void FreeSystem::take(ReducedSystem& system) {
   size_ = size(Rows::all);
   const auto full = static_cast<std::size_t>(system.size());
   for (auto* v : {&x_, &y_, &row_, &given_})
-    if (v->size() < full) v->resize(full + full / 10);
+    if (v->size() < full) v->resize(with_room(full));
 }
 
 std::int64_t FreeSystem::borders(Rows rows) const {
@@ -106,7 +106,7 @@ void FreeSystem::select(const double* full, double* free) const {
 void FreeSystem::reduce(const std::vector<double>& whole, std::vector<double>& b) {
   const std::size_t na = na_;
   const auto full = static_cast<std::size_t>(system_->size());
-  if (b.size() < static_cast<std::size_t>(size_)) b.resize(full + full / 10);
+  if (b.size() < static_cast<std::size_t>(size_)) b.resize(with_room(full));
   any_given_ = false;
   if (tangential_ && whole_.size() < na) {
     std::fill(given_.begin(), given_.begin() + static_cast<std::ptrdiff_t>(full), 0.0);

@@ -14,8 +14,9 @@ constexpr int krylov_space = 60;
 constexpr int plain_krylov_space = 200, plain_iterations = 1000;
 // With operators that are not formed: memory for the space grows with the number of nodes.
 constexpr int field_krylov_space = 40, field_iterations = 400;
-constexpr double useful = 0.1;  // residual of a solution that is worth a step
-constexpr double exact = 1e-9;  // residual of solve_exactly()
+constexpr double useful = 0.1;         // residual of a solution that is worth a step
+constexpr double exact_enough = 1e-7;  // and of one that rates may be made from
+constexpr double exact = 1e-9;         // residual of solve_exactly()
 // For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper
 // beyond this, or beyond krylov_space for all together.
 constexpr int exact_iterations = 25;
@@ -32,7 +33,7 @@ int price_of_factors(std::int64_t n) {
 
 bool LinearSolver::factor_free(Lu<double>& lu) {
   const std::int64_t n = free_.size();
-  free_.dense(FreeSystem::Rows::all, lu.prepare(n, n / 5));
+  free_.dense(FreeSystem::Rows::all, lu.prepare(n, std::max(n / 5, with_room(n) - n)));
   ++factorizations;
   return lu.factor();
 }
@@ -57,7 +58,7 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
   const Stopwatch watch(seconds);
   unknowns = system.size();
   ++right_sides;
-  if (system.field()) return solve_field(system, b, tolerance, x);
+  if (system.field()) return solve_field(system, b, tolerance, useful, x);
   const bool plain =
       preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   take(system, x);
@@ -72,14 +73,14 @@ void LinearSolver::take(ReducedSystem& system, std::vector<double>& x) {
   free_.take(system);
   const auto n = static_cast<std::size_t>(system.size());
   x.resize(n);
-  if (check_.size() < n) check_.resize(n + n / 10), found_.resize(n + n / 10);
+  if (check_.size() < n) check_.resize(with_room(n)), found_.resize(with_room(n));
 }
 
 bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<double>& b,
                                    double tolerance, std::vector<double>& x) {
   const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(free_.system().part()) - 2;
-  gmres_.reserve(n + n / 10, krylov_space);
+  gmres_.reserve(with_room(n), krylov_space);
   free_.reduce(b, reduced_);
   // The tolerance is one of all rows.
   const double left = norm2(reduced_.data(), n);
@@ -126,7 +127,7 @@ bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   const int space = static_cast<int>(std::min<std::int64_t>(n, plain_krylov_space));
-  gmres_.reserve(n + n / 10, space);
+  gmres_.reserve(with_room(n), space);
   pair_blocks_.take(system, preconditioner == Preconditioner::diagonal);
   const GmresReport report =
       gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
@@ -135,26 +136,28 @@ bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double
 }
 
 bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>& b,
-                               double tolerance, std::vector<double>& x) {
+                               double tolerance, double enough, std::vector<double>& x) {
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
-  gmres_.reserve(n + n / 10, field_krylov_space);
-  if (!field_blocks_) field_blocks_ = system.field()->make_preconditioner();
-  LinearOperator* blocks = field_blocks_.get();
-  if (field_blocks_)
+  gmres_.reserve(with_room(n), field_krylov_space);
+  const bool plain =
+      preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
+  if (!plain && !field_blocks_) field_blocks_ = system.field()->make_preconditioner();
+  LinearOperator* blocks = plain ? nullptr : field_blocks_.get();
+  if (blocks)
     field_blocks_->take(system);
   else
-    pair_blocks_.take(system, true), blocks = &pair_blocks_;
+    pair_blocks_.take(system, preconditioner != Preconditioner::none), blocks = &pair_blocks_;
   const GmresReport report =
       gmres_.solve(n, system, *blocks, b.data(), x.data(), tolerance, field_iterations);
   iterations += report.iterations;
-  return report.converged || report.residual < useful;
+  return report.converged || report.residual < enough;
 }
 
 bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b,
                                  std::vector<double>& x) {
   const Stopwatch watch(seconds);
-  if (system.field()) return solve_field(system, b, exact, x);
+  if (system.field()) return solve_field(system, b, exact, exact_enough, x);
   take(system, x);
   const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(system.part()) - 2;

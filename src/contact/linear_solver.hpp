@@ -51,8 +51,9 @@ class LinearSolver {
   bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
                      std::vector<double>& x);
   /// GMRES for operators that are not formed.
+  /// enough: residual that will do where the tolerance was not reached.
   bool solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance,
-                   std::vector<double>& x);
+                   double enough, std::vector<double>& x);
   void take(ReducedSystem& system, std::vector<double>& x);
   bool solve_direct(const std::vector<double>& b, std::vector<double>& x);
   bool solve_with_kept(std::int64_t node_count, const std::vector<double>& b, double tolerance,

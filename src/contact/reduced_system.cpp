@@ -37,7 +37,7 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
       return;
     }
     if (matrix_.bytes() < static_cast<std::size_t>(rows * rows) * sizeof(double))
-      matrix_.reserve(rows + rows / 10, rows + rows / 10);
+      matrix_.reserve(with_room(rows), with_room(rows));
     matrix_.resize(rows, rows);
     for (int r = 0; r < count_; ++r)
       for (std::int64_t a = 0; a < na; ++a) {

@@ -22,13 +22,16 @@ double largest_of(const double* x, std::int64_t n) {
 }  // namespace
 
 bool SplitFactors::Block::factor(FreeSystem& system, Rows rows, std::int64_t node_count) {
-  const std::int64_t n = system.size(rows), room = rows == Rows::normal ? n / 10 : n / 5;
+  // The tangential part grows as nodes stick, to twice its nodes at most.
+  const std::int64_t n = system.size(rows), full = system.system().size();
+  const std::int64_t room =
+      rows == Rows::normal || n >= 1000 ? std::max(n / 5, with_room(n) - n) : with_room(full) - n;
   system.dense(rows, lu.prepare(n, room));
   valid = lu.factor();
   nodes = system.active();
   borders = system.borders(rows);
   const auto active = system.system().nodes();
-  if (node.capacity() < active.size()) node.reserve(active.size() + active.size() / 10);
+  if (node.capacity() < active.size()) node.reserve(with_room(active.size()));
   node.assign(active.begin(), active.end());
   place.assign(at(node_count), -1);
   for (std::size_t a = 0; a < active.size(); ++a)
@@ -75,7 +78,7 @@ void SplitFactors::match(FreeSystem& system) {
   const auto active = system.system().nodes();
   const std::size_t na = active.size();
   if (to_normal_.size() < na) {
-    const std::size_t room = na + na / 10;
+    const std::size_t room = with_room(na);
     to_tangential_.resize(room), to_normal_.resize(room), own_second_.resize(room);
     rest_.resize(room + 1), right_.resize(2 * room + 3), found_.resize(2 * room + 3);
   }

@@ -75,6 +75,13 @@ class RowMatrix {
   T* shared_ = nullptr;
 };
 
+/// Room for n unknowns and for some more: the systems of a time loop grow and shrink. Small ones
+/// get so much that they hardly ever grow beyond it, large ones are dear.
+template <class Integer>
+constexpr Integer with_room(Integer n) {
+  return n < 1000 ? n + n / 3 : n + n / 10;
+}
+
 /// y = beta y + a x for a row-major a (rows by columns).
 void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x,
               double beta, double* y);

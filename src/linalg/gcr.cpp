@@ -17,7 +17,7 @@ void RecyclingGcr::reserve(std::int64_t n, int directions) {
   const auto all = static_cast<std::size_t>(n * directions);
   if (z_.size() >= all && r_.size() >= static_cast<std::size_t>(n)) return;
   count_ = 0;
-  const std::int64_t spare = n + n / 10;  // for systems that grow
+  const std::int64_t spare = with_room(n);
   z_.resize(static_cast<std::size_t>(spare * directions));
   q_.resize(z_.size());
   r_.resize(static_cast<std::size_t>(spare));
