@@ -34,6 +34,9 @@ class Runner {
   bool quick = false;
   int threads = 1;
 
+  Runner() = default;
+  Runner(const Runner&) = delete;
+  Runner& operator=(const Runner&) = delete;
   void emit(const Record& record);
   bool open_json(const std::string& path);
   ~Runner();

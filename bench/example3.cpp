@@ -90,6 +90,8 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
   const double p0 = *std::max_element(s.pressure.begin(), s.pressure.end());
 
   // Creepage-driven re-solves, each after 1 % of change; the first one may still size workspaces.
+  // Back where it came from, a prediction would be the solution.
+  pair.option("prediction", std::int64_t{0});
   pair.creep(s.creep[0], s.creep[1], 0);
   pair.solve();
   pair.creep(1.01 * s.creep[0], s.creep[1], 0);

@@ -43,7 +43,9 @@ void add_resolves(Record& record, scenes::RollingPair& pair, const scenes::Solut
   constexpr int most = 4;
   constexpr double long_enough = 0.1;  // seconds; slower ones are not repeated as often
   double fastest = INFINITY, iterations = 0;
-  // The first one with creepages given may still size workspaces.
+  // The first one with creepages given may still size workspaces. Back where it came from, a
+  // prediction would be the solution.
+  pair.option("prediction", std::int64_t{0});
   pair.creep(s.creep[0], s.creep[1], s.creep[2]).solve();
   for (int k = 0; k < (fastest > long_enough && k > 0 ? 2 : most); ++k) {
     const double began = now();

@@ -115,8 +115,9 @@ PairPointer wide(int n, int threads) {
 }
 
 std::vector<Shortcut> shortcuts(const Runner& runner) {
+  const bool quick = runner.quick;
   const int t = runner.threads;
-  const int n = runner.quick ? 11 : 24;
+  const int n = quick ? 11 : 24;
   const int nodes = 673;
   std::vector<Shortcut> all;
   all.push_back({"rigid body", "example 3 on a plane 1e18 times as stiff",
@@ -169,7 +170,7 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
   all.push_back({"same body twice", "example 1, boundary elements",
                  [=](bool with) {
                    namespace example1 = scenes::example1;
-                   const auto shape = example1::bem_ring(runner.quick ? 6 : 8);
+                   const auto shape = example1::bem_ring(quick ? 6 : 8);
                    const auto ring = example1::ring_body(shape, ElementType::quad4);
                    scenes::MeshedBody other = ring;
                    other.material->shear *= 1 + 1e-14;
@@ -180,26 +181,26 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                  },
                  solve, [](RollingPair&, bool) {}, 2});
   for (const bool example1 : {false, true})
-    all.push_back({"unchanged scene",
-                   example1 ? "example 1, another creepage" : "example 3, another load",
-                   [=](bool) {
-                     if (!example1) return sphere(nodes, t);
-                     namespace e1 = scenes::example1;
-                     auto pair = e1::pair(e1::bem_ring(runner.quick ? 6 : 8), ElementType::quad4,
-                                          "characteristic", t);
-                     pair->option("tolerance", 1e-12);
-                     return pair;
-                   },
-                   [=](RollingPair& pair, bool) {
-                     if (example1)
-                       pair.creep(-2e-3, 0, 0).solve();
-                     else
-                       pair.load(0.98 * scenes::example3::load).solve();
-                   },
-                   [](RollingPair& pair, bool with) {
-                     if (with) pair.solve();
-                   },
-                   example1 ? 2 : 5});
+    all.push_back(
+        {"unchanged scene", example1 ? "example 1, another creepage" : "example 3, another load",
+         [=](bool) {
+           if (!example1) return sphere(nodes, t);
+           namespace e1 = scenes::example1;
+           auto pair =
+               e1::pair(e1::bem_ring(quick ? 6 : 8), ElementType::quad4, "characteristic", t);
+           pair->option("tolerance", 1e-12);
+           return pair;
+         },
+         [=](RollingPair& pair, bool) {
+           if (example1)
+             pair.creep(-2e-3, 0, 0).solve();
+           else
+             pair.load(0.98 * scenes::example3::load).solve();
+         },
+         [](RollingPair& pair, bool with) {
+           if (with) pair.solve();
+         },
+         example1 ? 2 : 5});
   const auto reach = [](PairPointer pair, bool with) {
     pair->option("reach", std::int64_t{with});
     return pair;
@@ -226,7 +227,7 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
   if (rollcon_has_feature("fftw"))
     all.push_back({"regular frame", "case (b), FFT",
                    [=](bool with) {
-                     auto pair = case_b(runner.quick ? 24 : 48, 0, t);
+                     auto pair = case_b(quick ? 24 : 48, 0, t);
                      pair->option("operators", with ? "fft" : "dense").option("tolerance", 1e-8);
                      return pair;
                    },

@@ -53,6 +53,9 @@ program saved_body
   call demand(stat == ROLLCON_ERR_IO, 'there is no such folder')
   write (*, '(i0, a)') failures, ' failures'
   if (failures > 0) error stop 1
+  ! A main program's own are not freed at its end.
+  if (allocated(u)) deallocate (u, v)
+  deallocate (path)
 
 contains
 

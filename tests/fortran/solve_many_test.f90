@@ -89,6 +89,16 @@ program solve_many_test
   call rcmany(0, 2, parameters77, n, v77, status77, f77, m77, a77, c77, ierr)
   if (ierr /= ROLLCON_ERR_ARGUMENT) call fail('RCMANY takes no contact')
   if (failures > 0) stop 1
+  ! A main program's own are not freed at its end.
+  if (allocated(force)) deallocate (force)
+  if (allocated(moment)) deallocate (moment)
+  if (allocated(approach)) deallocate (approach)
+  if (allocated(creep)) deallocate (creep)
+  if (allocated(slopes)) deallocate (slopes)
+  if (allocated(numbers)) deallocate (numbers)
+  if (allocated(t)) deallocate (t)
+  if (allocated(traction)) deallocate (traction)
+  if (allocated(status)) deallocate (status)
 
 contains
 
