@@ -82,7 +82,7 @@ enum {
   ROLLCON_ERR_UNSUPPORTED = -10,  /* not in this build of the library */
   ROLLCON_ERR_BUSY        = -11,  /* the object is in use by another call */
   ROLLCON_ERR_LOAD        = -12,  /* the prescribed forces have no steady solution */
-  ROLLCON_ERR_IO          = -13,  /* a file cannot be written */
+  ROLLCON_ERR_IO          = -13,  /* a file cannot be written or read */
   ROLLCON_ERR_INTERNAL    = -99   /* a defect of rollcon; please report it */
 };
 typedef int32_t rollcon_status;

@@ -43,7 +43,7 @@ constexpr StatusText status_table[] = {
     {-10, "not in this build of the library"},
     {-11, "the object is in use by another call"},
     {-12, "the prescribed forces have no steady solution"},
-    {-13, "a file cannot be written"},
+    {-13, "a file cannot be written or read"},
     {-99, "a defect of rollcon; please report it"},
 };
 // clang-format on

@@ -35,6 +35,7 @@ std::vector<Parameter> checked_parameters(int32_t n, const int32_t* parameters) 
 
 void check_values(const Contact& c, const CaseList& list) {
   const std::size_t n = list.parameter.size();
+  if (n == 0) return;
   for (std::int64_t i = 0; i < list.cases; ++i)
     for (std::size_t j = 0; j < n; ++j) {
       const double v = list.value[static_cast<std::size_t>(i) * n + j];
@@ -80,6 +81,10 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, int32_t n_pa
   return with_contact(__func__, contact, [&](Contact& c) {
     const std::vector<Parameter> parameter = checked_parameters(n_parameters, parameters);
     require_count(n_cases, "n_cases");
+    constexpr int64_t most_cases = int64_t{1} << 40;
+    if (n_cases > most_cases)
+      fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld",
+           static_cast<long long>(n_cases), static_cast<long long>(most_cases));
     if (n_cases > 0 && n_parameters > 0) require_pointer(values, "values");
     require_count(capacity, "capacity");
     const std::vector<CaseNumber> number = read_names(names);

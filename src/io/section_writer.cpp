@@ -45,8 +45,13 @@ SectionWriter::SectionWriter(const std::string& path, const FileKind& kind) : pa
   buffer_.reserve(buffer_bytes);
   // Beside the file that it becomes, under a name that no other thread or process uses.
   static std::atomic<unsigned> count{0};
-  part_ = path + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part";
-  file_ = open(part_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  // Names left by a process of the same number that was killed are passed over.
+  constexpr int most_names = 1000;
+  for (int attempt = 0; attempt < most_names; ++attempt) {
+    part_ = path + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part";
+    file_ = open(part_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (file_ >= 0 || errno != EEXIST) break;
+  }
   if (file_ < 0) {
     const int error = errno;
     part_.clear();

@@ -338,6 +338,8 @@ TEST_F(solve_many, refuses_what_it_cannot_take) {
   refused(call(-1, &normal, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
   refused(call(1, nullptr, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "NULL");
   refused(call(1, &normal, -1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
+  refused(call(0, nullptr, INT64_MAX, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+          "n_cases is 9223372036854775807");
   refused(call(1, &normal, 1, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
           "values is NULL");
   refused(call(1, &normal, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,

@@ -95,6 +95,14 @@ class SectionFile : public ::testing::Test {
   std::string path;
 };
 
+// Left by a process of the same number that was killed.
+TEST_F(SectionFile, names_in_use_are_passed_over) {
+  for (int k = 0; k < 100; ++k)
+    std::ofstream(path + "." + std::to_string(getpid()) + "-" + std::to_string(k) + ".part") << k;
+  write(path);
+  EXPECT_EQ(read(), Status::ok);
+}
+
 TEST_F(SectionFile, comes_back) {
   for (std::size_t k = 0; k < numbers.size(); ++k) numbers[k] = 1.0 / static_cast<double>(k + 1);
   write(path);

@@ -59,6 +59,13 @@ class SolveMany(Scene):
         self.assertTrue(np.isnan(cases.force[1]).all() and not np.isnan(cases.force[0]).any())
         with self.assertRaises(ValueError):
             contact.solve_many([rc.LATERAL], [1, 2, 3])
+        with self.assertRaises(ValueError):
+            contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])
+        # Names are counted as the library counts them.
+        many = contact.solve_many([rc.LATERAL], [[0.0]], names=["iterations " * 3])
+        self.assertEqual(many.statistics.shape, (1, 3))
+        self.assertEqual(contact.solve_many([rc.LATERAL], [[0.0]], names="iterations").statistics.shape,
+                         (1, 1))
         with self.assertRaises(rc.RollconError):
             contact.solve_many([rc.NORMAL], [[-1.0]])
         with self.assertRaises(rc.RollconError):

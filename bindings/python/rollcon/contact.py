@@ -164,13 +164,18 @@ class Contact(Settings, Handle):
 
         values[n, p] replaces what is prescribed in the direction parameters[p], LONGITUDINAL,
         LATERAL, NORMAL or SPIN; FRICTION: a factor on the coefficients. names: statistics wanted,
-        such as "iterations" or "friction_power". What a progress callback raises is raised.
+        such as "iterations" or "friction_power", or one text with blanks between them. What a
+        progress callback raises is raised.
         """
-        values = np.ascontiguousarray(values, dtype=np.float64)
-        if values.ndim != 2 or values.shape[1] != len(parameters):
-            raise ValueError(f"expected values of shape (n, {len(parameters)}), got {values.shape}")
-        n = len(values)
         ids, ids_address = integers(parameters, "parameters")
+        if ids.ndim != 1:
+            raise ValueError(f"expected a list of parameters, got shape {ids.shape}")
+        values = np.ascontiguousarray(values, dtype=np.float64)
+        if values.ndim != 2 or values.shape[1] != ids.size:
+            raise ValueError(f"expected values of shape (n, {ids.size}), got {values.shape}")
+        n = len(values)
+        # As the library counts them.
+        names = (names if isinstance(names, str) else " ".join(names)).split()
         nodes = self.size[0] if tractions else 0
         shapes = {"status": (n,), "force": (n, 3), "moment": (n, 3), "approach": (n,),
                   "creep": (n, 3)}

@@ -1,5 +1,8 @@
 /// A boundary-element body's equations to and from a file.
 
+#include <array>
+#include <cmath>
+
 #include "bodies/archive.hpp"
 #include "bodies/bem/system.hpp"
 
@@ -21,9 +24,11 @@ std::uint64_t System::numbering() const {
   add(unknowns_.traction);
   add(unknowns_.row);
   add(fans_.of);
+  // By places on elements to six digits: positions differ in the last bit between compilers.
   for (const CollocationPoint& point : unknowns_.point) {
-    add(point.x);
     add(std::array{point.node, point.element});
+    add(std::array{static_cast<std::int64_t>(std::llround(1e6 * point.xi)),
+                   static_cast<std::int64_t>(std::llround(1e6 * point.eta))});
   }
   return sum.value();
 }
