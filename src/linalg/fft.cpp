@@ -53,28 +53,42 @@ std::mutex& planner() {
 /// The same calls in either precision.
 template <class T>
 struct Calls;
-#define ROLLCON_FFT_CALLS(T, name)                                                            \
-  template <>                                                                                 \
-  struct Calls<T> {                                                                           \
-    using Plan = name##_plan;                                                                 \
-    using Complex = name##_complex;                                                           \
-    static Plan plan_real(int n, T* in, Complex* out) {                                       \
-      return name##_plan_dft_r2c_1d(n, in, out, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);         \
-    }                                                                                         \
-    static Plan plan_real_back(int n, Complex* in, T* out) {                                  \
-      return name##_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);          \
-    }                                                                                         \
-    static Plan plan(int n, Complex* data, int sign) {                                        \
-      return name##_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);                          \
-    }                                                                                         \
-    static void run_real(Plan p, T* in, Complex* out) { name##_execute_dft_r2c(p, in, out); } \
-    static void run_back(Plan p, Complex* in, T* out) { name##_execute_dft_c2r(p, in, out); } \
-    static void run(Plan p, Complex* data) { name##_execute_dft(p, data, data); }             \
-    static void destroy(Plan p) { name##_destroy_plan(p); }                                   \
-  };
-ROLLCON_FFT_CALLS(double, fftw)
-ROLLCON_FFT_CALLS(float, fftwf)
-#undef ROLLCON_FFT_CALLS
+template <>
+struct Calls<double> {
+  using Plan = fftw_plan;
+  using Complex = fftw_complex;
+  static Plan plan_real(int n, double* in, Complex* out) {
+    return fftw_plan_dft_r2c_1d(n, in, out, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  }
+  static Plan plan_real_back(int n, Complex* in, double* out) {
+    return fftw_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  }
+  static Plan plan(int n, Complex* data, int sign) {
+    return fftw_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);
+  }
+  static void run_real(Plan p, double* in, Complex* out) { fftw_execute_dft_r2c(p, in, out); }
+  static void run_back(Plan p, Complex* in, double* out) { fftw_execute_dft_c2r(p, in, out); }
+  static void run(Plan p, Complex* data) { fftw_execute_dft(p, data, data); }
+  static void destroy(Plan p) { fftw_destroy_plan(p); }
+};
+template <>
+struct Calls<float> {
+  using Plan = fftwf_plan;
+  using Complex = fftwf_complex;
+  static Plan plan_real(int n, float* in, Complex* out) {
+    return fftwf_plan_dft_r2c_1d(n, in, out, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+  }
+  static Plan plan_real_back(int n, Complex* in, float* out) {
+    return fftwf_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+  }
+  static Plan plan(int n, Complex* data, int sign) {
+    return fftwf_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);
+  }
+  static void run_real(Plan p, float* in, Complex* out) { fftwf_execute_dft_r2c(p, in, out); }
+  static void run_back(Plan p, Complex* in, float* out) { fftwf_execute_dft_c2r(p, in, out); }
+  static void run(Plan p, Complex* data) { fftwf_execute_dft(p, data, data); }
+  static void destroy(Plan p) { fftwf_destroy_plan(p); }
+};
 
 template <class T>
 typename Calls<T>::Complex* raw(std::complex<T>* data) {
