@@ -15,7 +15,7 @@ namespace scenes = rollcon::scenes;
 namespace steady_rolling = scenes::steady_rolling;
 using scenes::RollingPair;
 
-constexpr double agreement = 1e-10;
+constexpr double agreement = 1e-11;
 
 bool have_fft() {
   return rollcon_has_feature("fftw") == 1;
@@ -96,7 +96,9 @@ TEST_P(Lattices, WarmSolvesAgreeWithCold) {
   warm->load(steady_rolling::hertz.load);
   cold->load(steady_rolling::hertz.load);
   EXPECT_EQ(warm->solve(), cold->solve());
-  EXPECT_LE(difference(warm->solution(), cold->solution()), 1e-9);
+  const double worst = difference(warm->solution(), cold->solution());
+  std::printf("%s: warm off cold by %.1e (bound %.0e)\n", GetParam().name, worst, agreement);
+  EXPECT_LE(worst, agreement);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -137,13 +139,13 @@ TEST(Lattice, WorkAndMemoryGrowWithTheNodes) {
       const double per_node = pair->stat("peak_bytes") / ((n + 1) * (n + 1));
       const double applications = pair->stat("operator_applications");
       std::printf(
-          "%s, %d x %d: %g Newton iterations, %g applications (bound 250), %.0f bytes per "
+          "%s, %d x %d: %g Newton iterations, %g applications (bound 170), %.0f bytes per "
           "node\n",
           c.name, n, n, pair->stat("iterations"), applications, per_node);
       if (first == 0) first = per_node;
       EXPECT_LE(per_node, 1.5 * first);
-      EXPECT_LE(applications, 250);
-      EXPECT_LE(pair->stat("iterations"), 14);
+      EXPECT_LE(applications, 170);
+      EXPECT_LE(pair->stat("iterations"), 9);
     }
   }
 }
@@ -164,6 +166,14 @@ TEST(Lattice, AnythingElseIsRefusedByName) {
   const std::string message = error_of(triangles);
   EXPECT_NE(message.find("operators"), std::string::npos) << message;
   EXPECT_NE(message.find(have_fft() ? "grid" : "FFTW"), std::string::npos) << message;
+  // Two lines of nodes have no inner one: dense operators, whatever their number.
+  RollingPair strip(steady_rolling::steel, steady_rolling::steel);
+  strip.frame(frames::rectangle(rollcon::ElementType::quad4, frames::uniform_lines(-6, 6, 320),
+                                frames::uniform_lines(-0.1, 0.1, 1)));
+  strip.gap_quadratic(0.01, 0).load(10).friction(0.3);
+  EXPECT_GE(strip.solve(), ROLLCON_OK);
+  strip.option("operators", "table");
+  EXPECT_NE(error_of(strip).find("no inner node"), std::string::npos);
   // The handle stays usable.
   triangles.option("operators", "auto");
   EXPECT_EQ(triangles.solve(), ROLLCON_OK);

@@ -4,8 +4,7 @@
 
 namespace rollcon {
 
-template <class T>
-Convolution<T>::Convolution(const Lattice& lattice, const LatticeEntries& entries)
+Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries)
     : lattice_(lattice),
       px_(fft_size(2 * lattice.nx - 3)),
       py_(fft_size(2 * lattice.ny - 3)),
@@ -18,7 +17,7 @@ Convolution<T>::Convolution(const Lattice& lattice, const LatticeEntries& entrie
       kept_stride_(AlignedArray<Complex>::stride(kept_)),
       along_(px_),
       across_(py_),
-      products_(spectrum_products<T>(halfspace::instruction_set())),
+      products_(spectrum_products(halfspace::instruction_set())),
       kinds_(entries.kinds()) {
   for (const EntryKinds::Kind& kind : kinds_.kind) {
     mirror_.push_back(entries.mirror(kind.r, kind.c));
@@ -30,8 +29,7 @@ Convolution<T>::Convolution(const Lattice& lattice, const LatticeEntries& entrie
 }
 
 /// Rows of entries, transformed along x; columns of spectrum_ then hold values by offset along y.
-template <class T>
-void Convolution<T>::fill_rows(const LatticeEntries& entries) {
+void Convolution::fill_rows(const LatticeEntries& entries) {
   const std::int64_t reach_x = lattice_.nx - 2, reach_y = lattice_.ny - 2;
   const std::int64_t count = 2 * reach_x + 1;
   const std::size_t kinds = kinds_.kind.size();
@@ -40,8 +38,8 @@ void Convolution<T>::fill_rows(const LatticeEntries& entries) {
   double* entry[3][3] = {};
   for (std::size_t k = 0; k < kinds; ++k)
     entry[kinds_.kind[k].r][kinds_.kind[k].c] = value[k].data();
-  AlignedArray<T> row(px_);
-  std::fill_n(row.data(), px_, T(0));
+  AlignedArray<double> row(px_);
+  std::fill_n(row.data(), px_, 0.0);
   const auto lines = static_cast<std::int64_t>(kinds) * block;
   const std::int64_t stride = AlignedArray<Complex>::stride(columns_);
   AlignedArray<Complex> half(lines * stride);  // [kind][row of a block][kx]
@@ -55,7 +53,7 @@ void Convolution<T>::fill_rows(const LatticeEntries& entries) {
       for (std::size_t k = 0; k < kinds; ++k) {
         for (std::int64_t i = 0; i < count; ++i)
           row.data()[i < reach_x ? px_ + i - reach_x : i - reach_x] =
-              static_cast<T>(scale * value[k][static_cast<std::size_t>(i)]);
+              scale * value[k][static_cast<std::size_t>(i)];
         along_.forward(row.data(),
                        half.data() + (static_cast<std::int64_t>(k) * block + j - first) * stride);
       }
@@ -71,8 +69,7 @@ void Convolution<T>::fill_rows(const LatticeEntries& entries) {
   }
 }
 
-template <class T>
-void Convolution<T>::transform_spectra() {
+void Convolution::transform_spectra() {
   AlignedArray<Complex> line(py_);
   for (std::size_t k = 0; k < spectrum_.size(); ++k)
     for (std::int64_t x = 0; x < columns_; ++x) {
@@ -80,14 +77,13 @@ void Convolution<T>::transform_spectra() {
       std::copy_n(column, kept_, line.data());
       if (mirrored_)
         for (std::int64_t j = 1; j < py_ - kept_ + 1; ++j)
-          line.data()[py_ - j] = static_cast<T>(mirror_[k]) * column[j];
+          line.data()[py_ - j] = static_cast<double>(mirror_[k]) * column[j];
       across_.forward(line.data());
       std::copy_n(line.data(), kept_, column);
     }
 }
 
-template <class T>
-Convolution<T>::Workspace::Workspace(const Convolution& owner)
+Convolution::Workspace::Workspace(const Convolution& owner)
     : row(owner.px_),
       waves(owner.blocks_ * block),
       half(owner.tile(3, 0)),
@@ -96,24 +92,21 @@ Convolution<T>::Workspace::Workspace(const Convolution& owner)
   for (auto& rows : loaded) rows.resize(static_cast<std::size_t>(owner.lattice_.ny));
 }
 
-template <class T>
-std::size_t Convolution<T>::Workspace::bytes() const {
+std::size_t Convolution::Workspace::bytes() const {
   return row.bytes() + waves.bytes() + half.bytes() + column.bytes() + sum.bytes() +
          3 * loaded[0].size();
 }
 
-template <class T>
-std::size_t Convolution<T>::bytes() const {
+std::size_t Convolution::bytes() const {
   std::size_t sum = sizeof *this;
   for (const auto& s : spectrum_) sum += s.bytes();
   return sum;
 }
 
-template <class T>
-void Convolution<T>::transform_rows(int c, const double* lambda, Workspace& w) const {
+void Convolution::transform_rows(int c, const double* lambda, Workspace& w) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
-  T* row = w.row.data();
-  std::fill_n(row, px_, T(0));
+  double* row = w.row.data();
+  std::fill_n(row, px_, 0.0);
   std::fill_n(w.waves.data(), w.waves.size(), Complex{});
   for (std::int64_t iy = 0; iy < ny; ++iy) {
     std::uint8_t& loaded = w.loaded[c][static_cast<std::size_t>(iy)];
@@ -124,7 +117,7 @@ void Convolution<T>::transform_rows(int c, const double* lambda, Workspace& w) c
     for (std::int64_t ix = 1; ix < nx - 1; ++ix) {
       const double v = lambda[node[ix]];
       any = any || v != 0;
-      row[ix] = static_cast<T>(v);
+      row[ix] = v;
     }
     if (!any) continue;
     loaded = 1;
@@ -134,9 +127,8 @@ void Convolution<T>::transform_rows(int c, const double* lambda, Workspace& w) c
   }
 }
 
-template <class T>
-void Convolution<T>::convolve_columns(std::int64_t first, const bool (&source)[3],
-                                      const bool (&target)[3], Workspace& w) const {
+void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3],
+                                   const bool (&target)[3], Workspace& w) const {
   const std::int64_t ny = lattice_.ny, count = std::min(block, columns_ - first);
   for (int c = 0; c < 3; ++c) {
     if (!source[c]) continue;
@@ -169,39 +161,37 @@ void Convolution<T>::convolve_columns(std::int64_t first, const bool (&source)[3
 }
 
 /// Spectrum of image r at kx; false: it is zero. fields: of component c at c * block columns.
-template <class T>
-bool Convolution<T>::multiply(int r, std::int64_t kx, const bool (&source)[3],
-                              const Complex* fields, Complex* sum) const {
-  SpectrumProduct<T> job, mirror;
+bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields,
+                           Complex* sum) const {
+  SpectrumProduct job, mirror;
   for (int c = 0; c < 3; ++c) {
     const EntryKinds::Use& use = kinds_.use[r][c];
     if (!source[c] || use.kind < 0) continue;
     const auto kind = static_cast<std::size_t>(use.kind);
     const Complex* spectrum = spectrum_[kind].data() + kx * kept_stride_;
     const Complex* field = fields + c * block * column_stride_;
-    job.spectrum[job.terms] = reinterpret_cast<const T*>(spectrum);
-    job.field[job.terms] = reinterpret_cast<const T*>(field);
-    job.factor[job.terms] = static_cast<T>(use.sign);
-    mirror.spectrum[job.terms] = reinterpret_cast<const T*>(spectrum + 1);
-    mirror.field[job.terms] = reinterpret_cast<const T*>(field + kept_);
-    mirror.factor[job.terms] = static_cast<T>(use.sign * mirror_[kind]);
+    job.spectrum[job.terms] = reinterpret_cast<const double*>(spectrum);
+    job.field[job.terms] = reinterpret_cast<const double*>(field);
+    job.factor[job.terms] = use.sign;
+    mirror.spectrum[job.terms] = reinterpret_cast<const double*>(spectrum + 1);
+    mirror.field[job.terms] = reinterpret_cast<const double*>(field + kept_);
+    mirror.factor[job.terms] = use.sign * mirror_[kind];
     ++job.terms;
   }
   if (job.terms == 0) return false;
   job.count = kept_;
-  job.sum = reinterpret_cast<T*>(sum);
+  job.sum = reinterpret_cast<double*>(sum);
   products_.same(job);
   if (!mirrored_) return true;
   mirror.terms = job.terms;
   mirror.count = py_ - kept_;
-  mirror.sum = reinterpret_cast<T*>(sum + kept_);
+  mirror.sum = reinterpret_cast<double*>(sum + kept_);
   products_.reversed(mirror);
   return true;
 }
 
-template <class T>
-void Convolution<T>::apply(const double* const (&lambda)[3], double* const (&image)[3],
-                           Workspace& w) const {
+void Convolution::apply(const double* const (&lambda)[3], double* const (&image)[3],
+                        Workspace& w) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   bool source[3], target[3];
   for (int c = 0; c < 3; ++c) {
@@ -211,7 +201,7 @@ void Convolution<T>::apply(const double* const (&lambda)[3], double* const (&ima
   }
   for (std::int64_t first = 0; first < columns_; first += block)
     convolve_columns(first, source, target, w);
-  T* row = w.row.data();
+  double* row = w.row.data();
   for (int r = 0; r < 3; ++r) {
     if (!target[r]) continue;
     for (std::int64_t iy = 0; iy < ny; ++iy) {
@@ -223,8 +213,5 @@ void Convolution<T>::apply(const double* const (&lambda)[3], double* const (&ima
     }
   }
 }
-
-template class Convolution<double>;
-template class Convolution<float>;
 
 }  // namespace rollcon

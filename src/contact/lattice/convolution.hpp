@@ -13,9 +13,7 @@
 
 namespace rollcon {
 
-/// T: precision of the transforms and of the stored spectra. Immutable, to be shared by threads;
-/// the lattice must outlive it.
-template <class T>
+/// Immutable, to be shared by threads; the lattice must outlive it.
 class Convolution {
  public:
   Convolution(const Lattice& lattice, const LatticeEntries& entries);
@@ -28,12 +26,13 @@ class Convolution {
 
    private:
     friend class Convolution;
-    AlignedArray<T> row;                   ///< one padded row
-    AlignedArray<std::complex<T>> waves;   ///< and its transform
-    AlignedArray<std::complex<T>> half;    ///< [component][block of kx][iy][kx]: rows transformed
-    AlignedArray<std::complex<T>> column;  ///< [component][kx of a block][ky]
-    AlignedArray<std::complex<T>> sum;     ///< [kx of a block][ky]
-    std::vector<std::uint8_t> loaded[3];   ///< rows with any source
+    AlignedArray<double> row;                  ///< one padded row
+    AlignedArray<std::complex<double>> waves;  ///< and its transform
+    AlignedArray<std::complex<double>>
+        half;  ///< [component][block of kx][iy][kx]: rows transformed
+    AlignedArray<std::complex<double>> column;  ///< [component][kx of a block][ky]
+    AlignedArray<std::complex<double>> sum;     ///< [kx of a block][ky]
+    std::vector<std::uint8_t> loaded[3];        ///< rows with any source
   };
 
   /// image[r], at all nodes, = sum over c of the entries times lambda[c] at the nodes off the rim;
@@ -43,7 +42,7 @@ class Convolution {
   std::size_t bytes() const;
 
  private:
-  using Complex = std::complex<T>;
+  using Complex = std::complex<double>;
   static constexpr std::int64_t block = 8;  ///< columns transformed together
   /// Where block k of component c begins in Workspace::half.
   std::int64_t tile(int c, std::int64_t k) const { return (c * blocks_ + k) * lattice_.ny * block; }
@@ -61,9 +60,9 @@ class Convolution {
   bool mirrored_;         ///< spectra at -ky are those at ky up to the sign: half of them is kept
   std::int64_t kept_;     ///< values of ky kept
   std::int64_t blocks_, column_stride_, kept_stride_;
-  RealFft<T> along_;
-  ComplexFft<T> across_;
-  SpectrumProducts<T> products_;
+  RealFft<double> along_;
+  ComplexFft<double> across_;
+  SpectrumProducts products_;
   EntryKinds kinds_;
   std::vector<int> mirror_;                      ///< of each kind: sign at -ky
   std::vector<AlignedArray<Complex>> spectrum_;  ///< of each kind: [kx][ky], times 1 / (px py)

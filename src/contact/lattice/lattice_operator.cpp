@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "contact/lattice/convolution.hpp"
+#include "contact/lattice/lattice_preconditioner.hpp"
 #include "contact/lattice/rim.hpp"
 #include "support/error.hpp"
 
@@ -15,10 +16,8 @@ struct LatticeOperator::Shared {
   HalfspaceConstants c;
   double delta;
   SparseRows convection;
-  Convolution<double> convolution;
+  Convolution convolution;
   Rim rim;
-  std::mutex making_single;
-  std::unique_ptr<const Convolution<float>> single;
   double entry[3][3] = {}, norm[2] = {};
 
   Shared(Lattice&& grid, HalfspaceConstants constants, double step, SparseRows&& rows)
@@ -34,8 +33,7 @@ struct LatticeOperator::Shared {
 };
 
 struct LatticeOperator::Workspace {
-  Convolution<double>::Workspace convolution;
-  std::unique_ptr<Convolution<float>::Workspace> single;
+  Convolution::Workspace convolution;
   RimWorkspace rim;
   std::vector<double> displacement[2];  ///< at all nodes, upwind schemes only
 
@@ -44,7 +42,7 @@ struct LatticeOperator::Workspace {
       for (auto& w : displacement) w.resize(shared.lattice.node.size());
   }
   std::size_t bytes() const {
-    return convolution.bytes() + (single ? single->bytes() : 0) + rim.bytes() +
+    return convolution.bytes() + rim.bytes() +
            (displacement[0].size() + displacement[1].size()) * sizeof(double);
   }
 };
@@ -132,21 +130,17 @@ LatticeOperator::LatticeOperator(std::shared_ptr<Shared> shared)
 
 LatticeOperator::~LatticeOperator() = default;
 
-LatticeOperator::LatticeOperator(const LatticeOperator& other) : LatticeOperator(other.shared_) {}
-
 std::unique_ptr<FieldOperator> LatticeOperator::clone() const {
   return std::unique_ptr<LatticeOperator>(new LatticeOperator(shared_));
 }
 
-template <class Apply>
-void LatticeOperator::convect(const double* const (&lambda)[3], double* const (&image)[3],
-                              const Apply& convolve) {
+void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&image)[3]) {
   ++applications_;
   double* target[3] = {image[0], image[1], image[2]};
   const bool upwind = shared_->delta == 0;
   for (int r = 0; r < 2; ++r)
     if (upwind && image[r] != nullptr) target[r] = work_->displacement[r].data();
-  convolve(target);
+  shared_->convolution.apply(lambda, target, work_->convolution);
   shared_->rim.add(lambda, target, work_->rim);
   if (!upwind) return;
   const SparseRows& rows = shared_->convection;
@@ -162,26 +156,6 @@ void LatticeOperator::convect(const double* const (&lambda)[3], double* const (&
   }
 }
 
-void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&image)[3]) {
-  convect(lambda, image, [&](double* const(&target)[3]) {
-    shared_->convolution.apply(lambda, target, work_->convolution);
-  });
-}
-
-void LatticeOperator::apply_single(const double* const (&lambda)[3], double* const (&image)[3]) {
-  {
-    const std::lock_guard guard(shared_->making_single);
-    if (!shared_->single)
-      shared_->single = std::make_unique<Convolution<float>>(
-          shared_->lattice, LatticeEntries(shared_->lattice, shared_->c, shared_->delta));
-  }
-  if (!work_->single)
-    work_->single = std::make_unique<Convolution<float>::Workspace>(*shared_->single);
-  convect(lambda, image, [&](double* const(&target)[3]) {
-    shared_->single->apply(lambda, target, *work_->single);
-  });
-}
-
 double LatticeOperator::entry(int r, int c) const {
   return shared_->entry[r][c];
 }
@@ -191,20 +165,13 @@ double LatticeOperator::row_norm(int r) const {
 bool LatticeOperator::couples() const {
   return shared_->c.ck != 0;
 }
-const Lattice& LatticeOperator::lattice() const {
-  return shared_->lattice;
-}
-HalfspaceConstants LatticeOperator::constants() const {
-  return shared_->c;
-}
-double LatticeOperator::delta() const {
-  return shared_->delta;
+std::unique_ptr<FieldPreconditioner> LatticeOperator::make_preconditioner() const {
+  return make_lattice_preconditioner(shared_->lattice, shared_->c);
 }
 
 std::size_t LatticeOperator::bytes() const {
   const SparseRows& rows = shared_->convection;
-  return shared_->convolution.bytes() + (shared_->single ? shared_->single->bytes() : 0) +
-         shared_->rim.bytes() + work_->bytes() +
+  return shared_->convolution.bytes() + shared_->rim.bytes() + work_->bytes() +
          shared_->lattice.node.size() * sizeof(std::int32_t) +
          rows.value.size() * (sizeof(double) + sizeof(std::int32_t));
 }

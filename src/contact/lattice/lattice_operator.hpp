@@ -11,7 +11,7 @@
 
 namespace rollcon {
 
-class LatticeOperator : public FieldOperator {
+class LatticeOperator final : public FieldOperator {
  public:
   /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes).
   /// delta = 0: `convection` holds the rows of an upwind scheme. The lattice needs 3 nodes or more
@@ -20,30 +20,19 @@ class LatticeOperator : public FieldOperator {
   ~LatticeOperator() override;
 
   void apply(const double* const (&lambda)[3], double* const (&image)[3]) override;
-  /// The same with single-precision transforms: relative errors near 1e-6, about half the time.
-  void apply_single(const double* const (&lambda)[3], double* const (&image)[3]);
   double entry(int r, int c) const override;
   double row_norm(int r) const override;
   bool couples() const override;
   /// Shares everything but the workspace.
   std::unique_ptr<FieldOperator> clone() const override;
+  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override;
   std::size_t bytes() const override;
   std::int64_t applications() const override { return applications_; }
-
-  const Lattice& lattice() const;
-  HalfspaceConstants constants() const;
-  double delta() const;
-
- protected:
-  /// As clone().
-  LatticeOperator(const LatticeOperator& other);
 
  private:
   struct Shared;
   struct Workspace;
   explicit LatticeOperator(std::shared_ptr<Shared> shared);
-  template <class Apply>
-  void convect(const double* const (&lambda)[3], double* const (&image)[3], const Apply& apply);
 
   std::shared_ptr<Shared> shared_;
   std::unique_ptr<Workspace> work_;

@@ -5,7 +5,6 @@
 
 #include "contact/lattice/lattice_dense.hpp"
 #include "contact/lattice/lattice_operator.hpp"
-#include "contact/lattice/lattice_preconditioner.hpp"
 #include "contact/lattice/nested_start.hpp"
 #include "linalg/fft.hpp"
 #include "support/clock.hpp"
@@ -17,29 +16,24 @@ namespace {
 // From so many nodes on FFT is faster, warm as well as cold (bench case `lattice`).
 constexpr std::int64_t fft_from = 600;
 
-// Why operators cannot be applied by FFT; null: they can.
-const char* obstacle(const SolverState& s) {
-  if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
+// Why a table of one node's influence does not tell those of all; null: it does.
+const char* obstacle_to_table(const SolverState& s) {
   HalfspaceConstants c;
   if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
   if (!s.lattice) return "the frame is not a regular grid of quad4 elements";
+  if (s.lattice->nx < 3 || s.lattice->ny < 3) return "the grid has no inner node";
+  return nullptr;
+}
+
+// Why operators cannot be applied by FFT; null: they can.
+const char* obstacle_to_fft(const SolverState& s) {
+  if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
+  if (const char* reason = obstacle_to_table(s)) return reason;
   if (s.procedure.monolithic) return "system is monolithic";
   if (!s.procedure.standard()) return "jacobian is not 'exact'";
   if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
   return nullptr;
 }
-
-// With the preconditioner that suits it.
-class SolvableLatticeOperator final : public LatticeOperator {
- public:
-  using LatticeOperator::LatticeOperator;
-  std::unique_ptr<FieldOperator> clone() const override {
-    return std::make_unique<SolvableLatticeOperator>(*this);
-  }
-  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override {
-    return make_lattice_preconditioner(lattice(), constants());
-  }
-};
 
 // op: stencils of the scheme, whose rows are taken over.
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
@@ -47,7 +41,7 @@ void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperato
   s.compliance->halfspace(c);
   const double delta =
       op.upstream.empty() ? 0 : s.characteristic_step * lattice.spacing_along_flow();
-  op.field = std::make_shared<SolvableLatticeOperator>(lattice, c, delta, op.convection);
+  op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection);
   op.nodes = lattice.nodes();
   op.coupled = op.field->couples();
   op.normal = true;
@@ -72,16 +66,9 @@ void release_field(SolverState& s) {
   forget_rows(s);
 }
 
-void choose_table(SolverState& s, bool wanted, bool asked) {
-  HalfspaceConstants c;
-  const bool can =
-      s.lattice && s.lattice->nx > 2 && s.lattice->ny > 2 && s.compliance->halfspace(c);
-  if (asked && !can)
-    fail(Status::err_unsupported, "option operators is 'table' but %s",
-         s.lattice ? "the bodies are not half-spaces alone, or the grid has no inner node"
-                   : "the frame is not a regular grid of quad4 elements");
-  if (s.table == (wanted && can)) return;
-  s.table = wanted && can;
+void choose_table(SolverState& s, bool wanted) {
+  if (s.table == wanted) return;
+  s.table = wanted;
   if (s.problem.op.normal && !s.problem.op.field) forget_rows(s);
 }
 
@@ -100,25 +87,23 @@ void build_lattice_operators(SolverState& s, const Options& options) {
     s.lattice = s.frame.curved() ? std::nullopt : find_lattice(s.frame);
     s.lattice_known = true;
   }
-  const char* why_not = obstacle(s);
-  const bool asked = options.operators == "fft";
-  if (asked && why_not) fail(Status::err_unsupported, "option operators is 'fft' but %s", why_not);
+  const char *no_fft = obstacle_to_fft(s), *no_table = obstacle_to_table(s);
   const bool any = options.operators == "auto";
-  const bool fft = !why_not && (asked || (any && s.frame.nodes() >= fft_from));
-  choose_table(s, !fft && (any || options.operators == "table"), options.operators == "table");
+  const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
+  if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
+    fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
+         reason);
+  const bool fft = !no_fft && (ask_fft || (any && s.frame.nodes() >= fft_from));
+  choose_table(s, !fft && !no_table && (any || ask_table));
   if (!fft) return release_field(s);
   ContactOperators& op = s.problem.op;
   if (op.field && (op.tangential || s.frictionless)) return;
   const Stopwatch watch(s.timings.compliance);
-  for (auto& row : op.block)
-    for (auto& block : row) block.release();
-  op.there.clear();
+  forget_rows(s);
   op.rows = s.frame.nodes();
   fill_operators(s, *s.lattice, op);
   s.iterate.invalidate();
   s.normal_scale = 0;  // scales follow the operators
-  s.newton.operators_changed();
-  s.step_system.reset();
 }
 
 bool fill_from_table(SolverState& s) {

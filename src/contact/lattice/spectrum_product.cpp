@@ -2,35 +2,18 @@
 
 namespace rollcon {
 
-extern const SpectrumProducts<double> products_double_baseline, products_double_avx2,
-    products_double_avx512;
-extern const SpectrumProducts<float> products_float_baseline, products_float_avx2,
-    products_float_avx512;
+extern const SpectrumProducts products_baseline, products_avx2, products_avx512;
 
-template <>
-SpectrumProducts<double> spectrum_products(halfspace::InstructionSet set) {
+SpectrumProducts spectrum_products(halfspace::InstructionSet set) {
   switch (set) {
     case halfspace::InstructionSet::avx512:
-      return products_double_avx512;
+      return products_avx512;
     case halfspace::InstructionSet::avx2:
-      return products_double_avx2;
+      return products_avx2;
     case halfspace::InstructionSet::baseline:
       break;
   }
-  return products_double_baseline;
-}
-
-template <>
-SpectrumProducts<float> spectrum_products(halfspace::InstructionSet set) {
-  switch (set) {
-    case halfspace::InstructionSet::avx512:
-      return products_float_avx512;
-    case halfspace::InstructionSet::avx2:
-      return products_float_avx2;
-    case halfspace::InstructionSet::baseline:
-      break;
-  }
-  return products_float_baseline;
+  return products_baseline;
 }
 
 }  // namespace rollcon

@@ -8,23 +8,20 @@
 namespace rollcon {
 
 /// sum[k] = sum over terms of factor * spectrum * field[k], complex numbers as pairs, k < count.
-template <class T>
 struct SpectrumProduct {
   int terms = 0;  ///< 1 to 3
-  const T* spectrum[3] = {};
-  const T* field[3] = {};
-  T factor[3] = {};
-  T* sum = nullptr;
+  const double* spectrum[3] = {};
+  const double* field[3] = {};
+  double factor[3] = {};
+  double* sum = nullptr;
   std::int64_t count = 0;
 };
 
-template <class T>
 struct SpectrumProducts {
-  void (*same)(const SpectrumProduct<T>&);      ///< spectrum[k]
-  void (*reversed)(const SpectrumProduct<T>&);  ///< spectrum[count - 1 - k]
+  void (*same)(const SpectrumProduct&);      ///< spectrum[k]
+  void (*reversed)(const SpectrumProduct&);  ///< spectrum[count - 1 - k]
 };
 
-template <class T>
-SpectrumProducts<T> spectrum_products(halfspace::InstructionSet set);
+SpectrumProducts spectrum_products(halfspace::InstructionSet set);
 
 }  // namespace rollcon

@@ -2,9 +2,7 @@
 
 namespace rollcon {
 
-extern const SpectrumProducts<double> products_double_avx2;
-extern const SpectrumProducts<float> products_float_avx2;
-const SpectrumProducts<double> products_double_avx2 = products<double>;
-const SpectrumProducts<float> products_float_avx2 = products<float>;
+extern const SpectrumProducts products_avx2;
+const SpectrumProducts products_avx2 = products;
 
 }  // namespace rollcon

@@ -2,9 +2,7 @@
 
 namespace rollcon {
 
-extern const SpectrumProducts<double> products_double_avx512;
-extern const SpectrumProducts<float> products_float_avx512;
-const SpectrumProducts<double> products_double_avx512 = products<double>;
-const SpectrumProducts<float> products_float_avx512 = products<float>;
+extern const SpectrumProducts products_avx512;
+const SpectrumProducts products_avx512 = products;
 
 }  // namespace rollcon

@@ -2,9 +2,7 @@
 
 namespace rollcon {
 
-extern const SpectrumProducts<double> products_double_baseline;
-extern const SpectrumProducts<float> products_float_baseline;
-const SpectrumProducts<double> products_double_baseline = products<double>;
-const SpectrumProducts<float> products_float_baseline = products<float>;
+extern const SpectrumProducts products_baseline;
+const SpectrumProducts products_baseline = products;
 
 }  // namespace rollcon

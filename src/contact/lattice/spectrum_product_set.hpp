@@ -17,16 +17,12 @@ constexpr int vector_bytes = 32;
 constexpr int vector_bytes = 16;
 #endif
 
-template <class T>
-struct Lanes {
-  static constexpr int count = vector_bytes / static_cast<int>(sizeof(T));
-  typedef T Vector __attribute__((vector_size(vector_bytes)));
-  using Indices = std::make_integer_sequence<int, count>;
-};
+constexpr int lane_count = vector_bytes / static_cast<int>(sizeof(double));
+typedef double Vector __attribute__((vector_size(vector_bytes)));
+using Indices = std::make_integer_sequence<int, lane_count>;
 
-template <class T>
-typename Lanes<T>::Vector load(const T* p) {
-  typename Lanes<T>::Vector v;
+Vector load(const double* p) {
+  Vector v;
   std::memcpy(&v, p, sizeof v);
   return v;
 }
@@ -47,11 +43,10 @@ V signs(std::integer_sequence<int, i...>) {
   return V{(i % 2 == 0 ? -1 : 1)...};
 }
 
-template <class T, int terms, bool reversed>
-void multiply(const rollcon::SpectrumProduct<T>& job) {
-  using Vector = typename Lanes<T>::Vector;
-  typename Lanes<T>::Indices lanes;
-  constexpr std::int64_t step = Lanes<T>::count;
+template <int terms, bool reversed>
+void multiply(const rollcon::SpectrumProduct& job) {
+  const Indices lanes;
+  constexpr std::int64_t step = lane_count;
   const std::int64_t size = 2 * job.count;
   const Vector alternating = signs<Vector>(lanes);
   std::int64_t k = 0;
@@ -67,10 +62,10 @@ void multiply(const rollcon::SpectrumProduct<T>& job) {
     std::memcpy(job.sum + k, &sum, sizeof sum);
   }
   for (; k < size; k += 2) {
-    T re = 0, im = 0;
+    double re = 0, im = 0;
     for (int m = 0; m < terms; ++m) {
-      const T* s = job.spectrum[m] + (reversed ? size - 2 - k : k);
-      const T* f = job.field[m] + k;
+      const double* s = job.spectrum[m] + (reversed ? size - 2 - k : k);
+      const double* f = job.field[m] + k;
       re += job.factor[m] * (s[0] * f[0] - s[1] * f[1]);
       im += job.factor[m] * (s[0] * f[1] + s[1] * f[0]);
     }
@@ -79,19 +74,18 @@ void multiply(const rollcon::SpectrumProduct<T>& job) {
   }
 }
 
-template <class T, bool reversed>
-void any(const rollcon::SpectrumProduct<T>& job) {
+template <bool reversed>
+void any(const rollcon::SpectrumProduct& job) {
   switch (job.terms) {
     case 1:
-      return multiply<T, 1, reversed>(job);
+      return multiply<1, reversed>(job);
     case 2:
-      return multiply<T, 2, reversed>(job);
+      return multiply<2, reversed>(job);
     default:
-      return multiply<T, 3, reversed>(job);
+      return multiply<3, reversed>(job);
   }
 }
 
-template <class T>
-constexpr rollcon::SpectrumProducts<T> products{any<T, false>, any<T, true>};
+constexpr rollcon::SpectrumProducts products{any<false>, any<true>};
 
 }  // namespace
