@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "contact/condition.hpp"
 #include "contact/contact.hpp"
 #include "contact/geometry.hpp"
 #include "contact/state.hpp"
@@ -81,6 +82,7 @@ constexpr Statistic table[] = {
     {"factorizations", [](SolverState& s) { return number(s.factorizations); }},
     {"residual_normal", [](SolverState& s) { return s.report.residual_normal; }},
     {"residual_tangential", [](SolverState& s) { return s.report.residual_tangential; }},
+    {"condition", [](SolverState& s) { return find_condition(s); }},
     {"law_normal", [](SolverState& s) { return law(s, 0); }},
     {"law_friction", [](SolverState& s) { return law(s, 1); }},
     {"law_slip", [](SolverState& s) { return law(s, 2); }},

@@ -8,7 +8,9 @@
 #include <cstdio>
 #include <random>
 
+#include "contact/condition.hpp"
 #include "contact/linear_solver.hpp"
+#include "linalg/lu.hpp"
 
 namespace rollcon {
 namespace {
@@ -134,6 +136,46 @@ TEST(free_system, factors_serve_a_system_in_another_state) {
     EXPECT_EQ(solver.factorizations, 1);
     EXPECT_LE(kept, fresh + 8);
     EXPECT_LT(e.residual(x), 1e-8);
+  }
+}
+
+double largest_row_sum(const double* a, std::size_t n) {
+  double worst = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < n; ++j) sum += std::abs(a[i * n + j]);
+    worst = std::max(worst, sum);
+  }
+  return worst;
+}
+
+// From the inverse, column by column.
+double exact_condition(ReducedSystem& system) {
+  FreeSystem free;
+  free.take(system);
+  const auto n = static_cast<std::size_t>(free.size());
+  std::vector<double> a(n * n), inverse(n * n), unit(n);
+  free.dense(FreeSystem::Rows::all, a.data());
+  Lu<double> lu;
+  std::copy(a.begin(), a.end(), lu.prepare(free.size()));
+  EXPECT_TRUE(lu.factor());
+  for (std::size_t j = 0; j < n; ++j) {
+    unit.assign(n, 0.0);
+    unit[j] = 1;
+    lu.solve(unit.data());
+    for (std::size_t i = 0; i < n; ++i) inverse[i * n + j] = unit[i];
+  }
+  return largest_row_sum(a.data(), n) * largest_row_sum(inverse.data(), n);
+}
+
+TEST(free_system, condition_is_estimated_within_a_small_factor_below_the_exact_one) {
+  for (const Part part : parts) {
+    Example e(part, true);
+    const double exact = exact_condition(e.system), estimate = estimate_condition(e.system);
+    std::printf("part %d: condition %.4g, estimate %.4g (0.3 to 1 of it)\n", static_cast<int>(part),
+                exact, estimate);
+    EXPECT_LE(estimate, exact * (1 + 1e-10));
+    EXPECT_GE(estimate, 0.3 * exact);
   }
 }
 
