@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bodies/halfspace/halfspace.hpp"
 #include "contact/operators.hpp"
 #include "support/error.hpp"
 
@@ -234,7 +235,10 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   op.rows += count;
   op.normal = true;
   if (slip) op.tangential = true;
-  if (first && op.coupled) drop_vanished_coupling(op);
+  // The coupling of half-spaces is known by its constant; under little friction the smallest
+  // counts.
+  HalfspaceConstants constants;
+  if (first && op.coupled && !compliance.halfspace(constants)) drop_vanished_coupling(op);
 }
 
 }  // namespace rollcon

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rollcon {
 namespace {
@@ -23,6 +24,15 @@ double Newton::Residual::worst(Part part) const {
   return worst;
 }
 
+bool Newton::Residual::within(Part part, double tolerance) const {
+  constexpr double useless = 1e-6;  // so much rounding leaves nothing to call a solution
+  const auto small = [&](double residual, double rounding) {
+    return residual <= std::max(tolerance, std::min(rounding, useless));
+  };
+  return load <= tolerance && (part == Part::tangential || small(normal, normal_rounding)) &&
+         (part == Part::normal || small(tangential, tangential_rounding));
+}
+
 std::size_t Newton::bytes() const {
   std::size_t sum = linear.bytes() + system_.bytes() + prediction_.bytes();
   for (int c = 0; c < 3; ++c)
@@ -39,7 +49,7 @@ Newton::Residual Newton::evaluate(Part part) {
   Residual r;
   active_.clear();
   double pressure = 0, traction = 0, bound_max = 0, worst_n = 0, worst_t = 0;
-  double sum_n = 0, sum_t = 0;
+  double sum_n = 0, sum_t = 0, gap_n = 0, slip_t = 0, gap_t = 0;
   const double delta = it.motion[approach];
   for (std::int64_t i = 0; i < p.nodes; ++i) {
     const std::size_t k = at(i);
@@ -56,18 +66,31 @@ Newton::Residual Newton::evaluate(Part part) {
     }
     pressure = std::max(pressure, -ln);
     const bool touching = augmented < 0;
+    double terms = 0;  // of the gap, as a traction
     if (touching) {
       active_.push_back(static_cast<std::int32_t>(i));
       is_active_[k] = 1;
+      if (part != Part::tangential) {
+        terms = p.rn[k] * (std::abs(p.gap[k]) + std::abs(it.image[2][k]));
+        gap_n = std::max(gap_n, terms);
+      }
     }
     if (part == Part::normal) continue;
     const double l1 = it.lambda[0][k], l2 = it.lambda[1][k];
     double t1 = 0, t2 = 0;
     if (touching) {
       it.update_slip(p, i);
-      const double a1 = l1 - p.rt[k] * (p.rigid_slip1(i, it.motion) + it.image[0][k]);
-      const double a2 = l2 - p.rt[k] * (p.rigid_slip2(i, it.motion) + it.image[1][k]);
+      const double s1 = p.rigid_slip1(i, it.motion), s2 = p.rigid_slip2(i, it.motion);
+      const double a1 = l1 - p.rt[k] * (s1 + it.image[0][k]);
+      const double a2 = l2 - p.rt[k] * (s2 + it.image[1][k]);
       const double bound = -p.mu[k] * augmented;
+      // Where nodes slide only the share across the traction counts, which shrinks with the bound.
+      const double length = std::hypot(a1, a2);
+      const double share = length > bound ? bound / length : 1;
+      slip_t = std::max(slip_t, share * p.rt[k] *
+                                    (std::abs(s1) + std::abs(s2) + std::abs(it.image[0][k]) +
+                                     std::abs(it.image[1][k])));
+      gap_t = std::max(gap_t, p.mu[k] * terms);
       bound_max = std::max(bound_max, bound);
       project_on_disk(a1, a2, bound, t1, t2);
       if (!(std::hypot(a1, a2) < bound)) ++r.sliding;
@@ -85,6 +108,10 @@ Newton::Residual Newton::evaluate(Part part) {
   if (traction > 0) traction_scale_ = bound_max > 0 ? std::min(traction, bound_max) : traction;
   r.normal = pressure_scale_ > 0 ? worst_n / pressure_scale_ : 0;
   r.tangential = traction_scale_ > 0 ? worst_t / traction_scale_ : 0;
+  // What rounding of gaps and slips alone makes of the tractions: no iteration gets below that.
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  if (pressure_scale_ > 0) r.normal_rounding = rounding * gap_n / pressure_scale_;
+  if (traction_scale_ > 0) r.tangential_rounding = rounding * (slip_t + gap_t) / traction_scale_;
   r.load = load_residual(part, 0);
   if (!(pressure_scale_ > 0)) pressure_scale_ = 1;
   if (!(traction_scale_ > 0)) traction_scale_ = 1;

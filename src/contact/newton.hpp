@@ -86,9 +86,12 @@ class Newton {
  private:
   struct Residual {
     double normal = 0, tangential = 0, load = 0;  ///< relative maxima
+    double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
     double merit = 0;
     std::int64_t contact = 0, sliding = 0;
     double worst(Part part) const;
+    /// Within the tolerance, or within what rounding leaves.
+    bool within(Part part, double tolerance) const;
   };
 
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);

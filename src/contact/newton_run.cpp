@@ -27,7 +27,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
   std::int64_t waiting = 0;
   for (std::int64_t k = 0;; ++k) {
     Residual residual = evaluate(part);
-    if (k == 0 && prediction_ratio_ != 0 && residual.worst(part) > tolerance &&
+    if (k == 0 && prediction_ratio_ != 0 && !residual.within(part, tolerance) &&
         start_predicted(part))
       residual = evaluate(part);
     record.iteration = k;
@@ -55,7 +55,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
       if (k == 1) fit_approach();
       continue;
     }
-    if (worst <= tolerance) return Outcome::converged;
+    if (residual.within(part, tolerance)) return Outcome::converged;
     waiting = worst < progress * best ? 0 : waiting + 1;
     best = std::min(best, worst);
     remember_best(part, worst);

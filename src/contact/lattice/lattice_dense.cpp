@@ -73,11 +73,6 @@ std::vector<Sources> along(std::int64_t n) {
 void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool want_tangential,
                             ContactOperators& op) {
   const std::int64_t n = lattice.nodes();
-  // As assemble_operators: coupling of this size is rounding.
-  if (std::abs(c.ck) <= 1e-12 * c.cn) {
-    op.coupling_vanished = op.coupling_vanished || c.ck != 0;
-    c.ck = 0;
-  }
   op.nodes = n;
   op.coupled = c.ck != 0;
   const double delta = op.upstream.empty() ? 0 : op.upstream[0];
