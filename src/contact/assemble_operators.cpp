@@ -1,13 +1,11 @@
 /// Rows of the discrete operators from the compliance and the convective scheme.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/operators.hpp"
-#include "support/error.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -76,20 +74,6 @@ void drop_vanished_coupling(ContactOperators& op) {
   }
   op.coupled = false;
   op.coupling_vanished = true;
-}
-
-// Says what is needed before the machine starts to swap or an allocation fails half way.
-void require_memory(std::int64_t n, const bool (&rows)[3][3]) {
-  double blocks = 0;
-  for (const auto& row : rows)
-    for (const bool wanted : row) blocks += wanted;
-  const double gigabytes = blocks * static_cast<double>(n) * static_cast<double>(n) * 8 / 1e9;
-  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                         static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e9;
-  if (gigabytes > machine)
-    fail(Status::err_memory,
-         "the operators of a frame of %lld nodes need %.1f GB, this machine has %.1f GB",
-         static_cast<long long>(n), gigabytes, machine);
 }
 
 // Which blocks to assemble.
@@ -226,7 +210,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   bool need[3][3];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) need[r][c] = of_old.block[r][c] || of_new.block[r][c];
-  require_memory(n, need);
+  require_operator_memory(op, need, op.rows + count);
   const bool first = !op.tangential && slip;
   if (of_old.any()) assemble_rows(frame, compliance, of_old, op.there, op);
   if (count > 0) assemble_rows(frame, compliance, of_new, missing, op);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "mesh/lattice.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -67,6 +68,22 @@ std::size_t ContactOperators::bytes() const {
         sum += static_cast<std::size_t>(rows * matrix.columns()) * sizeof(double);
   if (field) sum += field->bytes();
   return sum + convection.value.capacity() * (sizeof(double) + sizeof(std::int32_t));
+}
+
+void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3],
+                             std::int64_t rows) {
+  double allocated = 0, written = 0;
+  for (std::size_t r = 0; r < 3; ++r)
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (block[r][c] && op.block[r][c].empty()) allocated += 1;
+      if (block[r][c] || !(op.block[r][c].empty() || op.block[r][c].shared())) written += 1;
+    }
+  const double row_bytes = 8.0 * static_cast<double>(op.nodes);
+  require_memory({allocated * static_cast<double>(op.nodes) * row_bytes,
+                  written * static_cast<double>(rows) * row_bytes},
+                 "take a coarser or smaller frame; on a regular one above half-spaces, option "
+                 "'operators' = 'fft' needs no matrices",
+                 "the operators of a frame of %lld nodes need", static_cast<long long>(op.nodes));
 }
 
 void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op) {

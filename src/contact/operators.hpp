@@ -55,6 +55,11 @@ void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactO
 void convect(const ContactOperators& op, const double* w, const double* ahead,
              std::vector<double> (&slip)[2]);
 
+/// Throws Error(err_memory) where this process cannot have these blocks, of which `rows` rows will
+/// be written, beside those that are there.
+void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3],
+                             std::int64_t rows);
+
 /// Assembles the rows asked for that are not there yet, of nodes with wanted[k] != 0 (empty: of
 /// all) and of those that have rows already. Coupling blocks that turn out to be zero (two bodies
 /// that mirror each other) are dropped. docs/theory.md, sections 3 and 5.

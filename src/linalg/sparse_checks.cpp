@@ -1,23 +1,20 @@
 #include "linalg/sparse_checks.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "linalg/dense.hpp"
 #include "support/error.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
 
+constexpr char remedy[] = "take a coarser mesh or fewer faces where contact is possible";
+
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
-}
-
-double machine_bytes() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 // Largest row sum of the scaled matrix.
@@ -57,20 +54,17 @@ void check_sparse(const SparseSymmetric& matrix, std::span<const std::int64_t> c
   }
 }
 
-void require_memory(std::int64_t unknowns, double bytes) {
-  const double machine = machine_bytes();
-  if (bytes > machine)
-    fail(Status::err_memory,
-         "the factorisation of a sparse matrix with %lld unknowns needs %.3g GB, this machine has "
-         "%.3g GB",
-         static_cast<long long>(unknowns), 1e-9 * bytes, 1e-9 * machine);
+void require_memory(std::int64_t unknowns, double bytes, double held) {
+  require_memory({bytes - held, bytes}, remedy,
+                 "the factorisation of a sparse matrix with %lld unknowns needs",
+                 static_cast<long long>(unknowns));
 }
 
 void out_of_memory(std::int64_t unknowns, double bytes) {
   fail(Status::err_memory,
        "out of memory in the factorisation of a sparse matrix with %lld unknowns, which needs "
-       "%.3g GB",
-       static_cast<long long>(unknowns), 1e-9 * bytes);
+       "%.3g GB: %s",
+       static_cast<long long>(unknowns), 1e-9 * bytes, remedy);
 }
 
 std::vector<double> diagonal_scale(const SparseSymmetric& matrix) {

@@ -20,8 +20,9 @@ constexpr double singular_condition = 1e15;
 /// do not start with their diagonal and at condensed unknowns out of range or listed twice.
 void check_sparse(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed);
 
-/// Throws Error(err_memory) when a factorisation needs more than the machine has.
-void require_memory(std::int64_t unknowns, double bytes);
+/// Throws Error(err_memory) when a factorisation needs more than this process may have. held: what
+/// of these bytes it has already.
+void require_memory(std::int64_t unknowns, double bytes, double held = 0);
 /// Throws Error(err_memory) after an allocation has failed.
 [[noreturn]] void out_of_memory(std::int64_t unknowns, double bytes);
 

@@ -75,6 +75,12 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
   const std::int64_t n = lattice.nodes();
   op.nodes = n;
   op.coupled = c.ck != 0;
+  bool wanted[3][3];
+  for (int r = 0; r < 3; ++r)
+    for (int k = 0; k < 3; ++k)
+      wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled)
+                            : want_tangential && (k < 2 || op.coupled);
+  require_operator_memory(op, wanted, n);
   const double delta = op.upstream.empty() ? 0 : op.upstream[0];
   std::vector<Part> parts;
   for (const Sources& x : along(lattice.nx))
@@ -90,9 +96,7 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
   std::vector<double> displacement(static_cast<std::size_t>(n));
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k) {
-      const bool wanted = r == 2 ? k == 2 || (want_tangential && op.coupled)
-                                 : want_tangential && (k < 2 || op.coupled);
-      if (!wanted) continue;
+      if (!wanted[r][k]) continue;
       op.block[r][k].resize(n, n);
       for (std::int64_t i = 0; i < n; ++i) {
         double* row = op.block[r][k].row(i);

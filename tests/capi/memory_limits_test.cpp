@@ -1,0 +1,134 @@
+/// Sizes that this process cannot have: refused with need, limit and remedy, and everything is
+/// usable afterwards. In children, whose address space is limited.
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "body_fixture.hpp"
+
+namespace capi_test {
+namespace {
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ROLLCON_SANITIZED
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ROLLCON_SANITIZED
+#endif
+#endif
+
+double address_space_in_use() {
+  double pages = 0;
+  if (std::FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%lf", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+class MemoryLimits : public BodyApi {
+ protected:
+  void SetUp() override {
+#ifdef ROLLCON_SANITIZED
+    GTEST_SKIP() << "address space belongs to the sanitizer";
+#endif
+    BodyApi::SetUp();
+    if (IsSkipped()) return;
+    // A child has none of its parent's OpenMP threads.
+    ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  }
+
+  /// Runs in a child that may ask for `bytes` more than it has; failures are printed there.
+  void in_child(double bytes, const std::function<void()>& run) {
+    std::fflush(nullptr);
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      rlimit limit{};
+      getrlimit(RLIMIT_AS, &limit);
+      limit.rlim_cur = static_cast<rlim_t>(address_space_in_use() + bytes);
+      setrlimit(RLIMIT_AS, &limit);
+      run();
+      std::fflush(nullptr);
+      _exit(HasFailure() ? 1 : 0);
+    }
+    int status = -1;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << "status " << status;
+  }
+
+  void expect_refusal(std::int32_t status, const char* need, const char* remedy) {
+    EXPECT_EQ(status, ROLLCON_ERR_MEMORY);
+    const std::string text = error();
+    std::printf("%s\n", text.c_str());
+    for (const char* word : {need, "GB, the limit on address space leaves this process", remedy})
+      EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
+  }
+
+  void take_frame(int n) {
+    set_scene();
+    const SquareFrame large(n, 1.5);
+    ASSERT_EQ(set_nodes(large), ROLLCON_OK);
+    ASSERT_EQ(add_elements(large), ROLLCON_OK);
+  }
+
+  /// On the fixture's small frame.
+  void expect_usable() {
+    set_scene();
+    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
+    double force[3] = {}, moment[3] = {};
+    ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment), ROLLCON_OK);
+    EXPECT_LT(force[2], -50);
+    EXPECT_GT(force[2], -500);
+  }
+};
+
+TEST_F(MemoryLimits, dense_operators_of_a_large_frame_are_refused) {
+  for (const char* operators : {"dense", "table"}) {
+    in_child(250e6, [&] {
+      take_frame(60);
+      ASSERT_EQ(rollcon_contact_set_str(contact, "operators", operators), ROLLCON_OK);
+      // Of 9 blocks of 3721 squared doubles.
+      expect_refusal(rollcon_contact_solve(contact),
+                     "the operators of a frame of 3721 nodes need 0.997",
+                     "'operators' = 'fft' needs no matrices");
+      expect_usable();
+    });
+  }
+}
+
+TEST_F(MemoryLimits, the_monolithic_system_of_a_large_frame_is_refused) {
+  if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no procedures";
+  in_child(250e6, [&] {
+    take_frame(44);
+    ASSERT_EQ(rollcon_contact_set_str(contact, "system", "monolithic"), ROLLCON_OK);
+    // 264 n^2 bytes.
+    expect_refusal(rollcon_contact_solve(contact),
+                   "the monolithic system of a frame of 2025 nodes on half-spaces needs 1.08",
+                   "set option 'system' to 'condensed'");
+    ASSERT_EQ(rollcon_contact_set_str(contact, "system", "condensed"), ROLLCON_OK);
+    expect_usable();
+  });
+}
+
+TEST_F(MemoryLimits, a_large_boundary_element_body_is_refused) {
+  in_child(250e6, [&] {
+    cube = CubeSurface(22);
+    set_mesh(body);
+    ASSERT_EQ(hold_bottom(7), ROLLCON_OK);
+    // 2906 nodes, and tractions on some: at least 8 bytes x (3 x 2906)^2.
+    expect_refusal(rollcon_body_prepare(body), "the matrix of a boundary-element body with ",
+                   "finite elements");
+    EXPECT_NE(error().find(" needs 0.6"), std::string::npos) << error();
+    expect_usable();
+  });
+}
+
+}  // namespace
+}  // namespace capi_test
