@@ -1,6 +1,6 @@
 #pragma once
-/// A large dense matrix, factorised once and solved for many right sides (LAPACK getrf, getrs,
-/// gecon). Column-major; the storage is not cleared.
+/// A large dense matrix, factorised once and solved for many right sides (LAPACK getrf, getrs).
+/// Column-major; the storage is not cleared.
 
 #include <cstdint>
 #include <memory>
@@ -28,11 +28,15 @@ class FactoredMatrix {
 
   std::int64_t size() const { return n_; }
   bool factored() const { return factored_; }
-  /// Estimate of the condition in the 1-norm, from the last factor().
+  /// ||A|| ||A^-1|| in Frobenius norms, estimated by the last factor(); at least the condition in
+  /// the 2-norm, but for the estimate. Close where it is large.
   double condition() const { return condition_; }
   std::size_t bytes() const { return a_ ? static_cast<std::size_t>(n_ * n_) * sizeof(double) : 0; }
 
  private:
+  void solve(const char* transposed, double* b, std::int64_t count) const;
+  bool estimate_condition(double norm);
+
   std::int64_t n_ = 0;
   bool factored_ = false;
   double condition_ = 0;

@@ -1,0 +1,128 @@
+// Dense factors with an estimate of the condition, against explicit inverses.
+
+#include "linalg/factored_matrix.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace rollcon {
+namespace {
+
+using Matrix = std::vector<double>;  // column-major
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+double frobenius(const Matrix& a) {
+  double sum = 0;
+  for (const double v : a) sum += v * v;
+  return std::sqrt(sum);
+}
+
+bool factor(FactoredMatrix& f, const Matrix& a, std::int64_t n) {
+  std::copy(a.begin(), a.end(), f.prepare(n));
+  return f.factor();
+}
+
+double exact_condition(const FactoredMatrix& f, const Matrix& a, std::int64_t n) {
+  Matrix inverse(a.size(), 0.0);
+  for (std::int64_t i = 0; i < n; ++i) inverse[at(i * (n + 1))] = 1;
+  f.solve(inverse.data(), n);
+  return frobenius(a) * frobenius(inverse);
+}
+
+Matrix random_matrix(std::int64_t n, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> entry(-1, 1);
+  Matrix a(at(n * n));
+  for (double& v : a) v = entry(generator);
+  return a;
+}
+
+/// Nearly dependent: the last column is the sum of the others, but for `distance` of its entries.
+Matrix nearly_singular(std::int64_t n, double distance, unsigned seed) {
+  Matrix a = random_matrix(n, seed);
+  for (std::int64_t i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::int64_t j = 0; j + 1 < n; ++j) sum += a[at(i + j * n)];
+    a[at(i + (n - 1) * n)] = sum + distance * a[at(i + (n - 1) * n)];
+  }
+  return a;
+}
+
+TEST(FactoredMatrix, condition_is_estimated_within_a_small_factor) {
+  double least = 1, most = 0;
+  FactoredMatrix f;
+  for (const std::int64_t n : {1, 2, 3, 5, 8, 13, 40, 100, 513, 700})
+    for (unsigned seed = 1; seed <= (n > 500 ? 3U : 40U); ++seed) {
+      const Matrix a = random_matrix(n, seed);
+      ASSERT_TRUE(factor(f, a, n));
+      const double ratio = f.condition() / exact_condition(f, a, n);
+      least = std::min(least, ratio);
+      most = std::max(most, ratio);
+    }
+  std::printf("estimate over condition: %.3f to %.3f (0.02 to 3)\n", least, most);
+  EXPECT_GE(least, 0.02);
+  EXPECT_LE(most, 3);
+}
+
+TEST(FactoredMatrix, condition_of_nearly_singular_matrices_is_close) {
+  FactoredMatrix f;
+  double least = 1;
+  for (const double distance : {1e-9, 1e-11, 1e-13})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      const Matrix a = nearly_singular(30, distance, seed);
+      ASSERT_TRUE(factor(f, a, 30));
+      EXPECT_GT(f.condition(), 0.1 / distance);
+      least = std::min(least, f.condition() / exact_condition(f, a, 30));
+    }
+  std::printf("least estimate over condition: %.6f (0.99)\n", least);
+  EXPECT_GE(least, 0.99);
+}
+
+TEST(FactoredMatrix, units_do_not_matter) {
+  FactoredMatrix f;
+  const Matrix a = nearly_singular(20, 1e-9, 3);
+  ASSERT_TRUE(factor(f, a, 20));
+  const double condition = f.condition();
+  for (const double unit : {0x1p-960, 0x1p-500, 0x1p500, 0x1p960}) {
+    Matrix scaled = a;
+    for (double& v : scaled) v *= unit;
+    ASSERT_TRUE(factor(f, scaled, 20));
+    EXPECT_EQ(f.condition(), condition) << unit;
+  }
+}
+
+TEST(FactoredMatrix, what_has_no_inverse_is_told) {
+  FactoredMatrix f;
+  EXPECT_FALSE(factor(f, Matrix(9, 0.0), 3));
+  Matrix twice = random_matrix(3, 1);
+  std::copy_n(twice.begin(), 3, twice.begin() + 3);
+  EXPECT_TRUE(!factor(f, twice, 3) || f.condition() > 1e15);
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    Matrix a = random_matrix(7, 1);
+    for (const std::size_t k : {std::size_t{0}, std::size_t{24}, std::size_t{48}}) {
+      Matrix b = a;
+      b[k] = wrong;
+      EXPECT_FALSE(factor(f, b, 7)) << k;
+      EXPECT_FALSE(f.factored());
+    }
+  }
+}
+
+TEST(FactoredMatrix, a_condition_beyond_numbers_is_infinite) {
+  FactoredMatrix f;
+  EXPECT_FALSE(factor(f, {1e200, 0, 0, 1e-200}, 2));
+  EXPECT_EQ(f.condition(), std::numeric_limits<double>::infinity());
+}
+
+}  // namespace
+}  // namespace rollcon
