@@ -55,6 +55,7 @@ rollcon_belongs("linalg/sparse_(lu|umfpack|order_umfpack)" UMFPACK)
 rollcon_stands_for(linalg/cholmod_absent.cpp CHOLMOD FOR FEM PROCEDURES)
 rollcon_stands_for(linalg/umfpack_absent.cpp UMFPACK FOR FEM PROCEDURES)
 rollcon_belongs("linalg/condensed_factor" CHOLMOD UMFPACK)
+rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
 rollcon_belongs("linalg/kept_lu" PROCEDURES)
 
 rollcon_belongs("io/vtu" VTU)

@@ -105,7 +105,9 @@ void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* v
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     const double v = value[j] + 0.0;  // no negative zero
     if (parameter[j] != Parameter::friction) {
-      s.problem.value[static_cast<std::size_t>(parameter[j]) - 1] = v;
+      const auto m = static_cast<std::size_t>(parameter[j]) - 1;
+      s.problem.value[m] = v;
+      if (m == approach) s.problem.prescribe_normal(s.problem.by_force[m], v);
       continue;
     }
     if (v != factor_)
@@ -150,7 +152,7 @@ void CaseSolver::resultant(double* force, double* moment) const {
 
 void CaseSolver::motion(double* depth, double* creep) const {
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = m[approach];
+  if (depth) *depth = state_->problem.approach_of(m);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 

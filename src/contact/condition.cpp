@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "contact/free_system.hpp"
 #include "contact/state.hpp"
-#include "linalg/factored_matrix.hpp"
+#include "linalg/lapack.hpp"
 
 namespace rollcon {
 
@@ -15,9 +16,24 @@ double estimate_condition(ReducedSystem& system) {
   FreeSystem free;
   free.take(system);
   if (free.size() == 0) return 0;
-  FactoredMatrix matrix;
-  free.dense(FreeSystem::Rows::all, matrix.prepare(free.size()));
-  return matrix.factor() ? matrix.condition() : INFINITY;
+  const std::int64_t n = free.size();
+  std::vector<double> a(static_cast<std::size_t>(n * n)), work(static_cast<std::size_t>(4 * n));
+  std::vector<int> pivot(static_cast<std::size_t>(n));
+  free.dense(FreeSystem::Rows::all, a.data());
+  // Row-major here is the transpose there, and its 1-norm the greatest sum of a row.
+  double norm = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    double sum = 0;
+    for (std::int64_t j = 0; j < n; ++j) sum += std::abs(a[static_cast<std::size_t>(i * n + j)]);
+    norm = std::max(norm, sum);
+  }
+  const int size = static_cast<int>(n);
+  int info = 0;
+  dgetrf_(&size, &size, a.data(), &size, pivot.data(), &info);
+  if (info != 0) return INFINITY;
+  double reciprocal = 0;
+  dgecon_("1", &size, a.data(), &size, &norm, &reciprocal, work.data(), pivot.data(), &info);
+  return info == 0 && reciprocal > 0 ? 1 / reciprocal : INFINITY;
 }
 
 double find_condition(SolverState& s) {

@@ -74,6 +74,8 @@ class Newton {
   ReducedSystem& linearise(Problem& problem, Iterate& iterate, Part part);
   /// The next iterate is not one that this class found.
   void forget_prediction() { prediction_.forget(); }
+  /// Approaches count from a datum that is further by so much.
+  void move_datum(double change) { prediction_.move_datum(change); }
   /// To be called when the operators or scales were assembled anew.
   void operators_changed() {
     operators_changed_ = true;
@@ -85,7 +87,7 @@ class Newton {
 
  private:
   struct Residual {
-    double normal = 0, tangential = 0, load = 0;  ///< relative maxima
+    double normal = 0, tangential = 0, load = 0;          ///< relative maxima
     double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
     double merit = 0;
     std::int64_t contact = 0, sliding = 0;
@@ -97,9 +99,14 @@ class Newton {
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
   Outcome fall_back(double tolerance, std::int64_t max_iterations);
   Outcome bracket_creep(double tolerance, std::int64_t max_iterations);
+  Outcome bracket_approach(Part part, double tolerance, std::int64_t max_iterations);
+  Outcome bracket(int motion, Part part, double from, double scale, double tolerance,
+                  std::int64_t max_iterations);
   double creep_scale(int motion) const;
   Outcome rescale_slip(double tolerance, std::int64_t max_iterations);
   Outcome alternate(double tolerance, std::int64_t max_iterations);
+  Outcome relax(double tolerance, std::int64_t max_iterations);
+  void sweep_along_flow();
   Outcome continue_in_friction(bool from_above, double tolerance, std::int64_t max_iterations);
   void remember_best(Part part, double worst);
   void return_to_best();

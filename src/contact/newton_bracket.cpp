@@ -1,15 +1,16 @@
-/// One prescribed tangential force or spin moment, found from the outside: given motions converge
-/// where given forces get stuck, and the load falls as its motion grows.
+/// One prescribed load, found from the outside: given motions converge where given forces get
+/// stuck, and a tangential load falls as its motion grows, the normal one grows with the approach.
 
 #include <algorithm>
 #include <cmath>
 
 #include "contact/newton.hpp"
+#include "contact/start.hpp"
 
 namespace rollcon {
 namespace {
 
-constexpr int most_evaluations = 40;
+constexpr int most_evaluations = 120;
 constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
 
 std::size_t at(int i) {
@@ -32,7 +33,7 @@ double Newton::creep_scale(int m) const {
 }
 
 Outcome Newton::bracket_creep(double tolerance, std::int64_t max_iterations) {
-  Problem& p = *problem_;
+  const Problem& p = *problem_;
   int m = -1;
   for (const int candidate : {xi1, xi2, spin})
     if (p.by_force[at(candidate)]) {
@@ -41,26 +42,45 @@ Outcome Newton::bracket_creep(double tolerance, std::int64_t max_iterations) {
     }
   if (m < 0) return Outcome::not_converged;
   return_to_best();
+  return bracket(m, goal_, iterate_->motion[at(m)], creep_scale(m), tolerance, max_iterations);
+}
+
+// From the first touch on.
+Outcome Newton::bracket_approach(Part part, double tolerance, std::int64_t max_iterations) {
+  if (!problem_->by_force[approach]) return Outcome::not_converged;
+  const GuessedContact guess = guess_contact(*problem_);
+  if (!(guess.low < INFINITY)) return Outcome::not_converged;
+  start_cold(*problem_, *iterate_);
+  return bracket(approach, part, guess.low, guess.half, tolerance, max_iterations);
+}
+
+Outcome Newton::bracket(int m, Part part, double from, double scale, double tolerance,
+                        std::int64_t max_iterations) {
+  Problem& p = *problem_;
   Iterate& it = *iterate_;
-  const double target = p.value[at(m)], scale = creep_scale(m);
   if (!(scale > 0) || !std::isfinite(scale)) return Outcome::not_converged;
-  const double loose = std::max(tolerance, 1e-7);
+  const double target = p.value[at(m)], loose = std::max(tolerance, 1e-7);
 
   Outcome outcome = Outcome::converged;
-  const auto excess = [&](double motion) {  // load minus target at a given motion
+  // What the load lacks (approach) or exceeds (creepages) at a given motion: falls as that grows.
+  const auto excess = [&](double motion) {
     p.value[at(m)] = it.motion[at(m)] = motion;
     free_steps_ = 1;
-    outcome = run(goal_, loose, max_iterations, iterations_of(goal_));
+    outcome = run(part, loose, max_iterations, iterations_of(part));
     free_steps_ = 0;
-    return load_on_body1(p, m, it.lambda).value - target;
+    if (m == approach && outcome == Outcome::no_contact) {
+      outcome = Outcome::converged;
+      guess_start(p, it);
+    }
+    const double load = load_on_body1(p, m, it.lambda).value;
+    return m == approach ? target - load : load - target;
   };
   p.by_force[at(m)] = false;
   continuing_ = true;
-  double low = it.motion[at(m)], high = low, step = scale;
+  double low = from, high = low, step = scale;
   double at_low = excess(low), at_high = at_low;
   int evaluations = 1;
   while (outcome == Outcome::converged && at_low * at_high > 0 && evaluations < most_evaluations) {
-    // The load falls as the motion grows.
     if (at_low > 0)
       low = high, at_low = at_high, at_high = excess(high += step);
     else
@@ -93,7 +113,7 @@ Outcome Newton::bracket_creep(double tolerance, std::int64_t max_iterations) {
   p.value[at(m)] = target;
   if (outcome != Outcome::converged) return outcome;
   free_steps_ = 2;
-  outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
+  outcome = run(part, tolerance, max_iterations, iterations_of(part));
   free_steps_ = 0;
   return outcome;
 }

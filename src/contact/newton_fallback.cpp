@@ -26,6 +26,8 @@ Outcome Newton::fall_back(double tolerance, std::int64_t max_iterations) {
     outcome = attempt();
   };
   next([&] { return bracket_creep(tolerance, max_iterations); });
+  next([&] { return relax(tolerance, max_iterations); });
+  if (goal_ == Part::full) next([&] { return bracket_approach(goal_, tolerance, max_iterations); });
   next([&] { return rescale_slip(tolerance, max_iterations); });
   next([&] { return continue_in_friction(true, tolerance, max_iterations); });
   if (goal_ == Part::full) next([&] { return alternate(tolerance, max_iterations); });

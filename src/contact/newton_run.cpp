@@ -46,7 +46,9 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
         Iterate& it = *iterate_;
         const bool loaded =
             std::any_of(it.lambda[2].begin(), it.lambda[2].end(), [](double l) { return l != 0; });
-        if (!loaded) return Outcome::no_contact;
+        // Of a coupled problem, friction alone cannot tell whether the bodies touch.
+        const bool open = part != Part::tangential || goal_ != Part::full;
+        if (!loaded) return open ? Outcome::no_contact : Outcome::not_converged;
         it.clear_tractions();
         continue;
       }
@@ -94,7 +96,16 @@ void Newton::remember_best(Part part, double worst) {
 }
 
 void Newton::return_to_best() {
-  if (!std::isfinite(best_.worst)) return;
+  if (!std::isfinite(best_.worst)) {
+    // Nothing to return to; but what is not finite must not be handed on.
+    const Iterate& it = *iterate_;
+    bool finite = true;
+    for (const auto& lambda : it.lambda)
+      for (const double l : lambda) finite = finite && std::isfinite(l);
+    for (const double m : it.motion) finite = finite && std::isfinite(m);
+    if (!finite) start_cold(*problem_, *iterate_);
+    return;
+  }
   report_.residual_normal = best_.residual_normal;
   report_.residual_tangential = best_.residual_tangential;
   for (int c = 0; c < 3; ++c) iterate_->lambda[c] = best_.lambda[c];
@@ -120,6 +131,10 @@ Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations
   if (goal_ != Part::full || cold) {
     const double enough = goal_ == Part::full ? std::max(start_tolerance, tolerance) : tolerance;
     outcome = run(Part::normal, enough, max_iterations, report_.normal_iterations);
+    if (outcome == Outcome::not_converged && iterations_left_ > 0) {
+      ++report_.fallbacks;
+      outcome = bracket_approach(Part::normal, enough, max_iterations);
+    }
     pressures_found_ = outcome == Outcome::converged;
   }
   if (outcome != Outcome::converged || goal_ == Part::normal) return outcome;

@@ -70,7 +70,8 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
   }
   if (meshed)
     line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
-  if (const InitialOverlap overlap = initial_overlap(s.frame, s.problem.gap); overlap.nodes > 0)
+  if (const InitialOverlap overlap = initial_overlap(s.frame, s.problem.undeformed_gaps());
+      overlap.nodes > 0)
     line(text,
          "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
          static_cast<long long>(overlap.nodes), overlap.depth);

@@ -37,6 +37,12 @@ void Prediction::solved() {
   solved_ = true;
 }
 
+void Prediction::move_datum(double change) {
+  for (Iterate* it : {&last_, &before_}) it->motion[approach] -= change;
+  for (Prescribed* p : {&at_last_, &at_before_})
+    if (!p->by_force[approach]) p->value[approach] -= change;
+}
+
 double Prediction::ratio(const Problem& p, const std::array<double, 4>& weight) const {
   if (!known_ || at_before_.by_force != p.by_force || at_last_.by_force != p.by_force) return 0;
   if (before_.lambda[2].size() != p.gap.size()) return 0;

@@ -18,6 +18,8 @@ class Prediction {
   /// After a solve: the solution of begin() is then the one before the last.
   void solved();
   void forget() { solved_ = known_ = false; }
+  /// Approaches count from a datum that is further by so much.
+  void move_datum(double change);
   /// Length of the step from the last solution over that to the last one; 0: none, the prescribed
   /// values did not change before or turn away from their line. weight[m]: a change of value m that
   /// would matter.

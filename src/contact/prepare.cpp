@@ -298,6 +298,21 @@ void shift_field(SolverState& state) {
   }
 }
 
+// The new gaps count from no approach; warm starts from the datum before.
+void set_datum(SolverState& state) {
+  constexpr double steepest = 0.01;  // nodes as steep as that say little about the approach
+  Problem& p = state.problem;
+  double least = INFINITY;
+  for (std::size_t k = 0; k < p.gap.size(); ++k)
+    if (state.frame.used[k] && p.closing(k) > steepest)
+      least = std::min(least, p.gap[k] / p.closing(k));
+  const double datum = std::isfinite(least) ? least : 0;
+  for (std::size_t k = 0; k < p.gap.size(); ++k) p.gap[k] -= p.closing(k) * datum;
+  state.iterate.motion[approach] -= datum - p.datum;
+  state.newton.move_datum(datum - p.datum);
+  p.datum = datum;
+}
+
 void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
   if (state.gap_revision == scene.revision.gap) return;
   ++state.work.gaps;
@@ -312,6 +327,7 @@ void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) 
     p.gap = undeformed_gap(state.frame, state.frame_source, pair);
   }
   for (std::size_t k = 0; k < state.offset_depth.size(); ++k) p.gap[k] -= state.offset_depth[k];
+  set_datum(state);
   state.gap_revision = scene.revision.gap;
 }
 
@@ -340,6 +356,7 @@ void read_kinematics(SolverState& state, const Scene& scene) {
     const auto m = static_cast<std::size_t>(d) - 1;
     p.by_force[m] = scene.load(d).how == How::by_force;
     p.value[m] = scene.load(d).value;
+    if (d == Direction::normal) p.prescribe_normal(p.by_force[m], p.value[m]);
   }
 }
 

@@ -71,6 +71,12 @@ void Iterate::update_gap(const Problem& problem, std::int64_t i) {
   gap_valid[k] = 1;
 }
 
+std::vector<double> Problem::undeformed_gaps() const {
+  std::vector<double> undeformed = gap;
+  for (std::size_t k = 0; k < gap.size(); ++k) undeformed[k] += closing(k) * datum;
+  return undeformed;
+}
+
 std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
   std::array<double, 2> axes{0, 0};
   switch (m) {

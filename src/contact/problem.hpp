@@ -29,7 +29,12 @@ struct Problem {
   ContactOperators op;
   std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
   std::vector<Turn> turn;      ///< empty: the frame is flat
-  std::vector<double> gap;     ///< at no approach; displacements given elsewhere included
+  /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem
+  /// and its iterates count from the datum: where it is the least of those that touch, the overlap
+  /// under the smallest load keeps its digits.
+  std::vector<double> gap;
+  double datum = 0;
+  double prescribed_approach = 0;
   /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
   /// does not depend on any traction: material enters the frame unstressed.
   std::vector<double> mu;
@@ -62,6 +67,18 @@ struct Problem {
   /// Gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
   double rigid_gap(std::size_t k, double depth) const { return gap[k] - closing(k) * depth; }
+  /// What is prescribed in the normal direction: a load, or an approach from no approach on.
+  void prescribe_normal(bool force, double v) {
+    by_force[approach] = force;
+    prescribed_approach = v;
+    value[approach] = force ? v : v - datum;
+  }
+  /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
+  double approach_of(const std::array<double, 4>& motion) const {
+    return by_force[approach] ? motion[approach] + datum : prescribed_approach;
+  }
+  /// Gaps at no approach.
+  std::vector<double> undeformed_gaps() const;
   /// Slip of node k per unit of a motion (zero for the approach).
   std::array<double, 2> slip_column(int motion, std::size_t k) const;
   /// Load on body 1 (see LoadSum) per unit of the node's tractions.

@@ -253,49 +253,18 @@ void ReducedSystem::add_laws(const double* x, double* y) const {
   }
 }
 
-template <class T>
-void ReducedSystem::dense(T* out) const {
-  const std::int64_t na = active(), rows = rows_, n = size_;
-  const auto border_entry = [&](const Border& border, int c, std::int64_t a) {
-    const auto& column = border.column[c];
-    return column.empty() ? 0.0 : column[static_cast<std::size_t>(a)];
-  };
-  std::int64_t first = 0;
-  if (tangential()) {
-    first = 2;
-    for (std::int64_t a = 0; a < na; ++a) {
-      const TangentialLaw& law = law_[static_cast<std::size_t>(a)];
-      const double *m1 = matrix_.row(a), *m2 = matrix_.row(na + a);
-      for (int i = 0; i < 2; ++i) {
-        T* row = out + (i * na + a) * n;
-        const double q1 = law.slip[i][0], q2 = law.slip[i][1];
-        for (std::int64_t j = 0; j < rows; ++j) row[j] = static_cast<T>(q1 * m1[j] + q2 * m2[j]);
-        for (int c = 0; c < count_; ++c)
-          row[c * na + a] += static_cast<T>(law.own[i][component(c)]);
-        for (int k = 0; k < borders_; ++k) {
-          const Border& border = border_[static_cast<std::size_t>(k)];
-          row[rows + k] =
-              static_cast<T>(q1 * border_entry(border, 0, a) + q2 * border_entry(border, 1, a));
-        }
-      }
-    }
-  }
-  if (normal())
-    for (std::int64_t a = 0; a < na; ++a) {
-      T* row = out + (first * na + a) * n;
-      const double* m = matrix_.row(first * na + a);
-      for (std::int64_t j = 0; j < rows; ++j) row[j] = static_cast<T>(m[j]);
-      for (int k = 0; k < borders_; ++k)
-        row[rows + k] = static_cast<T>(border_entry(border_[static_cast<std::size_t>(k)], 2, a));
-    }
+void ReducedSystem::start(const std::vector<double> (&lambda)[3],
+                          const std::array<double, 4>& motion, std::vector<double>& x) const {
+  const std::size_t na = nodes_.size();
+  x.resize(static_cast<std::size_t>(size_));
+  for (int r = 0; r < count_; ++r)
+    for (std::size_t a = 0; a < na; ++a)
+      x[static_cast<std::size_t>(r) * na + a] =
+          lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
   for (int k = 0; k < borders_; ++k) {
-    T* row = out + (rows + k) * n;
-    std::fill(row, row + n, T{0});
-    for (int c = 0; c < count_; ++c) {
-      const auto& values = border_[static_cast<std::size_t>(k)].row[component(c)];
-      for (std::size_t a = 0; a < values.size(); ++a)
-        row[c * na + static_cast<std::int64_t>(a)] = static_cast<T>(values[a]);
-    }
+    const Border& border = border_[static_cast<std::size_t>(k)];
+    x[static_cast<std::size_t>(rows_ + k)] =
+        motion[static_cast<std::size_t>(border.motion)] * border.scale;
   }
 }
 
@@ -317,24 +286,6 @@ void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
       block[r][c] =
           law.own[r][component(c)] + law.slip[r][0] * own[0][c] + law.slip[r][1] * own[1][c];
     }
-}
-
-template void ReducedSystem::dense<double>(double*) const;
-template void ReducedSystem::dense<float>(float*) const;
-
-void ReducedSystem::start(const std::vector<double> (&lambda)[3],
-                          const std::array<double, 4>& motion, std::vector<double>& x) const {
-  const std::size_t na = nodes_.size();
-  x.resize(static_cast<std::size_t>(size_));
-  for (int r = 0; r < count_; ++r)
-    for (std::size_t a = 0; a < na; ++a)
-      x[static_cast<std::size_t>(r) * na + a] =
-          lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
-  for (int k = 0; k < borders_; ++k) {
-    const Border& border = border_[static_cast<std::size_t>(k)];
-    x[static_cast<std::size_t>(rows_ + k)] =
-        motion[static_cast<std::size_t>(border.motion)] * border.scale;
-  }
 }
 
 double ReducedSystem::motion(const Problem& problem, int m, const double* x) const {

@@ -45,14 +45,11 @@ class ReducedSystem final : public LinearOperator {
   void apply(const double* x, double* y) override;
   /// The same where the scaled operator rows times the tractions of x are known.
   void apply_known(const double* x, std::span<const double> product, double* y);
-  /// Row-major dense matrix of the whole system.
-  template <class T>
-  void dense(T* out) const;
 
   /// Entries of the rows and columns of active node a, by place of the component.
   void pair_block(std::int64_t a, double (&block)[3][3]) const;
 
-  /// Operators that are not formed, or null: then dense() must not be called.
+  /// Operators that are not formed, or null: then there are no rows.
   FieldOperator* field() const { return field_; }
   double normal_scale(std::int64_t a) const { return rn_[static_cast<std::size_t>(a)]; }
   double slip_scale(std::int64_t a) const { return rt_[static_cast<std::size_t>(a)]; }

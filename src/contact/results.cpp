@@ -165,7 +165,7 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 void Contact::motion(double* depth, double* creep) const {
   require_solution(*state_, scene);
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = m[approach];
+  if (depth) *depth = state_->problem.approach_of(m);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 

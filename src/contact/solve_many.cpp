@@ -335,7 +335,8 @@ void reach_for_all(SolverState& s, const Options& options, const CaseList& list)
     double most = -INFINITY;
     for (std::int64_t i = 0; i < list.cases; ++i)
       most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
-    if (list.parameter[j] == Parameter::normal) s.problem.value[approach] = most;
+    if (list.parameter[j] == Parameter::normal)
+      s.problem.value[approach] = s.problem.by_force[approach] ? most : most - s.problem.datum;
     if (list.parameter[j] == Parameter::friction)
       for (double& m : s.problem.mu) m *= most;
   }

@@ -54,7 +54,7 @@ Cut cut(const Problem& p, double given_approach) {
     double a = 0, b = std::max(high - c.low, 1e-12 * std::abs(high));
     if (!(b > 0)) b = load / (p.stiffness * p.length);
     for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < 400 && b - a > 1e-6 * b; ++i) {
       const double middle = 0.5 * (a + b);
       (carried(middle) < load ? a : b) = middle;
     }

@@ -101,8 +101,11 @@ constexpr Statistic table[] = {
      }},
     {"nodes_near_change", near_change},
     {"nodes_overlap",
-     [](SolverState& s) { return number(initial_overlap(s.frame, s.problem.gap).nodes); }},
-    {"overlap_depth", [](SolverState& s) { return initial_overlap(s.frame, s.problem.gap).depth; }},
+     [](SolverState& s) {
+       return number(initial_overlap(s.frame, s.problem.undeformed_gaps()).nodes);
+     }},
+    {"overlap_depth",
+     [](SolverState& s) { return initial_overlap(s.frame, s.problem.undeformed_gaps()).depth; }},
     {"contact_area",
      [](SolverState& s) {
        return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; });

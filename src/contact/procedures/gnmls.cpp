@@ -357,6 +357,10 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
     report_.residual_normal = best.normal;
     report_.residual_tangential = best.tangential;
   }
+  if (report_.outcome == Outcome::not_converged && !std::isfinite(best_worst_)) {
+    start_cold(problem, iterate);
+    return report_;
+  }
   for (int c = 0; c < 3; ++c) iterate.lambda[c] = z_.lambda[c];
   for (int c = 0; c < 2; ++c) iterate.image[c] = z_.slip[c];
   iterate.image[2] = z_.depth;
