@@ -1,15 +1,14 @@
 #include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
 #include <system_error>
 
+#include "io/part_file.hpp"
 #include "io/section_file.hpp"
 #include "support/error.hpp"
 
@@ -33,25 +32,13 @@ void SectionWriter::fail_here(int error) const {
 
 SectionWriter::SectionWriter(const std::string& path, const FileKind& kind) : path_(path) {
   if (path.empty()) fail(Status::err_argument, "path is empty");
-  struct stat old {};
-  if (stat(path.c_str(), &old) == 0 && !S_ISREG(old.st_mode))
-    fail(Status::err_io, "cannot write '%s': there is something that is no regular file",
-         path.c_str());
   std::copy_n(kind.magic, sizeof header_.magic, header_.magic);
   header_.byte_order = 1;
   header_.format = kind.format;
   header_.abi = kind.abi;
   std::snprintf(header_.library, sizeof header_.library, "%s", kind.library);
   buffer_.reserve(buffer_bytes);
-  // Beside the file that it becomes, under a name that no other thread or process uses.
-  static std::atomic<unsigned> count{0};
-  // Names left by a process of the same number that was killed are passed over.
-  constexpr int most_names = 1000;
-  for (int attempt = 0; attempt < most_names; ++attempt) {
-    part_ = path + "." + std::to_string(getpid()) + "-" + std::to_string(count++) + ".part";
-    file_ = open(part_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    if (file_ >= 0 || errno != EEXIST) break;
-  }
+  file_ = open_part(path, part_);
   if (file_ < 0) {
     const int error = errno;
     part_.clear();

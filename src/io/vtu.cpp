@@ -1,13 +1,17 @@
 #include "io/vtu.hpp"
 
+#include <unistd.h>
+
 #include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <new>
 #include <system_error>
 
+#include "io/part_file.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -145,6 +149,7 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
 }
 
 [[noreturn]] void fail_io(const std::string& path, int error) {
+  if (error == ENOMEM) throw std::bad_alloc();
   fail(Status::err_io, "cannot write '%s': %s", path.c_str(),
        std::generic_category().message(error).c_str());
 }
@@ -156,9 +161,16 @@ void write_vtu(const std::string& path, const SurfaceMesh& mesh,
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
   const std::string text = file_text(mesh, arrays);
-  const std::string part = path + ".part";
-  std::FILE* file = std::fopen(part.c_str(), "wb");
-  if (!file) fail_io(path, errno);
+  std::string part;
+  const int descriptor = open_part(path, part);
+  if (descriptor < 0) fail_io(path, errno);
+  std::FILE* file = fdopen(descriptor, "wb");
+  if (!file) {
+    const int error = errno;
+    close(descriptor);
+    std::remove(part.c_str());
+    fail_io(path, error);
+  }
   errno = 0;
   bool good = std::fwrite(text.data(), 1, text.size(), file) == text.size();
   int error = errno;

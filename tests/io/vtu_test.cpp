@@ -1,9 +1,13 @@
 #include "io/vtu.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
 
+#include <atomic>
 #include <clocale>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +15,7 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "support/error.hpp"
 #include "support/frames.hpp"
@@ -187,16 +192,54 @@ TEST_F(Vtu, FailureLeavesNoHalfFile) {
 }
 
 TEST_F(Vtu, FullDiskIsReported) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
-  fs::create_symlink("/dev/full", path("frame.vtu.part"));
+  rlimit old{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit small{100, old.rlim_max};
+  ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  Status status = Status::ok;
   try {
     write_vtu(path("frame.vtu"), all_types(), {});
+  } catch (const Error& error) {
+    status = error.status();
+  }
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(status, Status::err_io);
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(Vtu, WritersOfOneNameDoNotDisturbEachOther) {
+  constexpr int writers = 4, files_each = 20;
+  std::vector<std::thread> threads;
+  std::atomic<int> failures{0};
+  for (int t = 0; t < writers; ++t)
+    threads.emplace_back([&] {
+      for (int i = 0; i < files_each; ++i) {
+        try {
+          write_vtu(path("frame.vtu"), all_types(), {});
+        } catch (const std::exception&) {
+          ++failures;
+        }
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failures, 0);
+  EXPECT_EQ(files(), 1) << "nothing is left beside it";
+}
+
+TEST_F(Vtu, PipesAndDevicesAreNotReplaced) {
+  const std::string pipe = path("pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  try {
+    write_vtu(pipe, all_types(), {});
     FAIL() << "written";
   } catch (const Error& error) {
-    std::printf("%s\n", error.what());
     EXPECT_EQ(error.status(), Status::err_io);
+    EXPECT_NE(std::string(error.what()).find("no regular file"), std::string::npos);
   }
-  EXPECT_EQ(files(), 0);
+  EXPECT_TRUE(fs::is_fifo(pipe)) << "it is what it was";
+  EXPECT_EQ(files(), 1);
 }
 
 TEST_F(Vtu, NotANumberIsRefused) {
