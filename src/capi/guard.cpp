@@ -1,17 +1,16 @@
 #include "capi/guard.hpp"
 
 #include <new>
-#include <string>
 
 namespace rollcon::capi {
 
 Status report(const char* function, Context* context, Status status, const char* message) noexcept {
   if (!context) return status;
+  context->set_error(function, message);
   try {
-    context->set_error(std::string(function) + ": " + message);
     context->log(LogLevel::error, "%s: %s", function, message);
   } catch (...) {
-    // No memory for the text, or a log sink that throws: the status has to do.
+    // A log sink that throws: the status has to do.
   }
   return status;
 }

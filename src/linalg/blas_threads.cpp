@@ -1,6 +1,15 @@
 #include "linalg/blas_threads.hpp"
 
+#include <cstdint>
 #include <mutex>
+
+#ifdef __GLIBC__
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+extern "C" void* __libc_stack_end;  // where the stack of the first thread begins
+#endif
 
 // OpenBLAS's own control; weak, so that another BLAS links as well and keeps its own setting.
 extern "C" {
@@ -17,6 +26,42 @@ std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
 
+// OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several.
+constexpr std::uintptr_t stack_for_threads = std::uintptr_t{5} << 20U;
+
+#ifdef __GLIBC__
+/// Lowest address of the calling thread's stack; 0: not known.
+std::uintptr_t stack_bottom() {
+  // Asking costs an allocation.
+  thread_local std::uintptr_t bottom = 0;
+  if (bottom != 0) return bottom;
+  if (getpid() == gettid()) {
+    rlimit limit{};
+    const auto top = reinterpret_cast<std::uintptr_t>(__libc_stack_end);
+    if (getrlimit(RLIMIT_STACK, &limit) != 0) return 0;
+    return bottom = limit.rlim_cur < top ? top - limit.rlim_cur : 1;
+  }
+  pthread_attr_t attributes;
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
+  void* lowest = nullptr;
+  std::size_t size = 0;
+  if (pthread_attr_getstack(&attributes, &lowest, &size) == 0)
+    bottom = reinterpret_cast<std::uintptr_t>(lowest);
+  pthread_attr_destroy(&attributes);
+  return bottom;
+}
+
+bool has_stack_for_threads() {
+  const char here = 0;
+  const std::uintptr_t bottom = stack_bottom();
+  return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
+}
+#else
+bool has_stack_for_threads() {
+  return true;
+}
+#endif
+
 }  // namespace
 
 BlasThreads::BlasThreads(int threads) {
@@ -24,6 +69,7 @@ BlasThreads::BlasThreads(int threads) {
   const std::lock_guard lock(mutex);
   if (users++ > 0) return;
   hosts_threads = openblas_get_num_threads();
+  if (threads > 1 && !has_stack_for_threads()) threads = 1;
   if (hosts_threads != threads) openblas_set_num_threads(threads);
 }
 

@@ -5,6 +5,8 @@
 
 #ifdef _OPENMP
 #include <omp.h>
+
+#include <mutex>
 #endif
 
 namespace rollcon {
@@ -22,19 +24,30 @@ struct CholmodCommon {
 };
 
 /// CHOLMOD's own parallel loops, which only move data, ask for a fixed number of threads whatever
-/// the budget: inside this scope they run on one. The BLAS has threads of its own.
+/// the budget: inside this scope they run on one. The BLAS has threads of its own. Where the
+/// setting is the process's, a scope that finds the zero of another one leaves what that one found.
 class [[maybe_unused]] SerialLoops {
  public:
 #ifdef _OPENMP
-  SerialLoops() : levels_(omp_get_max_active_levels()) {
+  SerialLoops() {
+    const std::lock_guard lock(mutex_);
+    levels_ = omp_get_max_active_levels();
+    if (users_++ == 0)
+      first_ = levels_;
+    else if (levels_ == 0)
+      levels_ = first_;
     omp_set_max_active_levels(0);
   }
   ~SerialLoops() {
+    const std::lock_guard lock(mutex_);
+    --users_;
     omp_set_max_active_levels(levels_);
   }
 
  private:
-  int levels_;
+  int levels_ = 1;
+  static inline std::mutex mutex_;
+  static inline int users_ = 0, first_ = 1;
 
  public:
 #else

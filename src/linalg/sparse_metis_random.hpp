@@ -1,7 +1,10 @@
 #pragma once
 /// METIS draws from the process's random numbers and seeds them: orders would depend on who else
 /// runs, and the host's sequence on us. Within this scope they have a state of their own; one call
-/// at a time.
+/// at a time. METIS also takes SIGABRT and SIGTERM, and gives them back without the flags and masks
+/// that the host had set: they come back whole.
+
+#include <signal.h>
 
 #include <cstdlib>
 #include <mutex>
@@ -10,8 +13,15 @@ namespace rollcon {
 
 class MetisRandom {
  public:
-  MetisRandom() : lock_(mutex()), hosts_(initstate(1, state_, sizeof state_)) {}
-  ~MetisRandom() { setstate(hosts_); }
+  MetisRandom() : lock_(mutex()), hosts_(initstate(1, state_, sizeof state_)) {
+    sigaction(SIGABRT, nullptr, &abort_);
+    sigaction(SIGTERM, nullptr, &terminate_);
+  }
+  ~MetisRandom() {
+    sigaction(SIGABRT, &abort_, nullptr);
+    sigaction(SIGTERM, &terminate_, nullptr);
+    setstate(hosts_);
+  }
   MetisRandom(const MetisRandom&) = delete;
   MetisRandom& operator=(const MetisRandom&) = delete;
 
@@ -23,6 +33,7 @@ class MetisRandom {
   std::lock_guard<std::mutex> lock_;
   char state_[128];
   char* hosts_;
+  struct sigaction abort_, terminate_;
 };
 
 }  // namespace rollcon

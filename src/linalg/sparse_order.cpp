@@ -12,6 +12,15 @@ std::size_t at(std::int64_t i) {
 
 }  // namespace
 
+bool is_permutation(std::span<const std::int64_t> order) {
+  std::vector<bool> found(order.size(), false);
+  for (const std::int64_t i : order) {
+    if (i < 0 || at(i) >= order.size() || found[at(i)]) return false;
+    found[at(i)] = true;
+  }
+  return true;
+}
+
 SparseOrder order_unknowns(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed,
                            GraphOrder (*dissect)(const SparseGroups&)) {
   const SparseGroups groups = group_unknowns(matrix, condensed);

@@ -18,9 +18,13 @@ struct GraphOrder {
   std::size_t peak_bytes = 0;
 };
 
-/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc.
+/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc. METIS finds
+/// memory or raises a signal that it catches; then it gives no order, and CHOLMOD does not notice.
 GraphOrder dissect_by_cholmod(const SparseGroups& groups);
 GraphOrder dissect_by_umfpack(const SparseGroups& groups);
+
+/// Whether each of 0 .. order.size() - 1 comes once.
+bool is_permutation(std::span<const std::int64_t> order);
 
 struct SparseOrder {
   std::vector<std::int64_t> unknown;  ///< at each place, condensed ones at the end

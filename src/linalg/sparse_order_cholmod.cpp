@@ -26,15 +26,15 @@ GraphOrder dissect_by_cholmod(const SparseGroups& groups) {
   graph.packed = 1;
 
   CholmodCommon common;
-  // METIS ends the process when it finds no memory: CHOLMOD tries first whether there is enough.
+  // CHOLMOD tries first whether there is enough memory for METIS.
   common.c.metis_memory = 2;
   static_assert(sizeof(SuiteSparse_long) == sizeof(std::int64_t));
   auto* order = reinterpret_cast<SuiteSparse_long*>(out.group.data());
   const SerialLoops serial;
   const MetisRandom random;
-  if (!cholmod_l_metis(&graph, nullptr, 0, 0, order, &common.c) &&
-      !cholmod_l_amd(&graph, nullptr, 0, order, &common.c))
-    throw std::bad_alloc();
+  const bool dissected =
+      cholmod_l_metis(&graph, nullptr, 0, 0, order, &common.c) && is_permutation(out.group);
+  if (!dissected && !cholmod_l_amd(&graph, nullptr, 0, order, &common.c)) throw std::bad_alloc();
   out.peak_bytes = common.c.memory_usage;
   return out;
 }

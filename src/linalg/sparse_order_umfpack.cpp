@@ -34,6 +34,7 @@ GraphOrder dissect_by_umfpack(const SparseGroups& groups) {
   control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   control[UMFPACK_ORDERING] = UMFPACK_ORDERING_METIS;
   const auto n = static_cast<Long>(out.group.size());
+  std::vector<Long> column(out.group.size());
   void* symbolic = nullptr;
   const MetisRandom random;
   if (umfpack_dl_symbolic(n, n, start.data(), row.data(), nullptr, &symbolic, control, info) < 0) {
@@ -41,7 +42,6 @@ GraphOrder dissect_by_umfpack(const SparseGroups& groups) {
     if (umfpack_dl_symbolic(n, n, start.data(), row.data(), nullptr, &symbolic, control, info) < 0)
       throw std::bad_alloc();
   }
-  std::vector<Long> column(out.group.size());
   const Long status = umfpack_dl_get_symbolic(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
                                               nullptr, column.data(), nullptr, nullptr, nullptr,
                                               nullptr, nullptr, nullptr, nullptr, symbolic);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <numeric>
 
 #include "linalg/condensed_factor.hpp"
@@ -15,6 +16,7 @@
 #include "linalg/sparse_umfpack_trailing.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/parallel.hpp"
 
 namespace rollcon {
 namespace {
@@ -170,8 +172,9 @@ void UmfpackFactor::factorise(const SparseSymmetric& matrix) {
 std::int64_t UmfpackFactor::smallest_pivot() const {
   std::vector<double> diagonal(at(size_));
   std::vector<Long> column(at(size_));
-  umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-                         column.data(), diagonal.data(), nullptr, nullptr, numeric_.get());
+  if (umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                             column.data(), diagonal.data(), nullptr, nullptr, numeric_.get()) < 0)
+    throw std::bad_alloc();
   std::size_t smallest = 0;
   for (std::size_t k = 0; k < diagonal.size(); ++k)
     if (!(std::abs(diagonal[k]) >= std::abs(diagonal[smallest]))) smallest = k;
@@ -187,12 +190,10 @@ template <class One>
 void UmfpackFactor::for_right_sides(std::int64_t count, One one) const {
   if (count <= 0) return;
   const int threads = static_cast<int>(std::min<std::int64_t>(std::max(threads_, 1), count));
-  // Made here: no exception may leave a parallel region.
   std::vector<Workspace> workspaces(static_cast<std::size_t>(threads), Workspace(size_));
-#pragma omp parallel for num_threads(threads)
-  for (int t = 0; t < threads; ++t)
-    for (std::int64_t r = t; r < count; r += threads)
-      one(r, workspaces[static_cast<std::size_t>(t)]);
+  parallel_for(count, 1, threads, [&](std::int64_t r, int thread) {
+    one(r, workspaces[static_cast<std::size_t>(thread)]);
+  });
 }
 
 void UmfpackFactor::solve(double* b, std::int64_t count) {
@@ -224,7 +225,8 @@ void UmfpackFactor::form_compliance() {
   const auto n = static_cast<std::int64_t>(condensed_.size());
   if (n == 0 || !compliance_.empty()) return;
   const double dense = 8.0 * static_cast<double>(n) * static_cast<double>(n);
-  require_memory(size_, static_cast<double>(numeric_bytes_) + 2 * dense);
+  const auto held = static_cast<double>(numeric_bytes_);
+  require_memory(size_, held + 2 * dense, held);
   std::size_t copied = 0;
   compliance_ = invert_trailing(numeric_.get(), size_, condensed_, &copied);
   if (compliance_.empty()) solve_units();

@@ -3,6 +3,7 @@
 #include <umfpack.h>
 
 #include <algorithm>
+#include <new>
 
 #include "linalg/lapack.hpp"
 
@@ -38,6 +39,11 @@ std::vector<std::int64_t> trailing_places(const std::vector<Long>& pivot,
   return out;
 }
 
+// It needs memory of its own to copy factors out.
+void require_copied(Long status) {
+  if (status < 0) throw std::bad_alloc();
+}
+
 }  // namespace
 
 // UMFPACK: L U = P R A Q, R the row scales. So the inverse wanted is Q U^-1 L^-1 P R, of the
@@ -48,8 +54,9 @@ std::vector<double> invert_trailing(void* numeric, std::int64_t n,
   std::vector<double> scale(at(n));
   Long entries_l = 0, entries_u = 0, n_row = 0, n_column = 0, nonzero_pivots = 0, multiply = 0;
   umfpack_dl_get_lunz(&entries_l, &entries_u, &n_row, &n_column, &nonzero_pivots, numeric);
-  umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, rows.data(),
-                         columns.data(), nullptr, &multiply, scale.data(), numeric);
+  require_copied(umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                        rows.data(), columns.data(), nullptr, &multiply,
+                                        scale.data(), numeric));
   const std::vector<std::int64_t> row_place = trailing_places(rows, condensed);
   const std::vector<std::int64_t> column_place = trailing_places(columns, condensed);
   const auto size = static_cast<std::int64_t>(condensed.size()), first = n - size;
@@ -66,8 +73,9 @@ std::vector<double> invert_trailing(void* numeric, std::int64_t n,
   const double one = 1;
   {
     Compressed l(n, entries_l);
-    umfpack_dl_get_numeric(l.start.data(), l.index.data(), l.value.data(), nullptr, nullptr,
-                           nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, numeric);
+    require_copied(umfpack_dl_get_numeric(l.start.data(), l.index.data(), l.value.data(), nullptr,
+                                          nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
+                                          nullptr, numeric));
     for (std::int64_t i = 0; i < size; ++i)
       for (Long k = l.start[at(first + i)]; k < l.start[at(first + i + 1)]; ++k)
         if (l.index[at(k)] >= first)
@@ -76,8 +84,9 @@ std::vector<double> invert_trailing(void* numeric, std::int64_t n,
   dtrsm_("L", "L", "N", "U", &order, &order, &one, trailing.data(), &order, right.data(), &order);
   {
     Compressed u(n, entries_u);
-    umfpack_dl_get_numeric(nullptr, nullptr, nullptr, u.start.data(), u.index.data(),
-                           u.value.data(), nullptr, nullptr, nullptr, nullptr, nullptr, numeric);
+    require_copied(umfpack_dl_get_numeric(nullptr, nullptr, nullptr, u.start.data(), u.index.data(),
+                                          u.value.data(), nullptr, nullptr, nullptr, nullptr,
+                                          nullptr, numeric));
     for (std::int64_t j = 0; j < size; ++j)
       for (Long k = u.start[at(first + j)]; k < u.start[at(first + j + 1)]; ++k)
         if (u.index[at(k)] >= first)

@@ -1,8 +1,10 @@
 #include "support/context.hpp"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
-#include <utility>
+#include <cstring>
+#include <new>
 
 #include "support/error.hpp"
 #include "support/fpenv.hpp"
@@ -16,8 +18,13 @@ namespace rollcon {
 namespace {
 
 constexpr std::int32_t max_threads = 4096;
+constexpr std::size_t room_for_error = 128;  ///< of a call that finds no memory
 
 }  // namespace
+
+Context::Context() {
+  error_.reserve(room_for_error);
+}
 
 void Context::set_log(std::int32_t max_level, LogFunction function, void* user) {
   if (max_level < 0 || max_level > static_cast<std::int32_t>(LogLevel::debug))
@@ -65,9 +72,17 @@ int Context::threads() const {
 #endif
 }
 
-void Context::set_error(std::string text) {
+void Context::set_error(const char* function, const char* message) noexcept {
   const std::lock_guard lock(mutex_);
-  error_ = std::move(text);
+  error_.clear();
+  for (const char* part : {function, ": ", message}) {
+    try {
+      error_ += part;
+    } catch (const std::bad_alloc&) {
+      // As much as the room that is there holds.
+      error_.append(part, std::min(std::strlen(part), error_.capacity() - error_.size()));
+    }
+  }
 }
 
 std::string Context::error() const {

@@ -16,6 +16,8 @@ class Context {
  public:
   using LogFunction = void (*)(std::int32_t level, const char* message, void* user);
 
+  Context();
+
   void set_log(std::int32_t max_level, LogFunction function, void* user);
   /// Calls the sink, in the floating-point environment of the host, if the level is wanted.
   void log(LogLevel level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
@@ -24,7 +26,8 @@ class Context {
   /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region.
   int threads() const;
 
-  void set_error(std::string text);
+  /// Keeps "function: message", cut where there is no memory for it.
+  void set_error(const char* function, const char* message) noexcept;
   std::string error() const;
 
   /// The prepared bodies of this context, kept by weak references (set by the first of them).

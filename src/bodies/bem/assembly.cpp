@@ -1,9 +1,9 @@
 /// Matrix and right sides of boundary elements, from the integrals' rows.
 
 #include <algorithm>
-#include <exception>
 
 #include "bodies/bem/system.hpp"
+#include "support/parallel.hpp"
 
 namespace rollcon::bem {
 namespace {
@@ -15,21 +15,15 @@ std::size_t at(std::int64_t i) {
 /// Calls work(first point, count, thread's buffers) for packs of points, in parallel.
 template <class Work>
 void for_packs(std::int64_t points, int threads, Work work) {
-  std::exception_ptr failure;
-#pragma omp parallel num_threads(threads)
-  {
+  struct Buffers {
     std::vector<double> h, g;
-#pragma omp for schedule(dynamic, 4)
-    for (std::int64_t first = 0; first < points; first += lanes) {
-      try {
-        work(first, std::min<std::int64_t>(lanes, points - first), h, g);
-      } catch (...) {
-#pragma omp critical(rollcon_bem_packs)
-        failure = std::current_exception();
-      }
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
+  };
+  std::vector<Buffers> own(at(std::max(threads, 1)));
+  parallel_for((points + lanes - 1) / lanes, 4, threads, [&](std::int64_t pack, int thread) {
+    const std::int64_t first = pack * lanes;
+    auto& [h, g] = own[static_cast<std::size_t>(thread)];
+    work(first, std::min<std::int64_t>(lanes, points - first), h, g);
+  });
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 #include "bodies/fem/assembly.hpp"
 
 #include <algorithm>
-#include <exception>
 #include <utility>
 
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
+#include "support/parallel.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -174,24 +174,14 @@ SparseSymmetric Assembly::stiffness(const Unknowns& unknowns, int threads) const
       node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
   const EntryPlaces places(pattern, unknowns);
   SparseSymmetric matrix = empty_matrix(pattern, unknowns);
-  std::exception_ptr failure;
+  std::vector<std::vector<double>> own(at(std::max(threads, 1)));
   for (const std::vector<std::int64_t>& elements : colours()) {
     const auto count = static_cast<std::int64_t>(elements.size());
-#pragma omp parallel num_threads(threads) if (count > 64)
-    {
-      std::vector<double> k;
-#pragma omp for schedule(static)
-      for (std::int64_t i = 0; i < count; ++i) {
-        try {
-          element_matrix(elements[at(i)], k);
-          scatter(k, mesh_.volume.element(elements[at(i)]), unknowns, places, matrix);
-        } catch (...) {
-#pragma omp critical(rollcon_fem_assembly)
-          failure = std::current_exception();
-        }
-      }
-    }
-    if (failure) std::rethrow_exception(failure);
+    parallel_for(count, 64, threads, [&](std::int64_t i, int thread) {
+      std::vector<double>& k = own[static_cast<std::size_t>(thread)];
+      element_matrix(elements[at(i)], k);
+      scatter(k, mesh_.volume.element(elements[at(i)]), unknowns, places, matrix);
+    });
   }
   return matrix;
 }

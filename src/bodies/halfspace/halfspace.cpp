@@ -7,16 +7,12 @@
 #include <numbers>
 #include <vector>
 
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 #include "bodies/halfspace/error_model.hpp"
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "bodies/halfspace/near_field.hpp"
 #include "bodies/halfspace/rules.hpp"
-#include "support/fpenv.hpp"
+#include "support/parallel.hpp"
 
 namespace rollcon {
 
@@ -127,19 +123,9 @@ void HalfspaceCompliance::for_each(std::size_t points, std::size_t row_size,
   }
   line_rule(1);  // tables are made before the threads start
   symmetric_triangle_rules();
-#ifdef _OPENMP
-#pragma omp parallel num_threads(threads)
-#endif
-  {
-    const QuietFloatingPoint quiet;
-#ifdef _OPENMP
-    Workspace& w = workspaces[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(dynamic, 4)
-#else
-    Workspace& w = workspaces[0];
-#endif
-    for (std::size_t p = 0; p < points; ++p) work(p, w);
-  }
+  parallel_for(static_cast<std::int64_t>(points), 4, threads, [&](std::int64_t p, int thread) {
+    work(static_cast<std::size_t>(p), workspaces[static_cast<std::size_t>(thread)]);
+  });
   std::int64_t sum = 0;
   for (const Workspace& w : workspaces) sum += w.far_evaluations + w.near.evaluations;
   evaluations_ += sum;

@@ -1,0 +1,97 @@
+#include "support/parallel.hpp"
+
+#include <pthread.h>
+#include <signal.h>
+
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <vector>
+
+#include "support/fpenv.hpp"
+
+namespace rollcon {
+namespace {
+
+// A host that limits its stacks (ulimit -s) limits those of its threads by that. Only what is
+// touched of it becomes memory.
+constexpr std::size_t stack_bytes = std::size_t{8} << 20U;
+
+struct Team {
+  void (*work)(void*, int);
+  void* data;
+  std::mutex mutex;
+  std::exception_ptr failure;
+
+  void run(int thread) noexcept {
+    try {
+      work(data, thread);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
+  }
+};
+
+struct Member {
+  Team* team;
+  int number;
+  pthread_t handle;
+};
+
+void* start(void* member) {
+  const QuietFloatingPoint quiet;
+  const auto& m = *static_cast<const Member*>(member);
+  m.team->run(m.number);
+  return nullptr;
+}
+
+/// While it lives, threads that this one makes take no signals but those of their own faults.
+class SignalsForTheHost {
+ public:
+  SignalsForTheHost() {
+    sigset_t all;
+    sigfillset(&all);
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS})
+      sigdelset(&all, fault);
+    pthread_sigmask(SIG_SETMASK, &all, &former_);
+  }
+  ~SignalsForTheHost() { pthread_sigmask(SIG_SETMASK, &former_, nullptr); }
+  SignalsForTheHost(const SignalsForTheHost&) = delete;
+  SignalsForTheHost& operator=(const SignalsForTheHost&) = delete;
+
+ private:
+  sigset_t former_;
+};
+
+/// False: no thread can be had.
+bool make_thread(Member& member) {
+  pthread_attr_t attributes;
+  if (pthread_attr_init(&attributes) != 0) return false;
+  pthread_attr_setstacksize(&attributes, stack_bytes);
+  const bool made = pthread_create(&member.handle, &attributes, start, &member) == 0;
+  pthread_attr_destroy(&attributes);
+  return made;
+}
+
+}  // namespace
+
+void run_threads(int threads, void (*work)(void*, int), void* data) {
+  Team team{work, data, {}, nullptr};
+  std::vector<Member> member;
+  if (threads > 1) member.reserve(static_cast<std::size_t>(threads) - 1);
+  {
+    const SignalsForTheHost blocked;
+    for (int t = 1; t < threads; ++t) {
+      member.push_back({&team, t, {}});
+      if (make_thread(member.back())) continue;
+      member.pop_back();
+      break;
+    }
+  }
+  team.run(0);
+  for (const Member& m : member) pthread_join(m.handle, nullptr);
+  if (team.failure) std::rethrow_exception(team.failure);
+}
+
+}  // namespace rollcon
