@@ -219,14 +219,14 @@ Status Contact::solve_scene() {
   prepare(s, scene, *body1_, *body2_, context_->threads());
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
+  const double prepared = now_seconds();
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
-                static_cast<long long>(s.problem.nodes), now_seconds() - start);
-  watch.tell(Phase::compliance, 0, 0, now_seconds() - start);
+                static_cast<long long>(s.problem.nodes), prepared - start);
+  watch.tell(Phase::compliance, 0, 0, prepared - start);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
   if (!warm) s.iterate.clear();
   s.warm_usable = false;
 
-  const double newton_start = now_seconds();
   if (s.frictionless) {
     s.settled = true;
     refuse_tangential_loads(s.problem);
@@ -236,8 +236,9 @@ Status Contact::solve_scene() {
   s.settled = true;
   s.outcome = s.report.outcome;
   s.peak_bytes = std::max(s.peak_bytes, s.bytes());
-  s.timings.newton = now_seconds() - newton_start;
-  s.timings.total = now_seconds() - start;
+  const double end = now_seconds();
+  s.timings.newton = end - prepared;
+  s.timings.total = end - start;
   context_->log(
       LogLevel::info,
       "Newton: %lld normal, %lld tangential, %lld full iterations, %lld fallbacks, %.3f s",

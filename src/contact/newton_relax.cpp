@@ -46,7 +46,8 @@ void Newton::sweep_along_flow() {
       if (goal_ == Part::full) {
         const double a = own(2, 2, k);
         const double rest = p.rigid_gap(k, it.motion[approach]) - product(2, k) + a * normal;
-        const double next = a > 0 ? std::min(0.0, rest / a) : normal;
+        const double wanted = a > 0 ? std::min(0.0, rest / a) : normal;
+        const double next = std::isfinite(wanted) ? wanted : normal;
         change_n = std::max(change_n, std::abs(next - normal));
         normal = next;
         largest_n = std::max(largest_n, -normal);

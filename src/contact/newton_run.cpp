@@ -40,7 +40,8 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     if (part != Part::normal) report_.residual_tangential = residual.tangential;
     if (monitor_->step(record)) return Outcome::cancelled;
     const double worst = residual.worst(part);
-    if (!std::isfinite(worst)) return Outcome::not_converged;
+    // A greatest value may pass over what is not a number; a sum does not.
+    if (!std::isfinite(worst) || !std::isfinite(residual.merit)) return Outcome::not_converged;
     if (residual.contact == 0) {
       if (part == Part::tangential || !problem_->by_force[approach]) {
         Iterate& it = *iterate_;

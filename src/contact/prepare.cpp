@@ -406,7 +406,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.meshed() || body2.meshed());
-  {
+  if (!body1.prepared() || !body2.prepared()) {
     const Stopwatch watch(state.timings.compliance);
     prepare_body(body1, 1, state.work);
     prepare_body(body2, 2, state.work);

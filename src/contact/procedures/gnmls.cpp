@@ -239,7 +239,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     record.contact = residual.contact;
     record.sliding = residual.sliding;
     if (monitor.step(record)) return Outcome::cancelled;
-    if (!std::isfinite(worst)) return Outcome::not_converged;
+    if (!std::isfinite(worst) || !std::isfinite(residual.merit)) return Outcome::not_converged;
     if (residual.contact == 0) {
       const bool loaded =
           std::any_of(z_.lambda[2].begin(), z_.lambda[2].end(), [](double l) { return l != 0; });
