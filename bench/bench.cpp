@@ -56,6 +56,10 @@ void Runner::emit(const Record& r) {
               trustworthy(r.status) ? "" : "  (not converged)");
   for (const auto& [name, value] : r.extra) std::printf("    %s = %.6g\n", name.c_str(), value);
   std::fflush(stdout);
+  write(r);
+}
+
+void Runner::write(const Record& r) {
   if (!json_) return;
   JsonObject seconds, extra;
   seconds.add("wall", r.seconds);
@@ -72,6 +76,7 @@ void Runner::emit(const Record& r) {
   object.add("linear_iterations", r.linear_iterations);
   object.add("threads", static_cast<std::int64_t>(r.threads)).add("extra", extra);
   for (const auto& [name, values] : r.series) object.add(name, values);
+  if (!r.note.empty()) object.add("note", r.note);
   std::fprintf(json_, "%s\n", object.text().c_str());
   std::fflush(json_);
 }

@@ -27,17 +27,20 @@ struct Record {
   int threads = 1;
   std::vector<std::pair<std::string, double>> extra{};
   std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< by iteration
+  std::string note{};  ///< what the library said, if it refused
 };
 
 class Runner {
  public:
   bool quick = false;
   int threads = 1;
+  int scenes = 0;  ///< random scenes of the stability suite; 0: its own choice
 
   Runner() = default;
   Runner(const Runner&) = delete;
   Runner& operator=(const Runner&) = delete;
-  void emit(const Record& record);
+  void emit(const Record& record);   ///< prints and writes it
+  void write(const Record& record);  ///< to the file, if there is one
   bool open_json(const std::string& path);
   ~Runner();
 
@@ -72,9 +75,11 @@ std::vector<Case> procedure_cases();
 std::vector<Case> lattice_cases();
 std::vector<Case> saved_body_cases();
 std::vector<Case> resolve_cases();
+std::vector<Case> guard_cases();
 std::vector<Case> thrift_cases();
 std::vector<Case> time_loop_cases();
 std::vector<Case> many_cases();
+std::vector<Case> stability_cases();
 
 double now();  ///< seconds, monotonic
 

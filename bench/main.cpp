@@ -1,6 +1,7 @@
 // rollcon-bench: error against run time and memory.
 //   rollcon-bench list
-//   rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N]
+//   rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N] [--scenes N]
+//   rollcon-bench stability [...]   the same as run stability
 
 #include <algorithm>
 #include <cstdio>
@@ -36,11 +37,13 @@ std::vector<Case> all_cases() {
                       fem_cases,
                       effectivity_cases,
                       resolve_cases,
+                      guard_cases,
                       thrift_cases,
                       time_loop_cases,
                       many_cases,
                       saved_body_cases,
-                      lattice_cases})
+                      lattice_cases,
+                      stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
   return cases;
 }
@@ -48,13 +51,22 @@ std::vector<Case> all_cases() {
 int usage() {
   std::fprintf(stderr,
                "usage: rollcon-bench list\n"
-               "       rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N]\n");
+               "       rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N] "
+               "[--scenes N]\n"
+               "       rollcon-bench stability [...]\n");
   return 2;
 }
 
 int run(const std::vector<Case>& cases, int argc, char** argv) {
   rollcon::bench::Runner runner;
   std::vector<std::string> wanted;
+  const auto want = [&](const std::string& name) {
+    if (name == "stability")  // all of its parts
+      wanted.insert(wanted.end(), {"stability_named", "stability_random", "stability_bodies"});
+    else
+      wanted.push_back(name);
+  };
+  if (std::string(argv[1]) == "stability") want(argv[1]);
   for (int i = 2; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--quick") {
@@ -66,10 +78,12 @@ int run(const std::vector<Case>& cases, int argc, char** argv) {
       }
     } else if (argument == "--threads" && i + 1 < argc) {
       runner.threads = std::atoi(argv[++i]);
+    } else if (argument == "--scenes" && i + 1 < argc) {
+      runner.scenes = std::atoi(argv[++i]);
     } else if (argument.starts_with("--")) {
       return usage();
     } else {
-      wanted.push_back(argument);
+      want(argument);
     }
   }
   if (wanted.empty()) return usage();
@@ -102,5 +116,5 @@ int main(int argc, char** argv) {
     for (const Case& c : cases) std::printf("%-14s %s\n", c.name.c_str(), c.summary.c_str());
     return 0;
   }
-  return command == "run" ? run(cases, argc, argv) : usage();
+  return command == "run" || command == "stability" ? run(cases, argc, argv) : usage();
 }

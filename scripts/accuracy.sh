@@ -7,6 +7,7 @@
 #   fem              docs/accuracy_fem.md, bodies of finite elements
 #   procedures       docs/procedures.md, solution procedures
 #   speed            docs/speed.md, regular frames and repeated solves
+#   stability        docs/stability.md, stiff and extreme scenes (about an hour)
 #   scripts/accuracy.sh [--quick] [PART[,PART...]|all] [BUILD_DIR]   (all, build/accuracy)
 # Records are kept in BUILD_DIR/records, one file for each case and number of threads; each case
 # runs once however many parts need it.
@@ -23,8 +24,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    half-spaces|work-precision|estimates|bodies|fem|procedures|speed|all) ;;
-    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures, speed or all" >&2; exit 2 ;;
+    half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
+    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -105,4 +106,10 @@ if wanted speed; then
   cat "${files[@]}" > "$build/speed.jsonl"
   python3 bench/report_speed.py "$build/speed.jsonl" docs "$command speed"
   echo "wrote docs/speed.md"
+fi
+if wanted stability; then
+  run_cases 1 stability_named stability_random stability_bodies
+  cat "${files[@]}" > "$build/stability.jsonl"
+  python3 bench/report_stability.py "$build/stability.jsonl" docs "$command stability"
+  echo "wrote docs/stability.md"
 fi

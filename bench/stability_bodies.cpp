@@ -1,0 +1,40 @@
+// Scenes of the stability suite with bodies that have meshes.
+
+#include "stability.hpp"
+#include "support/extreme_bodies.hpp"
+
+namespace rollcon::bench {
+
+namespace {
+
+bool has_bodies() {
+  return rollcon_has_feature("fem") == 1 && rollcon_has_feature("bem") == 1;
+}
+
+}  // namespace
+
+std::vector<extremes::Scene> stability_body_scenes(bool quick) {
+  if (!has_bodies()) return {};
+  std::vector<extremes::Scene> all = extremes::named_body_scenes();
+  if (quick) return all;
+  // The largest: once.
+  extremes::BlockShape large;
+  large.n = {24, 24, 15};
+  all.push_back(extremes::scene_on_block("meshes", "finite elements, 10000 nodes", large,
+                                         scenes::RigidBody{}));
+  large.model = extremes::Model::bem;
+  large.n = {18, 18, 12};
+  all.push_back(extremes::scene_on_block("meshes", "boundary elements, 1500 nodes", large,
+                                         scenes::RigidBody{}));
+  return all;
+}
+
+extremes::Scene stability_random_body_scene(std::uint32_t seed) {
+  return extremes::random_body_scene(seed);
+}
+
+std::uint32_t stability_random_body_count(std::uint32_t scenes) {
+  return has_bodies() ? scenes * 3 / 20 : 0;
+}
+
+}  // namespace rollcon::bench

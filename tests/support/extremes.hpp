@@ -1,0 +1,92 @@
+#pragma once
+/// Stiff and extreme scenes, each solved and judged by laws of contact recomputed without the
+/// solver (independent_laws.hpp). For the tests and the bench; the public C API alone is used.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "support/independent_laws.hpp"
+#include "support/scene.hpp"
+
+namespace rollcon::extremes {
+
+using Setting = std::variant<std::int64_t, double, std::string>;
+
+struct Scene {
+  std::string group;  ///< what is stressed: a row of the tables
+  std::string name;   ///< within the group; of random scenes the seed
+  scenes::AnyBody body1 = scenes::HalfspaceBody{}, body2 = scenes::RigidBody{};
+  /// Of frames taken from a body (frame_body 1 or 2, faces with frame_tag) `given.frame` must hold
+  /// the same faces, nodes and elements in the library's order.
+  laws::Given given;
+  int frame_body = 0;
+  std::int32_t frame_tag = 0;
+  std::vector<std::pair<std::string, Setting>> option;
+  /// Poses and the like, after the frame was given; may be empty.
+  std::function<void(scenes::RollingPair&)> pose;
+  /// Statuses that are right (ROLLCON_OK, ...).
+  std::vector<std::int32_t> right{ROLLCON_OK};
+
+  Scene& motion(std::int32_t direction, double value);
+  Scene& force(std::int32_t direction, double value);
+  Scene& creep(double longitudinal, double lateral, double spin);
+  Scene& approach(double value) { return motion(ROLLCON_NORMAL, value); }
+  Scene& load(double value) { return force(ROLLCON_NORMAL, value); }
+  Scene& friction(double mu);
+  Scene& scheme(laws::Scheme scheme);
+  Scene& set(const std::string& which, Setting value);
+};
+
+const char* name_of(laws::Scheme scheme);
+
+std::unique_ptr<scenes::RollingPair> make_pair(const Scene& scene, int threads = 1);
+/// Gives a pair all of the scene but bodies and frame / all of it.
+void give_loads(scenes::RollingPair& pair, const Scene& scene);
+void give_scene(scenes::RollingPair& pair, const Scene& scene);
+
+/// How a solve ended. `law` is set where the library says that it is solved.
+struct Ending {
+  std::int32_t status = 0;
+  std::string message;  ///< of a negative status
+  laws::Laws law;
+  double iterations = 0, fallbacks = 0, condition = 0, nodes = 0;
+  double residual = 0;  ///< that the iteration stopped at
+  double seconds = 0;   ///< of the solve
+  /// OK, RIM_CONTACT or NO_CONTACT: the library says that the laws hold.
+  bool solved() const;
+  /// Solved to the bound, or ended with a status that admits failure or names what is impossible.
+  bool honest(double bound) const { return !solved() || law.worst() <= bound; }
+  std::vector<double> traction;  ///< three per node, if solved
+};
+
+/// Solves what was given and judges it. most_nodes: of independent_laws.hpp.
+Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition = false,
+             std::size_t most_nodes = 600);
+
+/// The same bodies and frame with everything else wildly different, in way 0, 1 or 2: pressed
+/// harder and dragged the other way; hardly touching, spinning and with little friction; pressed
+/// on one side, with a load by force. For warm starts from afar.
+Scene disturbed(const Scene& scene, int way);
+
+/// Tangential force or spin moment prescribed, over what friction could carry of it under the
+/// pressures of the same scene without it: near 1 or above it, ROLLCON_ERR_LOAD is right. Between
+/// unlike bodies pressures, and so this number, change a little with the force. NaN: not solved.
+double load_over_friction(const Scene& scene);
+
+/// Largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.
+double traction_difference(const std::vector<double>& a, const std::vector<double>& b);
+
+/// Scenes with names, of half-spaces and rigid bodies; extreme_bodies.hpp has those with meshes.
+std::vector<Scene> named_scenes();
+/// Scene of a seed, likewise.
+Scene random_scene(std::uint32_t seed);
+
+/// A single-line description: materials, frame, loads.
+std::string describe(const Scene& scene);
+
+}  // namespace rollcon::extremes

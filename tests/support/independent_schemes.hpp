@@ -1,0 +1,41 @@
+#pragma once
+/// The discrete schemes of docs/theory.md, section 5, and the integrals of a frame once more,
+/// written from their description for the tests alone.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon::laws {
+
+enum class Scheme { characteristic, least_squares, godunov };
+
+/// Of node I: c (w_J - w_I), summed over the entries, is v . grad w for unit speed along -x.
+struct Difference {
+  std::int32_t node;
+  double c;
+};
+using Rows = std::vector<std::vector<Difference>>;
+
+/// Positions in the axes, rolling along +x.
+struct Plane {
+  std::vector<double> x, y;
+};
+
+/// Straight triangles and quadrilaterals on the frame's nodes: elements, or parts of quadratic
+/// ones.
+std::vector<std::vector<std::int32_t>> linear_cells(const SurfaceMesh& mesh);
+
+Rows godunov_rows(const SurfaceMesh& mesh, const Plane& at);
+Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at);
+
+/// Distance of neighbours along the flow; `regular`: a full grid of equal cells, where nodes on
+/// the rim have that of the others.
+std::vector<double> spacings(const SurfaceMesh& mesh, const Plane& at, bool regular);
+
+/// Integrals of every shape function N over the flat frame, of N x and of N y.
+std::vector<std::array<double, 3>> shape_integrals(const SurfaceMesh& mesh, const Plane& at);
+
+}  // namespace rollcon::laws
