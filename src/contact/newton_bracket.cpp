@@ -73,6 +73,9 @@ Outcome Newton::bracket(int m, Part part, double from, double scale, double tole
       guess_start(p, it);
     }
     const double load = load_on_body1(p, m, it.lambda).value;
+    // Forces that friction cannot carry yet: the bodies are still too far apart.
+    if (m == approach && outcome == Outcome::no_solution && load < target)
+      outcome = Outcome::converged;
     return m == approach ? target - load : load - target;
   };
   p.by_force[at(m)] = false;
