@@ -28,6 +28,7 @@ option(ROLLCON_BENCH "Build rollcon-bench" OFF)
 option(ROLLCON_INSTALL "Install rollcon" ${PROJECT_IS_TOP_LEVEL})
 option(ROLLCON_WERROR "Treat warnings as errors" OFF)
 option(ROLLCON_COVERAGE "Instrument for coverage" OFF)
+option(ROLLCON_FUZZ "Build programs of libFuzzer (Clang, with ROLLCON_SANITIZE)" OFF)
 set(ROLLCON_SANITIZE "" CACHE STRING "Sanitizers: address;undefined or thread")
 set(ROLLCON_TEST_TIMEOUT 120 CACHE STRING "Seconds that one test may take")
 
