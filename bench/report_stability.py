@@ -105,7 +105,7 @@ def procedures(records, docs):
             for n in (1, 2, 3, 4, 5, 6, 8, 10, 12, 15, 20, 30, 50, 80, 120, 200, 300, 500)]
     image = plot(f"{docs}/images/stability_iterations.png", "Scenes solved within so many iterations",
                  "Newton iterations", "per cent", curves,
-                 "unset logscale y; set format y '%g'; set yrange [0:100]; set xrange [1:500]")
+                 "set key inside bottom right; unset logscale y; set format y '%g'; set yrange [0:100]; set xrange [1:500]")
     picture = f"\n![iterations]({image})\n" if image else ""
     return ("## The paper's procedures on the same scenes\n\n"
             "Success: solved with the laws kept to 1e-8, or ended with the status that is right. Scenes of up to 300 nodes: the\n"
@@ -114,17 +114,10 @@ def procedures(records, docs):
             "`godunov` instead.\n\n" + table(["group", "scenes", *ways], rows) + picture + "\n")
 
 
-def first_note(records, status):
-    for r in records:
-        if r["status"] == status and r.get("note"):
-            return r["note"]
-    return ""
-
-
 def quoted(text):
-    for prefix in ("solve: ", "solve_many: "):
-        text = text.removeprefix(prefix)
-    return text.replace("|", "\\|")
+    """From the name of the function on: what stands before is the status in words."""
+    at = text.find("rollcon_")
+    return (text[at:] if at >= 0 else text).replace("|", "\\|")
 
 
 def limits(records):
@@ -161,7 +154,7 @@ LIMITS = """- *Uniqueness.* Between unlike bodies (or on a rigid one) the contac
 def says(records):
     refused = [r for r in records if r["method"] == "refused"]
     rows = [[r["model"], quoted(r["note"])] for r in refused]
-    text = ("## What the library says at its limits\n\nTexts of `rollcon_context_get_error` (and the function that failed) when this was asked for:\n\n"
+    text = ("## What the library says at its limits\n\nTexts of `rollcon_context_get_error` when this was asked for:\n\n"
             + table(["asked for", "said"], rows))
     warned = [("the contact reaches the rim of the frame", 4), ("the bodies do not touch", 2),
               ("the iteration does not converge", 1)]

@@ -113,6 +113,28 @@ void Body::log_preparation() const {
   else
     context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s", model, unknowns,
                   s.condition, s.seconds_assembly + s.seconds_factor);
+  // From here on rounding (of boundary integrals: their tolerance) shows in the fourth digit.
+  const double worst = kind_ == BodyKind::fem ? 1e12 : 1e10;
+  if (s.condition > worst)
+    context_->log(LogLevel::warning,
+                  "%s body: its equations have condition %.1e, beyond %.0e: few digits of its "
+                  "displacements are left; slender or tiny elements, long thin bodies and very "
+                  "unequal moduli do that",
+                  model, s.condition, worst);
+  constexpr double notable = 0.1;
+  if (s.imbalance > notable)
+    context_->log(
+        LogLevel::warning,
+        "%s body: the reactions of its supports miss its loads by %.2g %%, and its "
+        "displacements may be off by as much: refine its mesh, above all where it is thin",
+        model, 100 * s.imbalance);
+  constexpr double most = 0.5;
+  if (!shared_ && model_->thin.part > most)
+    context_->log(LogLevel::warning,
+                  "%s body: on %.0f %% of its free surface its elements are long beside its "
+                  "thickness (%.3g times on average): if it bends, it comes out too stiff; refine "
+                  "it there",
+                  model, 100 * model_->thin.part, model_->thin.ratio);
 }
 
 void Body::require_complete() const {
@@ -149,7 +171,8 @@ void Body::require_materials() const {
     const bool tetrahedron = volume.type[i] == VolumeType::tet4;
     if (tetrahedron || volume.type[i] == VolumeType::wedge6)
       fail(Status::err_unsupported,
-           "element %lld (counting from %d) is a %s of poisson %g; allowed: up to %g, beyond which "
+           "element %lld (counting from %d) is a %s of poisson %.9g; allowed: up to %g, beyond "
+           "which "
            "it is far too stiff; use %s or hexahedra",
            static_cast<long long>(e) + base, base, name(volume.type[i]), found->second.poisson,
            most, tetrahedron ? "tet10" : "wedge15");

@@ -46,7 +46,7 @@ std::shared_ptr<Body> Body::load(std::shared_ptr<Context> context, const std::st
   } catch (const Error& e) {
     // A body that could be saved is sound.
     const bool unsound = e.status() == Status::err_mesh || e.status() == Status::err_state ||
-                         e.status() == Status::err_argument;
+                         e.status() == Status::err_argument || e.status() == Status::err_singular;
     if (!unsound) throw;
     file.fail_here(e.what());
   }

@@ -8,6 +8,7 @@
 
 #include "bodies/body_mesh.hpp"
 #include "bodies/surface_response.hpp"
+#include "bodies/thinness.hpp"
 #include "mesh/surface_search.hpp"
 #include "mesh/traction_nodes.hpp"
 
@@ -28,6 +29,7 @@ struct BodyModel {
   Elastic contact_material;  ///< of most of the contact faces; before: as given last
   TractionNodes traction_nodes, smooth_fans;
   std::unique_ptr<SurfaceSearch> search;
+  Thinness thin;
   std::unique_ptr<SurfaceResponse> response;  ///< safe for several threads
 };
 

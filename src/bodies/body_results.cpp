@@ -51,6 +51,7 @@ constexpr Statistic statistics[] = {
     {"responses_kept", [](const BodyStatistics& s) { return number(s.responses_kept); }},
     {"responses_dropped", [](const BodyStatistics& s) { return number(s.responses_dropped); }},
     {"condition", [](const BodyStatistics& s) { return s.condition; }},
+    {"imbalance", [](const BodyStatistics& s) { return s.imbalance; }},
     {"seconds_assembly", [](const BodyStatistics& s) { return s.seconds_assembly; }},
     {"seconds_order", [](const BodyStatistics& s) { return s.seconds_order; }},
     {"seconds_factor", [](const BodyStatistics& s) { return s.seconds_factor; }},

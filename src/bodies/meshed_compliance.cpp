@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bodies/meshed_compliance_class.hpp"
+#include "bodies/thinness.hpp"
 #include "mesh/shape.hpp"
 
 namespace rollcon {
@@ -44,6 +45,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       usable.push_back(e);
   }
   zone_ = std::make_unique<SurfaceSearch>(body_.mesh().surface, usable);
+  depth_ = mean_depth(body_.mesh().surface, usable);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
     node_at_[{frame.x[at(k)], frame.y[at(k)]}] = k;
@@ -117,6 +119,20 @@ void MeshedCompliance::require_response() const {
       }
     }
   }
+  constexpr double notable = 0.1;
+  if (const double imbalance = body.statistics().imbalance; imbalance > notable)
+    body_.context().log(LogLevel::warning,
+                        "body %d: the reactions of its supports miss its loads by %.2g %%, and its "
+                        "displacements may be off by as much: refine its mesh, above all where it "
+                        "is thin",
+                        which_ + 1, 100 * imbalance);
+  constexpr double shallow = 1.9;
+  if (depth_ < shallow && !on_body_.matches() && !by_shape_functions())
+    body_.context().log(LogLevel::warning,
+                        "body %d: under the frame it is %.2g times as thick as its faces are long: "
+                        "between their nodes a half-space is too soft; take its own faces as the "
+                        "frame, or faces no longer than half the thickness",
+                        which_ + 1, depth_);
   // Of the response itself this is a copy: whether the body keeps it is the body's matter.
   outline_ = std::make_unique<const SurfaceOutline>(rows);
 }

@@ -88,6 +88,7 @@ class MeshedCompliance final : public Compliance {
   std::vector<std::int64_t> row_of_body_node_;
   std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
   std::unique_ptr<SurfaceSearch> zone_;
+  double depth_ = 0;  ///< thickness of the body under the zone over the length of its faces
   // Made when first asked for: condensed, written out, and at points between nodes.
   mutable std::unique_ptr<const SurfaceOutline> outline_;
   mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components
@@ -111,7 +112,13 @@ class MeshedCompliance final : public Compliance {
   void require_halfspace_on_zone() const;
   SparseColumns local_loads() const;
   SparseColumns local_displacements(Points points) const;
-  bool by_shape_functions() const { return body_.options().between_nodes == 1; }
+  /// As asked for; and on a boundary-element body's own faces where it is thin: a half-space
+  /// between their nodes would be far softer than the body.
+  bool by_shape_functions() const {
+    return body_.options().between_nodes == 1 ||
+           (body_.kind() == BodyKind::bem && on_body_.matches() && depth_ < least_depth);
+  }
+  static constexpr double least_depth = 2.6;  ///< no ratio of usual meshes: rounding decides there
   /// Points that are not nodes of the body: those of the zone, and those beyond it.
   struct Others {
     std::vector<double> x, y;

@@ -88,7 +88,7 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
   if (poisson > incompressible && std::all_of(mesh.held.begin(), mesh.held.end(),
                                               [](std::uint8_t held) { return held == everything; }))
     fail(Status::err_unsupported,
-         "poisson is %g and every node of the body is held: the pressure of an incompressible body "
+         "poisson is %.12g and every node of the body is held: the pressure of an incompressible body "
          "is then undetermined; allowed: poisson < 0.5, or a free face",
          poisson);
   const Shells shells = find_shells(surface, sorted_sides(corner_cells(surface)));
@@ -101,7 +101,7 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (volume[s] > 0 || shell_held[s]) continue;
     fail(Status::err_unsupported,
-         "poisson is %g and the cavity of element %lld (counting from %d) is not held: boundary "
+         "poisson is %.12g and the cavity of element %lld (counting from %d) is not held: boundary "
          "elements cannot tell its volume in a nearly incompressible body; allowed: poisson <= %g, "
          "or a held cavity",
          poisson, static_cast<long long>(shells.first[s]) + surface.index_base, surface.index_base,

@@ -50,6 +50,7 @@ struct BodyStatistics {
   std::int64_t condensed = 0;  ///< finite elements: unknowns left after condensation
   std::int64_t nonzeros = 0;   ///< of the factors; dense: unknowns squared
   double condition = 0;        ///< estimate, of the scaled matrix
+  double imbalance = 0;        ///< boundary elements: largest, of supports' reactions to loads
   double seconds_assembly = 0, seconds_order = 0, seconds_factor = 0, seconds_condense = 0;
   std::int64_t responses_kept = 0, responses_dropped = 0;  ///< to sets of faces and layers
   std::size_t bytes = 0, peak_bytes = 0;

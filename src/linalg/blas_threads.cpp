@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <mutex>
 
+#include "support/error.hpp"
+
 #ifdef __GLIBC__
 #include <pthread.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -25,6 +28,9 @@ namespace {
 std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
+int callers = 0;       ///< threads with a scope
+int most_callers = 0;  ///< at a time: so many buffers OpenBLAS has, or could have had
+thread_local int scopes = 0;
 
 // OpenBLAS's getrf keeps 3.2 MB on the stack of the thread that calls it when it uses several.
 constexpr std::uintptr_t stack_for_threads = std::uintptr_t{5} << 20U;
@@ -56,10 +62,22 @@ bool has_stack_for_threads() {
   const std::uintptr_t bottom = stack_bottom();
   return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
 }
+/// OpenBLAS maps a buffer for every thread that calls it at a time, and asks for ever where it
+/// cannot have one.
+void require_buffer() {
+  constexpr std::size_t bytes = std::size_t{129} << 20U;
+  void* room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (room == MAP_FAILED)
+    fail(Status::err_memory,
+         "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
+  munmap(room, bytes);
+}
 #else
 bool has_stack_for_threads() {
   return true;
 }
+
+void require_buffer() {}
 #endif
 
 }  // namespace
@@ -67,6 +85,11 @@ bool has_stack_for_threads() {
 BlasThreads::BlasThreads(int threads) {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
+  if (scopes == 0 && callers >= most_callers) {
+    require_buffer();
+    most_callers = callers + 1;
+  }
+  if (scopes++ == 0) ++callers;
   if (users++ > 0) return;
   hosts_threads = openblas_get_num_threads();
   if (threads > 1 && !has_stack_for_threads()) threads = 1;
@@ -76,6 +99,7 @@ BlasThreads::BlasThreads(int threads) {
 BlasThreads::~BlasThreads() {
   if (!openblas_set_num_threads || !openblas_get_num_threads) return;
   const std::lock_guard lock(mutex);
+  if (--scopes == 0) --callers;
   if (--users > 0) return;
   if (openblas_get_num_threads() != hosts_threads) openblas_set_num_threads(hosts_threads);
 }

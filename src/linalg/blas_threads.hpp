@@ -6,6 +6,7 @@ namespace rollcon {
 
 class BlasThreads {
  public:
+  /// Throws Error(err_memory) where OpenBLAS would find no room for its buffer.
   explicit BlasThreads(int threads);
   ~BlasThreads();
   BlasThreads(const BlasThreads&) = delete;

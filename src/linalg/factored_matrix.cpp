@@ -30,8 +30,9 @@ double frobenius_norm(const double* a, std::int64_t n) {
     const double* column = a + j * n;
     const double mean = sum(column, n, [](double v) { return std::abs(v); });
     if (!std::isfinite(mean)) return mean;
-    if (!(mean > 0)) continue;
-    const auto square = [mean](double v) { return (v / mean) * (v / mean); };
+    const double scale = 1 / mean;
+    if (!std::isfinite(scale)) continue;  // nothing there
+    const auto square = [scale](double v) { return (v * scale) * (v * scale); };
     norm = std::hypot(norm, mean * std::sqrt(sum(column, n, square)));
   }
   return std::sqrt(static_cast<double>(n) / static_cast<double>((n + step - 1) / step)) * norm;

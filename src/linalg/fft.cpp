@@ -107,6 +107,11 @@ void destroy(void* p) {
   Calls<T>::destroy(plan<T>(p));
 }
 
+/// FFTW ends the process where its planner finds no memory: more than it takes is tried before.
+void require_room(std::int64_t n) {
+  const AlignedArray<char> room((std::int64_t{1} << 19U) + 64 * n);
+}
+
 void require(const void* a, const void* b, std::int64_t n) {
   if (a == nullptr || b == nullptr)
     fail(Status::err_internal, "FFTW has no plan for length %lld", static_cast<long long>(n));
@@ -122,6 +127,7 @@ template <class T>
 RealFft<T>::RealFft(std::int64_t n) {
   AlignedArray<T> real(n);
   AlignedArray<std::complex<T>> half(n / 2 + 1);
+  require_room(n);
   const std::lock_guard guard(planner());
   forward_ = Calls<T>::plan_real(static_cast<int>(n), real.data(), raw<T>(half.data()));
   inverse_ = Calls<T>::plan_real_back(static_cast<int>(n), raw<T>(half.data()), real.data());
@@ -147,6 +153,7 @@ void RealFft<T>::inverse(std::complex<T>* in, T* out) const {
 template <class T>
 ComplexFft<T>::ComplexFft(std::int64_t n) {
   AlignedArray<std::complex<T>> data(n);
+  require_room(n);
   const std::lock_guard guard(planner());
   forward_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_FORWARD);
   inverse_ = Calls<T>::plan(static_cast<int>(n), raw<T>(data.data()), FFTW_BACKWARD);

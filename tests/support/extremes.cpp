@@ -66,11 +66,11 @@ void give_loads(scenes::RollingPair& pair, const Scene& scene) {
     pair.gap_quadratic((*g.quadratic)[0], (*g.quadratic)[1], (*g.quadratic)[2]);
   else if (!g.gap.empty())
     pair.gap(g.gap);
+  pair.creep(g.value[0], g.value[1], g.value[3]);
+  if (!g.by_force[2]) pair.approach(g.value[2]);
   for (std::int32_t d = 1; d <= 4; ++d) {
     const auto i = static_cast<std::size_t>(d) - 1;
-    must(rollcon_contact_prescribe(
-             pair.handle(), d, g.by_force[i] ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION, g.value[i]),
-         "prescribe");
+    if (g.by_force[i]) pair.tangential_force(d, g.value[i]);
   }
   pair.creep_field(g.creep_field);
   const bool field = g.friction.size() != 1;

@@ -1,9 +1,8 @@
 #include "bodies/bem/system.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "bodies/mesh_models.hpp"
@@ -11,6 +10,7 @@
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/memory_limit.hpp"
 
 namespace rollcon::bem {
 namespace {
@@ -22,15 +22,32 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-void require_memory(std::int64_t unknowns) {
-  const double gigabytes = 8e-9 * static_cast<double>(unknowns) * static_cast<double>(unknowns);
-  const double machine = 1e-9 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) *
-                         static_cast<double>(sysconf(_SC_PAGESIZE));
-  if (gigabytes > machine)
-    fail(Status::err_memory,
-         "the matrix of a boundary-element body with %lld unknowns needs %.1f GB, this machine has "
-         "%.1f GB",
-         static_cast<long long>(unknowns), gigabytes, machine);
+Vec3 middle_of_held(const BodyMesh& mesh) {
+  Vec3 sum{0, 0, 0};
+  double count = 0;
+  for (std::size_t k = 0; k < mesh.held.size(); ++k)
+    if (mesh.held[k] != 0) {
+      sum = sum + mesh.surface.node[k];
+      ++count;
+    }
+  return (1 / std::max(count, 1.0)) * sum;
+}
+
+double half_diagonal(const SurfaceMesh& mesh) {
+  Vec3 low = mesh.node.front(), high = low;
+  for (const Vec3& x : mesh.node)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], x[c]);
+      high[c] = std::max(high[c], x[c]);
+    }
+  return 0.5 * length(high - low);
+}
+
+void require_matrix(std::int64_t unknowns) {
+  const double bytes = 8.0 * static_cast<double>(unknowns) * static_cast<double>(unknowns);
+  require_memory({bytes, bytes}, "take a coarser mesh, or a body of finite elements",
+                 "the matrix of a boundary-element body with %lld unknowns needs",
+                 static_cast<long long>(unknowns));
 }
 
 }  // namespace
@@ -45,7 +62,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       options_(options),
       integrals_(mesh.surface, poisson, options.accuracy),
       unknowns_(choose_unknowns(mesh, fans)) {
-  require_memory(unknowns_.columns);
+  require_matrix(unknowns_.columns);
   fan_size_.assign(at(fans.size()), 0);
   for (std::int64_t e = 0; e < mesh.surface.elements(); ++e) {
     const double size = element_diameter(mesh.surface, e);
@@ -54,6 +71,8 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       of_fan = std::max(of_fan, size);
     }
   }
+  reach_ = half_diagonal(mesh.surface);
+  held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
   const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
   const bool loaded =
@@ -114,28 +133,24 @@ void System::solve_own_load(std::vector<double>& b) {
     own_displacement_[k] = column >= 0 ? b[at(column)] : mesh_.held_value[k / 3][k % 3];
   }
   own_traction_.assign(unknowns_.traction.size(), 0.0);
-  for (std::size_t k = 0; k < own_traction_.size(); ++k) {
-    const std::int32_t column = unknowns_.traction[k];
-    if (column >= 0)
-      own_traction_[k] = shear_ * b[at(column)] / fan_size_[k / 3];
-    else if (!given.empty())
-      own_traction_[k] = shear_ * given[k];
-  }
-  for (const SpreadReaction& spread : unknowns_.spread) {
-    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
-    const double value = shear_ * b[at(unknowns_.traction[own])] / fan_size_[at(spread.fan)];
-    if (!given.empty()) own_traction_[own] += shear_ * given[own];
-    for (const auto& [f, part] : spread.others)
-      own_traction_[3 * at(f) + at(spread.component)] += part * value;
-  }
+  for (std::size_t k = 0; k < given.size(); ++k)
+    if (unknowns_.traction[k] < 0) own_traction_[k] = shear_ * given[k];
+  for (const SpreadReaction& spread : unknowns_.spread)
+    if (const std::size_t own = 3 * at(spread.fan) + at(spread.component); !given.empty())
+      own_traction_[own] = shear_ * given[own];
+  const std::vector<double> loaded = own_traction_;
+  add_reactions(b.data(), own_traction_);
+  if (!moved) note_own_imbalance(loaded);
 }
 
-void System::condense(std::vector<double> b, SurfaceRows& rows, int threads) {
+void System::condense(std::vector<double> b, const SurfaceMesh& surface,
+                      std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
   const auto columns = static_cast<std::int64_t>(rows.column.size());
   matrix_.solve(b.data(), 3 * columns);
+  check_balance(b, surface, face);
   rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * columns);
   for (std::size_t r = 0; r < rows.row.size(); ++r)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -154,15 +169,17 @@ void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int 
   const Stopwatch watch(statistics_.seconds_condense);
   condense(right_sides(integrals_, columns_of_faces(face, rows),
                        static_cast<std::int64_t>(rows.column.size()), true, threads),
-           rows, threads);
+           surface_, face, rows, threads);
 }
 
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   if (!matrix_.factored()) factorize(threads);
   const Stopwatch watch(statistics_.seconds_condense);
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  condense(right_sides(integrals, layer.connectivity, layer.nodes(), false, threads), rows,
-           threads);
+  std::vector<std::int64_t> all(layer.type.size());
+  std::iota(all.begin(), all.end(), std::int64_t{0});
+  condense(right_sides(integrals, layer.connectivity, layer.nodes(), false, threads), layer, all,
+           rows, threads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
 }
 

@@ -44,6 +44,18 @@ class System final : public ResponseCache {
   /// matrix: unknowns squared, column-major, not cleared.
   void assemble(int threads, double* matrix, std::vector<double>& own_load);
   void solve_own_load(std::vector<double>& b);
+  /// Adds what a solution has of tractions, by traction node and component.
+  void add_reactions(const double* b, std::vector<double>& traction) const;
+  /// Of tractions on the whole surface, by traction node and component.
+  Resultant resultant(std::span<const double> traction) const;
+  /// How far loads and reactions are from a balance, beside a force and its moment about what is
+  /// held; centre: where it acts. The largest is noted.
+  double note_imbalance(const Resultant& sum, const Vec3& centre, double force);
+  void note_own_imbalance(std::span<const double> load);
+  /// Of uniform tractions on faces of `surface`, all of whose nodes have columns in b; err_mesh
+  /// where a pressure gets no answer that can be trusted. (No load may act along the faces.)
+  void check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
+                     std::span<const std::int64_t> face);
   std::vector<double> given_tractions() const;
   std::vector<std::int32_t> columns_of_faces(std::span<const std::int64_t> face,
                                              const SurfaceOutline& outline) const;
@@ -51,8 +63,9 @@ class System final : public ResponseCache {
   std::vector<double> right_sides(const BoundaryIntegrals& integrals,
                                   const std::vector<std::int32_t>& g_column, std::int64_t columns,
                                   bool on_the_mesh, int threads) const;
-  /// Solves for them and keeps some rows.
-  void condense(std::vector<double> b, SurfaceRows& rows, int threads);
+  /// Solves for them, tractions on faces of `surface`, and keeps some rows.
+  void condense(std::vector<double> b, const SurfaceMesh& surface,
+                std::span<const std::int64_t> face, SurfaceRows& rows, int threads);
   void write_loads(const std::vector<double>& b, SurfaceLoads& loads) const;
 
   const BodyMesh& mesh_;
@@ -62,6 +75,8 @@ class System final : public ResponseCache {
   BoundaryIntegrals integrals_;
   Unknowns unknowns_;
   std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
+  double reach_ = 0;              ///< half the diagonal of the body's box
+  Vec3 held_at_{0, 0, 0};         ///< mean place of the held nodes
   FactoredMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised

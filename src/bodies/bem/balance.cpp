@@ -1,0 +1,157 @@
+/// Whether a boundary-element body's solutions are in equilibrium. Nothing in H u = G t makes them
+/// so: the tractions found on held faces balance the loads as well as the mesh can show what the
+/// body does. Where it cannot (thin bodies under long elements) displacements are wrong by any
+/// factor while the equations look healthy, and the balance shows it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bodies/bem/system.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
+#include "mesh/surface_geometry.hpp"
+#include "support/error.hpp"
+
+namespace rollcon::bem {
+namespace {
+
+/// Displacements are off by about the part of the load that is missed (docs/stability.md).
+constexpr double most_imbalance = 0.5;
+
+std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// Calls add(weight times area, position, shape) at the points of a rule on an element.
+template <class Add>
+void for_points(const SurfaceMesh& surface, std::int64_t e, Add add) {
+  // Exact for plane elements; on curved ones the Jacobian is not a polynomial.
+  constexpr int degree = 9;
+  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  const ElementType type = surface.type[at(e)];
+  const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+  Shape shape;
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+    const SurfaceFrame here = evaluate_surface(surface, e, rule.xi[q], rule.eta[q]);
+    add(rule.w[q] * length(here.normal), here.x, shape);
+  }
+}
+
+/// Calls add(force, position) at the points of all elements with tractions.
+template <class Add>
+void for_forces(const SurfaceMesh& surface, const TractionNodes& fans,
+                std::span<const double> traction, Add add) {
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const std::span fan(fans.of.data() + surface.offset[at(e)], surface.element(e).size());
+    const bool loaded = std::any_of(fan.begin(), fan.end(), [&](std::int32_t f) {
+      const auto own = traction.subspan(3 * at(f), 3);
+      return std::any_of(own.begin(), own.end(), [](double t) { return t != 0; });
+    });
+    if (!loaded) continue;
+    for_points(surface, e, [&](double area, const Vec3& x, const Shape& shape) {
+      Vec3 t{0, 0, 0};
+      for (std::size_t k = 0; k < fan.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c) t[c] += shape.value[k] * traction[3 * at(fan[k]) + c];
+      add(area * t, x);
+    });
+  }
+}
+
+}  // namespace
+
+void System::add_reactions(const double* b, std::vector<double>& traction) const {
+  for (std::size_t k = 0; k < traction.size(); ++k)
+    if (const std::int32_t column = unknowns_.traction[k]; column >= 0)
+      traction[k] += shear_ * b[at(column)] / fan_size_[k / 3];
+  for (const SpreadReaction& spread : unknowns_.spread) {
+    const std::size_t own = 3 * at(spread.fan) + at(spread.component);
+    const double value = shear_ * b[at(unknowns_.traction[own])] / fan_size_[at(spread.fan)];
+    for (const auto& [f, part] : spread.others)
+      traction[3 * at(f) + at(spread.component)] += part * value;
+  }
+}
+
+Resultant System::resultant(std::span<const double> traction) const {
+  Resultant sum;
+  for_forces(surface_, fans_, traction, [&](const Vec3& force, const Vec3& x) {
+    sum.force = sum.force + force;
+    sum.moment = sum.moment + cross(x, force);
+  });
+  return sum;
+}
+
+// What is there beyond the given tractions. (The reaction of a node held alone is spread over its
+// neighbours, which are not held.)
+Resultant System::support_reaction() const {
+  if (own_traction_.empty()) return {};
+  std::vector<double> support = own_traction_;
+  const std::vector<double> given = given_tractions();
+  for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k)
+    support[k] -= shear_ * given[k];
+  return resultant(support);
+}
+
+double System::note_imbalance(const Resultant& sum, const Vec3& centre, double force) {
+  const double moment = length(sum.moment - cross(centre, sum.force));
+  const double arm = std::clamp(length(centre - held_at_), 0.5 * reach_, reach_);
+  const double imbalance = std::max(length(sum.force), moment / arm) / force;
+  statistics_.imbalance = std::max(statistics_.imbalance, imbalance);
+  return imbalance;
+}
+
+void System::note_own_imbalance(std::span<const double> load) {
+  double force = 0;
+  Vec3 first{0, 0, 0};
+  for_forces(surface_, fans_, load, [&](const Vec3& part, const Vec3& x) {
+    force += length(part);
+    first = first + length(part) * x;
+  });
+  if (force > 0) note_imbalance(resultant(own_traction_), (1 / force) * first, force);
+}
+
+void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
+                           std::span<const std::int64_t> face) {
+  double area = 0;
+  Vec3 first{0, 0, 0}, normal{0, 0, 0};
+  for (const std::int64_t e : face) {
+    double of_element = 0;
+    for_points(surface, e, [&](double part, const Vec3& x, const Shape&) {
+      of_element += part;
+      first = first + part * x;
+    });
+    area += of_element;
+    constexpr double middle = 1.0 / 3;
+    normal = normal + of_element * unit_normal(surface, e, middle, middle);
+  }
+  if (!(area > 0)) return;
+  const Vec3 centre = (1 / area) * first, pressed = normalized(normal);
+  const std::size_t n = at(unknowns_.columns), columns = b.size() / n;
+  std::vector<double> sum(n), traction(unknowns_.traction.size());
+  Resultant under_pressure;
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::fill(sum.begin(), sum.end(), 0.0);
+    for (std::size_t k = c; k < columns; k += 3)
+      for (std::size_t i = 0; i < n; ++i) sum[i] += b[k * n + i];
+    std::fill(traction.begin(), traction.end(), 0.0);
+    add_reactions(sum.data(), traction);
+    Resultant all = resultant(traction);
+    Vec3 load{0, 0, 0};
+    load[c] = area;
+    all.force = all.force + load;
+    all.moment = all.moment + cross(centre, load);
+    note_imbalance(all, centre, area);
+    under_pressure.force = under_pressure.force + pressed[c] * all.force;
+    under_pressure.moment = under_pressure.moment + pressed[c] * all.moment;
+  }
+  const double imbalance = note_imbalance(under_pressure, centre, area);
+  if (imbalance <= most_imbalance) return;
+  fail(
+      Status::err_mesh,
+      "the mesh of the boundary-element body cannot show how it bears a pressure on the frame: the "
+      "reactions of its supports miss that by %.3g %%; allowed: %g %%; where the body is thin, "
+      "take quadratic elements no longer than it is thick, or finite elements",
+      100 * imbalance, 100 * most_imbalance);
+}
+
+}  // namespace rollcon::bem

@@ -1,0 +1,25 @@
+#pragma once
+/// Bodies that are thin beside their own elements: their bending is not shown by the mesh.
+
+#include <cstdint>
+#include <span>
+
+#include "bodies/body_mesh.hpp"
+
+namespace rollcon {
+
+struct Thinness {
+  double part = 0;   ///< of the free surface, by area: elements too long for the thickness there
+  double ratio = 0;  ///< their mean length over the thickness, by area
+};
+
+/// Thickness: along the inward normal at an element's middle, to the opposite side of the body.
+/// Elements that are held, or opposite to held ones, do not count: glued layers do not bend.
+/// linear, quadratic: largest length (diagonal over sqrt 2) over the thickness, by kind of element.
+Thinness thinness(const BodyMesh& mesh, double linear, double quadratic);
+
+/// Thickness of the body under some elements over their length (square root of the area), their
+/// mean by area; at most 10 counts for each.
+double mean_depth(const SurfaceMesh& surface, std::span<const std::int64_t> element);
+
+}  // namespace rollcon

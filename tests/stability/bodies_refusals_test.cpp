@@ -1,0 +1,200 @@
+/// What the library says of bodies that it cannot answer for: refusals with value, range and
+/// remedy, and warnings where digits are lost.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "support/extreme_bodies.hpp"
+#include "support/frames.hpp"
+
+namespace rollcon {
+namespace {
+
+using extremes::BlockShape;
+using extremes::make_block;
+using extremes::Model;
+
+/// A context that keeps what it is told, with a body in it.
+class Told {
+ public:
+  explicit Told(const scenes::MeshedBody& body) {
+    rollcon_context_create(rollcon_abi(), &context_);
+    rollcon_context_set_log(
+        context_, ROLLCON_LOG_WARNING,
+        [](std::int32_t, const char* text, void* to) {
+          *static_cast<std::string*>(to) += std::string(text) + "\n";
+        },
+        &text_);
+    body_ = scenes::make_body(context_, body);
+  }
+  ~Told() {
+    rollcon_body_release(body_);
+    rollcon_context_release(context_);
+  }
+  Told(const Told&) = delete;
+  Told& operator=(const Told&) = delete;
+
+  rollcon_body* body() { return body_; }
+  std::int32_t prepare() { return rollcon_body_prepare(body_); }
+  /// A rigid ball pressed into it.
+  std::int32_t press(const SurfaceMesh* frame) {
+    rollcon_body* ball = nullptr;
+    rollcon_contact* contact = nullptr;
+    EXPECT_EQ(rollcon_body_create(context_, ROLLCON_BODY_RIGID, &ball), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_create(context_, body_, ball, &contact), ROLLCON_OK);
+    if (frame) {
+      rollcon_contact_set_frame_nodes(contact, frame->nodes(), frame->node[0].data(), 3, 1);
+      rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, frame->elements(),
+                                         frame->connectivity.data(), 0, 0);
+    } else {
+      rollcon_contact_frame_from_body(contact, 1, 6);
+    }
+    const double friction = 0.3;
+    rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0);
+    rollcon_contact_set_friction(contact, "coulomb", 1, &friction);
+    rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-3);
+    const std::int32_t status = rollcon_contact_solve(contact);
+    rollcon_contact_release(contact);
+    rollcon_body_release(ball);
+    return status;
+  }
+  void expect(std::initializer_list<const char*> words) const {
+    for (const char* word : words)
+      EXPECT_NE(text_.find(word), std::string::npos) << "'" << word << "' is not in: " << text_;
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  rollcon_context* context_ = nullptr;
+  rollcon_body* body_ = nullptr;
+};
+
+TEST(stability_bodies, limits_of_poisson_are_named_with_the_remedy) {
+  struct Limit {
+    VolumeType cell;
+    double poisson;
+    std::initializer_list<const char*> words;
+  };
+  for (const auto& [cell, poisson, words] :
+       {Limit{VolumeType::hex8, 0.5, {"poisson 0.5;", "0.4999999", "boundary-element"}},
+        Limit{VolumeType::tet10, 0.49999999, {"0.49999999", "0.4999999", "boundary-element"}},
+        Limit{VolumeType::tet4, 0.49, {"poisson 0.49;", "0.45", "tet10"}},
+        Limit{VolumeType::wedge6, 0.4999999, {"0.4999999;", "0.45", "wedge15"}}}) {
+    BlockShape shape{.model = Model::fem};
+    shape.cell = cell;
+    shape.poisson = poisson;
+    Told told(make_block(shape));
+    EXPECT_EQ(told.prepare(), ROLLCON_ERR_UNSUPPORTED);
+    told.expect(words);
+  }
+  scenes::MeshedBody shell =
+      scenes::meshed(surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad4, 3, 2, 1),
+                                           surfaces::cube_sphere(ElementType::quad4, 3, 1, 2)),
+                     {.shear = 1, .poisson = 0.4999999});
+  shell.held_tag = {1};
+  Told told(shell);
+  EXPECT_EQ(told.prepare(), ROLLCON_ERR_UNSUPPORTED);
+  told.expect({"0.4999999", "0.49,", "held cavity"});
+}
+
+TEST(stability_bodies, folded_elements_are_named) {
+  for (const Model model : {Model::fem, Model::bem})
+    for (const double quarter : {0.2, 0.3}) {  // where a midside node stands along its edge of 1
+      BlockShape shape{.model = model, .face = ElementType::quad8, .cell = VolumeType::hex20};
+      shape.n = {2, 2, 1};
+      scenes::MeshedBody body = make_block(shape);
+      const std::int32_t moved = surfaces::node_at(body.mesh, {0.5, 0, 0});
+      body.mesh.node[static_cast<std::size_t>(moved)][0] = quarter;
+      Told told(body);
+      if (quarter > 0.25) {
+        EXPECT_EQ(told.prepare(), ROLLCON_OK) << told.text();
+      } else {
+        EXPECT_EQ(told.prepare(), ROLLCON_ERR_MESH);
+        told.expect({"first: element", "quarter of its edge"});
+      }
+    }
+}
+
+TEST(stability_bodies, lost_digits_are_told) {
+  // A soft base under a cover 1e12 times as stiff.
+  scenes::MeshedBody body = make_block({.model = Model::fem});
+  for (std::int64_t e = 0; e < body.volume.elements(); ++e) {
+    double height = 0;
+    for (const std::int32_t k : body.volume.element(e))
+      height += body.mesh.node[static_cast<std::size_t>(k)][2] / 8;
+    body.volume.tag[static_cast<std::size_t>(e)] = height > -0.3 ? 2 : 1;
+  }
+  for (const double ratio : {1e6, 1e12}) {
+    Told told(body);
+    rollcon_body_set_elastic(told.body(), 1, 1, 0.3);
+    rollcon_body_set_elastic(told.body(), 2, ratio, 0.3);
+    EXPECT_EQ(told.prepare(), ROLLCON_OK) << told.text();
+    double condition = 0;
+    rollcon_body_get_stat(told.body(), "condition", &condition);
+    EXPECT_GT(condition, ratio);
+    if (ratio < 1e7)
+      EXPECT_EQ(told.text(), "");
+    else
+      told.expect({"condition", "moduli"});
+  }
+}
+
+TEST(stability_bodies, thin_bodies_are_told) {
+  // A plate that can bend, of elements 17 times as long as it is thick.
+  BlockShape plate;
+  plate.half = {1, 1, 0.02};
+  plate.n = {6, 6, 1};
+  plate.held = {1, 2, 3, 4};
+  for (const Model model : {Model::fem, Model::bem}) {
+    plate.model = model;
+    Told told(make_block(plate));
+    EXPECT_EQ(told.prepare(), ROLLCON_OK);
+    told.expect({"long beside its thickness", "too stiff"});
+  }
+  // A glued layer under a finer frame; its own faces are good.
+  BlockShape layer = plate;
+  layer.held = {5};
+  const auto lines = frames::uniform_lines(-0.8, 0.8, 12);
+  const SurfaceMesh fine = frames::rectangle(ElementType::quad4, lines, lines);
+  for (const Model model : {Model::fem, Model::bem}) {
+    layer.model = model;
+    Told told(make_block(layer));
+    EXPECT_EQ(told.prepare(), ROLLCON_OK);
+    EXPECT_GE(told.press(nullptr), 0);
+    EXPECT_EQ(told.text(), "");
+    EXPECT_GE(told.press(&fine), 0);
+    told.expect({"times as thick as its faces are long", "half-space is too soft"});
+  }
+  // Thick enough, nothing is told.
+  Told block(make_block({.model = Model::bem}));
+  EXPECT_GE(block.press(nullptr), 0);
+  EXPECT_GE(block.press(&fine), 0);
+  EXPECT_EQ(block.text(), "");
+}
+
+// A tall block pushed sideways: its few faces do not turn as it does, which its reactions show.
+TEST(stability_bodies, reactions_that_miss_the_load_are_told) {
+  BlockShape tall{.model = Model::bem};
+  tall.half = {1, 1, 12};
+  tall.n = {2, 2, 4};
+  Told told(make_block(tall));
+  EXPECT_GE(told.press(nullptr), 0) << told.text();
+  double imbalance = 0;
+  rollcon_body_get_stat(told.body(), "imbalance", &imbalance);
+  EXPECT_GT(imbalance, 0.1);
+  told.expect({"reactions of its supports miss"});
+  BlockShape wide{.model = Model::bem};
+  Told good(make_block(wide));
+  EXPECT_GE(good.press(nullptr), 0);
+  rollcon_body_get_stat(good.body(), "imbalance", &imbalance);
+  EXPECT_LT(imbalance, 0.1);
+  EXPECT_GT(imbalance, 0);
+}
+
+}  // namespace
+}  // namespace rollcon
