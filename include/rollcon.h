@@ -801,7 +801,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
  *   tag      of some element of it (else ROLLCON_ERR_ARGUMENT)
  * Ownership: The faces are copied: later changes of an unprepared body do not reach the frame.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_contact *contact,
@@ -1100,8 +1100,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * text names the body.
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY,
- *   ROLLCON_ERR_LOAD.
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY, ROLLCON_ERR_LOAD.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
  */
@@ -1144,7 +1144,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "capi/guard.hpp"
+#include "linalg/blas_threads.hpp"
 #include "support/input_checks.hpp"
 
 using namespace rollcon;
@@ -43,6 +44,7 @@ rollcon_status rollcon_body_load(rollcon_context* context, const char* path, rol
   return with_object(__func__, Kind::context, context, [&](Object& parent) {
     require_pointer(body, "body");
     require_pointer(path, "path");
+    const BlasThreads blas(parent.context->threads());
     *body = handle_of(parent.context, Body::load(parent.context, path));
   });
 }
@@ -105,7 +107,10 @@ rollcon_status rollcon_body_set_contact_faces(rollcon_body* body, int64_t n, con
 }
 
 rollcon_status rollcon_body_prepare(rollcon_body* body) {
-  return with_body(__func__, body, [](Body& b) { b.prepare(); });
+  return with_object(__func__, Kind::body, body, [](Object& object) {
+    const BlasThreads blas(object.context->threads());
+    object.body->prepare();
+  });
 }
 
 rollcon_status rollcon_body_get_kind(const rollcon_body* body, int32_t* kind) {

@@ -1,7 +1,8 @@
 #pragma once
-/// What every public function does: quiet floating point, handle to object, busy flag, exceptions
-/// to statuses. Functions pass their own name: inside a lambda __func__ is not theirs.
+/// What every public function does: quiet environment, handle to object, busy flag, exceptions to
+/// statuses. Functions pass their own name: inside a lambda __func__ is not theirs.
 
+#include <cerrno>
 #include <cstdint>
 #include <memory>
 #include <type_traits>
@@ -22,6 +23,7 @@ Status report_current_exception(const char* function, Context* context) noexcept
 template <class F>
 std::int32_t guarded(const char* function, Context* context, F&& body) noexcept {
   const QuietFloatingPoint quiet;
+  const int hosts_errno = errno;
   Status status = Status::ok;
   try {
     if constexpr (std::is_void_v<std::invoke_result_t<F>>)
@@ -31,6 +33,7 @@ std::int32_t guarded(const char* function, Context* context, F&& body) noexcept 
   } catch (...) {
     status = report_current_exception(function, context);
   }
+  errno = hosts_errno;
   return static_cast<std::int32_t>(status);
 }
 

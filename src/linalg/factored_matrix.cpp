@@ -35,7 +35,8 @@ double frobenius_norm(const double* a, std::int64_t n) {
     const auto square = [scale](double v) { return (v * scale) * (v * scale); };
     norm = std::hypot(norm, mean * std::sqrt(sum(column, n, square)));
   }
-  return std::sqrt(static_cast<double>(n) / static_cast<double>((n + step - 1) / step)) * norm;
+  const std::int64_t columns = (n + step - 1) / step;
+  return std::sqrt(static_cast<double>(n) / static_cast<double>(columns)) * norm;
 }
 
 }  // namespace

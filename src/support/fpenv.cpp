@@ -6,26 +6,36 @@ namespace {
 
 thread_local const QuietFloatingPoint* innermost = nullptr;
 
+/// Of this thread, as uselocale takes and gives it; null leaves what there is.
+locale_t c_locale() noexcept {
+  static const locale_t plain = newlocale(LC_ALL_MASK, "C", locale_t{});
+  return plain;
+}
+
 }  // namespace
 
 QuietFloatingPoint::QuietFloatingPoint() noexcept : outer_(innermost) {
-  std::fegetenv(&former_);
-  std::fesetenv(FE_DFL_ENV);
+  former_.save();
+  former_.quiet();
+  former_locale_ = uselocale(c_locale());
   innermost = this;
 }
 
 QuietFloatingPoint::~QuietFloatingPoint() {
   innermost = outer_;
-  std::fesetenv(&former_);
+  uselocale(former_locale_);
+  former_.restore();
 }
 
 HostFloatingPoint::HostFloatingPoint() noexcept {
-  std::fegetenv(&quiet_);
-  if (innermost) std::fesetenv(&innermost->former_);
+  quiet_.save();
+  quiet_locale_ = uselocale(innermost ? innermost->former_locale_ : locale_t{});
+  if (innermost) innermost->former_.restore();
 }
 
 HostFloatingPoint::~HostFloatingPoint() {
-  std::fesetenv(&quiet_);
+  uselocale(quiet_locale_);
+  quiet_.restore();
 }
 
 }  // namespace rollcon

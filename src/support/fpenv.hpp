@@ -1,15 +1,20 @@
 #pragma once
-/// Floating-point environments: ours inside the library, the host's in its callbacks. A host may
-/// trap on invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round
-/// otherwise, or flush subnormals; it gets all of that back.
+/// Floating-point environments and locales: ours inside the library, the host's in its callbacks. A
+/// host may trap on invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round
+/// otherwise, flush subnormals, or write numbers with a comma; it gets all of that back.
 
-#include <cfenv>
+#include <locale.h>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+
+#include "support/fp_state.hpp"
 
 namespace rollcon {
 
-/// While it lives, this thread traps nothing, rounds to nearest and keeps subnormals. The
-/// destructor restores the former environment, flags included. Also wanted at the start of OpenMP
-/// regions: threads of a pool keep the environment in which they were born.
+/// While it lives, this thread traps nothing, rounds to nearest, keeps subnormals and writes
+/// numbers as C does. The destructor restores the former environment, flags included. Also wanted
+/// at the start of threads: they have the environment in which they were born.
 class QuietFloatingPoint {
  public:
   QuietFloatingPoint() noexcept;
@@ -19,7 +24,8 @@ class QuietFloatingPoint {
 
  private:
   friend class HostFloatingPoint;
-  std::fenv_t former_;
+  FpState former_;
+  locale_t former_locale_;
   const QuietFloatingPoint* outer_;  ///< of the same thread
 };
 
@@ -32,7 +38,8 @@ class HostFloatingPoint {
   HostFloatingPoint& operator=(const HostFloatingPoint&) = delete;
 
  private:
-  std::fenv_t quiet_;
+  FpState quiet_;
+  locale_t quiet_locale_;
 };
 
 }  // namespace rollcon

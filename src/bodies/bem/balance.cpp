@@ -15,8 +15,9 @@
 namespace rollcon::bem {
 namespace {
 
-/// Displacements are off by about the part of the load that is missed (docs/stability.md).
-constexpr double most_imbalance = 0.5;
+/// Displacements are off by about the part of the load that is missed. Coarse rings that are right
+/// where they are loaded miss 0.78, plates that hardly bend 0.84 and more.
+constexpr double most_imbalance = 0.75;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
