@@ -9,8 +9,8 @@ packages=(
   g++ gcc gfortran make cmake ninja-build pkg-config git
   # libraries
   libopenblas-dev libsuitesparse-dev libfftw3-dev libboost-dev libgtest-dev libbenchmark-dev
-  # checks: a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI
-  clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils abigail-tools
+  # checks: a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory
+  clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils abigail-tools valgrind
   # examples, one of which runs on several processes; plots, readers of the output files
   mpich libmpich-dev python3 python3-numpy python3-meshio gnuplot-nox
 )

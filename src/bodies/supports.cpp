@@ -88,7 +88,8 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
   if (poisson > incompressible && std::all_of(mesh.held.begin(), mesh.held.end(),
                                               [](std::uint8_t held) { return held == everything; }))
     fail(Status::err_unsupported,
-         "poisson is %.12g and every node of the body is held: the pressure of an incompressible body "
+         "poisson is %.12g and every node of the body is held: the pressure of an incompressible "
+         "body "
          "is then undetermined; allowed: poisson < 0.5, or a free face",
          poisson);
   const Shells shells = find_shells(surface, sorted_sides(corner_cells(surface)));

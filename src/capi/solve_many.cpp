@@ -7,6 +7,7 @@
 
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
+#include "support/memory_limit.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -85,6 +86,11 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, int32_t n_pa
     if (n_cases > most_cases)
       fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld",
            static_cast<long long>(n_cases), static_cast<long long>(most_cases));
+    // The order in which they are solved, and a status each; results are the caller's.
+    constexpr double bytes_per_case = 32;
+    const double bytes = bytes_per_case * static_cast<double>(n_cases);
+    require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes",
+                   static_cast<long long>(n_cases));
     if (n_cases > 0 && n_parameters > 0) require_pointer(values, "values");
     require_count(capacity, "capacity");
     const std::vector<CaseNumber> number = read_names(names);

@@ -340,6 +340,9 @@ TEST_F(solve_many, refuses_what_it_cannot_take) {
   refused(call(1, &normal, -1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
   refused(call(0, nullptr, INT64_MAX, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
           "n_cases is 9223372036854775807");
+  // A list that no machine's memory holds, even without anything to be written.
+  refused(call(0, nullptr, std::int64_t{1} << 40, nullptr, nullptr, 0, nullptr, nullptr),
+          ROLLCON_ERR_MEMORY, "a list of 1099511627776 cases takes");
   refused(call(1, &normal, 1, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
           "values is NULL");
   refused(call(1, &normal, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,

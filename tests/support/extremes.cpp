@@ -199,33 +199,34 @@ double traction_difference(const std::vector<double>& a, const std::vector<doubl
 }
 
 double load_over_friction(const Scene& scene) {
-  Scene free = scene;
-  const std::array<double, 4> load = scene.given.value;
-  double wanted[4] = {};
-  for (const std::int32_t d : {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_SPIN}) {
+  const laws::Given& g = scene.given;
+  const auto wanted = [&](std::int32_t d) {
     const auto i = static_cast<std::size_t>(d) - 1;
-    if (!scene.given.by_force[i]) continue;
-    wanted[i] = load[i];
-    free.motion(d, 0);
-  }
-  const auto pair = make_pair(free);
-  give_scene(*pair, free);
-  if (rollcon_contact_solve(pair->handle()) < 0) return NAN;
-  const scenes::Solution s = pair->solution();
-  std::vector<double> mu(s.nodes());
-  std::int64_t n = 0;
-  (void)rollcon_contact_get_field(pair->handle(), ROLLCON_FIELD_FRICTION, ROLLCON_LOCAL,
-                                  static_cast<std::int64_t>(mu.size()), mu.data(), &n);
-  double force = 0, moment = 0;
-  for (std::size_t k = 0; k < s.nodes(); ++k) {
-    const double limit = std::abs(mu[k] * s.pressure[k] * s.weight[k]);
-    force += limit;
-    moment += limit * std::hypot(s.x[k], s.y[k]);
-  }
-  const auto over = [](double load_wanted, double limit) {
-    return load_wanted == 0 ? 0 : limit > 0 ? load_wanted / limit : INFINITY;
+    return g.by_force[i] ? g.value[i] : 0;
   };
-  return std::max(over(std::hypot(wanted[0], wanted[1]), force), over(std::abs(wanted[3]), moment));
+  const double f1 = wanted(ROLLCON_LONGITUDINAL), f2 = wanted(ROLLCON_LATERAL);
+  const double force = std::hypot(f1, f2), moment = wanted(ROLLCON_SPIN);
+  double low = INFINITY, high = -INFINITY;
+  for (const Vec3& x : g.frame.node) low = std::min(low, x[0]), high = std::max(high, x[0]);
+  constexpr double fast = 1e6;  // every node slides that way
+  Scene sliding = scene;
+  if (force > 0)
+    sliding.motion(ROLLCON_LONGITUDINAL, -fast * f1 / force)
+        .motion(ROLLCON_LATERAL, -fast * f2 / force);
+  if (g.by_force[ROLLCON_SPIN - 1])
+    sliding.motion(ROLLCON_SPIN, moment == 0 || force > 0 ? 0
+                                 : moment > 0             ? -fast / (high - low)
+                                                          : fast / (high - low));
+  const auto pair = make_pair(sliding);
+  give_scene(*pair, sliding);
+  const std::int32_t status = rollcon_contact_solve(pair->handle());
+  if (status < 0 || status == ROLLCON_NOT_CONVERGED) return NAN;
+  const scenes::Solution s = pair->solution();
+  const auto over = [](double value, double limit) {
+    return value == 0 ? 0 : limit > 0 ? value / limit : INFINITY;
+  };
+  if (force > 0) return over(force, (s.force[0] * f1 + s.force[1] * f2) / force);
+  return over(std::abs(moment), moment > 0 ? s.moment[2] : -s.moment[2]);
 }
 
 std::string describe(const Scene& scene) {

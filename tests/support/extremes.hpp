@@ -73,9 +73,8 @@ Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition = fal
 /// on one side, with a load by force. For warm starts from afar.
 Scene disturbed(const Scene& scene, int way);
 
-/// Tangential force or spin moment prescribed, over what friction could carry of it under the
-/// pressures of the same scene without it: near 1 or above it, ROLLCON_ERR_LOAD is right. Between
-/// unlike bodies pressures, and so this number, change a little with the force. NaN: not solved.
+/// Tangential force (or else spin moment) prescribed, over that of the same scene with every node
+/// sliding against it: near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
 double load_over_friction(const Scene& scene);
 
 /// Largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.

@@ -17,7 +17,7 @@ namespace {
 
 /// Displacements are off by about the part of the load that is missed. Coarse rings that are right
 /// where they are loaded miss 0.78, plates that hardly bend 0.84 and more.
-constexpr double most_imbalance = 0.75;
+constexpr double most_imbalance = 0.8;
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# Searches for inputs that break the library: builds the targets of tests/fuzz with Clang, libFuzzer,
+# address and undefined-behaviour sanitizers and runs them one after the other, on one core.
+# fuzz.sh [seconds in all] [target ...], default 600 and calls mesh saved. What is found goes to
+# build/fuzz/found; inputs that reach something new to build/fuzz/corpus, and with
+# fuzz.sh merge [target ...] the least number of them to tests/fuzz/corpus.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+cd "$root"
+seconds=${1:-600}
+shift || true
+[ $# -gt 0 ] || set -- calls mesh saved
+
+folder=${ROLLCON_FUZZ_BUILD:-$root/build/fuzz}
+mkdir -p "$folder"
+cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+  "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_C_COMPILER=clang \
+  -DCMAKE_CXX_COMPILER=clang++ "-DROLLCON_SANITIZE=address;undefined" -DROLLCON_FUZZ=ON \
+  -DROLLCON_FORTRAN=OFF -DROLLCON_EXAMPLES=OFF >"$folder.log" 2>&1 || {
+  cat "$folder.log"
+  fail "configure"
+}
+targets=()
+for target in "$@"; do targets+=("fuzz_$target"); done
+cmake --build "$folder" -j "$jobs" --target "${targets[@]}"
+
+export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 ASAN_OPTIONS=quarantine_size_mb=16
+limits=(-len_control=0 -timeout=60 -rss_limit_mb=2048 -malloc_limit_mb=1024)
+longest() { [ "$1" = calls ] && echo 800 || echo 400; }
+
+if [ "$seconds" = merge ]; then
+  for target in "$@"; do
+    least=$(mktemp -d)
+    "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -merge=1 "$least" \
+      "tests/fuzz/corpus/$target" "$folder/corpus/$target" 2>&1 | tail -1
+    rm -rf "tests/fuzz/corpus/$target"
+    mv "$least" "tests/fuzz/corpus/$target"
+  done
+  exit
+fi
+
+found=0
+for target in "$@"; do
+  mkdir -p "$folder/corpus/$target" "$folder/found/$target"
+  end=$(($(date +%s) + seconds / $#))
+  # It ends at the first failure: so again, until the time is over.
+  while left=$((end - $(date +%s))) && [ "$left" -gt 0 ]; do
+    status=0
+    nice "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -max_len="$(longest "$target")" \
+      -max_total_time="$left" -artifact_prefix="$folder/found/$target/" -print_final_stats=1 \
+      "$folder/corpus/$target" "tests/fuzz/corpus/$target" >"$folder/$target.log" 2>&1 || status=$?
+    executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$folder/$target.log")
+    covered=$(grep -o 'cov: [0-9]* ft: [0-9]*' "$folder/$target.log" | tail -1)
+    say "$target: ${executed:-?} inputs; $covered (edges, features)"
+    [ "$status" -eq 0 ] && break
+    found=$((found + 1))
+    grep -E "broken promise|ERROR:|runtime error|SUMMARY" "$folder/$target.log" || true
+  done
+done
+[ "$found" -eq 0 ] || fail "$found failures; the inputs are in $folder/found"

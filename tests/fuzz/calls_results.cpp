@@ -1,0 +1,138 @@
+// Results of contacts.
+
+#include "calls.hpp"
+
+namespace fuzz {
+namespace {
+
+std::int64_t nodes_of(const rollcon_contact* contact) {
+  std::int64_t nodes = 0;
+  rollcon_contact_get_size(contact, &nodes, nullptr);
+  return nodes;
+}
+
+std::int32_t axes(World& w) {
+  return w.in.one_in(12) ? w.in.integer32() : w.in.below(2);
+}
+
+/// The capacity is asked in entries of `width` numbers.
+template <class T, class F>
+void ask_rows(World& w, std::int64_t rows, std::int64_t width, F&& call) {
+  ask<T>(w, rows * width, [&](std::int64_t capacity, T* out, std::int64_t* told) {
+    const std::int64_t fit = capacity < 0 ? capacity : capacity / width;
+    const std::int32_t status = call(fit, out);
+    if (status == ROLLCON_OK) *told = rows * width;
+    return status;
+  });
+}
+
+void tractions(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t a = axes(w);
+  ask_rows<double>(w, nodes_of(c), 3, [&](std::int64_t fit, double* out) {
+    return FUZZ_CALL(w, rollcon_contact_get_tractions, c, a, fit, out);
+  });
+}
+
+void status(World& w) {
+  const rollcon_contact* c = w.contact();
+  ask_rows<std::int32_t>(w, nodes_of(c), 1, [&](std::int64_t fit, std::int32_t* out) {
+    return FUZZ_CALL(w, rollcon_contact_get_status, c, fit, out);
+  });
+}
+
+void field(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t which = w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(12), a = axes(w);
+  std::int64_t need = 0;
+  rollcon_contact_get_field(c, which, a, 0, nullptr, &need);
+  ask<double>(w, need, [&](std::int64_t capacity, double* out, std::int64_t* told) {
+    return FUZZ_CALL(w, rollcon_contact_get_field, c, which, a, capacity, out, told);
+  });
+}
+
+void resultant(World& w) {
+  const rollcon_contact* c = w.contact();
+  Output<double> force(3), moment(3), approach(1), creep(3);
+  bool good = FUZZ_CALL(w, rollcon_contact_get_resultant, c, axes(w), force.data(),
+                        w.in.one_in(4) ? nullptr : moment.data()) == ROLLCON_OK;
+  require(good || (force.untouched() && moment.untouched()), "a failed call wrote into its output");
+  good = FUZZ_CALL(w, rollcon_contact_get_motion, c, w.in.one_in(4) ? nullptr : approach.data(),
+                   creep.data()) == ROLLCON_OK;
+  require(good || (approach.untouched() && creep.untouched()),
+          "a failed call wrote into its output");
+}
+
+void sensitivity(World& w) {
+  const rollcon_contact* c = w.contact();
+  Output<double> force(3), moment(3), approach(1), creep(3);
+  const std::int32_t by = w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(5);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_sensitivity, c, by, force.data(),
+                              w.in.one_in(4) ? nullptr : moment.data(), approach.data(),
+                              creep.data()) == ROLLCON_OK;
+  require(
+      good ? all_finite(force.values()) && all_finite(moment.values()) &&
+                 all_finite(approach.values()) && all_finite(creep.values())
+           : force.untouched() && moment.untouched() && approach.untouched() && creep.untouched(),
+      good ? "a derivative is not finite" : "a failed call wrote into its output");
+}
+
+void displacements_at(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int64_t n = array_size(w.in, 5);
+  const std::vector<double> xy = w.in.reals(static_cast<std::size_t>(n > 0 ? 2 * n : 0));
+  Output<double> u(n > 0 ? 3 * n : 0);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_displacements_at, c, w.in.below(4), n,
+                              maybe_null(w.in, xy), u.data()) == ROLLCON_OK;
+  require(good ? all_finite(u.values()) : u.untouched(),
+          good ? "a displacement is not finite" : "a failed call wrote into its output");
+}
+
+void stat(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::string name = w.in.text(known_names());
+  Output<double> value(1);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_stat, c,
+                              w.in.one_in(40) ? nullptr : name.c_str(), value.data()) == ROLLCON_OK;
+  require(good || value.untouched(), "a failed call wrote into its output");
+}
+
+void history(World& w) {
+  const rollcon_contact* c = w.contact();
+  std::int64_t rows = 0;
+  rollcon_contact_get_history(c, 0, nullptr, &rows);
+  if (w.in.one_in(2)) {
+    ask_rows<double>(w, rows, 8, [&](std::int64_t fit, double* out) {
+      return FUZZ_CALL(w, rollcon_contact_get_history, c, fit, out, nullptr);
+    });
+  } else {
+    ask<double>(w, rows, [&](std::int64_t capacity, double* out, std::int64_t* told) {
+      return FUZZ_CALL(w, rollcon_contact_get_error_function, c, capacity, out, nullptr, told);
+    });
+  }
+}
+
+void plan(World& w) {
+  const rollcon_contact* c = w.contact();
+  std::int64_t need = 1;
+  rollcon_contact_get_plan(c, 0, nullptr, &need);
+  ask<char>(w, need, [&](std::int64_t capacity, char* text, std::int64_t* told) {
+    return FUZZ_CALL(w, rollcon_contact_get_plan, c, capacity, text, told);
+  });
+}
+
+void write(World& w) {
+  const rollcon_contact* c = w.contact();
+  if (w.files_left-- > 0) FUZZ_CALL(w, rollcon_contact_write, c, w.path().c_str());
+}
+
+}  // namespace
+
+std::span<const Call> result_calls() {
+  static const Call calls[] = {tractions, status,      field,       field,
+                               resultant, sensitivity, sensitivity, displacements_at,
+                               stat,      history,     plan,        write};
+  return calls;
+}
+
+}  // namespace fuzz

@@ -1,0 +1,118 @@
+#include "contract.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace fuzz {
+namespace {
+
+using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
+
+const std::map<std::string, std::int32_t>& status_numbers() {
+  static const std::map<std::string, std::int32_t> numbers = {
+      {"ROLLCON_OK", ROLLCON_OK},
+      {"ROLLCON_NOT_CONVERGED", ROLLCON_NOT_CONVERGED},
+      {"ROLLCON_NO_CONTACT", ROLLCON_NO_CONTACT},
+      {"ROLLCON_CANCELLED", ROLLCON_CANCELLED},
+      {"ROLLCON_RIM_CONTACT", ROLLCON_RIM_CONTACT},
+      {"ROLLCON_ERR_ARGUMENT", ROLLCON_ERR_ARGUMENT},
+      {"ROLLCON_ERR_HANDLE", ROLLCON_ERR_HANDLE},
+      {"ROLLCON_ERR_NONFINITE", ROLLCON_ERR_NONFINITE},
+      {"ROLLCON_ERR_MESH", ROLLCON_ERR_MESH},
+      {"ROLLCON_ERR_STATE", ROLLCON_ERR_STATE},
+      {"ROLLCON_ERR_OPTION", ROLLCON_ERR_OPTION},
+      {"ROLLCON_ERR_CAPACITY", ROLLCON_ERR_CAPACITY},
+      {"ROLLCON_ERR_SINGULAR", ROLLCON_ERR_SINGULAR},
+      {"ROLLCON_ERR_MEMORY", ROLLCON_ERR_MEMORY},
+      {"ROLLCON_ERR_UNSUPPORTED", ROLLCON_ERR_UNSUPPORTED},
+      {"ROLLCON_ERR_BUSY", ROLLCON_ERR_BUSY},
+      {"ROLLCON_ERR_LOAD", ROLLCON_ERR_LOAD},
+      {"ROLLCON_ERR_IO", ROLLCON_ERR_IO}};
+  return numbers;
+}
+
+/// "Returns:" of the comment before each declaration of the header.
+StatusesOf read_header() {
+  StatusesOf all;
+  std::ifstream file(ROLLCON_HEADER);
+  std::set<std::int32_t> listed;
+  bool in_list = false;
+  for (std::string line; std::getline(file, line);) {
+    if (line.find("Returns:") != std::string::npos) in_list = true;
+    if (in_list) {
+      std::istringstream words(line);
+      for (std::string word; words >> word;) {
+        while (!word.empty() && (word.back() == ',' || word.back() == '.')) word.pop_back();
+        const auto found = status_numbers().find(word);
+        if (found != status_numbers().end()) listed.insert(found->second);
+      }
+      if (line.find("Threads:") != std::string::npos) in_list = false;
+    }
+    const std::size_t name = line.find("rollcon_status ROLLCON_CALL rollcon_");
+    if (name == std::string::npos) continue;
+    const std::size_t begin = line.find("rollcon_", name + 14);
+    all[line.substr(begin, line.find('(') - begin)] = listed;
+    listed.clear();
+  }
+  require(all.size() > 60, "the header '" ROLLCON_HEADER "' lists too few functions");
+  return all;
+}
+
+}  // namespace
+
+void require(bool good, const std::string& what) {
+  if (good) return;
+  std::fprintf(stderr, "broken promise: %s\n", what.c_str());
+  std::abort();
+}
+
+std::int32_t checked(const char* function, const rollcon_context* context, std::int32_t status) {
+  static const StatusesOf documented = read_header();
+  const auto found = documented.find(function);
+  require(found != documented.end(), std::string(function) + " is not in the header");
+  std::string text;
+  if (status < 0 && status != ROLLCON_ERR_HANDLE && context) {
+    char buffer[4096] = "";
+    std::int64_t needed = 0;
+    rollcon_context_get_error(context, sizeof buffer, buffer, &needed);
+    text = buffer;
+    require(text.rfind(std::string(function) + ": ", 0) == 0,
+            std::string(function) + ": status " + std::to_string(status) + ", text '" + text + "'");
+  }
+  require(found->second.count(status) == 1,
+          std::string(function) + ": status " + std::to_string(status) + " (" +
+              rollcon_status_string(status) + ") is not listed; text '" + text + "'");
+  return status;
+}
+
+const std::vector<std::string>& known_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    char name[64];
+    for (int i = 0; i < rollcon_option_count(); ++i)
+      if (rollcon_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0)
+        all.emplace_back(name);
+    for (int i = 0; i < rollcon_body_option_count(); ++i)
+      if (rollcon_body_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0)
+        all.emplace_back(name);
+    for (int i = 0; i < rollcon_stat_count(); ++i)
+      if (rollcon_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
+    for (int i = 0; i < rollcon_body_stat_count(); ++i)
+      if (rollcon_body_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
+    return all;
+  }();
+  return names;
+}
+
+bool all_finite(const std::vector<double>& values) {
+  for (const double value : values)
+    if (!std::isfinite(value)) return false;
+  return true;
+}
+
+}  // namespace fuzz

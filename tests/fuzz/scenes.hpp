@@ -1,0 +1,29 @@
+#pragma once
+/// Small scenes that are right, to begin with and to return to.
+
+#include "meshes.hpp"
+#include "world.hpp"
+
+namespace fuzz {
+
+constexpr int recipes = 8;
+
+/// A context, two bodies and a contact of them, added to the world.
+void make_bodies(World& world, int recipe);
+/// Everything a solve needs, whatever the contact was given before.
+void set_scene(rollcon_contact* contact, int recipe);
+/// Nodes, elements and support of a body; elastic ones need a material besides.
+void give_mesh(World& world, rollcon_body* body, const Box& box);
+
+/// The contact, given the scene again, and a fresh one of the same bodies solve
+/// to the same.
+void require_usable(World& world, rollcon_contact* contact, int recipe);
+/// A scene of two half-spaces made, solved and released gives what it gave at
+/// first.
+void require_sound_library();
+
+/// A solve that is watched: status, and finite results that obey the simplest
+/// laws.
+std::int32_t solve_and_check(World& world, rollcon_contact* contact);
+
+}  // namespace fuzz
