@@ -137,12 +137,17 @@ def limits(records):
     text += (f"Solves that say they succeeded and break a law, or end with a status that is not right: {len(wrong)}"
              + (" (" + "; ".join(f"{r['model']} {r['mesh']}" for r in wrong[:20]) + ")" if wrong else "")
              + ".\n\n" + LIMITS)
+    several = [r for r in records if r["method"] == STANDARD[1] and good(r) and (r["extra"]["difference"] or 0) > 1e-3]
+    if several:
+        names = list(dict.fromkeys(f"{r['model']} {r['mesh']}" for r in several))
+        text += (f"Scenes whose solution from another state keeps all laws and yet differs by more than 1e-3 of the largest traction: {len(names)} ("
+                 + "; ".join(names) + ").\n\n")
     return text
 
 
-LIMITS = """- *Uniqueness.* Between unlike bodies (or on a rigid one) the contact problem with large friction may have several solutions,
+LIMITS = """- *Several solutions.* Between unlike bodies (or on a rigid one) the contact problem with large friction may have several solutions,
   or none that a discrete frame can hold; a coefficient of 1 and more, and Poisson's ratios near -1, where pressure pulls the surface
-  sideways most, are where the iteration fails most.
+  sideways most, are where the iteration fails most. A discrete problem may have several even for like bodies: slivers and the characteristic scheme.
 - *Small steps of the characteristic scheme on irregular frames* make slip nearly blind to a node's own traction
   ([theory](theory.md), section 5).
 - *The size of numbers.* Gaps and displacements are differences: an approach is resolved to rounding of the least gap. Contacts shallower than

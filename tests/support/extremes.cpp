@@ -80,15 +80,15 @@ void give_loads(scenes::RollingPair& pair, const Scene& scene) {
                                           g.friction.data()),
        "set_friction_field");
   pair.option("convection", name_of(g.scheme)).option("characteristic_step", g.step);
-  for (const auto& [name, value] : scene.option)
+  for (const std::pair<std::string, Setting>& option : scene.option)
     std::visit(
         [&](const auto& v) {
           if constexpr (std::is_same_v<std::decay_t<decltype(v)>, std::string>)
-            pair.option(name.c_str(), v.c_str());
+            pair.option(option.first.c_str(), v.c_str());
           else
-            pair.option(name.c_str(), v);
+            pair.option(option.first.c_str(), v);
         },
-        value);
+        option.second);
 }
 
 void give_scene(scenes::RollingPair& pair, const Scene& scene) {
