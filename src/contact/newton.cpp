@@ -101,6 +101,8 @@ Newton::Residual Newton::evaluate(Part part) {
     sum_t += rest * rest;
   }
   r.contact = static_cast<std::int64_t>(active_.size());
+  r.pressure = pressure;
+  r.traction = traction;
   // Relative measures. Tangential residuals hide under normal ones, so they are judged by the
   // tangential tractions themselves as soon as there are any.
   pressure_scale_ = pressure > 0 ? pressure : worst_n;

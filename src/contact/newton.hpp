@@ -90,6 +90,7 @@ class Newton {
     double normal = 0, tangential = 0, load = 0;          ///< relative maxima
     double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
     double merit = 0;
+    double pressure = 0, traction = 0;  ///< the largest
     std::int64_t contact = 0, sliding = 0;
     double worst(Part part) const;
     /// Within the tolerance, or within what rounding leaves.
@@ -108,6 +109,8 @@ class Newton {
   Outcome relax(double tolerance, std::int64_t max_iterations);
   void sweep_along_flow();
   Outcome continue_in_friction(bool from_above, double tolerance, std::int64_t max_iterations);
+  bool friction_bounded(Part part) const;
+  bool force_beyond_sliding();
   void remember_best(Part part, double worst);
   void return_to_best();
   std::int64_t& iterations_of(Part part) {

@@ -138,4 +138,49 @@ Outcome Newton::continue_in_friction(bool from_above, double tolerance,
   return outcome;
 }
 
+// Whether the prescribed tangential force is at least that of the same contact with every node
+// sliding against it, pressures as they are then. Ends at the best iterate.
+bool Newton::force_beyond_sliding() {
+  constexpr std::int64_t iterations = 60;
+  constexpr double enough = 1e-6, far = 1e6;  // slip, in units of the elastic one
+  Problem& p = *problem_;
+  Iterate& it = *iterate_;
+  if (!p.turn.empty() || p.by_force[spin] || !(p.by_force[xi1] || p.by_force[xi2])) return false;
+  const std::array<bool, 4> by_force = p.by_force;
+  const std::array<double, 4> value = p.value;
+  const NewtonReport report = report_;
+  const double along = by_force[xi1] ? value[xi1] : 0, across = by_force[xi2] ? value[xi2] : 0;
+  const double force = std::hypot(along, across);
+  double elastic = 0;
+  for (std::size_t k = 0; k < p.rt.size(); ++k)
+    if (it.lambda[2][k] < 0 && p.rt[k] > 0)
+      elastic = std::max(elastic, (1 + p.mu[k]) * -it.lambda[2][k] / p.rt[k]);
+  iterations_left_ += iterations;
+  continuing_ = true;
+  double carried = 0;
+  bool known = false;
+  if (force > 0 && elastic > 0 && std::isfinite(elastic)) {
+    for (const int m : {xi1, xi2}) {
+      const auto k = static_cast<std::size_t>(m);
+      if (!by_force[k]) continue;
+      p.by_force[k] = false;
+      p.value[k] = it.motion[k] = -far * elastic * value[k] / force;
+    }
+    start_cold(p, it);
+    guess_start(p, it);
+    known =
+        run(Part::normal, enough, iterations, report_.normal_iterations) == Outcome::converged &&
+        run(goal_, enough, iterations, iterations_of(goal_)) == Outcome::converged;
+    carried = (along * load_on_body1(p, xi1, it.lambda).value +
+               across * load_on_body1(p, xi2, it.lambda).value) /
+              force;
+  }
+  continuing_ = false;
+  p.by_force = by_force;
+  p.value = value;
+  report_ = report;
+  return_to_best();
+  return known && force >= (1 - 10 * enough) * carried;
+}
+
 }  // namespace rollcon

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double start_tolerance = 1e-2;  // of the frictionless start of a coupled problem
 constexpr std::int64_t patience = 12;     // iterations without progress before a run is stuck
+constexpr double much_more = 1e3;         // times the traction found in the end
 constexpr double progress = 0.7;          // factor on the best residual that counts as progress
 
 }  // namespace
@@ -24,6 +25,13 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
   StepRecord record;
   record.part = part;
   double last_worst = INFINITY, best = INFINITY, last_merit = 0, eta = 0;
+  double largest = 0;  // traction since the images were made
+  const auto traction_of = [&](const Residual& r) {
+    return part == Part::normal ? r.pressure
+           : part == Part::tangential
+               ? r.traction
+               : std::min(r.pressure, r.traction > 0 ? r.traction : r.pressure);
+  };
   std::int64_t waiting = 0;
   for (std::int64_t k = 0;; ++k) {
     Residual residual = evaluate(part);
@@ -58,7 +66,17 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
       if (k == 1) fit_approach();
       continue;
     }
-    if (residual.within(part, tolerance)) return Outcome::converged;
+    largest = std::max(largest, traction_of(residual));
+    if (residual.within(part, tolerance)) {
+      // Images follow the steps. On the way from a load beyond all comparison they keep its
+      // rounding.
+      if (largest <= much_more * traction_of(residual)) return Outcome::converged;
+      largest = traction_of(residual);
+      images_fresh_ = false;
+      iterate_->invalidate();
+      freeze_other_part(part);
+      continue;
+    }
     waiting = worst < progress * best ? 0 : waiting + 1;
     best = std::min(best, worst);
     remember_best(part, worst);
@@ -66,7 +84,8 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     if (k >= max_iterations || iterations_left_ <= 0) return Outcome::not_converged;
     const bool settled =
         part == Part::tangential || pressures_settled(*problem_, iterate_->lambda, residual.normal);
-    if (part != Part::normal && settled && load_beyond_friction(*problem_, iterate_->lambda))
+    if (part != Part::normal && settled && friction_bounded(part) &&
+        load_beyond_friction(*problem_, iterate_->lambda))
       return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
     double forcing = std::clamp(
@@ -85,6 +104,22 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     ++iterations;
     --iterations_left_;
   }
+}
+
+// Whether pressures near those of the solution tell what friction can carry. In coupled problems
+// friction changes the pressures, and with them its bound, until the end; but where the load is
+// given and all nodes have the same coefficient, their sum is known.
+bool Newton::friction_bounded(Part part) const {
+  const Problem& p = *problem_;
+  if (part == Part::tangential && !p.op.coupled) return true;
+  if (!p.turn.empty() || !p.by_force[approach]) return false;
+  double mu = -1;
+  for (std::size_t k = 0; k < p.mu.size(); ++k) {
+    if (!(iterate_->lambda[2][k] < 0)) continue;
+    if (mu >= 0 && p.mu[k] != mu) return false;
+    mu = p.mu[k];
+  }
+  return true;
 }
 
 void Newton::remember_best(Part part, double worst) {
@@ -204,6 +239,8 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   if (outcome == Outcome::not_converged && worth_while && iterations_left_ > 0)
     outcome = fall_back(tolerance, max_iterations);
   if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
+  if (outcome == Outcome::not_converged && goal_ == Part::full && force_beyond_sliding())
+    outcome = Outcome::no_solution;
   if (predict && outcome == Outcome::converged)
     prediction_.solved();
   else

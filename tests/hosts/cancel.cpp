@@ -76,8 +76,12 @@ void cancel_everywhere(const Flow& flow, int threads, Verdict& verdict) {
       "%s, %d threads: cancelled at each of %d calls (%d times too late), results apart by"
       " %.1e (bound 1e-12)\n",
       flow.name, threads, calls, late, worst);
-  verdict.expect(late < calls / 2, "%s: %d of %d times too late", flow.name, late, 2 * calls);
-  verdict.expect(calls > 2, "%s: %d progress calls", flow.name, calls);
+  // The calling thread tells of its own cases; on two threads the other one may have taken them
+  // all.
+  if (threads == 1) {
+    verdict.expect(late < calls / 2, "%s: %d of %d times too late", flow.name, late, 2 * calls);
+    verdict.expect(calls > 2, "%s: %d progress calls", flow.name, calls);
+  }
   verdict.expect(worst <= 1e-12, "%s: results are apart by %.1e", flow.name, worst);
 }
 

@@ -9,6 +9,7 @@
 #include "bodies/fem/system.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_search.hpp"
+#include "support/error.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -65,8 +66,8 @@ void System::choose_material(SurfaceOutline& rows) const {
   }
 }
 
-// The faces that feel a layer, all of whose nodes do, and those around them on the same smooth
-// surface whose displacements are known.
+// The faces that feel a layer, all of whose nodes do (or that hold a node which does in no other
+// one), and those around them on the same smooth surface whose displacements are known.
 std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
                                                 const SurfaceOutline& rows,
                                                 const std::vector<std::int64_t>& candidates) const {
@@ -81,12 +82,30 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   };
   std::vector<std::int64_t> face;
   for (const std::int32_t k : coupling.node) known[at(k)] = 1;
-  for (const std::int64_t e : candidates) {
-    if (!all_marked(e)) continue;
+  const auto feels = [&](std::int64_t e) {
     face.push_back(e);
     for (const std::int32_t f : fans_of(e)) fan[at(f)] = 1;
-  }
+  };
+  for (const std::int64_t e : candidates)
+    if (all_marked(e)) feels(e);
+  std::vector<std::uint8_t> alone = known;
+  for (const std::int64_t e : face)
+    for (const std::int32_t k : surface_.element(e)) alone[at(k)] = 0;
   for (const std::int32_t k : rows.row) known[at(k)] = 1;
+  // A layer in the corner of a face is felt by that corner's nodes alone.
+  std::vector<std::uint8_t> missed = alone;
+  for (const std::int64_t e : candidates) {
+    const auto nodes = surface_.element(e);
+    if (!all_marked(e) ||
+        std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return alone[at(k)] != 0; }))
+      continue;
+    feels(e);
+    for (const std::int32_t k : nodes) missed[at(k)] = 0;
+  }
+  if (const auto k = std::find(missed.begin(), missed.end(), 1); k != missed.end())
+    fail(Status::err_mesh, "node %lld of the body feels the frame, but no face around it does",
+         static_cast<long long>(k - missed.begin()) + surface_.index_base);
+  std::sort(face.begin(), face.end());
   const std::size_t under = face.size();
   for (const std::int64_t e : candidates) {
     if (!all_marked(e) ||
