@@ -527,8 +527,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces_of_nodes(rollcon_
  *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
  *   index_base  0 or 1: id of the first node
  *   dof_mask    sum of ROLLCON_DOF_X, DOF_Y, DOF_Z: the components held, 1 to 7
- *   values      [n][3]; displacements x y z, length; components outside of dof_mask are ignored;
- *               NULL: zero
+ *   values      [n][3]; displacements x y z, length, -1e100 to 1e100; components outside of
+ *               dof_mask are ignored; NULL: zero
  * Ownership: The arrays are copied.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
@@ -541,7 +541,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_support(rollcon_body *b
  * Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the
  * same tag is added to it. Faces without load or support are free.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
- *   traction  [3]; force/length^2 along x y z
+ *   traction  [3]; force/length^2 along x y z, -1e100 to 1e100
  * Ownership: The array is copied.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
@@ -554,7 +554,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *
  * Prescribes a pressure on the faces with a tag, against their outward normals; replaces an
  * earlier one and adds to a traction on the same tag.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
- *   pressure  force/length^2; > 0 compresses
+ *   pressure  force/length^2, -1e100 to 1e100; > 0 compresses
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.

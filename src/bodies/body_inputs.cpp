@@ -1,6 +1,7 @@
 /// What a caller gives for a body with a mesh, and its options.
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <utility>
@@ -14,6 +15,9 @@
 namespace rollcon {
 
 namespace {
+
+/// Beyond it, loads and given displacements would leave the range of doubles on their way.
+constexpr double most_given = 1e100;
 
 void require_mesh_kind(BodyKind kind, const char* what) {
   if (kind == BodyKind::halfspace)
@@ -218,6 +222,11 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
       if (dof_mask >> c & 1 && !std::isfinite(value[3 * i + c]))
         fail(Status::err_nonfinite, "component %c of entry %lld of values (counting from %d) is %g",
              "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c]);
+      if (dof_mask >> c & 1 && std::abs(value[3 * i + c]) > most_given)
+        fail(Status::err_argument,
+             "component %c of entry %lld of values (counting from %d) is %g; allowed: -%g to %g",
+             "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c],
+             most_given, most_given);
     }
   }
   for (std::int64_t i = 0; i < n; ++i) {
@@ -233,6 +242,10 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
 void Body::set_traction(std::int32_t tag, const double* traction) {
   require_elastic_mesh_kind(kind_, "tractions");
   require_finite_vector(traction, "traction");
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(traction[c]) > most_given)
+      fail(Status::err_argument, "component %c of traction is %g; allowed: -%g to %g", "xyz"[c],
+           traction[c], most_given, most_given);
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");
@@ -242,6 +255,9 @@ void Body::set_traction(std::int32_t tag, const double* traction) {
 void Body::set_pressure(std::int32_t tag, double pressure) {
   require_elastic_mesh_kind(kind_, "pressures");
   require_finite(pressure, "pressure");
+  if (std::abs(pressure) > most_given)
+    fail(Status::err_argument, "pressure is %g; allowed: -%g to %g", pressure, most_given,
+         most_given);
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");

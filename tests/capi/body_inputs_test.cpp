@@ -182,6 +182,23 @@ TEST_F(body_inputs, loads) {
   }
 }
 
+// Larger ones would leave the range of doubles on their way, and come out as what is not a number.
+TEST_F(body_inputs, what_no_result_can_bear_is_refused) {
+  set_mesh(body);
+  const double wrong[3] = {0, -1e101, 0}, most[3] = {0, -1e100, 0};
+  const std::int32_t node = 3;
+  EXPECT_FAILS(rollcon_body_set_traction(body, 6, wrong), ROLLCON_ERR_ARGUMENT,
+               "component y of traction is -1e+101", "-1e+100 to 1e+100");
+  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1e101), ROLLCON_ERR_ARGUMENT,
+               "pressure is 1e+101", "-1e+100 to 1e+100");
+  EXPECT_FAILS(
+      rollcon_body_set_support(body, 1, &node, 1, ROLLCON_DOF_XYZ, wrong), ROLLCON_ERR_ARGUMENT,
+      "component y of entry 1 of values (counting from 1) is -1e+101", "-1e+100 to 1e+100");
+  EXPECT_EQ(rollcon_body_set_traction(body, 6, most), ROLLCON_OK);
+  EXPECT_EQ(rollcon_body_set_support(body, 1, &node, 1, ROLLCON_DOF_X, wrong), ROLLCON_OK)
+      << "a component that is not held is not looked at";
+}
+
 TEST_F(body_inputs, contact_faces) {
   const std::int32_t tags[3] = {6, 6, 9};
   EXPECT_FAILS(rollcon_body_set_contact_faces(body, 1, tags), ROLLCON_ERR_STATE, "no elements");
