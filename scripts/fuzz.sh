@@ -31,10 +31,12 @@ longest() { [ "$1" = calls ] && echo 800 || echo 400; }
 if [ "$seconds" = merge ]; then
   for target in "$@"; do
     least=$(mktemp -d)
-    "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -merge=1 "$least" \
+    "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -set_cover_merge=1 "$least" \
       "tests/fuzz/corpus/$target" "$folder/corpus/$target" 2>&1 | tail -1
-    rm -rf "tests/fuzz/corpus/$target"
-    mv "$least" "tests/fuzz/corpus/$target"
+    # Inputs with names are kept: they once failed.
+    find "tests/fuzz/corpus/$target" -type f -regextype sed -regex '.*/[0-9a-f]\{40\}' -delete
+    cp "$least"/* "tests/fuzz/corpus/$target"
+    rm -rf "$least"
   done
   exit
 fi

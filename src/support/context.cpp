@@ -31,32 +31,34 @@ void Context::set_log(std::int32_t max_level, LogFunction function, void* user) 
   if (max_level < 0 || max_level > static_cast<std::int32_t>(LogLevel::debug))
     fail(Status::err_argument, "max_level is %d; allowed: 0 (off), 1, 2, 3, 4", max_level);
   const std::lock_guard lock(mutex_);
-  std::atomic_ref(log_level_).store(function ? max_level : 0, std::memory_order_relaxed);
+  log_level_.store(function ? max_level : 0, std::memory_order_relaxed);
   log_ = function;
   log_user_ = user;
 }
 
 void Context::log(LogLevel level, const char* format, ...) const {
-  const auto number = static_cast<std::int32_t>(level);
-  // Solves of a tenth of a millisecond ask some ten times: no lock for what nobody wants.
-  auto& wanted = const_cast<std::int32_t&>(log_level_);
-  if (number > std::atomic_ref(wanted).load(std::memory_order_relaxed)) return;
+  std::va_list args;
+  va_start(args, format);
+  tell(static_cast<std::int32_t>(level), format, args);
+  va_end(args);
+}
+
+void Context::tell(std::int32_t level, const char* format, std::va_list args) const {
+  if (level > log_level_.load(std::memory_order_relaxed)) return;
   LogFunction sink = nullptr;
   void* user = nullptr;
   {
     const std::lock_guard lock(mutex_);
-    if (number > log_level_) return;
+    if (level > log_level_) return;
     sink = log_;
     user = log_user_;
   }
   // A buffer on the stack: solves that must not allocate may log. Longer lines are cut.
   char line[1024];
-  std::va_list args;
-  va_start(args, format);
+  // NOLINTNEXTLINE(clang-analyzer-valist.Uninitialized): log() has started it
   std::vsnprintf(line, sizeof line, format, args);
-  va_end(args);
   const HostFloatingPoint host;
-  sink(number, line, user);
+  sink(level, line, user);
 }
 
 void Context::set_threads(std::int32_t n) {

@@ -1,6 +1,8 @@
 #pragma once
 /// What a context owns: log sink, thread budget, text of the last failure.
 
+#include <atomic>
+#include <cstdarg>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -39,11 +41,13 @@ class Context {
   }
 
  private:
+  void tell(std::int32_t level, const char* format, std::va_list args) const;
+
   mutable std::mutex mutex_;
   std::string error_;
   LogFunction log_ = nullptr;
   void* log_user_ = nullptr;
-  std::int32_t log_level_ = 0;
+  std::atomic<std::int32_t> log_level_{0};  ///< solves ask some ten times: read without the lock
   std::int32_t threads_ = 0;
   std::shared_ptr<EqualBodies> bodies_;
 };
