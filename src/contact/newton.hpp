@@ -100,6 +100,7 @@ class Newton {
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
   Outcome fall_back(double tolerance, std::int64_t max_iterations);
   Outcome bracket_creep(double tolerance, std::int64_t max_iterations);
+  Outcome search_creep(double tolerance, std::int64_t max_iterations);
   Outcome bracket_approach(Part part, double tolerance, std::int64_t max_iterations);
   Outcome bracket(int motion, Part part, double from, double scale, double tolerance,
                   std::int64_t max_iterations);
@@ -110,7 +111,7 @@ class Newton {
   void sweep_along_flow();
   Outcome continue_in_friction(bool from_above, double tolerance, std::int64_t max_iterations);
   bool friction_bounded(Part part) const;
-  bool force_beyond_sliding();
+  bool load_beyond_sliding();
   void remember_best(Part part, double worst);
   void return_to_best();
   std::int64_t& iterations_of(Part part) {

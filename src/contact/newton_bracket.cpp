@@ -19,17 +19,20 @@ std::size_t at(int i) {
 
 }  // namespace
 
-// Creepage (or spin) whose slip corresponds to the mean friction bound.
+// Creepage (or spin) at which friction saturates: its slip is that of the mean friction bound, or
+// of the tractions that there are if that is more (between unlike bodies pressures cause slip).
 double Newton::creep_scale(int m) const {
   const Problem& p = *problem_;
-  double sum = 0, count = 0;
+  double sum = 0, count = 0, slip = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!(iterate_->lambda[2][k] < 0) || !(p.rt[k] > 0)) continue;
     sum += -p.mu[k] * iterate_->lambda[2][k] / p.rt[k];
     ++count;
+    for (const auto& image : {iterate_->image[0][k], iterate_->image[1][k]})
+      if (std::isfinite(image)) slip = std::max(slip, std::abs(image));
   }
   if (!(sum > 0)) return 0;
-  return sum / count / (m == spin ? p.length : 1);
+  return std::max(sum / count, slip) / (m == spin ? p.length : 1);
 }
 
 Outcome Newton::bracket_creep(double tolerance, std::int64_t max_iterations) {

@@ -27,6 +27,7 @@ Outcome Newton::fall_back(double tolerance, std::int64_t max_iterations) {
   };
   next([&] { return bracket_creep(tolerance, max_iterations); });
   next([&] { return relax(tolerance, max_iterations); });
+  next([&] { return search_creep(tolerance, max_iterations); });
   if (goal_ == Part::full) next([&] { return bracket_approach(goal_, tolerance, max_iterations); });
   next([&] { return rescale_slip(tolerance, max_iterations); });
   next([&] { return continue_in_friction(true, tolerance, max_iterations); });
@@ -138,49 +139,58 @@ Outcome Newton::continue_in_friction(bool from_above, double tolerance,
   return outcome;
 }
 
-// Whether the prescribed tangential force is at least that of the same contact with every node
-// sliding against it, pressures as they are then. Ends at the best iterate.
-bool Newton::force_beyond_sliding() {
+// Whether the prescribed tangential force (or else spin moment) is at least that of the same
+// contact with every node sliding against it, pressures as they are then. Ends at the best iterate.
+bool Newton::load_beyond_sliding() {
   constexpr std::int64_t iterations = 60;
-  constexpr double enough = 1e-6, far = 1e6;  // slip, in units of the elastic one
+  constexpr double enough = 1e-6, far = 1e6;  // slip, in units of the elastic and the given one
   Problem& p = *problem_;
   Iterate& it = *iterate_;
-  if (!p.turn.empty() || p.by_force[spin] || !(p.by_force[xi1] || p.by_force[xi2])) return false;
+  const bool forces = p.by_force[xi1] || p.by_force[xi2], moment = p.by_force[spin];
+  if (forces == moment) return false;
+  // Where a frame is curved, pressures carry a part of the force across the rolling direction.
+  if (!p.turn.empty() && p.by_force[xi2]) return false;
   const std::array<bool, 4> by_force = p.by_force;
   const std::array<double, 4> value = p.value;
   const NewtonReport report = report_;
-  const double along = by_force[xi1] ? value[xi1] : 0, across = by_force[xi2] ? value[xi2] : 0;
-  const double force = std::hypot(along, across);
-  double elastic = 0;
-  for (std::size_t k = 0; k < p.rt.size(); ++k)
-    if (it.lambda[2][k] < 0 && p.rt[k] > 0)
-      elastic = std::max(elastic, (1 + p.mu[k]) * -it.lambda[2][k] / p.rt[k]);
+  std::array<double, 4> wanted{}, given{};
+  for (const int m : {xi1, xi2, spin}) {
+    const auto k = static_cast<std::size_t>(m);
+    (by_force[k] ? wanted[k] : given[k]) = value[k];
+  }
+  const double load = std::hypot(wanted[xi1], wanted[xi2], wanted[spin]);
+  double slip = 0;
+  for (std::size_t k = 0; k < p.rt.size(); ++k) {
+    if (!(it.lambda[2][k] < 0 && p.rt[k] > 0)) continue;
+    const auto i = static_cast<std::int64_t>(k);
+    slip = std::max({slip, (1 + p.mu[k]) * -it.lambda[2][k] / p.rt[k],
+                     std::hypot(p.rigid_slip1(i, given), p.rigid_slip2(i, given))});
+  }
   iterations_left_ += iterations;
   continuing_ = true;
   double carried = 0;
   bool known = false;
-  if (force > 0 && elastic > 0 && std::isfinite(elastic)) {
-    for (const int m : {xi1, xi2}) {
+  if (load > 0 && slip > 0 && std::isfinite(slip)) {
+    for (const int m : {xi1, xi2, spin}) {
       const auto k = static_cast<std::size_t>(m);
       if (!by_force[k]) continue;
       p.by_force[k] = false;
-      p.value[k] = it.motion[k] = -far * elastic * value[k] / force;
+      p.value[k] = it.motion[k] = -far * slip * value[k] / load / (m == spin ? p.length : 1);
     }
     start_cold(p, it);
     guess_start(p, it);
     known =
         run(Part::normal, enough, iterations, report_.normal_iterations) == Outcome::converged &&
         run(goal_, enough, iterations, iterations_of(goal_)) == Outcome::converged;
-    carried = (along * load_on_body1(p, xi1, it.lambda).value +
-               across * load_on_body1(p, xi2, it.lambda).value) /
-              force;
+    for (const int m : {xi1, xi2, spin})
+      carried += wanted[static_cast<std::size_t>(m)] * load_on_body1(p, m, it.lambda).value / load;
   }
   continuing_ = false;
   p.by_force = by_force;
   p.value = value;
   report_ = report;
   return_to_best();
-  return known && force >= (1 - 10 * enough) * carried;
+  return known && load >= (1 - 10 * enough) * carried;
 }
 
 }  // namespace rollcon

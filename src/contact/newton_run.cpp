@@ -239,7 +239,7 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   if (outcome == Outcome::not_converged && worth_while && iterations_left_ > 0)
     outcome = fall_back(tolerance, max_iterations);
   if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
-  if (outcome == Outcome::not_converged && goal_ == Part::full && force_beyond_sliding())
+  if (outcome == Outcome::not_converged && goal_ == Part::full && load_beyond_sliding())
     outcome = Outcome::no_solution;
   if (predict && outcome == Outcome::converged)
     prediction_.solved();

@@ -5,18 +5,16 @@
 #include <optional>
 
 #include "mesh/lattice.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
 #include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
 
 // Spacing along the flow (t1): dual-cell area over half the extent of the neighbours across it.
-// Nodes on the rim of a regular grid have that of the others, so that all rows are alike.
 std::vector<double> spacing_along_flow(const Frame& frame) {
   const auto n = static_cast<std::size_t>(frame.nodes());
-  const std::optional<Lattice> lattice = find_lattice(frame);
-  if (lattice && lattice->nx > 2 && lattice->ny > 2)
-    return std::vector<double>(n, lattice->spacing_along_flow());
   std::vector<double> low(frame.y), high(frame.y), spacing(n);
   for (std::int64_t e = 0; e < frame.elements(); ++e) {
     double y_low = 1e300, y_high = -1e300;
@@ -40,6 +38,72 @@ std::vector<double> spacing_along_flow(const Frame& frame) {
     spacing[i] = frame.used[i] ? along : 0;
   }
   return spacing;
+}
+
+// Where the traction of a node acts along the flow, as seen from it: mean and mean square of the
+// distance upstream, weighted by the squares of the shape functions (which have no negative lobes).
+struct Spread {
+  double mean = 0, square = 0;
+};
+
+std::vector<Spread> spread_along_flow(const Frame& frame) {
+  constexpr int degree = 11;  // N^2 x^2 and the Jacobian of curved quadratic elements
+  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  std::vector<Spread> spread(static_cast<std::size_t>(frame.nodes()));
+  std::vector<double> sum(spread.size(), 0.0);
+  Shape shape;
+  for (std::int64_t e = 0; e < frame.elements(); ++e) {
+    const ElementType type = frame.mesh.type[static_cast<std::size_t>(e)];
+    const auto nodes = frame.mesh.element(e);
+    const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+      double x = 0, a = 0, b = 0, c = 0, d = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto k = static_cast<std::size_t>(nodes[i]);
+        x += shape.value[i] * frame.x[k];
+        a += shape.d_xi[i] * frame.x[k];
+        b += shape.d_eta[i] * frame.x[k];
+        c += shape.d_xi[i] * frame.y[k];
+        d += shape.d_eta[i] * frame.y[k];
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        const auto k = static_cast<std::size_t>(nodes[i]);
+        const double w = rule.w[q] * std::abs(a * d - b * c) * shape.value[i] * shape.value[i];
+        const double ahead = x - frame.x[k];
+        sum[k] += w;
+        spread[k].mean += w * ahead;
+        spread[k].square += w * ahead * ahead;
+      }
+    }
+  }
+  for (std::size_t k = 0; k < spread.size(); ++k)
+    if (sum[k] > 0) spread[k].mean /= sum[k], spread[k].square /= sum[k];
+  return spread;
+}
+
+// Steps upstream: a part of the spacing. A node's own traction must move the surface there less
+// than at the node, or slip grows with the friction that opposes it. Where it acts upstream of its
+// node, as on the rim that material leaves and where elements grow fast, the step passes that place
+// by more than the node's distance from it. Inside, elements that grow threefold from one to the
+// next do not need that yet. Regular grids have the same step everywhere, so that all rows are
+// alike.
+std::vector<double> steps_upstream(const Frame& frame, double part) {
+  constexpr double uniform = 10;  // squared spacing over the mean square, on a uniform grid
+  constexpr double further_on_rim = 0.8, further_inside = 0.3;
+  const auto n = static_cast<std::size_t>(frame.nodes());
+  const std::optional<Lattice> lattice = find_lattice(frame);
+  if (lattice && lattice->nx > 2 && lattice->ny > 2)
+    return std::vector<double>(n, part * lattice->spacing_along_flow());
+  std::vector<double> step = spacing_along_flow(frame);
+  const std::vector<Spread> spread = spread_along_flow(frame);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!frame.used[k]) continue;
+    const double further = frame.rim[k] ? further_on_rim : further_inside;
+    const double beyond = further * part * std::sqrt(uniform * spread[k].square);
+    step[k] = std::max(part * step[k], spread[k].mean + std::hypot(spread[k].mean, beyond));
+  }
+  return step;
 }
 
 // Derivatives along the surface instead of along its projection.
@@ -101,9 +165,8 @@ void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactO
       op.convection = least_squares(frame, 1, 0);
       break;
     case Scheme::characteristic:
-      op.upstream = spacing_along_flow(frame);
+      op.upstream = steps_upstream(frame, step);
       for (std::size_t i = 0; i < n; ++i) {
-        op.upstream[i] *= step;
         op.slip_x[i] += op.upstream[i] / 2;  // second order: the difference is centred there
       }
   }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
@@ -208,7 +210,58 @@ Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at) {
   return rows;
 }
 
-std::vector<double> spacings(const SurfaceMesh& mesh, const Plane& at, bool regular) {
+namespace {
+
+/// Moments of N^2 about its node along the flow.
+struct Reach {
+  double all = 0, first = 0, second = 0;
+};
+
+std::vector<Reach> reaches_upstream(const SurfaceMesh& mesh, const Plane& at) {
+  static const PlaneRule triangle = triangle_rule(13), square = square_rule(13);
+  std::vector<Reach> reach(mesh.node.size());
+  Shape shape;
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
+    const auto n = mesh.element(e);
+    const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+      double x = 0, j[4] = {};
+      for (std::size_t a = 0; a < n.size(); ++a) {
+        const double nx = at.x[at_index(n[a])], ny = at.y[at_index(n[a])];
+        x += shape.value[a] * nx;
+        j[0] += shape.d_xi[a] * nx, j[1] += shape.d_xi[a] * ny;
+        j[2] += shape.d_eta[a] * nx, j[3] += shape.d_eta[a] * ny;
+      }
+      const double w = rule.w[q] * std::abs(j[0] * j[3] - j[1] * j[2]);
+      for (std::size_t a = 0; a < n.size(); ++a) {
+        const double square_of = w * shape.value[a] * shape.value[a];
+        const double off = x - at.x[at_index(n[a])];
+        Reach& of = reach[at_index(n[a])];
+        of.all += square_of, of.first += square_of * off, of.second += square_of * off * off;
+      }
+    }
+  }
+  return reach;
+}
+
+/// Nodes of edges that belong to one element.
+std::vector<bool> on_the_rim(const SurfaceMesh& mesh) {
+  std::map<std::pair<std::int32_t, std::int32_t>, int> count;
+  const auto cells = linear_cells(mesh);
+  for (const auto& n : cells)
+    for (std::size_t i = 0; i < n.size(); ++i) ++count[std::minmax(n[i], n[(i + 1) % n.size()])];
+  std::vector<bool> rim(mesh.node.size(), false);
+  for (const auto& [edge, cells_there] : count)
+    if (cells_there == 1) rim[at_index(edge.first)] = rim[at_index(edge.second)] = true;
+  return rim;
+}
+
+}  // namespace
+
+std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing,
+                          bool regular) {
   const std::size_t nodes = mesh.node.size();
   std::vector<double> low = at.y, high = at.y, area(nodes, 0.0), spacing(nodes, 0.0);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -244,8 +297,19 @@ std::vector<double> spacings(const SurfaceMesh& mesh, const Plane& at, bool regu
     const double across = 0.5 * (high[i] - low[i]);
     spacing[i] = across > 0 ? area[i] / across : std::sqrt(area[i]);
   }
-  if (regular)
-    std::fill(spacing.begin(), spacing.end(), *std::max_element(spacing.begin(), spacing.end()));
+  if (regular) {
+    const double all = *std::max_element(spacing.begin(), spacing.end());
+    return std::vector<double>(nodes, part_of_spacing * all);
+  }
+  const std::vector<Reach> reach = reaches_upstream(mesh, at);
+  const std::vector<bool> rim = on_the_rim(mesh);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    if (area[i] == 0) continue;
+    const double mean = reach[i].first / reach[i].all, mean_square = reach[i].second / reach[i].all;
+    const double past = (rim[i] ? 0.8 : 0.3) * part_of_spacing * std::sqrt(10 * mean_square);
+    spacing[i] =
+        std::max(part_of_spacing * spacing[i], mean + std::sqrt(mean * mean + past * past));
+  }
   return spacing;
 }
 

@@ -31,9 +31,11 @@ std::vector<std::vector<std::int32_t>> linear_cells(const SurfaceMesh& mesh);
 Rows godunov_rows(const SurfaceMesh& mesh, const Plane& at);
 Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at);
 
-/// Distance of neighbours along the flow; `regular`: a full grid of equal cells, where nodes on
-/// the rim have that of the others.
-std::vector<double> spacings(const SurfaceMesh& mesh, const Plane& at, bool regular);
+/// Steps upstream of the characteristic scheme: a part of the distance of neighbours along the
+/// flow, or past the place where the node's traction acts if that is further (theory.md, section
+/// 5); `regular`: a full grid of equal cells, where nodes on the rim have the step of the others.
+std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing,
+                          bool regular);
 
 /// Integrals of every shape function N over the flat frame, of N x and of N y.
 std::vector<std::array<double, 3>> shape_integrals(const SurfaceMesh& mesh, const Plane& at);
