@@ -103,7 +103,7 @@ class Suite {
   }
 
   void judge(const Scene& scene, const std::string& way, const Ending& e, double difference = 0) {
-    bool right = is_right(scene, e);
+    bool right = is_right(scene, e) && (!e.solved() || e.law.turn >= scene.turn);
     if (right && e.status == ROLLCON_ERR_LOAD && scene.right.size() > 1)
       right = !(extremes::load_over_friction(scene) < 0.9);
     table_.add(way, scene.group, e, right);
@@ -138,6 +138,7 @@ class Suite {
                     {"direction", e.law.direction},
                     {"equilibrium", e.law.equilibrium},
                     {"difference", difference},
+                    {"turn", e.law.turn},
                     {"sticking", static_cast<double>(e.law.sticking)}};
     runner_.write(record);
   }

@@ -1,5 +1,7 @@
 // Scenes of the stability suite with bodies that have meshes.
 
+#include <array>
+
 #include "stability.hpp"
 #include "support/extreme_bodies.hpp"
 
@@ -22,6 +24,13 @@ std::vector<extremes::Scene> stability_body_scenes(bool quick) {
   large.n = {24, 24, 15};
   all.push_back(extremes::scene_on_block("meshes", "finite elements, 10000 nodes", large,
                                          scenes::RigidBody{}));
+  extremes::ConformalShape bore;
+  for (const extremes::Model model : {extremes::Model::fem, extremes::Model::bem}) {
+    bore.model = model;
+    bore.n = model == extremes::Model::fem ? std::array{18, 48, 6} : std::array{12, 32, 4};
+    bore.half_angle = 61;
+    all.push_back(extremes::scene_in_bore("to 60 degrees, fine", bore, 3e-3, 59));
+  }
   large.model = extremes::Model::bem;
   large.n = {18, 18, 12};
   all.push_back(extremes::scene_on_block("meshes", "boundary elements, 1500 nodes", large,

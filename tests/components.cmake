@@ -17,7 +17,7 @@ macro(rollcon_drop_absent_tests)
   rollcon_tests_need(BEM "bodies/bem/|validation/(rings|wheel_on_rail|block|conformal|procedures_limits)_test")
   rollcon_tests_need("FEM;BEM" "bodies/(compliance_suite|expanded_compliance|equal_bodies|forged_files)")
   rollcon_tests_need("FEM;BEM"
-    "validation/(any_pair|contact_patch|fine_frame|half_model|laid_frame|near_incompressible|thin_body)")
+    "validation/(any_pair|conformal_fits|contact_patch|fine_frame|half_model|laid_frame|near_incompressible|thin_body)")
   rollcon_tests_need("FEM;BEM" "stability/bodies_")
   rollcon_tests_need(PROCEDURES "contact/(monolithic|procedure)|validation/(procedure|half_model)")
   rollcon_tests_need("FEM;BEM" "contact/monolithic|validation/procedures_test")

@@ -144,6 +144,33 @@ TEST(stability_bodies, lost_digits_are_told) {
   }
 }
 
+// A plate held at one edge: its bending is too soft beside its elements' own stiffness, and the
+// softer the nearer Poisson's ratio is to 1/2.
+TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
+  BlockShape plate{.model = Model::fem, .cell = VolumeType::hex20};
+  plate.half = {1.2, 1.2, 0.0026};
+  plate.n = {3, 3, 2};
+  plate.poisson = 0.4999;
+  plate.held = {1};
+  Told told(make_block(plate));
+  EXPECT_EQ(told.prepare(), ROLLCON_ERR_SINGULAR);
+  told.expect({"check its supports", "times as long as thick", "poisson up to 0.4999",
+               "hold it along its length", "thicker", "further from 0.5"});
+  // What the message says helps.
+  BlockShape glued = plate, thick = plate, compressible = plate, ends = plate;
+  glued.held = {5};
+  thick.half[2] = 0.05;
+  compressible.poisson = 0.3;
+  ends.held = {1, 2};
+  for (const BlockShape& shape : {glued, thick, compressible, ends})
+    EXPECT_EQ(Told(make_block(shape)).prepare(), ROLLCON_OK);
+  // Other causes are not put down to thinness.
+  thick.held = {};
+  Told loose(make_block(thick));
+  EXPECT_NE(loose.prepare(), ROLLCON_OK);
+  EXPECT_EQ(loose.text().find("as long as thick"), std::string::npos) << loose.text();
+}
+
 TEST(stability_bodies, thin_bodies_are_told) {
   // A plate that can bend, of elements 17 times as long as it is thick.
   BlockShape plate;

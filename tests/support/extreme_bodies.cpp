@@ -50,8 +50,7 @@ MeshedBody make_block(const BlockShape& s) {
   return body;
 }
 
-SurfaceMesh top_of(const MeshedBody& body, int which) {
-  constexpr std::int32_t tag = 6;
+SurfaceMesh top_of(const MeshedBody& body, int which, std::int32_t tag) {
   SurfaceMesh top;
   top.offset.push_back(0);
   std::vector<std::int32_t> number(at(body.mesh.nodes()), -1);

@@ -30,7 +30,7 @@ scenes::MeshedBody make_block(const BlockShape& shape);
 
 /// The top of a block as a frame with the library's node numbers: of body 1 where it stands, of
 /// body 2 turned upside down about the x axis.
-SurfaceMesh top_of(const scenes::MeshedBody& body, int which);
+SurfaceMesh top_of(const scenes::MeshedBody& body, int which, std::int32_t tag = 6);
 
 /// A full grid of equal quadrilaterals of 3 x 3 nodes or more: the library takes one spacing there.
 bool equal_cells(const SurfaceMesh& mesh);
@@ -51,6 +51,30 @@ void give_press(Scene& scene, const Press& press, double e_star);
 Scene scene_on_block(const std::string& group, const std::string& name, const BlockShape& shape,
                      scenes::AnyBody second, const Press& press = {});
 
+/// Around a bore of radius 1 (its axis along x at height 1), or a pin for it; or a flat tread of
+/// length 1 that turns into such a bore: half_angle degrees to both sides (to one). Held where the
+/// wall ends; tag 6 is the contact face, tangent to z = 0 at the origin. A pin looks up as it
+/// would as body 1.
+struct ConformalShape {
+  Model model = Model::fem;
+  bool pin = false, flange = false;
+  double half_angle = 63.5;  ///< facets lean half an element less, and may by 60 degrees
+  double clearance = 1e-3;   ///< by which the radius of what lies in the bore is less
+  double crown = 20;         ///< radius of curvature along the bore; 0: none
+  double half_length = 0.5, wall = 0.3;
+  std::array<int, 3> n{6, 16, 2};  ///< elements along, around, through the wall
+  ElementType face = ElementType::quad4;
+  VolumeType cell = VolumeType::hex8;
+  double young = 1e4, poisson = 0.3;
+};
+scenes::MeshedBody make_conformal(const ConformalShape& shape);
+/// A rigid roller in an elastic bore, or of a pin the other way round, pressed in by `depth` and
+/// rolling along the bore; contact must reach `reach` degrees.
+Scene scene_in_bore(const std::string& name, const ConformalShape& shape, double depth,
+                    double reach);
+
+/// A part of named_body_scenes.
+std::vector<Scene> conformal_scenes();
 std::vector<Scene> named_body_scenes();
 Scene random_body_scene(std::uint32_t seed);
 

@@ -182,6 +182,7 @@ std::vector<Scene> named_body_scenes() {
   add_stiffness(all);
   add_meshes(all);
   add_contacts(all);
+  for (Scene& s : conformal_scenes()) all.push_back(std::move(s));
   // What reaches the edge of a body is said to reach the rim where the frame ends there.
   for (Scene& s : all)
     if (s.right.front() == ROLLCON_OK) s.right.push_back(ROLLCON_RIM_CONTACT);

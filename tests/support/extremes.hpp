@@ -31,6 +31,7 @@ struct Scene {
   std::function<void(scenes::RollingPair&)> pose;
   /// Statuses that are right (ROLLCON_OK, ...).
   std::vector<std::int32_t> right{ROLLCON_OK};
+  double turn = 0;  ///< radian: contact must reach normals so far from the axes'
 
   Scene& motion(std::int32_t direction, double value);
   Scene& force(std::int32_t direction, double value);

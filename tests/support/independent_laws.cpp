@@ -5,6 +5,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "support/independent_surface.hpp"
+
 namespace rollcon::laws {
 namespace {
 
@@ -84,8 +86,7 @@ class Checker {
         used_(nodes_, 0) {
     for (const std::int32_t k : given.frame.connectivity) used_[static_cast<std::size_t>(k)] = 1;
     if (given.scheme == Scheme::characteristic) {
-      upstream_ = spacings(given.frame, at_, given.regular);
-      for (double& d : upstream_) d *= given.step;
+      upstream_ = steps(given.frame, at_, given.step, given.regular);
     } else {
       rows_ = given.scheme == Scheme::godunov ? godunov_rows(given.frame, at_)
                                               : least_squares_rows(given.frame, at_);
@@ -197,6 +198,7 @@ class Checker {
       if (used_[k] && p0 > 0) laws_.tension = std::max(laws_.tension, -pressure(k) / p0);
       if (!used_[k] && pressure(k) != 0) laws_.tension = 1;
       laws_.contact += in_contact(k);
+      if (in_contact(k)) laws_.turn = std::max(laws_.turn, std::acos(std::min(1.0, closing(k))));
     }
     if (!(u0 > 0)) return;
     for (const std::size_t k : looked_at_) {
@@ -332,8 +334,9 @@ class Checker {
 
   void loads() {
     const bool flat = given_.triad.empty();
-    const auto integral =
-        flat ? shape_integrals(given_.frame, at_) : std::vector<std::array<double, 3>>(nodes_);
+    const auto integral = flat ? shape_integrals(given_.frame, at_)
+                               : surface_integrals(given_.frame, given_.origin,
+                                                   axes_of(given_.rolling, given_.normal));
     double sum[4] = {}, size[4] = {};
     for (std::size_t k = 0; k < nodes_; ++k) {
       const double* t = &result_.traction[3 * k];
@@ -342,16 +345,16 @@ class Checker {
         for (std::size_t j = 0; j < 3; ++j)
           force[j] = t[0] * given_.triad[k][0][j] + t[1] * given_.triad[k][1][j] +
                      t[2] * given_.triad[k][2][j];
-      const double w = flat ? integral[k][0] : result_.weight[k];
+      const double w = integral[k][0];
       // Terms count with the node's cell: shape functions and arms may cancel.
       const double cell = std::max(result_.area[k], std::abs(w));
       for (std::size_t j = 0; j < 3; ++j) {
         sum[j] += w * force[j];
         size[j] += cell * std::abs(force[j]);
       }
-      sum[3] += integral[k][1] * t[1] - integral[k][2] * t[0];
+      sum[3] += integral[k][1] * force[1] - integral[k][2] * force[0];
       const double arm = std::abs(at_.x[k]) + std::abs(at_.y[k]) + std::sqrt(cell);
-      size[3] += cell * arm * std::hypot(t[0], t[1]);
+      size[3] += cell * arm * std::hypot(force[0], force[1]);
     }
     const double found[4] = {result_.force[0], result_.force[1], result_.force[2],
                              result_.moment[2]};
@@ -363,11 +366,11 @@ class Checker {
         const double scale = std::max({size[d], std::abs(a), std::abs(b)});
         if (scale > 0) laws_.equilibrium = std::max(laws_.equilibrium, std::abs(a - b) / scale);
       };
-      if (d < 3 || flat) compare(sum[d], found[d]);
+      compare(sum[d], found[d]);
       if (!given_.by_force[d]) {
         if (motion[d] != value)
           laws_.motion = std::max(laws_.motion, std::abs(motion[d] - value) / std::abs(value));
-      } else if ((d < 3 || flat) && p0_ > 0) {  // without contact nothing can be carried
+      } else if (p0_ > 0) {  // without contact nothing can be carried
         compare(d == 2 ? -sum[d] : sum[d], value);
       }
     }

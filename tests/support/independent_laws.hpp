@@ -30,9 +30,9 @@ struct Given {
   double step = 0.6;     ///< option characteristic_step
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of
-  /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows. Weights are then those
-  /// of the field and the spin moment is not checked. Neither gap nor quadratic: the bodies have
-  /// meshes, and the undeformed gap is concluded from the field GAP (no check of its own then).
+  /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows (surface_triads).
+  /// Neither gap nor quadratic: the bodies have meshes, and the undeformed gap is concluded from
+  /// the field GAP (no check of its own then).
   std::vector<std::array<Vec3, 3>> triad;
 };
 
@@ -54,6 +54,7 @@ struct Laws {
   bool finite = true;      ///< no NaN and no infinity in any result
   /// For information: fields GAP and SLIP against those recomputed, over u0 and s0.
   double gap_field = 0, slip_field = 0;
+  double turn = 0;  ///< greatest angle of a normal in contact with the axes' (radian)
   std::int64_t contact = 0, sticking = 0, checked = 0;  ///< nodes; gap and slip looked at
 
   double worst() const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "bodies/mesh_models.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -38,6 +40,21 @@ std::vector<Material> by_element(const BodyMesh& mesh,
     result.push_back({m.young / reference, m.poisson});
   }
   return result;
+}
+
+/// Diagonal of the box around a body over the thickness that it has on the average.
+double length_over_thickness(const SurfaceMesh& surface) {
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  double area = 0;
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    area += element_area(surface, e);
+    for (const std::int32_t k : surface.element(e))
+      for (std::size_t c = 0; c < 3; ++c) {
+        low[c] = std::min(low[c], surface.node[at(k)][c]);
+        high[c] = std::max(high[c], surface.node[at(k)][c]);
+      }
+  }
+  return length(high - low) * area / (2 * enclosed_volume(surface));
 }
 
 }  // namespace
@@ -103,9 +120,9 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
     const auto place = found - unknowns_.of.begin();
     fail(Status::err_singular,
          "the stiffness of the finite-element body is singular at component %c of node %lld "
-         "(counting from %d): check its supports, its mesh and the ratio of its moduli",
+         "(counting from %d): check its supports, its mesh and the ratio of its moduli%s",
          "xyz"[place % 3], static_cast<long long>(place / 3) + surface_.index_base,
-         surface_.index_base);
+         surface_.index_base, bending_hint().c_str());
   }
   ++statistics_.factorizations;
   const SparseStatistics s = factor_->statistics();
@@ -121,6 +138,24 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   const bool all_of_contact = std::all_of(
       contact_.begin(), contact_.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
   if (options_.keep_factors == 0 || all_of_contact) matrix_ = {};
+}
+
+// What a thin body's singular stiffness may come from.
+std::string System::bending_hint() const {
+  constexpr double suspect = 1e12;  // seen to fail from 1e13, held at one edge
+  const double ratio = length_over_thickness(surface_);
+  double poisson = 0;
+  for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e)
+    poisson = std::max(poisson, assembly_.material(e).poisson);
+  if (!(std::pow(ratio, 4) > suspect * (1 - 2 * poisson))) return "";
+  char text[400];
+  std::snprintf(text, sizeof text,
+                ". It is some %.0f times as long as thick, with poisson up to %.7g: held at an "
+                "edge alone it bends so easily beside its own elements that no digit is left where "
+                "(length/thickness)^4/(1 - 2 poisson) exceeds 1e13; hold it along its length, make "
+                "it thicker, or take poisson further from 0.5",
+                ratio, poisson);
+  return text;
 }
 
 void System::place_condensed(std::vector<std::int64_t> condensed) {

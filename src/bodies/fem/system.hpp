@@ -4,6 +4,7 @@
 /// docs/theory.md, section 10.
 
 #include <map>
+#include <string>
 
 #include "bodies/body_mesh.hpp"
 #include "bodies/fem/assembly.hpp"
@@ -45,6 +46,7 @@ class System final : public ResponseCache {
   bool by_cholmod() const;
   void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
+  std::string bending_hint() const;
   void place_condensed(std::vector<std::int64_t> condensed);
   void restore(SectionReader& file);
   void restore_factor(SectionReader& file);
