@@ -31,12 +31,15 @@ else()
   # Its pragmas then mean nothing, nor do counts of threads.
   target_compile_options(rollcon_objects PRIVATE -Wno-unknown-pragmas -Wno-unused-parameter)
 endif()
+if(ROLLCON_PRECOMPILE STREQUAL "ALL")
+  rollcon_precompile(rollcon_objects)
+endif()
 list(TRANSFORM ROLLCON_EXTERNALS PREPEND rollcon:: OUTPUT_VARIABLE _externals)
 
 # The C boundary carries debug information in a developer's build: the ABI dump is made from it.
 if(ROLLCON_TESTS)
   file(GLOB_RECURSE _capi CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/capi/*.cpp")
-  set_source_files_properties(${_capi} PROPERTIES COMPILE_OPTIONS -g)
+  set_source_files_properties(${_capi} PROPERTIES COMPILE_OPTIONS -g SKIP_PRECOMPILE_HEADERS ON)
 endif()
 
 # Kernels for one instruction set.
@@ -49,7 +52,8 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   endif()
   foreach(_set IN ITEMS avx2 avx512)
     file(GLOB_RECURSE _kernels CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/*_${_set}.cpp")
-    set_source_files_properties(${_kernels} PROPERTIES COMPILE_OPTIONS "${_flags_${_set}}")
+    set_source_files_properties(${_kernels} PROPERTIES COMPILE_OPTIONS "${_flags_${_set}}"
+      SKIP_PRECOMPILE_HEADERS ON)
   endforeach()
 endif()
 
