@@ -131,7 +131,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
                     })});
   guards.push_back({"blas_threads", 1, seconds_of([] { const BlasThreads blas(1); })});
   guards.push_back(
-      {"clocks", 3 + records + 2 * systems, seconds_of([&] { sink = now_seconds(); })});
+      {"clocks", 2 + records + 2 * systems, seconds_of([&] { sink = now_seconds(); })});
   guards.push_back(
       {"log", 3 + records, seconds_of([&] { quiet.log(LogLevel::debug, "%lld", 1LL); })});
   guards.push_back({"history", records, seconds_of([&] {
@@ -149,7 +149,8 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   guards.push_back({"rim", 1, seconds_of([&] {
                       std::int64_t count = 0;
                       for (std::size_t k = 0; k < nodes; ++k)
-                        count += rim[k] && tractions[2][k] < 0;
+                        count += static_cast<std::int64_t>(rim[k] != 0) &
+                                 static_cast<std::int64_t>(tractions[2][k] < 0);
                       sink = static_cast<double>(count);
                     })});
   emit(runner, record, guards, whole);

@@ -28,7 +28,8 @@ class Watch final : public Monitor {
         start_(start) {}
 
   bool step(const StepRecord& r) override {
-    const double seconds = now_seconds() - start_;
+    const double seconds = prepared_ > 0 ? prepared_ : now_seconds() - start_;
+    prepared_ = 0;
     for (const double v : {static_cast<double>(r.part), static_cast<double>(r.iteration),
                            r.residual_normal, r.residual_tangential, r.step,
                            static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
@@ -45,6 +46,9 @@ class Watch final : public Monitor {
   }
 
   bool cancelled() const override { return cancel_.load(); }
+
+  /// Seconds until now: the first iteration is told of with them, its clock need not be read.
+  void prepared(double seconds) { prepared_ = seconds; }
 
   bool tell(Phase phase, std::int64_t iteration, double residual, double seconds) {
     if (cancel_.load()) return true;
@@ -67,7 +71,7 @@ class Watch final : public Monitor {
   Contact::ProgressFunction function_;
   void* user_;
   std::atomic<bool>& cancel_;
-  double start_;
+  double start_, prepared_ = 0;
 };
 
 void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
@@ -111,9 +115,11 @@ void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
 }
 
 std::int64_t nodes_at_rim(const SolverState& s) {
+  const std::uint8_t* rim = s.frame.rim.data();
+  const double* normal = s.iterate.lambda[2].data();
   std::int64_t count = 0;
   for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
-    count += s.frame.rim[k] && s.iterate.lambda[2][k] < 0;
+    count += static_cast<std::int64_t>(rim[k] != 0) & static_cast<std::int64_t>(normal[k] < 0);
   return count;
 }
 
@@ -223,6 +229,7 @@ Status Contact::solve_scene() {
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
                 static_cast<long long>(s.problem.nodes), prepared - start);
   watch.tell(Phase::compliance, 0, 0, prepared - start);
+  watch.prepared(prepared - start);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
   if (!warm) s.iterate.clear();
   s.warm_usable = false;

@@ -159,29 +159,29 @@ bool Newton::load_beyond_sliding() {
     (by_force[k] ? wanted[k] : given[k]) = value[k];
   }
   const double load = std::hypot(wanted[xi1], wanted[xi2], wanted[spin]);
+  iterations_left_ += 2 * iterations;
+  continuing_ = true;
+  double carried = 0;
+  for (const int m : {xi1, xi2, spin}) p.by_force[static_cast<std::size_t>(m)] = false;
+  start_cold(p, it);
+  guess_start(p, it);
+  bool known = load > 0 && run(Part::normal, enough, iterations, report_.normal_iterations) ==
+                               Outcome::converged;
   double slip = 0;
-  for (std::size_t k = 0; k < p.rt.size(); ++k) {
+  for (std::size_t k = 0; known && k < p.rt.size(); ++k) {
     if (!(it.lambda[2][k] < 0 && p.rt[k] > 0)) continue;
     const auto i = static_cast<std::int64_t>(k);
     slip = std::max({slip, (1 + p.mu[k]) * -it.lambda[2][k] / p.rt[k],
                      std::hypot(p.rigid_slip1(i, given), p.rigid_slip2(i, given))});
   }
-  iterations_left_ += iterations;
-  continuing_ = true;
-  double carried = 0;
-  bool known = false;
-  if (load > 0 && slip > 0 && std::isfinite(slip)) {
+  known = known && slip > 0 && std::isfinite(slip);
+  if (known) {
     for (const int m : {xi1, xi2, spin}) {
       const auto k = static_cast<std::size_t>(m);
-      if (!by_force[k]) continue;
-      p.by_force[k] = false;
-      p.value[k] = it.motion[k] = -far * slip * value[k] / load / (m == spin ? p.length : 1);
+      if (by_force[k])
+        p.value[k] = it.motion[k] = -far * slip * value[k] / load / (m == spin ? p.length : 1);
     }
-    start_cold(p, it);
-    guess_start(p, it);
-    known =
-        run(Part::normal, enough, iterations, report_.normal_iterations) == Outcome::converged &&
-        run(goal_, enough, iterations, iterations_of(goal_)) == Outcome::converged;
+    known = run(goal_, enough, iterations, iterations_of(goal_)) == Outcome::converged;
     for (const int m : {xi1, xi2, spin})
       carried += wanted[static_cast<std::size_t>(m)] * load_on_body1(p, m, it.lambda).value / load;
   }

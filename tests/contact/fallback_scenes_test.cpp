@@ -94,6 +94,22 @@ TEST(fallback_scenes, are_solved_when_solved_again) {
     }
 }
 
+// What friction can carry is a matter of the scene, not of where its iteration began.
+TEST(fallback_scenes, are_refused_from_another_state_too) {
+  std::vector<std::uint32_t> seeds(std::begin(refused), std::end(refused));
+  seeds.insert(seeds.end(), {708, 1092});
+  for (const std::uint32_t seed : seeds)
+    for (const int way : {0, 1, 2}) {
+      const Scene scene = extremes::random_scene(seed);
+      const auto pair = extremes::make_pair(scene);
+      extremes::give_scene(*pair, scene);
+      extremes::give_loads(*pair, extremes::disturbed(scene, way));
+      (void)rollcon_contact_solve(pair->handle());
+      extremes::give_loads(*pair, scene);
+      EXPECT_EQ(extremes::solve(*pair, scene).status, ROLLCON_ERR_LOAD) << seed << ", way " << way;
+    }
+}
+
 TEST(fallback_scenes, refusal_leaves_nothing_behind) {
   constexpr double bound = 1e-7;
   double worst = 0;
