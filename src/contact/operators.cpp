@@ -7,6 +7,7 @@
 #include "mesh/lattice.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
+#include "mesh/topology.hpp"
 #include "support/memory_limit.hpp"
 
 namespace rollcon {
@@ -97,9 +98,12 @@ std::vector<double> steps_upstream(const Frame& frame, double part) {
     return std::vector<double>(n, part * lattice->spacing_along_flow());
   std::vector<double> step = spacing_along_flow(frame);
   const std::vector<Spread> spread = spread_along_flow(frame);
+  // frame.rim leaves out a body's own edges, where elements end all the same.
+  const std::vector<std::uint8_t> rim =
+      rim_nodes(frame.nodes(), sorted_sides(split_elements(frame.mesh)));
   for (std::size_t k = 0; k < n; ++k) {
     if (!frame.used[k]) continue;
-    const double further = frame.rim[k] ? further_on_rim : further_inside;
+    const double further = rim[k] ? further_on_rim : further_inside;
     const double beyond = further * part * std::sqrt(uniform * spread[k].square);
     step[k] = std::max(part * step[k], spread[k].mean + std::hypot(spread[k].mean, beyond));
   }
