@@ -74,6 +74,7 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
     p.by_force[motion[i]] = false;
   }
   continuing_ = true;
+  const std::int64_t for_others = iterations_left_ / 2;  // fallbacks after this one
   Outcome outcome = Outcome::converged;
   int evaluations = 0;
   double carried = 0;  // terms of the loads
@@ -116,7 +117,8 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
   }
   FewRows slope{};
   bool known = false;
-  while (there && size_of(error) > tolerance * carried && evaluations < most_evaluations) {
+  while (there && size_of(error) > tolerance * carried && evaluations < most_evaluations &&
+         iterations_left_ > for_others) {
     const double reach = std::max(scale, size_of(x));
     for (int c = 0; c < 3; ++c) kept[c] = it.lambda[c];
     if (!known) {
