@@ -257,6 +257,20 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
+  if (status == Status::not_converged) {
+    const bool strong = *std::max_element(s.problem.mu.begin(), s.problem.mu.end()) >= 1;
+    context_->log(LogLevel::warning,
+                  "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, "
+                  "%.1e tangential%s; the best iterate is kept",
+                  static_cast<long long>(s.report.normal_iterations +
+                                         s.report.tangential_iterations + s.report.full_iterations),
+                  static_cast<long long>(s.report.fallbacks), s.report.residual_normal,
+                  s.report.residual_tangential,
+                  s.problem.op.coupled && strong
+                      ? " (with friction of 1 and more between unlike bodies there may be several "
+                        "solutions or none)"
+                      : "");
+  }
   if (status != Status::rim_contact) return status;
   context_->log(LogLevel::warning, "contact reaches the rim of the frame at %lld node(s)",
                 static_cast<long long>(nodes_at_rim(s)));
