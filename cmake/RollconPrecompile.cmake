@@ -13,10 +13,5 @@ function(rollcon_precompile target)
   target_precompile_headers(${target} PRIVATE ${headers})
   if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
     target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
-  elseif(CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
-    # Read from a precompiled header, the C++ library is no system header to GCC 12, whose warnings
-    # about its strings are wrong (GCC bug 105651).
-    target_compile_options(${target} PRIVATE $<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>
-      $<$<COMPILE_LANGUAGE:CXX>:-Wno-stringop-overflow>)
   endif()
 endfunction()
