@@ -13,7 +13,7 @@ namespace rollcon {
 namespace {
 
 TEST(stability, random_scenes_end_solved_or_with_a_status) {
-  constexpr std::uint32_t scenes = 500;
+  constexpr std::uint32_t scenes = 400;
   constexpr double law_bound = 1e-8;
   std::map<std::int32_t, int> count;
   double worst = 0;
@@ -39,7 +39,7 @@ TEST(stability, random_scenes_end_solved_or_with_a_status) {
   std::printf("%u scenes, worst law residual of those solved %.1e (bound %.0e)\n", scenes, worst,
               law_bound);
   for (const auto& [status, n] : count) std::printf("%5d %s\n", n, rollcon_status_string(status));
-  EXPECT_LE(count[ROLLCON_NOT_CONVERGED], 5);
+  EXPECT_LE(count[ROLLCON_NOT_CONVERGED], 4);
 }
 
 }  // namespace
