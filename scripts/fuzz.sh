@@ -56,7 +56,7 @@ search() {
   nice "$folder/tests/fuzz/fuzz_$target" "${limits[@]}" -max_len="$(longest "$target")" "$@" \
     -artifact_prefix="$folder/found/$target/" -print_final_stats=1 \
     "$new" "tests/fuzz/corpus/$target" >"$log" 2>&1 || status=$?
-  executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+  executed=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log" | tail -1)
   covered=$(grep -o 'cov: [0-9]* ft: [0-9]*' "$log" | tail -1 || true)
   say "$target: ${executed:-?} inputs; $covered (edges, features)"
   [ "$status" -eq 0 ] && return
