@@ -28,4 +28,9 @@ SparseRows godunov(const Frame& frame, double ex, double ey);
 /// without upwind neighbour is empty.
 SparseRows least_squares(const Frame& frame, double ex, double ey);
 
+/// Characteristic scheme: distance from each node to its upstream point, in the projection. part:
+/// of the node spacing along the flow (t1); nodes whose own traction acts upstream of them get
+/// more.
+std::vector<double> characteristic_steps(const Frame& frame, double part);
+
 }  // namespace rollcon

@@ -50,6 +50,19 @@ bool solve_few(std::size_t count, FewRows a, Few b, Few& x) {
   return std::isfinite(size_of(x));
 }
 
+// Broyden's update: the slope that also explains the step from x to next.
+void update(std::size_t count, const Few& x, const Few& next, const Few& before, const Few& after,
+            FewRows& slope) {
+  double square = 0;
+  for (std::size_t c = 0; c < count; ++c) square += (next[c] - x[c]) * (next[c] - x[c]);
+  for (std::size_t r = 0; r < count; ++r) {
+    double foretold = before[r];
+    for (std::size_t c = 0; c < count; ++c) foretold += slope[r][c] * (next[c] - x[c]);
+    for (std::size_t c = 0; c < count; ++c)
+      slope[r][c] += (after[r] - foretold) * (next[c] - x[c]) / square;
+  }
+}
+
 }  // namespace
 
 Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
@@ -131,8 +144,7 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
       }
       if (!there) break;
     }
-    Few step{};
-    Few wanted{};
+    Few step{}, wanted{};
     for (std::size_t i = 0; i < count; ++i) wanted[i] = -error[i];
     if (!solve_few(count, slope, wanted, step)) break;
     double part = std::min(1.0, longest * reach / size_of(step));
@@ -142,26 +154,13 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
       for (std::size_t i = 0; i < count; ++i) next[i] = x[i] + part * step[i];
       there = excess(next, after);
       better = there && size_of(after) < (1 - 0.1 * part) * size_of(error);
-      if (better) break;
     }
     if (!better) {
       if (!there || !known) break;
       known = false;
       continue;
     }
-    // Broyden's update.
-    Few moved{};
-    double square = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      moved[i] = next[i] - x[i];
-      square += moved[i] * moved[i];
-    }
-    for (std::size_t r = 0; r < count; ++r) {
-      double foretold = error[r];
-      for (std::size_t c = 0; c < count; ++c) foretold += slope[r][c] * moved[c];
-      for (std::size_t c = 0; c < count; ++c)
-        slope[r][c] += (after[r] - foretold) * moved[c] / square;
-    }
+    update(count, x, next, error, after, slope);
     known = size_of(after) < good * size_of(error);
     x = next;
     error = after;

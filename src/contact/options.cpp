@@ -18,7 +18,8 @@ const SettingTable<Options>& table() {
        "Solver of the linear systems; auto chooses by size. gmres_adaptive: tolerance by "
        "(72)-(74)."},
       {"characteristic_step", &Options::characteristic_step, 0.01, 1,
-       "Step upstream of the characteristic scheme, as a part of the local node spacing."},
+       "Step upstream of the characteristic scheme, as a part of the local node spacing; longer on "
+       "the rim that material leaves and where elements grow fast."},
       {"normal_scale", &Options::normal_scale, 1e-2, 1e2,
        "Factor on the augmentation parameter of the normal law."},
       {"tangential_scale", &Options::tangential_scale, 1e-2, 1e2,

@@ -212,14 +212,10 @@ Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at) {
 
 namespace {
 
-/// Moments of N^2 about its node along the flow.
-struct Reach {
-  double all = 0, first = 0, second = 0;
-};
-
-std::vector<Reach> reaches_upstream(const SurfaceMesh& mesh, const Plane& at) {
-  static const PlaneRule triangle = triangle_rule(13), square = square_rule(13);
-  std::vector<Reach> reach(mesh.node.size());
+/// Calls f(nodes, shape, x, y, area) at the points of a rule on every element.
+template <class F>
+void integrate(const SurfaceMesh& mesh, const Plane& at, int degree, F f) {
+  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
   Shape shape;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const ElementType type = mesh.type[static_cast<std::size_t>(e)];
@@ -227,22 +223,33 @@ std::vector<Reach> reaches_upstream(const SurfaceMesh& mesh, const Plane& at) {
     const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
     for (std::size_t q = 0; q < rule.size(); ++q) {
       evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-      double x = 0, j[4] = {};
+      double x = 0, y = 0, j[4] = {};
       for (std::size_t a = 0; a < n.size(); ++a) {
         const double nx = at.x[at_index(n[a])], ny = at.y[at_index(n[a])];
-        x += shape.value[a] * nx;
+        x += shape.value[a] * nx, y += shape.value[a] * ny;
         j[0] += shape.d_xi[a] * nx, j[1] += shape.d_xi[a] * ny;
         j[2] += shape.d_eta[a] * nx, j[3] += shape.d_eta[a] * ny;
       }
-      const double w = rule.w[q] * std::abs(j[0] * j[3] - j[1] * j[2]);
-      for (std::size_t a = 0; a < n.size(); ++a) {
-        const double square_of = w * shape.value[a] * shape.value[a];
-        const double off = x - at.x[at_index(n[a])];
-        Reach& of = reach[at_index(n[a])];
-        of.all += square_of, of.first += square_of * off, of.second += square_of * off * off;
-      }
+      f(n, shape, x, y, rule.w[q] * (j[0] * j[3] - j[1] * j[2]));
     }
   }
+}
+
+/// Moments of N^2 about its node along the flow.
+struct Reach {
+  double all = 0, first = 0, second = 0;
+};
+
+std::vector<Reach> reaches_upstream(const SurfaceMesh& mesh, const Plane& at) {
+  std::vector<Reach> reach(mesh.node.size());
+  integrate(mesh, at, 13, [&](auto n, const Shape& shape, double x, double /*y*/, double w) {
+    for (std::size_t a = 0; a < n.size(); ++a) {
+      const double part = std::abs(w) * shape.value[a] * shape.value[a];
+      const double off = x - at.x[at_index(n[a])];
+      Reach& of = reach[at_index(n[a])];
+      of.all += part, of.first += part * off, of.second += part * off * off;
+    }
+  });
   return reach;
 }
 
@@ -314,30 +321,13 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
 }
 
 std::vector<std::array<double, 3>> shape_integrals(const SurfaceMesh& mesh, const Plane& at) {
-  static const PlaneRule triangle = triangle_rule(7), square = square_rule(7);
   std::vector<std::array<double, 3>> sum(mesh.node.size());
-  Shape shape;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
-    const auto n = mesh.element(e);
-    const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
-    for (std::size_t q = 0; q < rule.size(); ++q) {
-      evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-      double x = 0, y = 0, j[4] = {};
-      for (std::size_t a = 0; a < n.size(); ++a) {
-        const double nx = at.x[at_index(n[a])], ny = at.y[at_index(n[a])];
-        x += shape.value[a] * nx, y += shape.value[a] * ny;
-        j[0] += shape.d_xi[a] * nx, j[1] += shape.d_xi[a] * ny;
-        j[2] += shape.d_eta[a] * nx, j[3] += shape.d_eta[a] * ny;
-      }
-      const double w = rule.w[q] * (j[0] * j[3] - j[1] * j[2]);
-      for (std::size_t a = 0; a < n.size(); ++a) {
-        std::array<double, 3>& of = sum[at_index(n[a])];
-        of[0] += w * shape.value[a], of[1] += w * shape.value[a] * x,
-            of[2] += w * shape.value[a] * y;
-      }
+  integrate(mesh, at, 7, [&](auto n, const Shape& shape, double x, double y, double w) {
+    for (std::size_t a = 0; a < n.size(); ++a) {
+      std::array<double, 3>& of = sum[at_index(n[a])];
+      of[0] += w * shape.value[a], of[1] += w * shape.value[a] * x, of[2] += w * shape.value[a] * y;
     }
-  }
+  });
   return sum;
 }
 

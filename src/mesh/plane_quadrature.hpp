@@ -1,0 +1,41 @@
+#pragma once
+/// Quadrature over a frame's projection on the plane of its axes.
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "mesh/frame.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
+
+namespace rollcon {
+
+/// Calls f(nodes, shape, x, y, area) at the points of a rule of this degree on every element; area:
+/// weight times the Jacobian of the projection, a polynomial.
+template <class F>
+void integrate_projection(const Frame& frame, int degree, F f) {
+  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  Shape shape;
+  for (std::int64_t e = 0; e < frame.elements(); ++e) {
+    const ElementType type = frame.mesh.type[static_cast<std::size_t>(e)];
+    const std::span<const std::int32_t> nodes = frame.mesh.element(e);
+    const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+      double x = 0, y = 0, x_xi = 0, x_eta = 0, y_xi = 0, y_eta = 0;
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const auto i = static_cast<std::size_t>(nodes[k]);
+        x += shape.value[k] * frame.x[i];
+        y += shape.value[k] * frame.y[i];
+        x_xi += shape.d_xi[k] * frame.x[i];
+        x_eta += shape.d_eta[k] * frame.x[i];
+        y_xi += shape.d_xi[k] * frame.y[i];
+        y_eta += shape.d_eta[k] * frame.y[i];
+      }
+      f(nodes, shape, x, y, rule.w[q] * (x_xi * y_eta - x_eta * y_xi));
+    }
+  }
+}
+
+}  // namespace rollcon
