@@ -24,7 +24,8 @@ target_include_directories(rollcon_objects PRIVATE
   "${PROJECT_SOURCE_DIR}/src" "${PROJECT_SOURCE_DIR}/include" "${PROJECT_BINARY_DIR}/generated")
 target_link_libraries(rollcon_objects PRIVATE rollcon_flags Boost::headers)
 target_compile_definitions(rollcon_objects PRIVATE ROLLCON_BUILDING)
-target_compile_options(rollcon_objects PRIVATE ${ROLLCON_COVERAGE_OPTIONS} ${ROLLCON_FUZZ_OPTIONS})
+target_compile_options(rollcon_objects PRIVATE
+  ${ROLLCON_SANITIZE_OPTIONS} ${ROLLCON_COVERAGE_OPTIONS} ${ROLLCON_FUZZ_OPTIONS})
 if(ROLLCON_BUILD_OPENMP)
   target_link_libraries(rollcon_objects PRIVATE OpenMP::OpenMP_CXX)
 else()

@@ -31,6 +31,7 @@ option(ROLLCON_COVERAGE "Instrument for coverage" OFF)
 set(ROLLCON_PRECOMPILE OFF CACHE STRING "Precompiled headers: OFF, TESTS or ALL")
 option(ROLLCON_FUZZ "Build programs of libFuzzer (Clang, with ROLLCON_SANITIZE)" OFF)
 set(ROLLCON_SANITIZE "" CACHE STRING "Sanitizers: address;undefined or thread")
+option(ROLLCON_SANITIZE_TESTS "Compile with the sanitizers not only the library" ON)
 set(ROLLCON_TEST_TIMEOUT 120 CACHE STRING "Seconds that one test may take")
 
 if(NOT ROLLCON_SHARED AND NOT ROLLCON_STATIC)

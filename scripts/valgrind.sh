@@ -42,9 +42,11 @@ filter() {
       'fem_tags_and_frames.going_back_*:procedure_statuses.*:procedures.*:solve_many.published_*:'\
       'solve_many.several_contacts_*:time_loop.every_step_*' ;;
   bodies) echo '-*halfspace_compliance.*:halfspace_constants.rigid_*:*SameBody.*:*refinement*:'\
-      '*OffFrameOfSmallBlock*:*RigidMotion.*:*RingLoads.*:*RingMaterials.*:*PatchBending.*:'\
+      '*OffFrame*:*RigidMotion.*:*RingLoads.*:*RingMaterials.*:*PatchBending.*:*PatchLoad.*:'\
       '*PatchMaterials.*:*ThickWalls*:*Cantilever*:*five_thousand_nodes*:Expanded.*bod*:Expanded.by_shape_*:'\
-      'BoundaryRows.single_layer_*' ;;
+      'BoundaryRows.single_layer_*:*BodyModels.reciprocity*:*BodyModels.written_out*:*positive_definite*:'\
+      '*exact_integrals*:*RuleSelection*:*as_the_mesh_refines*:*error_of_the_integrals*:*units*:'\
+      '*every_input_counts*:ForgedFiles.of_boundary*:*KelvinRules*:*loads_superpose*:*well_conditioned*' ;;
   contact) echo '-Lattice.WorkAndMemory*:monolithic_system.*:reach.brings_back_*:'\
       'sensitivity.costs_*:*setter_of_a_meshed_scene*:tilted_plane.*' ;;
   mesh) echo '-*Converge*:*Thousand*:*ManyNodes*:VolumeCheck.DoesNotCompareAllNodes' ;;
