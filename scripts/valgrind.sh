@@ -41,7 +41,9 @@ filter() {
   capi) echo '-MemoryLimits.*:floating_point.*:allocation*:body_save.damaged_files_*:'\
       'fem_tags_and_frames.going_back_*:procedure_statuses.*:procedures.*:solve_many.published_*:'\
       'solve_many.several_contacts_*:time_loop.every_step_*' ;;
-  bodies) echo '-*halfspace_compliance.*:halfspace_constants.rigid_*:*SameBody.*:*refinement*:'\
+  # Valgrind computes long double with the digits of double, too few for the first of these.
+  bodies) echo '-LatticeKernel.EqualsThe*:*halfspace_compliance.*:halfspace_constants.rigid_*:*SameBody.*:'\
+      '*refinement*:'\
       '*OffFrame*:*RigidMotion.*:*RingLoads.*:*RingMaterials.*:*PatchBending.*:*PatchLoad.*:'\
       '*PatchMaterials.*:*ThickWalls*:*Cantilever*:*five_thousand_nodes*:Expanded.*bod*:Expanded.by_shape_*:'\
       'BoundaryRows.single_layer_*:*BodyModels.reciprocity*:*BodyModels.written_out*:*positive_definite*:'\
