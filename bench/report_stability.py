@@ -149,7 +149,8 @@ LIMITS = """- *Several solutions.* Between unlike bodies (or on a rigid one) the
   or none that a discrete frame can hold; a coefficient of 1 and more, and Poisson's ratios near -1, where pressure pulls the surface
   sideways most, are where the iteration fails most. A discrete problem may have several even for like bodies: slivers and the characteristic scheme.
 - *Rounding decides a few of those.* With friction disturbed in its last digits (twelve times each) scenes 1369, 1442, 2514 and 3981, solved
-  above, fail one to three times, and 368, which failed, is solved six times; of eight others of the list two are, once. So another
+  above, fail one to three times, and 368, which failed, is solved six times; of eight others of the list one is solved and
+  one refused, once each. So another
   processor's list may have other members: one without AVX-512 fails at 1442 and 3981.
 - *Small steps of the characteristic scheme* make slip nearly blind to a node's own traction; so does contact that reaches the rim of
   a regular frame where material leaves it ([theory](theory.md), section 5): enlarge the frame, or take `least_squares`.
