@@ -5,13 +5,10 @@
 #include "bodies/missed_nodes.hpp"
 #include "mesh/turned_over.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Pose& pose,
                                   int which) {

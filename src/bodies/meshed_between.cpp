@@ -5,15 +5,9 @@
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/meshed_compliance_class.hpp"
 #include "bodies/remainder_compliance.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 // Boundary elements: what a half-space does, and the difference, which is smooth. Under the load of
 // a single node finite elements move by what the mesh does not resolve: their difference is not

@@ -7,15 +7,9 @@
 #include "bodies/meshed_compliance_class.hpp"
 #include "bodies/thinness.hpp"
 #include "mesh/shape.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which,
                                    double accuracy, int threads)

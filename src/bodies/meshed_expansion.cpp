@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "bodies/meshed_compliance_class.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Sums of sparse columns, one after the other.
 class ColumnWriter {

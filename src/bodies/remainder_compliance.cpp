@@ -6,13 +6,10 @@
 #include "bodies/halfspace/halfspace.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/turned_over.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The faces that feel the layer as a frame; they look out of body 1.
 Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,

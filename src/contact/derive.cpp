@@ -5,13 +5,10 @@
 #include <cmath>
 
 #include "contact/state.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Displacement difference u1 - u2 at points, straight from the integrals.
 std::vector<double> displacements(SolverState& s, const std::vector<double>& x,

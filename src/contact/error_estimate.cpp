@@ -15,6 +15,7 @@
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -25,10 +26,6 @@ constexpr double standard_step = 0.6;
 constexpr double longer = 5.0 / 3;
 
 using Tractions = std::vector<double>[3];
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 double ratio(double part, double whole) {
   return whole > 0 ? part / whole : 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/state.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 constexpr double tolerance = 1e-6;
 constexpr double good_enough = 1e-2;
 constexpr std::int64_t max_iterations = 60;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Silent final : Monitor {
   bool step(const StepRecord&) override { return false; }

@@ -10,16 +10,13 @@
 
 #include "contact/state.hpp"
 #include "mesh/topology.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr std::size_t terms = 6;  // of a quadratic polynomial
 using Coefficients = std::array<double, terms>;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 Coefficients monomials(double x, double y) {
   return {1, x, y, x * x, x * y, y * y};

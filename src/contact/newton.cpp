@@ -4,16 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
 constexpr std::size_t merit_window = 5;
 constexpr double sufficient_decrease = 1e-4;
 constexpr double smallest_step = 1.0 / 64;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

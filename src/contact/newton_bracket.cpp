@@ -6,16 +6,13 @@
 
 #include "contact/newton.hpp"
 #include "contact/start.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr int most_evaluations = 120;
 constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -3,15 +3,9 @@
 #include <cmath>
 
 #include "contact/newton.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 // The iterate is still the last solution.
 void Newton::begin_prediction() {

@@ -5,13 +5,10 @@
 #include "contact/state.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 constexpr int no_motion = -1;
 

@@ -3,14 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
 using Rows = FreeSystem::Rows;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Single precision has a narrow range: residuals are scaled to order one. 0: nothing to solve.
 double largest_of(const double* x, std::int64_t n) {

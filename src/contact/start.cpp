@@ -4,14 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
 constexpr double settled = 1e-3;  // normal residual below which pressures are judged
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // The bodies cut at half the approach, where a smooth Hertzian contact has its edge.
 struct Cut {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
@@ -10,10 +12,6 @@ namespace {
 // one step to the next.
 constexpr double greatest_turn = 1.0 / 3;
 constexpr std::int64_t most_steps = 60;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 double rigid_speed(const Problem& p, std::int64_t i, const Iterate& it) {
   return std::hypot(p.rigid_slip1(i, it.motion), p.rigid_slip2(i, it.motion));

@@ -6,13 +6,10 @@
 #include <limits>
 
 #include "mesh/coarsen.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 void end_row(SparseRows& rows) {
   rows.start.push_back(static_cast<std::int64_t>(rows.value.size()));

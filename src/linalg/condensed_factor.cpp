@@ -5,16 +5,13 @@
 
 #include "linalg/lapack.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 /// Right sides at a time.
 constexpr std::int64_t block = 512;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 void by_cholesky(const CondensedView& view, double* b, std::int64_t count) {
   const auto n = static_cast<int>(view.unknowns);

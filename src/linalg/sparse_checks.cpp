@@ -6,16 +6,13 @@
 
 #include "linalg/dense.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 #include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr char remedy[] = "take a coarser mesh or fewer faces where contact is possible";
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Largest row sum of the scaled matrix.
 double scaled_norm(const SparseSymmetric& matrix, const std::vector<double>& scale) {

@@ -12,16 +12,13 @@
 #include "linalg/sparse_order.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 /// Right sides solved at a time: enough for products of matrices, little workspace.
 constexpr std::int64_t block = 32;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Columns [first, last) of L as a dense panel of `rows` rows from `values`, numbered in `row`.
 struct Supernode {

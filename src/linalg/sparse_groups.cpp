@@ -4,12 +4,10 @@
 #include <numeric>
 #include <tuple>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // A bijection of 64 bits that scatters neighbouring numbers (Steele, Lea and Flood, 2014).
 std::uint64_t scatter(std::uint64_t x) {

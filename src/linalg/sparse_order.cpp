@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "support/index.hpp"
+
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 bool is_permutation(std::span<const std::int64_t> order) {
   std::vector<bool> found(order.size(), false);

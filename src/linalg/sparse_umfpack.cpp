@@ -16,6 +16,7 @@
 #include "linalg/sparse_umfpack_trailing.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon {
@@ -23,10 +24,6 @@ namespace {
 
 using Long = SuiteSparse_long;
 static_assert(sizeof(Long) == sizeof(std::int64_t));
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Both triangles, rows ascending.
 struct FullMatrix {

@@ -6,15 +6,12 @@
 #include <new>
 
 #include "linalg/lapack.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 using Long = SuiteSparse_long;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// One compressed factor: L by rows or U by columns.
 struct Compressed {

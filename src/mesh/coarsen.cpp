@@ -11,15 +11,12 @@
 #include <utility>
 
 #include "mesh/topology.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
 using Triangle = std::array<std::int32_t, 3>;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::int32_t middle_node(const Frame& frame) {
   double x = 0, y = 0, nodes = 0;

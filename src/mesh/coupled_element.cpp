@@ -8,6 +8,7 @@
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -20,10 +21,6 @@ constexpr double least_cosine = 0.05;
 /// Over the element's area: pieces below are rounding; what stays uncovered above is looked for.
 constexpr double least_piece = 1e-15, covered = 1e-12;
 constexpr int most_points = 16;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Rules with n = 1, 2, ... points each way.
 const PlaneRule& rule(int n) {

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/surface_geometry.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -12,10 +13,6 @@ namespace {
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Sine of the angle that makes a polygon's corner, not rounding of a straight line.
 constexpr double straight = 1e-13;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Local nodes along the element's edge.
 std::span<const int> ring(ElementType type) {

@@ -8,13 +8,10 @@
 #include "mesh/coupled_element.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Entry {
   std::int32_t row, column;

@@ -3,14 +3,11 @@
 #include <algorithm>
 
 #include "bodies/bem/system.hpp"
+#include "support/index.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon::bem {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Calls work(first point, count, thread's buffers) for packs of points, in parallel.
 template <class Work>

@@ -11,6 +11,7 @@
 #include "mesh/shape.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::bem {
 namespace {
@@ -18,10 +19,6 @@ namespace {
 /// Displacements are off by about the part of the load that is missed. Coarse rings that are right
 /// where they are loaded miss 0.78, plates that hardly bend 0.84 and more.
 constexpr double most_imbalance = 0.8;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Calls add(weight times area, position, shape) at the points of a rule on an element.
 template <class Add>

@@ -5,15 +5,9 @@
 
 #include "bodies/bem/system.hpp"
 #include "support/clock.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::bem {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 // The factors take the matrix's place: with them the body keeps no second copy of its own.
 std::shared_ptr<const BodyEquations> System::equations(int threads) {

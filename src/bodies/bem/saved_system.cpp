@@ -5,15 +5,9 @@
 
 #include "bodies/archive.hpp"
 #include "bodies/bem/system.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::bem {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 std::uint64_t System::numbering() const {
   Checksum sum;

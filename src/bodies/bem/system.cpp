@@ -10,6 +10,7 @@
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 #include "support/memory_limit.hpp"
 
 namespace rollcon::bem {
@@ -17,10 +18,6 @@ namespace {
 
 /// Beyond it no digit of a solution can be trusted.
 constexpr double worst_condition = 1e14;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 Vec3 middle_of_held(const BodyMesh& mesh) {
   Vec3 sum{0, 0, 0};

@@ -6,16 +6,13 @@
 
 #include "mesh/shape.hpp"
 #include "mesh/surface_geometry.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::bem {
 namespace {
 
 /// Part of the way from a node to the middle of its element at which an extra equation is written.
 constexpr double inward = 0.3;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Position along a space-filling (Morton) curve through the box of all points.
 std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& point) {

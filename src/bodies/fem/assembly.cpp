@@ -5,14 +5,11 @@
 
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
+#include "support/index.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon::fem {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Lower triangle by blocks of nodes: to each node its neighbours of higher number.
 struct NodePattern {

@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "bodies/fem/system.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// By columns, numbered by their place in `column`; rows are places in coupling.node.
 SparseColumns by_columns(const SurfaceCoupling& coupling, const std::vector<std::int32_t>& column) {

@@ -5,13 +5,10 @@
 
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Lower triangle of a coupling of faces with themselves, nodes numbered by place.
 SparseSymmetric symmetric(const SurfaceCoupling& mass, const std::vector<std::int64_t>& place) {

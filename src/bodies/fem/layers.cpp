@@ -10,16 +10,13 @@
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_search.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
 
 /// Reference coordinates of a point inside every element.
 constexpr double middle = 1.0 / 3;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The half-space that takes what is smoothed away is deep: less is left to it where the body is
 /// thinner than its faces are wide, nothing below a third of that.

@@ -6,13 +6,10 @@
 #include "bodies/archive.hpp"
 #include "bodies/fem/system.hpp"
 #include "linalg/condensed_factor.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // One triangle is enough: the rest of L is zero, and an inverse is symmetric.
 void write_triangle(const CondensedView& view, SectionWriter& file) {

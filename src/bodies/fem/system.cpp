@@ -13,6 +13,7 @@
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -20,10 +21,6 @@ namespace {
 /// Contact faces with more unknowns wait for the frame, which mostly covers a part of them (above
 /// all when the caller did not name them): the condensed matrix is dense.
 constexpr std::int64_t most_condensed_at_once = 6000, most_unnamed_at_once = 1500;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
   double most = 0;

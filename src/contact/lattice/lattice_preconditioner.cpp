@@ -10,6 +10,7 @@
 #include "contact/reduced_system.hpp"
 #include "linalg/lu.hpp"
 #include "linalg/plane_fft.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -18,10 +19,6 @@ constexpr int most_borders = 4;
 // The kernel of A^-1 falls off like 1/r^3: a narrow margin keeps the periods apart.
 constexpr std::int64_t margin(std::int64_t n) {
   return n + n / 10 + 2;
-}
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
 }
 
 class LatticePreconditioner final : public FieldPreconditioner {

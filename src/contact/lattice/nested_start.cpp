@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/friction/coulomb.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -11,10 +12,6 @@ namespace {
 // Below this many nodes along a side a lattice is solved from nothing.
 constexpr std::int64_t coarsest = 12;
 constexpr std::int64_t coarse_iterations = 60;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Every second node; on an even number of nodes the last one has no coarse neighbour.
 struct Coarser {

@@ -4,15 +4,9 @@
 #include <cmath>
 
 #include "support/clock.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 void blend(Point& z, const Point& next, double alpha) {
   const auto mix = [alpha](std::vector<double>& from, const std::vector<double>& to) {

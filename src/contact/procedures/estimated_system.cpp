@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60, plain_krylov_space = 200, plain_iterations = 1000;
 constexpr int stale = 30;  // iterations beyond which the next system is factorised again
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Scaling final : LinearOperator {
   const std::vector<double>* factor = nullptr;  ///< null: the identity

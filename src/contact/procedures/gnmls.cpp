@@ -5,6 +5,7 @@
 
 #include "contact/procedures/run.hpp"
 #include "contact/start.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -16,10 +17,6 @@ constexpr int warm_patience = 12;  // iterations without progress
 constexpr double progress = 0.7;   // factor on the best residual that counts as progress
 constexpr int patience = 4;        // short steps in a row before a full one is taken
 constexpr double finest_linear_tolerance = 1e-12;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include "contact/procedures/held_nodes.hpp"
 #include "linalg/dense.hpp"
 #include "support/clock.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -16,10 +17,6 @@ constexpr int price_of_factors = 30;  // in iterations beyond good ones
 constexpr double refined = 1e-13;     // residual of a direct solution that is good enough
 constexpr int refinements = 3;
 constexpr double unusable = 1e-6;  // ... beyond which the matrix counts as singular
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 bool all_zero(const Point& z) {
   return std::all_of(std::begin(z.lambda), std::end(z.lambda), [](const auto& component) {

@@ -7,13 +7,10 @@
 #include "build_info.hpp"
 #include "linalg/lapack.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 template <class Visit>
 void entries(const SparseColumns& a, std::int64_t column, Visit visit) {

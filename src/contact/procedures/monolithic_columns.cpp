@@ -3,13 +3,10 @@
 #include <algorithm>
 
 #include "contact/procedures/monolithic_core.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct SparseSink {
   SparseMatrix& out;

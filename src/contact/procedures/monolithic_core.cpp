@@ -2,14 +2,9 @@
 
 #include <algorithm>
 
+#include "support/index.hpp"
+
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 void MonolithicCore::take(const MonolithicMatrix& matrix) {
   step_ = matrix.step();

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/index.hpp"
+
 namespace rollcon {
 namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
 
 // Tractions of all nodes from the core's unknowns.
 void take_tractions(const MonolithicCore& core, const double* contact, std::vector<double>& t) {

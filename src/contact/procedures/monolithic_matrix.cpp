@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/index.hpp"
+
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 MonolithicMatrix::MonolithicMatrix(const Problem& problem, const MonolithicBodies& bodies,
                                    MonolithicForm form)

@@ -4,15 +4,9 @@
 #include <algorithm>
 
 #include "contact/procedures/monolithic_matrix.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 void MonolithicMatrix::start(const Point& z, std::vector<double>& x) const {
   const Problem& p = problem_;
