@@ -61,6 +61,7 @@ std::vector<Case> kalker_mesh_cases();
 std::vector<Case> steady_rolling_cases();
 std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
+std::vector<Case> bem_kernel_cases();  ///< where the static library is built
 std::vector<Case> linear_solver_cases();
 std::vector<Case> body_cases();
 std::vector<Case> ring_load_cases();

@@ -96,6 +96,23 @@ void FactoredMatrix::solve(double* b, std::int64_t count) const {
   solve("N", b, count);
 }
 
+void FactoredMatrix::eliminate(double* b, std::int64_t count) const {
+  const auto n = static_cast<int>(n_), m = static_cast<int>(count);
+  if (n == 0 || m == 0) return;
+  constexpr int first = 1, step = 1;
+  constexpr double one = 1;
+  dlaswp_(&m, b, &n, &first, &n, pivot_.data(), &step);
+  dtrsm_("L", "L", "N", "U", &n, &m, &one, a_.get(), &n, b, &n);
+}
+
+void FactoredMatrix::substitute(double* b, std::int64_t count, std::int64_t first) const {
+  const auto n = static_cast<int>(n_), m = static_cast<int>(count),
+             rest = static_cast<int>(n_ - first);
+  if (rest <= 0 || m == 0) return;
+  constexpr double one = 1;
+  dtrsm_("L", "U", "N", "N", &rest, &m, &one, a_.get() + first * (n_ + 1), &n, b + first, &n);
+}
+
 void FactoredMatrix::solve(const char* transposed, double* b, std::int64_t count) const {
   const auto n = static_cast<int>(n_), m = static_cast<int>(count);
   int info = 0;

@@ -17,6 +17,10 @@ class FactoredMatrix {
   bool factor();
   /// Overwrites `count` right sides of length size(), one after the other.
   void solve(double* b, std::int64_t count) const;
+  /// The same in two steps, the second for the unknowns from `first` on alone: it takes the square
+  /// of their part of size() of the time, and leaves what stands before them as it is.
+  void eliminate(double* b, std::int64_t count) const;
+  void substitute(double* b, std::int64_t count, std::int64_t first) const;
   void release();
 
   /// Factors as they are kept, column-major, and the row that each step took (from 1).

@@ -73,6 +73,33 @@ TEST(FactoredMatrix, condition_is_estimated_within_a_small_factor) {
   EXPECT_LE(most, 3);
 }
 
+TEST(FactoredMatrix, in_two_steps_the_end_of_a_solution_alone) {
+  FactoredMatrix f;
+  double worst = 0;
+  for (const std::int64_t n : {1, 7, 40, 300}) {
+    ASSERT_TRUE(factor(f, random_matrix(n, 5), n));
+    const std::int64_t columns = std::min<std::int64_t>(n, 5);
+    const Matrix b = random_matrix(n, 6);
+    Matrix whole(b.begin(), b.begin() + n * columns), eliminated = whole;
+    f.solve(whole.data(), columns);
+    f.eliminate(eliminated.data(), columns);
+    for (const std::int64_t first : {std::int64_t{0}, n / 3, n - 1, n}) {
+      Matrix x = eliminated;
+      f.substitute(x.data(), columns, first);
+      double size = 0;
+      for (const double v : whole) size = std::max(size, std::abs(v));
+      for (std::int64_t i = 0; i < n * columns; ++i) {
+        if (i % n < first)
+          EXPECT_EQ(x[at(i)], eliminated[at(i)]);
+        else
+          worst = std::max(worst, std::abs(x[at(i)] - whole[at(i)]) / size);
+      }
+    }
+  }
+  std::printf("end of the solution against all of it: %.1e (1e-12)\n", worst);
+  EXPECT_LE(worst, 1e-12);
+}
+
 TEST(FactoredMatrix, condition_of_nearly_singular_matrices_is_close) {
   FactoredMatrix f;
   double least = 1;

@@ -1,11 +1,10 @@
 #include "support/loaded_ring.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
-
-#include "linalg/dense.hpp"
 
 namespace rollcon::statics::loaded_ring {
 namespace {
@@ -51,6 +50,10 @@ bool near_top(const Vec3& x, double s) {
          std::abs(outer * std::atan2(x[0], x[2])) < s + 1e-9;
 }
 
+bool on_line(const Vec3& x, double s) {
+  return std::abs(outer * std::atan2(x[0], x[2]) - s) < 1e-9;
+}
+
 double component(const Vec3& local, char name) {
   return local[name == 's' ? 0 : name == 'y' ? 1 : 2];
 }
@@ -68,10 +71,6 @@ surfaces::Block quarter(const Quarter& q) {
   return b;
 }
 
-void hold_quarter(StaticBody& body, Load kind) {
-  body.hold_tags({5}).hold_tags({1, 2}, kind == Load::normal ? 1 : 6).hold_tags({3}, 2).solve();
-}
-
 std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh) {
   std::vector<std::int64_t> patch;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -83,16 +82,30 @@ std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh) {
   return patch;
 }
 
+Vec3 traction(Load kind, const Vec3& x) {
+  return load * (kind == Load::normal ? -1.0 * outward(x) : around(x));
+}
+
+std::vector<std::int32_t> nodes_near_patch(const SurfaceMesh& mesh) {
+  return surfaces::nodes_where(mesh, [](const Vec3& x) { return near_top(x, 2); });
+}
+
 Vec3 Answer::local(std::size_t k) const {
   const Vec3& x = mesh->node[static_cast<std::size_t>(node[k])];
   return {dot(u[k], around(x)), u[k][1], -dot(u[k], outward(x))};
+}
+
+bool Answer::has_line(double s) const {
+  return std::any_of(node.begin(), node.end(), [&](std::int32_t k) {
+    return on_line(mesh->node[static_cast<std::size_t>(k)], s);
+  });
 }
 
 Vec3 Answer::at(double s, double y) const {
   std::map<double, std::size_t> line;
   for (std::size_t k = 0; k < node.size(); ++k) {
     const Vec3& x = mesh->node[static_cast<std::size_t>(node[k])];
-    if (std::abs(outer * std::atan2(x[0], x[2]) - s) > 1e-9) continue;
+    if (!on_line(x, s)) continue;
     if (std::abs(x[1] - y) < 1e-9) return local(k);
     line[x[1]] = k;
   }
@@ -111,45 +124,28 @@ Vec3 Answer::at(double s, double y) const {
   return sum;
 }
 
-Answer loaded(StaticBody& body, Load kind) {
-  const SurfaceMesh& mesh = body.mesh();
+// By the shape functions of the patch's elements, all of whose nodes are known.
+void Answer::find_mean() {
   std::vector<std::int32_t> patch_node;
-  const SurfaceMesh patch = surfaces::part_of(mesh, patch_of(mesh), patch_node);
-  Answer a;
-  a.mesh = &mesh;
-  for (const std::int32_t k : surfaces::nodes_with_tag(mesh, std::array{6}))
-    if (near_top(mesh.node[static_cast<std::size_t>(k)], 2)) a.node.push_back(k);
-  const auto rows_of_layer = body.body().response()->layer(patch, a.node, 1);
-  std::vector<double> t;
-  for (const Vec3& x : patch.node) {
-    const Vec3 value = load * (kind == Load::normal ? -1.0 * outward(x) : around(x));
-    t.insert(t.end(), value.begin(), value.end());
-  }
-  std::vector<double> u(3 * a.node.size());
-  multiply(rows_of_layer->u.data(), rows_of_layer->u.rows(), rows_of_layer->u.columns(), t.data(),
-           0, u.data());
-  for (std::size_t k = 0; k < a.node.size(); ++k)
-    a.u.push_back({u[3 * k], u[3 * k + 1], u[3 * k + 2]});
-  // Mean over the patch: by the shape functions of its elements, all of whose nodes are known.
+  const SurfaceMesh patch = surfaces::part_of(*mesh, patch_of(*mesh), patch_node);
   std::map<std::int32_t, std::size_t> place;
-  for (std::size_t k = 0; k < a.node.size(); ++k) place[a.node[k]] = k;
+  for (std::size_t k = 0; k < node.size(); ++k) place[node[k]] = k;
   double area = 0;
+  mean = {0, 0, 0};
   const auto weights = surfaces::nodal_areas(patch);
   for (std::size_t k = 0; k < patch_node.size(); ++k) {
-    a.mean = a.mean + weights[k] * a.local(place.at(patch_node[k]));
+    mean = mean + weights[k] * local(place.at(patch_node[k]));
     area += weights[k];
   }
-  a.mean = (1 / area) * a.mean;
-  return a;
+  mean = (1 / area) * mean;
 }
 
-std::vector<ListedError> listed_errors(StaticBody& body, Load kind, double poisson) {
-  const Answer a = loaded(body, kind);
+std::vector<ListedError> listed_errors(const Answer& a, Load kind, double poisson) {
   std::vector<ListedError> errors;
   for (const Row& row : rows) {
     if (row.load != kind || row.poisson != poisson) continue;
     for (std::size_t p = 0; p < 7; ++p) {
-      if (row.value[p] == none) continue;
+      if (row.value[p] == none || (p < 6 && !a.has_line(points[p].first))) continue;
       const double value =
           component(p < 6 ? a.at(points[p].first, points[p].second) : a.mean, row.component);
       const bool main = row.component == (kind == Load::normal ? 'n' : 's');

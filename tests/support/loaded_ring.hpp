@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
 
 namespace rollcon::statics::loaded_ring {
@@ -23,11 +22,13 @@ struct Quarter {
   int zone, far, across, deep;
 };
 surfaces::Block quarter(const Quarter& q);
-/// Holds hub and planes for one kind of load, and solves.
-void hold_quarter(StaticBody& body, Load kind);
 
 /// Faces of the patch |s| <= 1; their edges must lie at its ends.
 std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh);
+/// On the patch, at a point of the outer surface.
+Vec3 traction(Load kind, const Vec3& x);
+/// Nodes of the outer surface no further than 2 from the patch's middle, ascending.
+std::vector<std::int32_t> nodes_near_patch(const SurfaceMesh& mesh);
 
 /// Displacements of the outer surface near the patch, and their mean over the patch.
 struct Answer {
@@ -37,17 +38,19 @@ struct Answer {
   Vec3 mean{0, 0, 0};  ///< local components s, y, n (inwards)
 
   Vec3 local(std::size_t k) const;
+  bool has_line(double s) const;
   /// On a line s = const of nodes.
   Vec3 at(double s, double y) const;
+  void find_mean();
 };
-Answer loaded(StaticBody& body, Load kind);
 
 /// Errors of every listed value: against the largest displacement of the row's load for the small
-/// components, against the value itself for the component of the load.
+/// components, against the value itself for the component of the load. Points on no line of nodes
+/// are left out.
 struct ListedError {
   std::string what;
   double error = 0;
 };
-std::vector<ListedError> listed_errors(StaticBody& body, Load kind, double poisson);
+std::vector<ListedError> listed_errors(const Answer& answer, Load kind, double poisson);
 
 }  // namespace rollcon::statics::loaded_ring

@@ -133,36 +133,65 @@ void place(const RuleTable& rule, int nodes, const double (*node)[max_element_no
 /// the shape functions: all of it together would not fit the registers.
 constexpr int block = 16;
 
-/// block[k][entry] += sum over q of f[q][entry] value[k][q] for `group` entries at once.
-template <int nodes, int group>
-inline void accumulate(const Pack (*f)[15], int first, int n, const double* value, int padded,
-                       double* const* target, const int (*entry)[2]) {
-  Pack total[nodes][group];
-  for (int k = 0; k < nodes; ++k)
-    for (int j = 0; j < group; ++j) total[k][j] = load(target[k] + entry[j][0] * pack_points);
+/// Where an entry of U goes: twice, but on the diagonal.
+constexpr int u_entry[6][2] = {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}};
+
+/// How products with the shape functions are cut so that their sums stay in registers.
+template <int nodes>
+struct Tile {
+  static constexpr int entries = 3;
+  static constexpr int height = lanes == 8 || nodes <= 4 ? nodes : nodes == 8 ? 4 : 3;
+};
+
+/// block[k][entry] += sum over q of f[q][entry] value[k][q] for a tile of nodes from k0 on and of
+/// entries from i0 on, of T or of U. All but q is known to the compiler: rules have few points, and
+/// addresses worked out at run time would cost as much as the sums.
+template <int nodes, int terms, bool of_u, int k0, int i0>
+inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded,
+                     double* const* target) {
+  constexpr int height = Tile<nodes>::height, entries = Tile<nodes>::entries;
+  constexpr int first = i0 + (of_u ? 9 * (terms & double_layer) : 0);
+  Pack total[height][entries];
+  for (int k = 0; k < height; ++k)
+    for (int j = 0; j < entries; ++j) {
+      const int to = of_u ? u_entry[i0 + j][0] : i0 + j;
+      total[k][j] = load(target[k0 + k] + to * pack_points);
+    }
+  const double* v = value + k0 * padded;
   for (int q = 0; q < n; ++q) {
-    Pack v[group];
-    for (int j = 0; j < group; ++j) v[j] = f[q][first + j];
-    for (int k = 0; k < nodes; ++k) {
-      const Pack s = splat(value[k * padded + q]);
-      for (int j = 0; j < group; ++j) total[k][j] = fma(v[j], s, total[k][j]);
+    Pack e[entries];
+    for (int j = 0; j < entries; ++j) e[j] = f[q][first + j];
+    for (int k = 0; k < height; ++k) {
+      const Pack s = splat(v[k * padded + q]);
+      for (int j = 0; j < entries; ++j) total[k][j] = fma(e[j], s, total[k][j]);
     }
   }
-  for (int k = 0; k < nodes; ++k)
-    for (int j = 0; j < group; ++j) {
-      store(target[k] + entry[j][0] * pack_points, total[k][j]);
-      if (entry[j][1] != entry[j][0]) store(target[k] + entry[j][1] * pack_points, total[k][j]);
+  for (int k = 0; k < height; ++k)
+    for (int j = 0; j < entries; ++j) {
+      double* to = target[k0 + k];
+      if constexpr (of_u) {
+        store(to + u_entry[i0 + j][0] * pack_points, total[k][j]);
+        if (u_entry[i0 + j][1] != u_entry[i0 + j][0])
+          store(to + u_entry[i0 + j][1] * pack_points, total[k][j]);
+      } else {
+        store(to + (i0 + j) * pack_points, total[k][j]);
+      }
     }
+}
+
+template <int nodes, int terms, bool of_u, int k0 = 0, int i0 = 0>
+inline void add_tiles(const Pack (*f)[15], int n, const double* value, int padded,
+                      double* const* target) {
+  add_tile<nodes, terms, of_u, k0, i0>(f, n, value, padded, target);
+  if constexpr (k0 + Tile<nodes>::height < nodes)
+    add_tiles<nodes, terms, of_u, k0 + Tile<nodes>::height, i0>(f, n, value, padded, target);
+  else if constexpr (i0 + Tile<nodes>::entries < (of_u ? 6 : 9))
+    add_tiles<nodes, terms, of_u, 0, i0 + Tile<nodes>::entries>(f, n, value, padded, target);
 }
 
 template <int nodes, int terms>
 void far_points(const FarPoints& points, const RuleTable& rule, const PointPack& pack,
                 const KelvinConstants& constants, double* const* h, double* const* g) {
-  // As many accumulators as there are registers for.
-  constexpr int group = lanes == 8 || nodes <= 4 ? 3 : 1;
-  constexpr int t_entry[9][2] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 4},
-                                 {5, 5}, {6, 6}, {7, 7}, {8, 8}};
-  constexpr int u_entry[6][2] = {{0, 0}, {1, 3}, {2, 6}, {4, 4}, {5, 7}, {8, 8}};
   for (int part = 0; part < pack_points; part += lanes) {
     const Pack x[3] = {load(pack.x[0] + part), load(pack.x[1] + part), load(pack.x[2] + part)};
     const Pack mask = load(pack.mask + part);
@@ -184,11 +213,9 @@ void far_points(const FarPoints& points, const RuleTable& rule, const PointPack&
       }
       const double* value = rule.value + start;
       if constexpr ((terms & double_layer) != 0)
-        for (int i = 0; i < 9; i += group)
-          accumulate<nodes, group>(f, i, n, value, rule.padded, hp, t_entry + i);
+        add_tiles<nodes, terms, false>(f, n, value, rule.padded, hp);
       if constexpr ((terms & single_layer) != 0)
-        for (int i = 0; i < 6; i += group)
-          accumulate<nodes, group>(f, i + 9 * (terms & 1), n, value, rule.padded, gp, u_entry + i);
+        add_tiles<nodes, terms, true>(f, n, value, rule.padded, gp);
     }
   }
 }

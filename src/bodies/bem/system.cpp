@@ -146,8 +146,14 @@ void System::condense(std::vector<double> b, const SurfaceMesh& surface,
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
   const auto columns = static_cast<std::int64_t>(rows.column.size());
-  matrix_.solve(b.data(), 3 * columns);
+  matrix_.eliminate(b.data(), 3 * columns);
   check_balance(b, surface, face);
+  std::int64_t first = n;  // of the unknowns asked for
+  for (const std::int32_t k : rows.row)
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const std::int32_t unknown = unknowns_.displacement[3 * at(k) + c]; unknown >= 0)
+        first = std::min<std::int64_t>(first, unknown);
+  matrix_.substitute(b.data(), 3 * columns, first);
   rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * columns);
   for (std::size_t r = 0; r < rows.row.size(); ++r)
     for (std::size_t c = 0; c < 3; ++c) {

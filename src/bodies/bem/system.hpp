@@ -52,8 +52,9 @@ class System final : public ResponseCache {
   /// held; centre: where it acts. The largest is noted.
   double note_imbalance(const Resultant& sum, const Vec3& centre, double force);
   void note_own_imbalance(std::span<const double> load);
-  /// Of uniform tractions on faces of `surface`, all of whose nodes have columns in b; err_mesh
-  /// where a pressure gets no answer that can be trusted. (No load may act along the faces.)
+  /// Of uniform tractions on faces of `surface`, all of whose nodes have columns in b, right sides
+  /// after elimination; err_mesh where a pressure gets no answer that can be trusted. (No load may
+  /// act along the faces.)
   void check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
                      std::span<const std::int64_t> face);
   std::vector<double> given_tractions() const;

@@ -1,6 +1,8 @@
 #include "bodies/bem/unknowns.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -13,6 +15,38 @@ namespace {
 
 /// Part of the way from a node to the middle of its element at which an extra equation is written.
 constexpr double inward = 0.3;
+
+/// Nodes in the order of their unknowns. Those that frames will ask for come last, as far as it can
+/// be told before there is a frame: nodes on and around faces that may be in contact, the finer the
+/// later. Solutions are then needed at their end only.
+std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
+  const SurfaceMesh& surface = mesh.surface;
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> size(at(surface.nodes()), none);
+  double smallest = none;
+  for (const std::int32_t k : nodes_around(surface, contact_elements(mesh))) size[at(k)] = 0;
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const double diameter = element_diameter(surface, e);
+    for (const std::int32_t k : surface.element(e)) {
+      double& own = size[at(k)];
+      if (own == none) continue;
+      own = own == 0 ? diameter : std::min(own, diameter);
+      smallest = std::min(smallest, own);
+    }
+  }
+  // In classes, four for each doubling, so that nodes alike stay in the order given, whatever the
+  // last digits of their elements' sizes. (Sizes are often equal, or halves and doubles.)
+  const auto class_of = [&](std::int32_t k) {
+    return size[at(k)] == none ? none : std::floor(4 * std::log2(size[at(k)] / smallest) + 0.37);
+  };
+  std::vector<double> key(size.size());
+  std::vector<std::int32_t> order(size.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::transform(order.begin(), order.end(), key.begin(), class_of);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::int32_t a, std::int32_t b) { return key[at(a)] > key[at(b)]; });
+  return order;
+}
 
 /// Position along a space-filling (Morton) curve through the box of all points.
 std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& point) {
@@ -102,7 +136,7 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
   std::vector<std::uint8_t> extra(at(fans.size()), 0);  // components with an equation of the fan's
   std::vector<std::uint8_t> at_node(at(surface.nodes()), 0);
   std::int32_t column = 0;
-  for (std::int64_t i = 0; i < surface.nodes(); ++i)
+  for (const std::int32_t i : order_of_nodes(mesh))
     for (unsigned c = 0; c < 3; ++c) {
       const auto bit = static_cast<std::uint8_t>(1U << c);
       if (!(mesh.held[at(i)] & bit)) {

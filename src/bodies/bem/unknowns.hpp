@@ -27,8 +27,9 @@ struct SpreadReaction {
 };
 
 struct Unknowns {
-  std::vector<std::int32_t> displacement;  ///< column of (node, component), -1: held
-  std::vector<std::int32_t> traction;      ///< column of (traction node, component), -1: known
+  /// Column of (node, component), -1: held. Those that contact may ask for are the last.
+  std::vector<std::int32_t> displacement;
+  std::vector<std::int32_t> traction;  ///< column of (traction node, component), -1: known
   std::vector<SpreadReaction> spread;
   std::int64_t columns = 0;
 

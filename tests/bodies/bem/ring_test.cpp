@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "support/loaded_ring.hpp"
+#include "support/loaded_ring_body.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {
