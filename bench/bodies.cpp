@@ -96,8 +96,8 @@ void wheel(Runner& runner) {
 }
 
 void growth(Runner& runner) {
-  std::vector<int> parts{8, 10, 14, 20, 24, 28};
-  if (runner.threads > 1) parts.resize(4);  // up to 4000 nodes: what more threads are asked for
+  std::vector<int> parts{8, 10, 12, 14, 20, 24, 28};
+  if (runner.threads > 1) parts.resize(5);  // up to 4000 nodes: what more threads are asked for
   if (runner.quick) parts.resize(2);
   for (const int n : parts) {
     Record record{.case_name = "growth", .method = "characteristic", .model = "BEM on BEM"};

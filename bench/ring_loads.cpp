@@ -119,7 +119,7 @@ struct Meshed {
 };
 
 /// Elements on half of the zone |s| <= 2 (as many along the patch |s| <= 1), on half of the rest,
-/// on half of the width, and from hub to rim.
+/// on half of the width, and from hub to rim. Edges at the patch's ends: along is even.
 struct BemMesh {
   int along, far, across, deep;
 };
@@ -173,8 +173,8 @@ std::vector<Maker> boundary_element_meshes(bool quick) {
   std::vector<Maker> all;
   using Sizes = std::vector<BemMesh>;
   const Sizes linear{{4, 16, 3, 8}, {6, 20, 4, 10}, {8, 24, 5, 12}, {10, 28, 5, 14}};
-  const Sizes quadratic{{2, 8, 3, 5}, {3, 10, 3, 6}, {4, 12, 4, 10}};
-  const Sizes with_middles{{2, 8, 3, 5}, {3, 10, 3, 6}, {4, 12, 3, 8}};
+  const Sizes quadratic{{2, 8, 3, 5}, {4, 10, 3, 6}, {4, 12, 4, 10}};
+  const Sizes with_middles{{2, 8, 3, 5}, {4, 10, 3, 6}, {4, 12, 3, 8}};
   add(all, quick, ElementType::quad4, linear);
   add(all, quick, ElementType::quad8, quadratic);
   if (quick) return all;

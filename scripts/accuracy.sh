@@ -31,7 +31,7 @@ done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
 work_precision=(hertz hertz_block carter case_e case_a case_b kalker_meshes creep_curve_meshes lame
   example1 example2 example3 example4)
-bodies=(ring_loads rings wheel growth)
+bodies=(bem_kernel ring_loads rings wheel growth)
 fem=(location fem_growth ring_loads fem_ring_loads same_block ring_pairs ring_on_halfspace)
 procedures=(procedures_example3 procedures_density procedures_example4 procedures_examples
   procedures_speed preconditioners procedures_random)
@@ -39,7 +39,7 @@ speed=(lattice resolve table many time_loop loop curve saved_body)
 
 mkdir -p "$build/records"
 cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
-  -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF > "$build/configure.log" 2>&1 \
+  -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=ON > "$build/configure.log" 2>&1 \
   || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)
