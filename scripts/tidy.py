@@ -54,6 +54,8 @@ def in_parts(output, parts):
 def main():
     build = pathlib.Path(sys.argv[1]).resolve()
     jobs = int(sys.argv[2]) if len(sys.argv) > 2 else os.cpu_count()
+    # Joins again what was edited since.
+    subprocess.run(["cmake", build], check=True, stdout=subprocess.DEVNULL)
     commands = json.loads((build / "compile_commands.json").read_text())
     commands = [command for command in commands
                 if re.search(r"rollcon_objects\.dir/\S+\.cpp\.o", command["command"])]
