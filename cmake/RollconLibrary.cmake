@@ -11,7 +11,6 @@ foreach(_room IN LISTS ROLLCON_ROOMS)
   list(APPEND ROLLCON_SOURCES ${_found})
 endforeach()
 include(RollconSources)
-target_sources(rollcon_objects PRIVATE ${ROLLCON_SOURCES})
 list(JOIN ROLLCON_LICENCES ", " ROLLCON_LICENCES_TEXT)
 configure_file("${PROJECT_SOURCE_DIR}/cmake/build_info.hpp.in"
   "${PROJECT_BINARY_DIR}/generated/build_info.hpp")
@@ -38,7 +37,7 @@ endif()
 list(TRANSFORM ROLLCON_EXTERNALS PREPEND rollcon:: OUTPUT_VARIABLE _externals)
 
 # The C boundary carries debug information in a developer's build: the ABI dump is made from it.
-if(ROLLCON_TESTS)
+if(ROLLCON_TESTS AND NOT ROLLCON_UNITY STREQUAL "ALL")
   file(GLOB_RECURSE _capi CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/capi/*.cpp")
   set_source_files_properties(${_capi} PROPERTIES COMPILE_OPTIONS -g SKIP_PRECOMPILE_HEADERS ON)
 endif()
@@ -57,6 +56,11 @@ if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
       SKIP_PRECOMPILE_HEADERS ON)
   endforeach()
 endif()
+
+if(ROLLCON_UNITY STREQUAL "ALL")
+  rollcon_unity(ROLLCON_SOURCES 8)
+endif()
+target_sources(rollcon_objects PRIVATE ${ROLLCON_SOURCES})
 
 function(rollcon_common_properties target)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME rollcon LINKER_LANGUAGE CXX)

@@ -103,7 +103,7 @@ for build in "${builds[@]}"; do
       # settings a full run must not find.
       folder+=-quick
       extra+=(-DROLLCON_TESTS=OFF -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF
-        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" -DROLLCON_PRECOMPILE=ALL)
+        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" -DROLLCON_PRECOMPILE=ALL -DROLLCON_UNITY=ALL)
     else
       folder=$(realpath "$built")
       extra=()

@@ -26,11 +26,14 @@ SLACK = 1.25
 
 
 def notes_of(build):
-    """The notes that the compiler wrote beside the library's objects."""
-    folder = build / "CMakeFiles" / "rollcon_objects.dir"
-    notes = sorted(folder.rglob("*.gcno"))
+    """The notes that the compiler wrote beside the library's objects, as it is configured now:
+    sources may have been compiled alone before and are now in groups, or the other way round."""
+    commands = json.loads((build / "compile_commands.json").read_text())
+    outputs = [build / match.group(1) for command in commands
+               if (match := re.search(r" -o (\S*\brollcon_objects\.dir/\S+\.o) ", command["command"]))]
+    notes = sorted(note for output in outputs if (note := output.with_suffix(".gcno")).exists())
     if not notes:
-        sys.exit(f"coverage.py: no notes under {folder}: was it built with ROLLCON_COVERAGE=ON?")
+        sys.exit(f"coverage.py: no notes in {build}: was it built with ROLLCON_COVERAGE=ON?")
     return notes
 
 

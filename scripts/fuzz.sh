@@ -22,7 +22,7 @@ export CCACHE_SLOPPINESS=pch_defines,time_macros
 cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_C_COMPILER=clang \
   -DCMAKE_CXX_COMPILER=clang++ "-DROLLCON_SANITIZE=$sanitizers" -DROLLCON_FUZZ=ON -DROLLCON_PRECOMPILE=ALL \
-  -DROLLCON_FORTRAN=OFF -DROLLCON_EXAMPLES=OFF >"$folder.log" 2>&1 || {
+  -DROLLCON_UNITY=ALL -DROLLCON_FORTRAN=OFF -DROLLCON_EXAMPLES=OFF >"$folder.log" 2>&1 || {
   cat "$folder.log"
   fail "configure"
 }

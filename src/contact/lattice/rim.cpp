@@ -5,15 +5,16 @@
 namespace rollcon {
 namespace {
 
-bool along_x(Side side) {
-  return side == Side::low_y || side == Side::high_y;
+bool along_x(RimSide side) {
+  return side == RimSide::low_y || side == RimSide::high_y;
 }
 
-bool high(Side side) {
-  return side == Side::high_x || side == Side::high_y;
+bool high(RimSide side) {
+  return side == RimSide::high_x || side == RimSide::high_y;
 }
 
-LatticeEntries side_entries(const Lattice& lattice, HalfspaceConstants c, double delta, Side side) {
+LatticeEntries side_entries(const Lattice& lattice, HalfspaceConstants c, double delta,
+                            RimSide side) {
   const Hat half = high(side) ? Hat::before : Hat::after;
   return {lattice, c, delta, along_x(side) ? Hat::whole : half, along_x(side) ? half : Hat::whole};
 }
@@ -35,7 +36,7 @@ std::int32_t SideColumns::node(std::int64_t p, std::int64_t q) const {
   return lattice_.node[static_cast<std::size_t>(at)];
 }
 
-SideColumns::SideColumns(const Lattice& lattice, HalfspaceConstants c, double delta, Side side)
+SideColumns::SideColumns(const Lattice& lattice, HalfspaceConstants c, double delta, RimSide side)
     : lattice_(lattice),
       side_(side),
       length_(along_x(side) ? lattice.nx : lattice.ny),
@@ -199,7 +200,7 @@ void Rim::add(const double* const (&lambda)[3], double* const (&image)[3], RimWo
     {
       const std::lock_guard guard(making_);
       if (!side_[s])
-        side_[s] = std::make_unique<SideColumns>(lattice_, c_, delta_, static_cast<Side>(s));
+        side_[s] = std::make_unique<SideColumns>(lattice_, c_, delta_, static_cast<RimSide>(s));
     }
     side_[s]->add(lambda, image, w);
   }

@@ -14,7 +14,7 @@
 
 namespace rollcon {
 
-enum class Side { low_x, high_x, low_y, high_y };
+enum class RimSide { low_x, high_x, low_y, high_y };
 
 struct RimWorkspace {
   AlignedArray<double> line;
@@ -25,7 +25,7 @@ struct RimWorkspace {
 /// Convolution with the nodes of one side, its corners excluded. Immutable.
 class SideColumns {
  public:
-  SideColumns(const Lattice& lattice, HalfspaceConstants c, double delta, Side side);
+  SideColumns(const Lattice& lattice, HalfspaceConstants c, double delta, RimSide side);
   /// Adds to the wanted images at all nodes, in the frame's numbering.
   void add(const double* const (&lambda)[3], double* const (&image)[3], RimWorkspace& w) const;
   std::size_t bytes() const;
@@ -36,7 +36,7 @@ class SideColumns {
   std::int32_t node(std::int64_t p, std::int64_t q) const;
 
   const Lattice& lattice_;
-  Side side_;
+  RimSide side_;
   std::int64_t length_, depth_;  ///< nodes along the side, lines of nodes beside it
   std::int64_t padded_, columns_, stride_;
   RealFft<double> fft_;
