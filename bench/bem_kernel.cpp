@@ -28,7 +28,8 @@ Record record_of(const Runner& runner, std::string method, std::string model, El
   return record;
 }
 
-/// Eight points far from the elements of a sphere, by the smallest rule of degree 3 (linear) or 5.
+/// Eight points far from the elements of a sphere: 2 x 2 points on linear quadrilaterals, 3 x 3 on
+/// quadratic ones, a rule of degree 4 on triangles.
 double far_rate(ElementType type, InstructionSet set, double least_seconds) {
   const SurfaceMesh mesh = surfaces::cube_sphere(type, 4, 1);
   std::vector<bem::ElementGeometry> elements;

@@ -2,7 +2,6 @@
 // Fourier series in the angle, over meshes and elements.
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>

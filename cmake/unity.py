@@ -4,10 +4,11 @@
     unity.py [--alike] [-I FOLDER...] FOLDER NUMBER SOURCE...
 
 Writes FOLDER/unity_K.cpp, K = 0, 1, ..., each the text of some sources behind `#line`s, and prints
-their names. There are NUMBER of them, or more where sources cannot stand together. A joined source means what its parts mean one by one: no name that a part keeps to itself
-(unnamed namespaces, statics, constants, usings, macros) occurs in another part of it, and all parts
-have the same using-directives. It is text rather than #include since some of clang-tidy's checks look
-at the main file only.
+their names. There are NUMBER of them, or more where sources cannot stand together. A joined source
+means what its parts mean one by one: no name that a part keeps to itself (unnamed namespaces,
+statics, constants, usings, macros) occurs in another part of it, and all parts have the same
+using-directives. It is text rather than #include since some of clang-tidy's checks look at the main
+file only.
 """
 import argparse
 import pathlib
@@ -25,8 +26,6 @@ DIRECTIVE = re.compile(r"^[ \t]*#[ \t]*(\w+)((?:\\\n|[^\n])*)", re.M)
 OPEN = {"(": ")", "{": "}", "[": "]", "[[": "]]"}
 NO_NAMES = {"const", "constexpr", "static", "inline", "thread_local", "extern", "noexcept", "typename",
             "auto", "decltype", "final", "static_assert", "alignas", "mutable", "unsigned", "signed"}
-
-
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*"([^"]+)"', re.M)
 
 

@@ -83,7 +83,7 @@ TEST_P(Patch, uniform_strain_with_standard_accuracy) {
   for (const auto& [given, what] : givens) {
     const Errors e = patch_error(mesh.mesh, given, statics::uniform_stresses[3].stress, 0.3, 1e-6);
     expect_error(mesh.name + ", " + what + ": u", e.displacement, 1e-5);
-    expect_error(mesh.name + ", " + what + ": t", e.traction, 1e-4);
+    expect_error(mesh.name + ", " + what + ": t", e.traction, 1e-5);
   }
 }
 
