@@ -72,7 +72,7 @@ enum {
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it (a body's own edge does not count) */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
-  ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs */
+  ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
   ROLLCON_ERR_MESH        = -4,   /* node id out of range; degenerate or flipped elements, ... */
   ROLLCON_ERR_STATE       = -5,   /* calls in the wrong order, or something is missing */
   ROLLCON_ERR_OPTION      = -6,   /* unknown name, wrong type or value out of range */
@@ -1097,7 +1097,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
  * the scene as it was but discards the last solution. Bodies that are not prepared are prepared
  * first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the
- * text names the body.
+ * text names the body. Gaps and creepages that double precision cannot calculate with (of about
+ * 1e290 and more, depending on units) are ROLLCON_ERR_ARGUMENT; the text names the node.
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
@@ -1187,7 +1188,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
     const rollcon_contact *contact, int32_t axes, int64_t capacity, double *t);
 
 /*
- * A nodal field: n_values = nodes x values per node, node after node.
+ * A nodal field: n_values = nodes x values per node, node after node. Values beyond the range of
+ * double precision are infinite or NaN.
  *   field     ROLLCON_FIELD_...
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  doubles at v; 0 only asks for the need
@@ -1350,10 +1352,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_c
     int64_t capacity, char *text, int64_t *needed);
 
 /*
- * Writes frame and fields, in global axes, as a VTU file for ParaView and meshio.
+ * Writes frame and fields, in global axes, as a VTU file for ParaView and meshio. A field beyond
+ * the range of double precision is ROLLCON_ERR_NONFINITE; nothing is written.
  *   path     name of the file; an existing one is replaced
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
+ * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_contact *contact,

@@ -33,7 +33,7 @@ constexpr StatusText status_table[] = {
     {4, "the contact reaches the rim of the frame: enlarge it (a body's own edge does not count)"},
     {-1, "NULL, negative count, value out of range, unknown number"},
     {-2, "released, garbage or wrong-kind handle"},
-    {-3, "NaN or infinity among the inputs"},
+    {-3, "NaN or infinity among the inputs, or among results to be written"},
     {-4, "node id out of range; degenerate or flipped elements, ..."},
     {-5, "calls in the wrong order, or something is missing"},
     {-6, "unknown name, wrong type or value out of range"},

@@ -133,6 +133,7 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   warm_ = false;
   prescribe(parameter, value);
   if (s.frictionless) refuse_tangential_loads(s.problem);
+  refuse_overflow(s);
   solve_prepared(s, options_, monitor);
   s.outcome = s.report.outcome;
   warm_ = s.outcome == Outcome::converged;

@@ -234,11 +234,10 @@ Status Contact::solve_scene() {
   if (!warm) s.iterate.clear();
   s.warm_usable = false;
 
-  if (s.frictionless) {
-    s.settled = true;
-    refuse_tangential_loads(s.problem);
-    s.settled = false;
-  }
+  s.settled = true;
+  if (s.frictionless) refuse_tangential_loads(s.problem);
+  refuse_overflow(s);
+  s.settled = false;
   solve_prepared(s, scene.options, watch);
   s.settled = true;
   s.outcome = s.report.outcome;

@@ -127,6 +127,9 @@ void solve_prepared(SolverState& state, const Options& options, Monitor& monitor
 
 /// err_load if a frictionless problem prescribes what only friction can carry.
 void refuse_tangential_loads(const Problem& problem);
+/// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what
+/// double precision can calculate with.
+void refuse_overflow(const SolverState& state);
 /// Of the outcome; err_load where there is no steady solution.
 Status status_of(const SolverState& state);
 /// Nodes in contact on the rim of the frame.

@@ -1,0 +1,52 @@
+/// Gaps and creepages so large that no arithmetic is left for them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "contact/state.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double largest = 1e305;  // sums of some and their hypotenuse stay below 1.8e308
+
+long long named(const SolverState& s, std::size_t k) {
+  return static_cast<long long>(k) + s.frame.mesh.index_base;
+}
+
+}  // namespace
+
+// Augmented tractions are tractions less a scale times gap or slip: that product must be a number,
+// and so must the slip velocity, which is a result.
+void refuse_overflow(const SolverState& s) {
+  const Problem& p = s.problem;
+  std::array<double, 4> motion{};
+  for (std::size_t m = 0; m < 4; ++m)
+    if (!p.by_force[m]) motion[m] = p.value[m];
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    const double gap = p.rigid_gap(k, motion[approach]) - p.closing(k) * p.datum;
+    // Nodes that are never to touch may have any gap.
+    const double least = -largest / std::max(1.0, p.rn[k]);
+    if (!std::isfinite(gap) || !std::isfinite(p.gap[k]) || gap < least)
+      fail(Status::err_argument,
+           "the gap of node %lld (counting from %d), less the prescribed approach, is %g; allowed: "
+           "%g or more, and differences between gaps that are finite",
+           named(s, k), s.frame.mesh.index_base, gap, least);
+  }
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    const auto i = static_cast<std::int64_t>(k);
+    const double most = largest / std::max({1.0, s.speed, p.rt[k]});
+    const double slip =
+        std::max(std::abs(p.rigid_slip1(i, motion)), std::abs(p.rigid_slip2(i, motion)));
+    if (!(slip <= most))
+      fail(Status::err_argument,
+           "creepages, spin and creep field let node %lld (counting from %d) slip by %g of the "
+           "speed; "
+           "allowed: up to %g",
+           named(s, k), s.frame.mesh.index_base, slip, most);
+  }
+}
+
+}  // namespace rollcon

@@ -1,0 +1,154 @@
+/// Gaps and creepages at the end of the range of double precision: refused by a text that names the
+/// node, or calculated with.
+
+#include <cfloat>
+#include <cmath>
+#include <cstdio>
+
+#include "fixture.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+class overflow : public Api {
+ protected:
+  void SetUp() override {
+    Api::SetUp();
+    set_scene();
+  }
+
+  std::vector<double> force() {
+    std::vector<double> f(3);
+    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, f.data(), nullptr), ROLLCON_OK);
+    return f;
+  }
+
+  int not_finite(std::int32_t field) {
+    std::int64_t n = 0;
+    rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 0, nullptr, &n);
+    std::vector<double> v(static_cast<std::size_t>(n));
+    EXPECT_EQ(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, n, v.data(), nullptr),
+              ROLLCON_OK);
+    int bad = 0;
+    for (const double value : v) bad += !std::isfinite(value);
+    return bad;
+  }
+};
+
+}  // namespace
+
+TEST_F(overflow, creepages_are_refused_and_the_scene_stays_usable) {
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  const double mu = 0.2;
+  ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &mu), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  const std::vector<double> before = force();
+  for (const double huge : {1e304, DBL_MAX, -DBL_MAX}) {
+    for (int which = 0; which < 3; ++which) {
+      ASSERT_EQ(rollcon_contact_set_creep(contact, which == 0 ? huge : 0, which == 1 ? huge : 0,
+                                          which == 2 ? huge : 0),
+                ROLLCON_OK);
+      EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "node 0 ", "creepages",
+                   "allowed: up to");
+      EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nullptr, nullptr),
+                   ROLLCON_ERR_STATE, "solve");
+    }
+  }
+  ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  double read = 0;
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "friction_builds", &read), ROLLCON_OK);
+  EXPECT_EQ(read, 2) << "what was made for the frame and its counters were thrown away";
+  const std::vector<double> after = force();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(after[i], before[i], 1e-8 * std::abs(before[2]));
+}
+
+TEST_F(overflow, every_creepage_below_slides) {
+  double worst = 0;
+  for (const double creep : {1e3, 1e30, 1e100, 1e154, 1e200, 1e280, 1e295}) {
+    ASSERT_EQ(rollcon_contact_set_creep(contact, creep, 0, 0), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << creep;
+    const std::vector<double> f = force();
+    worst =
+        std::max(worst, std::abs(f[0] / f[2] - 0.1));  // both on body 1: against creep, pressure
+    for (const std::int32_t field :
+         {ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP, ROLLCON_FIELD_GAP, ROLLCON_FIELD_TRACTION})
+      EXPECT_EQ(not_finite(field), 0) << "field " << field << " at creepage " << creep;
+  }
+  std::printf("ratio of forces off the coefficient of friction by %.1e (bound 1e-9)\n", worst);
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST_F(overflow, creep_fields_and_speeds) {
+  std::vector<double> field(static_cast<std::size_t>(2 * frame.nodes), 0.0);
+  field[2 * 17 + 1] = DBL_MAX;
+  ASSERT_EQ(rollcon_contact_set_creep_field(contact, frame.nodes, field.data()), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "allowed: up to");
+  ASSERT_EQ(rollcon_contact_set_creep_field(contact, 0, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_creep(contact, 10, 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_rolling(contact, 1e300), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_rolling(contact, DBL_MAX), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "slip by 10 of the speed");
+}
+
+TEST_F(overflow, gaps_and_approaches) {
+  ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, DBL_MAX, DBL_MAX, 0), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "gap of node 0 ", "is inf");
+  ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
+  for (const double approach : {1e302, DBL_MAX}) {
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach),
+              ROLLCON_OK);
+    EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "approach", "or more");
+  }
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -DBL_MAX),
+            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
+            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  const std::vector<double> before = force();
+
+  // Nodes that are never to touch: a gap that no approach closes.
+  std::vector<double> gap;
+  for (std::size_t i = 0; i < frame.x.size(); i += 3) {
+    const double x = frame.x[i], y = frame.x[i + 1], near = 0.01 * (x * x + y * y);
+    gap.push_back(near < 0.024 ? near : DBL_MAX);
+  }
+  ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  const double change = std::abs(force()[2] / before[2] - 1);
+  std::printf("load with huge gaps away from the contact differs by %.1e (bound 1e-8)\n", change);
+  EXPECT_LT(change, 1e-8);
+}
+
+TEST_F(overflow, load_cases_fail_alone) {
+  const std::int32_t parameter = ROLLCON_LONGITUDINAL;
+  const double value[3] = {1e-3, DBL_MAX, 2e-3};
+  std::int32_t status[3] = {-1000, -1000, -1000};
+  std::vector<double> f(9);
+  EXPECT_EQ(
+      rollcon_contact_solve_many(contact, 1, &parameter, 3, value, nullptr, 0, status, f.data(),
+                                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
+      ROLLCON_NOT_CONVERGED);
+  EXPECT_EQ(status[0], ROLLCON_OK);
+  EXPECT_EQ(status[1], ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(status[2], ROLLCON_OK);
+  EXPECT_TRUE(std::isnan(f[3])) << f[3];
+  EXPECT_GT(std::abs(f[6]), std::abs(f[0]));
+}
+
+TEST_F(overflow, results_beyond_the_range_are_not_written) {
+  if (!rollcon_has_feature("vtu")) GTEST_SKIP() << "this build writes no VTU files";
+  ASSERT_EQ(rollcon_body_set_elastic(sphere, 0, 1e11, 0.3), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_rolling(contact, 1e11), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_creep(contact, 1e292, 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  EXPECT_EQ(not_finite(ROLLCON_FIELD_SLIP), 0);
+  EXPECT_GT(not_finite(ROLLCON_FIELD_FRICTION_POWER), 0);
+  EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_NONFINITE,
+               "friction_power");
+  EXPECT_EQ(std::fopen("never_written.vtu", "r"), nullptr);
+}
