@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cfloat>
 #include <cmath>
 
 #include "contact/state.hpp"
@@ -25,15 +26,16 @@ void refuse_overflow(const SolverState& s) {
   std::array<double, 4> motion{};
   for (std::size_t m = 0; m < 4; ++m)
     if (!p.by_force[m]) motion[m] = p.value[m];
+  if (p.by_force[approach]) motion[approach] = -p.datum;  // no approach: the gap as given
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
-    const double gap = p.rigid_gap(k, motion[approach]) - p.closing(k) * p.datum;
-    // Nodes that are never to touch may have any gap.
-    const double least = -largest / std::max(1.0, p.rn[k]);
+    const double gap = p.rigid_gap(k, motion[approach]);
+    // Nodes that are never to touch may have any gap. Under a load gaps count from the least one.
+    const double least = p.by_force[approach] ? -DBL_MAX : -largest / std::max(1.0, p.rn[k]);
     if (!std::isfinite(gap) || !std::isfinite(p.gap[k]) || gap < least)
       fail(Status::err_argument,
-           "the gap of node %lld (counting from %d), less the prescribed approach, is %g; allowed: "
-           "%g or more, and differences between gaps that are finite",
-           named(s, k), s.frame.mesh.index_base, gap, least);
+           "the gap of node %lld (counting from %d), less the prescribed approach, is %g, and %g "
+           "more than the least gap; allowed: %g or more, both finite",
+           named(s, k), s.frame.mesh.index_base, gap, p.gap[k], least);
   }
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     const auto i = static_cast<std::int64_t>(k);

@@ -124,6 +124,23 @@ TEST_F(overflow, gaps_and_approaches) {
   EXPECT_LT(change, 1e-8);
 }
 
+TEST_F(overflow, only_what_is_left_of_gap_and_approach_counts) {
+  // The same scene a long way off: 2^1000 in gaps and approach, to which their differences are
+  // lost.
+  const double far = std::ldexp(1.0, 1000);
+  const std::vector<double> gap(static_cast<std::size_t>(frame.nodes), far);
+  ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, far), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 2 * far),
+            ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "approach");
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 100), ROLLCON_OK);
+  const std::int32_t flat = rollcon_contact_solve(contact);
+  EXPECT_TRUE(flat == ROLLCON_OK || flat == ROLLCON_RIM_CONTACT) << flat;
+  EXPECT_NEAR(force()[2], -100, 1e-6);
+}
+
 TEST_F(overflow, load_cases_fail_alone) {
   const std::int32_t parameter = ROLLCON_LONGITUDINAL;
   const double value[3] = {1e-3, DBL_MAX, 2e-3};
