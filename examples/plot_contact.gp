@@ -79,7 +79,7 @@ set ytics 50
 plot p0*sqrt(1-(x/a)**2) with lines lw 2 dt 2 lc rgb "#888888" title "Hertz, no friction", \
      section using 1:3 smooth unique with lines lw 3 lc rgb "#17477e" title "rollcon, μ = 0.1"
 
-set lmargin at screen 0.58; set rmargin at screen 0.935
+set lmargin at screen 0.575; set rmargin at screen 0.92
 set title "Friction along y = 0"
 set ylabel "traction [MPa]" offset 1, 0
 set yrange [0:21]
@@ -91,6 +91,6 @@ set border 11
 set key horizontal maxcols 2
 plot section using 1:(mu*$3) smooth unique with lines lw 2 dt 2 lc rgb "#888888" title "μ p", \
      section using 1:4 smooth unique with lines lw 3 lc rgb "#c1440e" title "traction t_1", \
-     section using 1:($3 > 0 ? -$6 : 1/0) axes x1y2 smooth unique with lines lw 2.5 lc rgb slip_red dt 4 \
+     section using 1:($3 > 0 ? (abs($6) < 1e-9 ? 0 : -$6) : 1/0) axes x1y2 smooth unique with lines lw 2.5 lc rgb slip_red dt 4 \
        title "slip speed -s_1 (right)"
 unset multiplot

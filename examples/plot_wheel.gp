@@ -100,6 +100,6 @@ set y2label "slip speed [mm/s]" tc rgb slip_red offset -0.5, 0
 set key horizontal maxcols 2 left top Left reverse samplen 2.2 spacing 1.15 tc rgb dark
 plot section using 1:(mu*$3) smooth unique with lines lw 3 lc rgb "#17477e" title "μ p", \
      section using 1:4 smooth unique with lines lw 3 lc rgb "#c1440e" title "traction t_1", \
-     section using 1:($3 > 0 ? -$6 : 1/0) axes x1y2 smooth unique with lines lw 2.5 lc rgb slip_red dt 4 \
+     section using 1:($3 > 0 ? (abs($6) < 1e-9 ? 0 : -$6) : 1/0) axes x1y2 smooth unique with lines lw 2.5 lc rgb slip_red dt 4 \
        title "slip speed -s_1 (right)"
 unset multiplot

@@ -1097,8 +1097,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
  * the scene as it was but discards the last solution. Bodies that are not prepared are prepared
  * first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the
- * text names the body. Gaps and creepages that double precision cannot calculate with (of about
- * 1e290 and more, depending on units) are ROLLCON_ERR_ARGUMENT; the text names the node.
+ * text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and
+ * approaches (to pressures of 1e150) that double precision cannot calculate with are
+ * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
+ * may have any gap, with the option "system" = monolithic up to that limit.
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
  *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
  *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,

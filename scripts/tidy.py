@@ -57,6 +57,8 @@ def in_parts(output, parts):
 
 def main():
     options = [argument for argument in sys.argv[1:] if argument != "--deep"]
+    if not options:
+        sys.exit(__doc__)
     build = pathlib.Path(options[0]).resolve()
     jobs = int(options[1]) if len(options) > 1 else os.cpu_count()
     limit = [] if "--deep" in sys.argv else [

@@ -13,7 +13,8 @@ struct ErrorEstimate {
   double tractions = 0;   ///< L2 norm; of pressures or of tangential tractions, whichever is worse
   double seconds = 0;     ///< what finding it took
 
-  double worst() const { return normal > tangential ? normal : tangential; }
+  /// NaN where either is.
+  double worst() const { return tangential <= normal || normal != normal ? normal : tangential; }
 };
 
 struct SolverState;

@@ -51,6 +51,8 @@ Cut cut(const Problem& p, double given_approach) {
     };
     double a = 0, b = std::max(high - c.low, 1e-12 * std::abs(high));
     if (!(b > 0)) b = load / (p.stiffness * p.length);
+    // Gaps of nodes that are never to touch may be of any size: not by halves from there.
+    while (load > 0 && b > 0 && carried(b / 1024) >= load) b /= 1024;
     for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
     for (int i = 0; i < 400 && b - a > 1e-6 * b; ++i) {
       const double middle = 0.5 * (a + b);

@@ -29,7 +29,10 @@ struct Names {
   std::string corners(const CornerFace& f) const {
     std::string text;
     for (std::int32_t k : f.corner)
-      if (k >= 0) text += (text.empty() ? "" : "-") + std::to_string(node(k));
+      if (k >= 0) {
+        if (!text.empty()) text += '-';
+        text += std::to_string(node(k));
+      }
     return text;
   }
 };
