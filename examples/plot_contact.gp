@@ -79,14 +79,14 @@ set ytics 50
 plot p0*sqrt(1-(x/a)**2) with lines lw 2 dt 2 lc rgb "#888888" title "Hertz, no friction", \
      section using 1:3 smooth unique with lines lw 3 lc rgb "#17477e" title "rollcon, μ = 0.1"
 
-set lmargin at screen 0.575; set rmargin at screen 0.92
+set lmargin at screen 0.575; set rmargin at screen 0.9
 set title "Friction along y = 0"
 set ylabel "traction [MPa]" offset 1, 0
 set yrange [0:21]
 set ytics 5
 set y2range [0:0.105]
 set y2tics 0.025 tc rgb slip_red
-set y2label "slip speed [mm/s]" tc rgb slip_red offset -0.5, 0
+set y2label "slip speed [mm/s]" tc rgb slip_red offset -1.5, 0
 set border 11
 set key horizontal maxcols 2
 plot section using 1:(mu*$3) smooth unique with lines lw 2 dt 2 lc rgb "#888888" title "μ p", \
