@@ -122,6 +122,11 @@ TEST_F(overflow, gaps_and_approaches) {
   const double load = -force()[2], change = std::abs(load / -before[2] - 1);
   std::printf("load with huge gaps away from the contact differs by %.1e (bound 1e-8)\n", change);
   EXPECT_LT(change, 1e-8);
+  double normal = 0, estimate = 0;
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "error_estimate_normal", &normal), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "error_estimate", &estimate), ROLLCON_OK);
+  EXPECT_TRUE(std::isnan(normal) ? std::isnan(estimate) : estimate >= normal)
+      << estimate << " is not the worst of its parts, of which one is " << normal;
 
   // The same by force, from nothing: the guess of an approach starts from the gaps.
   double depth = 0, iterations[2] = {};
@@ -137,6 +142,24 @@ TEST_F(overflow, gaps_and_approaches) {
     ASSERT_EQ(rollcon_contact_get_stat(contact, "iterations", &iterations[far > 1]), ROLLCON_OK);
     EXPECT_LE(iterations[1], iterations[0] + 3) << far;
   }
+}
+
+TEST_F(overflow, the_monolithic_system_counts_far_gaps) {
+  if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no procedures";
+  ASSERT_EQ(rollcon_contact_set_str(contact, "jacobian", "b_derivative"), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_str(contact, "convection", "godunov"), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_str(contact, "system", "monolithic"), ROLLCON_OK);
+  std::vector<double> gap;
+  for (std::size_t i = 0; i < frame.x.size(); i += 3)
+    gap.push_back(0.01 * (frame.x[i] * frame.x[i] + frame.x[i + 1] * frame.x[i + 1]));
+  for (const double far : {1.0, 1e100}) {
+    gap[0] = far;
+    ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << far;
+  }
+  gap[0] = DBL_MAX;
+  ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "gap of node 0 ", "allowed");
 }
 
 TEST_F(overflow, every_approach_below_presses) {

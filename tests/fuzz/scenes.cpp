@@ -168,12 +168,18 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
   require(all_finite(moment.values()), with + "a moment is not finite");
   require(all_finite(motion.values()), with + "a motion is not finite");
   if (status != ROLLCON_OK && status != ROLLCON_RIM_CONTACT) return status;
-  Output<double> field(3 * nodes);
+  // Nodes of no element may have any gap and slip.
+  std::vector<std::int32_t> state(static_cast<std::size_t>(nodes));
+  rollcon_contact_get_status(contact, nodes, state.data());
   for (const std::int32_t which :
        {ROLLCON_FIELD_GAP, ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP}) {
+    const std::size_t width = which == ROLLCON_FIELD_GAP ? 1 : 3;
+    Output<double> field(3 * nodes);
     FUZZ_CALL(world, rollcon_contact_get_field, contact, which, ROLLCON_GLOBAL, 3 * nodes,
               field.data(), nullptr);
-    require(all_finite(field.values()), with + "field " + std::to_string(which) + " is not finite");
+    for (std::size_t i = 0; i < width * state.size(); ++i)
+      require(state[i / width] == ROLLCON_EXCLUDED || std::isfinite(field.values()[i]),
+              with + "field " + std::to_string(which) + " is not finite");
   }
   for (std::size_t i = 0; i < traction.values().size(); i += 3)
     require(traction.values()[i + 2] <= 0, with + "a normal traction pulls");
