@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "support/index.hpp"
 
@@ -109,9 +108,9 @@ Newton::Residual Newton::evaluate(Part part) {
   r.normal = pressure_scale_ > 0 ? worst_n / pressure_scale_ : 0;
   r.tangential = traction_scale_ > 0 ? worst_t / traction_scale_ : 0;
   // What rounding of gaps and slips alone makes of the tractions: no iteration gets below that.
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  if (pressure_scale_ > 0) r.normal_rounding = rounding * gap_n / pressure_scale_;
-  if (traction_scale_ > 0) r.tangential_rounding = rounding * (slip_t + gap_t) / traction_scale_;
+  if (pressure_scale_ > 0) r.normal_rounding = rounding_of_terms * gap_n / pressure_scale_;
+  if (traction_scale_ > 0)
+    r.tangential_rounding = rounding_of_terms * (slip_t + gap_t) / traction_scale_;
   r.load = load_residual(part, 0);
   if (!(pressure_scale_ > 0)) pressure_scale_ = 1;
   if (!(traction_scale_ > 0)) traction_scale_ = 1;

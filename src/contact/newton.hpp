@@ -2,7 +2,9 @@
 /// Exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6)
 /// with a non-monotone line search and fallbacks.
 
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "contact/linear_solver.hpp"
@@ -35,11 +37,29 @@ struct Monitor {
 
 enum class Outcome { converged, not_converged, cancelled, no_contact, no_solution };
 
+/// What is tried where the full step gets stuck.
+enum class Rung {
+  approach_of_pressures,  ///< a bracket of the approach, for the normal part alone
+  cold,                   ///< a warm start left for a cold one
+  bracket_creep,
+  relax,
+  search_creep,
+  bracket_approach,
+  rescale_slip,
+  friction_from_above,
+  alternate,
+  friction_from_below,
+};
+inline constexpr std::size_t rungs = 10;
+
 struct NewtonReport {
   Outcome outcome = Outcome::not_converged;
   std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
   double residual_normal = 0, residual_tangential = 0;
+  double residual_load = 0;  ///< greatest relative error of a prescribed load
   std::int64_t fallbacks = 0;
+  std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
+  std::int64_t refuted = 0;        ///< successes of a part that the last guard did not let pass
   std::int64_t predictions = 0;    ///< parts that began from a predicted iterate
   std::int64_t sliding_steps = 0;  ///< of total sliding; 0: the scene did not give that
 
@@ -49,6 +69,8 @@ struct NewtonReport {
     tangential_iterations += earlier.tangential_iterations;
     full_iterations += earlier.full_iterations;
     fallbacks += earlier.fallbacks;
+    for (std::size_t k = 0; k < rungs; ++k) saved[k] += earlier.saved[k];
+    refuted += earlier.refuted;
     predictions += earlier.predictions;
     sliding_steps += earlier.sliding_steps;
   }
@@ -97,8 +119,15 @@ class Newton {
     bool within(Part part, double tolerance) const;
   };
 
+  /// Of what gaps and slips are summed from.
+  static constexpr double rounding_of_terms = 8 * std::numeric_limits<double>::epsilon();
+
   Outcome run(Part part, double tolerance, std::int64_t max_iterations, std::int64_t& iterations);
   Outcome fall_back(double tolerance, std::int64_t max_iterations);
+  Outcome guarded(Outcome outcome, double tolerance, std::int64_t max_iterations);
+  bool holds(double tolerance);
+  Residual normal_laws();
+  void start_anew();
   Outcome bracket_creep(double tolerance, std::int64_t max_iterations);
   Outcome search_creep(double tolerance, std::int64_t max_iterations);
   Outcome bracket_approach(Part part, double tolerance, std::int64_t max_iterations);
@@ -141,7 +170,7 @@ class Newton {
   NewtonReport report_;
   Part goal_ = Part::normal;  ///< the part whose convergence ends the solve
   struct {
-    double worst = 0, residual_normal = 0, residual_tangential = 0;
+    double worst = 0, residual_normal = 0, residual_tangential = 0, residual_load = 0;
     std::vector<double> lambda[3];
     std::array<double, 4> motion{};
   } best_;

@@ -20,19 +20,25 @@ bool finished(Outcome outcome) {
 
 Outcome Newton::fall_back(double tolerance, std::int64_t max_iterations) {
   Outcome outcome = Outcome::not_converged;
-  const auto next = [&](auto attempt) {
+  const auto next = [&](Rung rung, auto attempt) {
     if (finished(outcome) || iterations_left_ <= 0) return;
     ++report_.fallbacks;
-    outcome = attempt();
+    outcome = guarded(attempt(), tolerance, max_iterations);
+    report_.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  next([&] { return bracket_creep(tolerance, max_iterations); });
-  next([&] { return relax(tolerance, max_iterations); });
-  next([&] { return search_creep(tolerance, max_iterations); });
-  if (goal_ == Part::full) next([&] { return bracket_approach(goal_, tolerance, max_iterations); });
-  next([&] { return rescale_slip(tolerance, max_iterations); });
-  next([&] { return continue_in_friction(true, tolerance, max_iterations); });
-  if (goal_ == Part::full) next([&] { return alternate(tolerance, max_iterations); });
-  next([&] { return continue_in_friction(false, tolerance, max_iterations); });
+  const bool full = goal_ == Part::full;
+  next(Rung::bracket_creep, [&] { return bracket_creep(tolerance, max_iterations); });
+  next(Rung::relax, [&] { return relax(tolerance, max_iterations); });
+  next(Rung::search_creep, [&] { return search_creep(tolerance, max_iterations); });
+  if (full)
+    next(Rung::bracket_approach,
+         [&] { return bracket_approach(goal_, tolerance, max_iterations); });
+  next(Rung::rescale_slip, [&] { return rescale_slip(tolerance, max_iterations); });
+  next(Rung::friction_from_above,
+       [&] { return continue_in_friction(true, tolerance, max_iterations); });
+  if (full) next(Rung::alternate, [&] { return alternate(tolerance, max_iterations); });
+  next(Rung::friction_from_below,
+       [&] { return continue_in_friction(false, tolerance, max_iterations); });
   return outcome;
 }
 

@@ -46,6 +46,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     record.sliding = residual.sliding;
     if (part != Part::tangential) report_.residual_normal = residual.normal;
     if (part != Part::normal) report_.residual_tangential = residual.tangential;
+    report_.residual_load = residual.load;
     if (monitor_->step(record)) return Outcome::cancelled;
     const double worst = residual.worst(part);
     // A greatest value may pass over what is not a number; a sum does not.
@@ -127,6 +128,7 @@ void Newton::remember_best(Part part, double worst) {
   best_.worst = worst;
   best_.residual_normal = report_.residual_normal;
   best_.residual_tangential = report_.residual_tangential;
+  best_.residual_load = report_.residual_load;
   for (int c = 0; c < 3; ++c) best_.lambda[c] = iterate_->lambda[c];
   best_.motion = iterate_->motion;
 }
@@ -144,6 +146,7 @@ void Newton::return_to_best() {
   }
   report_.residual_normal = best_.residual_normal;
   report_.residual_tangential = best_.residual_tangential;
+  report_.residual_load = best_.residual_load;
   for (int c = 0; c < 3; ++c) iterate_->lambda[c] = best_.lambda[c];
   iterate_->motion = best_.motion;
   iterate_->invalidate();
@@ -170,6 +173,8 @@ Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations
     if (outcome == Outcome::not_converged && iterations_left_ > 0) {
       ++report_.fallbacks;
       outcome = bracket_approach(Part::normal, enough, max_iterations);
+      report_.saved[static_cast<std::size_t>(Rung::approach_of_pressures)] +=
+          outcome == Outcome::converged;
     }
     pressures_found_ = outcome == Outcome::converged;
   }
@@ -226,13 +231,14 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
     prediction_ratio_ = 0;
     guess_start(problem, iterate);
   }
-  Outcome outcome = attempt(cold, tolerance, max_iterations);
+  Outcome outcome = guarded(attempt(cold, tolerance, max_iterations), tolerance, max_iterations);
   prediction_ratio_ = 0;
   if (outcome == Outcome::not_converged && !cold && iterations_left_ > 0) {
     ++report_.fallbacks;
     start_cold(problem, iterate);
     guess_start(problem, iterate);
-    outcome = attempt(true, tolerance, max_iterations);
+    outcome = guarded(attempt(true, tolerance, max_iterations), tolerance, max_iterations);
+    report_.saved[static_cast<std::size_t>(Rung::cold)] += outcome == Outcome::converged;
   }
   // Without coupling the tangential problem has no meaning under pressures that were not found.
   const bool worth_while = goal_ == Part::full || (goal_ == Part::tangential && pressures_found_);

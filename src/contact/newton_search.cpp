@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "contact/newton.hpp"
-#include "contact/start.hpp"
 
 namespace rollcon {
 namespace {
@@ -124,8 +123,7 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
   bool there = excess(x, error);
   if (outcome == Outcome::not_converged && iterations_left_ > 0) {
     x = {};
-    it.clear_tractions();
-    guess_start(p, it);
+    start_anew();
     there = excess(x, error);
   }
   FewRows slope{};

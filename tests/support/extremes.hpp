@@ -78,6 +78,10 @@ Scene disturbed(const Scene& scene, int way);
 /// sliding against it: near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
 double load_over_friction(const Scene& scene);
 
+/// Likewise of several loads together: the greatest share of them in any direction of motion over
+/// what sliding in that direction carries. Above 1 friction cannot carry them.
+double loads_over_friction(const Scene& scene);
+
 /// Largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.
 double traction_difference(const std::vector<double>& a, const std::vector<double>& b);
 
@@ -85,6 +89,9 @@ double traction_difference(const std::vector<double>& a, const std::vector<doubl
 std::vector<Scene> named_scenes();
 /// Scene of a seed, likewise.
 Scene random_scene(std::uint32_t seed);
+/// Scene of a seed with two or three tangential loads given (forces, spin moment), of shares from 0
+/// to 1.1 of what friction carries; half of them of equal half-spaces.
+Scene forces_scene(std::uint32_t seed);
 
 /// A single-line description: materials, frame, loads.
 std::string describe(const Scene& scene);
