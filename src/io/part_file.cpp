@@ -33,6 +33,7 @@ int open_part(std::string& path, std::string& part) {
   // Renaming would put a file in the place of a device or a pipe.
   struct stat old {};
   const bool there = stat(path.c_str(), &old) == 0;
+  if (!there && errno == ELOOP) return -1;
   if (there && !S_ISREG(old.st_mode))
     fail(Status::err_io, "cannot write '%s': there is something that is no regular file",
          path.c_str());
