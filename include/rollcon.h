@@ -202,7 +202,7 @@ enum {
 
 /* Phases of a solve. */
 enum {
-  ROLLCON_PHASE_COMPLIANCE = 1,    /* compliance of the bodies on the frame */
+  ROLLCON_PHASE_COMPLIANCE = 1,    /* bodies, and their compliance on the frame; iteration 0 is its end, 1, 2, ... come before */
   ROLLCON_PHASE_NORMAL     = 2,    /* normal problem alone */
   ROLLCON_PHASE_TANGENTIAL = 3,    /* tangential problem at given pressure */
   ROLLCON_PHASE_FULL       = 4,    /* normal and tangential problem together */
@@ -213,10 +213,10 @@ enum {
    floating-point environment of the host. */
 typedef void (ROLLCON_CALL *rollcon_log_fn)(int32_t level, const char *message, void *user);
 
-/* Progress of a solve, once per iteration, from the thread that called rollcon_contact_solve, in
-   the floating-point environment of the host. A non-zero return cancels. The event is valid
-   during the call only. The contact itself is busy meanwhile: of its functions only
-   rollcon_contact_request_cancel works. */
+/* Progress of a solve, once per iteration and now and then during preparation, from the thread
+   that called rollcon_contact_solve, in the floating-point environment of the host. A non-zero
+   return cancels. The event is valid during the call only. The contact itself is busy meanwhile:
+   of its functions only rollcon_contact_request_cancel works. */
 typedef int32_t (ROLLCON_CALL *rollcon_progress_fn)(const rollcon_event *event, void *user);
 
 /* ----------------------------------------------------------------------------- Library facts */
@@ -1050,7 +1050,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t ca
 /* One steady state per solve, started from the last one. */
 
 /*
- * Sets the callback that is called once per iteration.
+ * Sets the callback that is called once per iteration, and about every tenth of a second while
+ * bodies and operators are prepared (ROLLCON_PHASE_COMPLIANCE; the iteration then counts from 1).
  *   fn       NULL removes the callback
  *   user     handed to fn
  * Ownership: `user` stays the caller's and must live until the callback is replaced or the
@@ -1084,8 +1085,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_real(const rollcon_eve
     int32_t key, double *value);
 
 /*
- * Asks a running solve to stop at its next iteration (an atomic store). The solve returns
- * ROLLCON_CANCELLED; the contact stays usable.
+ * Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and
+ * operators are prepared, within moments; only a factorisation runs to its end. The solve returns
+ * ROLLCON_CANCELLED; the contact stays usable. What was cancelled during its preparation has no
+ * results, and the next solve prepares it anew.
  * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
  * Threads: any thread at any time.
  */

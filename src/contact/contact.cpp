@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/host_interrupt.hpp"
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/procedures/run.hpp"
 #include "contact/reach.hpp"
@@ -199,6 +200,10 @@ void Contact::reset() {
 Status Contact::solve() {
   try {
     return solve_scene();
+  } catch (const Cancelled&) {
+    *state_ = SolverState{};
+    context_->log(LogLevel::info, "cancelled during preparation");
+    return Status::cancelled;
   } catch (...) {
     // Whatever was half built when memory ran out or a callback threw must not be taken for whole.
     // A refused load leaves everything but the solution intact.
@@ -222,6 +227,7 @@ Status Contact::solve_scene() {
   Watch watch(s, *context_, progress_, progress_user_, cancel_, start);
   // A request belongs to the solve during which it was made.
   cancel_.store(false);
+  const HostInterrupt interrupt(progress_, progress_user_, cancel_);
   prepare(s, scene, *body1_, *body2_, context_->threads());
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;

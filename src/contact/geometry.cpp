@@ -117,4 +117,26 @@ InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& ga
   return overlap;
 }
 
+void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
+                         const PairOfBodies& pair) {
+  const double depth = initial_overlap(frame, gap).depth;
+  for (std::size_t b = 0; b < 2 && depth > 0; ++b) {
+    const Body& body = *pair.body[b];
+    if (body.rigid() || !body.meshed()) continue;
+    const std::vector<Vec3>& node = body.mesh().surface.node;
+    double thickness = INFINITY;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const auto [low, high] = std::minmax_element(
+          node.begin(), node.end(), [c](const Vec3& x, const Vec3& y) { return x[c] < y[c]; });
+      thickness = std::min(thickness, (*high)[c] - (*low)[c]);
+    }
+    if (depth > thickness)
+      fail(Status::err_argument,
+           "before they approach each other the bodies overlap by %g, more than body %d is thick "
+           "(%g): check the poses (rollcon_contact_set_pose), the axes' origin and normal "
+           "(rollcon_contact_set_axes), and the units of all lengths",
+           depth, static_cast<int>(b) + 1, thickness);
+  }
+}
+
 }  // namespace rollcon

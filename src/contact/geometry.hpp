@@ -34,6 +34,11 @@ struct InitialOverlap {
 };
 InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& gap);
 
+/// err_argument where bodies overlap by more than one with a mesh is thick (the least side of its
+/// bounding box): a pose was forgotten, or lengths have different units.
+void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
+                         const PairOfBodies& pair);
+
 /// Contact that reaches the edge of its body is not cut off by the frame: nodes of a frame taken
 /// from a body that lie on a sharp edge of it do not count as rim.
 void clear_rim_at_edges(Frame& frame, const FrameSource& source, const PairOfBodies& pair);

@@ -325,6 +325,7 @@ void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) 
     }
   } else {
     p.gap = undeformed_gap(state.frame, state.frame_source, pair);
+    refuse_deep_overlap(state.frame, p.gap, pair);
   }
   for (std::size_t k = 0; k < state.offset_depth.size(); ++k) p.gap[k] -= state.offset_depth[k];
   set_datum(state);

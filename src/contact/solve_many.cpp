@@ -23,6 +23,7 @@
 
 #include "contact/case_order.hpp"
 #include "contact/case_solver.hpp"
+#include "contact/host_interrupt.hpp"
 #include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
@@ -380,9 +381,14 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   try {
     s.settled = false;
     const BlasThreads blas(context_->threads());
+    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
     reach_for_all(s, scene.options, cases);
     s.settled = true;
+  } catch (const Cancelled&) {
+    *state_ = SolverState{};
+    ManyCases(cases, results, cancel_, progress_, progress_user_).finish();  // all: cancelled
+    return Status::cancelled;
   } catch (...) {
     *state_ = SolverState{};
     throw;

@@ -38,7 +38,7 @@ SectionWriter::SectionWriter(const std::string& path, const FileKind& kind) : pa
   header_.abi = kind.abi;
   std::snprintf(header_.library, sizeof header_.library, "%s", kind.library);
   buffer_.reserve(buffer_bytes);
-  file_ = open_part(path, part_);
+  file_ = open_part(path_, part_);
   if (file_ < 0) {
     const int error = errno;
     part_.clear();

@@ -156,12 +156,12 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
 
 }  // namespace
 
-void write_vtu(const std::string& path, const SurfaceMesh& mesh,
+void write_vtu(const std::string& name, const SurfaceMesh& mesh,
                std::span<const PointArray> arrays) {
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
   const std::string text = file_text(mesh, arrays);
-  std::string part;
+  std::string path = name, part;
   const int descriptor = open_part(path, part);
   if (descriptor < 0) fail_io(path, errno);
   std::FILE* file = fdopen(descriptor, "wb");

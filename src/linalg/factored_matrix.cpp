@@ -6,9 +6,12 @@
 
 #include "linalg/dense.hpp"
 #include "linalg/lapack.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon {
 namespace {
+
+constexpr int slab = 256;  // right sides between two questions whether to go on
 
 // In four sums: in a single one the additions wait for each other.
 template <class Term>
@@ -101,8 +104,13 @@ void FactoredMatrix::eliminate(double* b, std::int64_t count) const {
   if (n == 0 || m == 0) return;
   constexpr int first = 1, step = 1;
   constexpr double one = 1;
-  dlaswp_(&m, b, &n, &first, &n, pivot_.data(), &step);
-  dtrsm_("L", "L", "N", "U", &n, &m, &one, a_.get(), &n, b, &n);
+  for (int k = 0; k < m; k += slab) {
+    check_interrupt();
+    const int columns = std::min(slab, m - k);
+    double* part = b + static_cast<std::int64_t>(k) * n_;
+    dlaswp_(&columns, part, &n, &first, &n, pivot_.data(), &step);
+    dtrsm_("L", "L", "N", "U", &n, &columns, &one, a_.get(), &n, part, &n);
+  }
 }
 
 void FactoredMatrix::substitute(double* b, std::int64_t count, std::int64_t first) const {
@@ -110,7 +118,12 @@ void FactoredMatrix::substitute(double* b, std::int64_t count, std::int64_t firs
              rest = static_cast<int>(n_ - first);
   if (rest <= 0 || m == 0) return;
   constexpr double one = 1;
-  dtrsm_("L", "U", "N", "N", &rest, &m, &one, a_.get() + first * (n_ + 1), &n, b + first, &n);
+  for (int k = 0; k < m; k += slab) {
+    check_interrupt();
+    const int columns = std::min(slab, m - k);
+    dtrsm_("L", "U", "N", "N", &rest, &columns, &one, a_.get() + first * (n_ + 1), &n,
+           b + static_cast<std::int64_t>(k) * n_ + first, &n);
+  }
 }
 
 void FactoredMatrix::solve(const char* transposed, double* b, std::int64_t count) const {

@@ -11,6 +11,7 @@
 #include "mesh/coinciding_nodes.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "mesh/shape.hpp"
+#include "mesh/surface_crossing.hpp"
 #include "mesh/surface_shells.hpp"
 
 namespace rollcon {
@@ -200,6 +201,7 @@ void check_surface(const SurfaceMesh& mesh, SurfaceKind kind) {
   check_closed(mesh, sides);
   check_fans(mesh, sides);
   check_outward(mesh, find_shells(mesh, sides));
+  check_crossing(mesh);
 }
 
 }  // namespace rollcon

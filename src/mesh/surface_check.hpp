@@ -22,8 +22,9 @@ enum class SurfaceKind {
 /// the other side than most of those they hang together with. Closed ones: open edges; parts that
 /// touch only at a node; parts that enclose no volume or cross; more than one outer shell (a body
 /// must be connected); elements whose normals look into the body (the outer shell encloses positive
-/// volume, cavities negative). Boundaries of volumes: only edges of more than two faces, which the
-/// volume's elements leave where they touch along an edge.
+/// volume, cavities negative); elements without a common node that cross. Boundaries of volumes:
+/// only edges of more than two faces, which the volume's elements leave where they touch along an
+/// edge.
 void check_surface(const SurfaceMesh& mesh, SurfaceKind kind);
 
 }  // namespace rollcon

@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "support/interrupt.hpp"
+
 namespace rollcon {
 
 /// Calls work(data, thread) once for each number in 0 .. threads - 1, at the same time; 0 is the
@@ -18,19 +20,25 @@ void run_threads(int threads, void (*work)(void*, int), void* data);
 /// Calls work(i, thread) for i in 0 .. count - 1, in chunks of neighbours that threads take as they
 /// come. thread is below `threads`; equal ones never run at the same time. Which thread gets which
 /// i is not defined: work must not depend on it. One thread or one chunk: a plain loop, in the
-/// caller. After an exception the chunks not yet begun are skipped.
+/// caller. After an exception the chunks not yet begun are skipped. Before each chunk the caller of
+/// the whole (interrupt.hpp) may stop it: Cancelled.
 template <class Work>
 void parallel_for(std::int64_t count, std::int64_t chunk, int threads, const Work& work) {
   const std::int64_t chunks = (count + chunk - 1) / chunk;
   if (threads <= 1 || chunks <= 1) {
-    for (std::int64_t i = 0; i < count; ++i) work(i, 0);
+    for (std::int64_t first = 0; first < count; first += chunk) {
+      check_interrupt();
+      const std::int64_t end = std::min(first + chunk, count);
+      for (std::int64_t i = first; i < end; ++i) work(i, 0);
+    }
     return;
   }
   struct Loop {
     const Work& work;
     std::int64_t count, chunk;
+    Interrupt* interrupt;
     std::atomic<std::int64_t> next{0};
-  } loop{work, count, chunk};
+  } loop{work, count, chunk, Interrupt::current()};
   run_threads(
       static_cast<int>(std::min<std::int64_t>(threads, chunks)),
       [](void* data, int thread) {
@@ -40,6 +48,7 @@ void parallel_for(std::int64_t count, std::int64_t chunk, int threads, const Wor
           if (first >= l.count) return;
           const std::int64_t end = std::min(first + l.chunk, l.count);
           try {
+            if (l.interrupt) l.interrupt->check(thread == 0);
             for (std::int64_t i = first; i < end; ++i) l.work(i, thread);
           } catch (...) {
             l.next.store(l.count);

@@ -83,6 +83,26 @@ TEST_F(pose, frames_from_bodies_are_their_tagged_faces) {
   expect_frame(3, 0);
 }
 
+// The cube's upper face rolls on a plane; where the plane is said to be under the cube, somebody
+// forgot to move one of them.
+TEST_F(pose, forgotten_ones_are_told) {
+  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  rollcon_contact* on_plane = nullptr;
+  ASSERT_EQ(rollcon_contact_create(context, body, plane, &on_plane), ROLLCON_OK);
+  const double rolling[3] = {1, 0, 0}, up[3] = {0, 0, 1}, mu = 0.1;
+  ASSERT_EQ(rollcon_contact_frame_from_body(on_plane, 1, 6), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_friction(on_plane, "coulomb", 1, &mu), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_rolling(on_plane, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(on_plane, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 1), ROLLCON_OK);
+  const double below[3] = {0.5, 0.5, -0.5}, there[3] = {0.5, 0.5, 1};
+  ASSERT_EQ(rollcon_contact_set_axes(on_plane, below, rolling, up), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(on_plane), ROLLCON_ERR_ARGUMENT, "overlap by 1.5",
+               "body 1 is thick (1)", "set_pose");
+  ASSERT_EQ(rollcon_contact_set_axes(on_plane, there, rolling, up), ROLLCON_OK);
+  EXPECT_GE(rollcon_contact_solve(on_plane), ROLLCON_OK);
+  rollcon_contact_release(on_plane);
+}
+
 TEST_F(pose, half_spaces_have_no_faces) {
   EXPECT_FAILS(rollcon_contact_frame_from_body(contact, 1, 0), ROLLCON_ERR_STATE);
 }

@@ -25,8 +25,13 @@ class Cancelling final : public Caller {
   int cancelled() const { return cancelled_; }
 
  private:
-  static std::int32_t progress(const rollcon_event*, void* user) {
+  static std::int32_t progress(const rollcon_event* event, void* user) {
     auto& self = *static_cast<Cancelling*>(user);
+    // Long preparations tell that they are at work: how often depends on the clock.
+    std::int64_t phase = 0, iteration = 0;
+    rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, &phase);
+    rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration);
+    if (phase == ROLLCON_PHASE_COMPLIANCE && iteration > 0) return 0;
     if (++self.calls_ != self.at_) return 0;
     if (!self.by_request_) return 1;
     rollcon_contact_request_cancel(self.contact_);

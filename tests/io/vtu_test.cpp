@@ -191,6 +191,24 @@ TEST_F(Vtu, FailureLeavesNoHalfFile) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(Vtu, LinksAndPermissionsStay) {
+  fs::create_directory(path("away"));
+  const SurfaceMesh mesh = all_types();
+  for (const bool there : {false, true}) {
+    // First the link leads to nothing, then to a file that nobody else may read.
+    if (!there) fs::create_symlink("away/frame.vtu", path("frame.vtu"));
+    if (there)
+      fs::permissions(path("away/frame.vtu"), fs::perms::owner_read | fs::perms::owner_write);
+    write_vtu(path("frame.vtu"), mesh, {});
+    EXPECT_TRUE(fs::is_symlink(path("frame.vtu")));
+    EXPECT_NE(read(path("away/frame.vtu")).find("</VTKFile>"), std::string::npos);
+  }
+  EXPECT_EQ(fs::status(path("away/frame.vtu")).permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("round", path("round"));
+  EXPECT_THROW(write_vtu(path("round"), mesh, {}), Error);
+}
+
 TEST_F(Vtu, FullDiskIsReported) {
   rlimit old{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);

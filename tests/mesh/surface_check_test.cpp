@@ -106,6 +106,29 @@ SurfaceMesh alone(ElementType type, std::vector<Vec3> nodes) {
   return mesh;
 }
 
+/// A bar bent round to a ring, `turn` of a whole turn; beyond 1 its ends run into each other.
+SurfaceMesh bent_bar(ElementType type, double turn) {
+  constexpr double length = 12, radius = 3;
+  return surfaces::transform(
+      surfaces::block(surfaces::brick({2, 2, 24}, {1, 1, length}), type), [turn](const Vec3& x) {
+        const double angle = 2 * std::numbers::pi * turn * x[2] / length;
+        return Vec3{(radius + x[0]) * std::cos(angle), x[1], (radius + x[0]) * std::sin(angle)};
+      });
+}
+
+TEST(SurfaceCheck, SurfacesThatRunThroughThemselves) {
+  for (const ElementType type : all_types) {
+    expect_accepted(bent_bar(type, 0.97), "bent bar");
+    expect_refused(bent_bar(type, 1.03),
+                   "runs through itself: elements without a common node cross");
+  }
+  // Facets of a thin ring with few elements come closer to each other than its curved sides.
+  surfaces::Ring thin;
+  thin.inner = 0.97 * thin.outer;
+  for (const ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9})
+    expect_accepted(surfaces::ring(thin, type), "thin ring");
+}
+
 TEST(SurfaceCheck, SoundBodiesPass) {
   expect_accepted(tetrahedron(), "tetrahedron");
   for (ElementType type : all_types) {

@@ -14,6 +14,7 @@
 #include "support/clock.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -107,6 +108,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   const BlasThreads blas(threads);
   factor_.reset();
   require_matrix(threads);
+  check_interrupt();
   double seconds = 0;
   try {
     const Stopwatch watch(seconds);
@@ -224,6 +226,7 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
   constexpr std::size_t slab = 128;  // columns at a time
   std::vector<double> b;
   for (std::size_t first = 0; first < columns; first += slab) {
+    check_interrupt();
     const std::size_t count = std::min(slab, columns - first);
     b.assign(m * 3 * count, 0.0);
     for (std::size_t i = 0; i < loaded.size(); ++i) {
