@@ -93,7 +93,8 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* 
       require_count(capacity, "capacity");
       if (n_results) *n_results = 0;
     } else {
-      const void* room = n_cases > 0 ? results : &width;  // a list without cases needs none
+      const void* room = n_cases > 0 ? static_cast<const void*>(results)
+                                     : &width;  // a list without cases needs none
       if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case"))
         return Status::ok;
     }
