@@ -20,9 +20,6 @@ struct List {
   std::int64_t cases() const { return static_cast<std::int64_t>(values.size()) / 4; }
 };
 
-constexpr std::int32_t parameters[4] = {ROLLCON_NORMAL, ROLLCON_SPIN, ROLLCON_LATERAL,
-                                        ROLLCON_LONGITUDINAL};
-
 List grid(bool quick) {
   List list{"grid", {}};
   const int along = quick ? 9 : 21, across = quick ? 5 : 11;
@@ -78,14 +75,17 @@ Run at_once(scenes::RollingPair& pair, const List& list) {
   Run r;
   const auto n = static_cast<std::size_t>(list.cases());
   r.force.resize(3 * n);
-  std::vector<double> iterations(n);
+  std::vector<double> row(4 * n);
   std::vector<std::int32_t> status(n);
   const double began = now();
-  rollcon_contact_solve_many(pair.handle(), 4, parameters, list.cases(), list.values.data(),
-                             "iterations", 0, status.data(), r.force.data(), nullptr, nullptr,
-                             nullptr, nullptr, iterations.data(), nullptr);
+  rollcon_contact_solve_many(pair.handle(), "normal spin lateral longitudinal", list.cases(),
+                             list.values.data(), "force iterations", 4, row.data(), nullptr,
+                             status.data());
   r.seconds = now() - began;
-  r.iterations = std::accumulate(iterations.begin(), iterations.end(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::copy_n(&row[4 * i], 3, &r.force[3 * i]);
+    r.iterations += row[4 * i + 3];
+  }
   r.not_ok = std::count_if(status.begin(), status.end(), [](auto s) { return s != ROLLCON_OK; });
   return r;
 }

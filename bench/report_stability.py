@@ -166,7 +166,7 @@ LIMITS = """- *Several solutions.* Between unlike bodies (or on a rigid one) the
 def says(records):
     refused = [r for r in records if r["method"] == "refused"]
     rows = [[r["model"], quoted(r["note"])] for r in refused]
-    text = ("## What the library says at its limits\n\nTexts of `rollcon_context_get_error` when this was asked for:\n\n"
+    text = ("## What the library says at its limits\n\nTexts of `rollcon_last_error` when this was asked for:\n\n"
             + table(["asked for", "said"], rows))
     warned = [("the contact reaches the rim of the frame", 4), ("the bodies do not touch", 2),
               ("the iteration does not converge", 1)]

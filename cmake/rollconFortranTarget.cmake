@@ -3,8 +3,8 @@
 
 # A module comes after those it uses, for users who compile by hand.
 set(ROLLCON_FORTRAN_SOURCES rollcon_c.f90 rollcon_support.f90 rollcon_tables.f90
-  rollcon_context.f90 rollcon_body_inputs.f90 rollcon_body.f90 rollcon_scene.f90 rollcon_contact.f90
-  rollcon.f90 rollcon_f77_support.f90 rollcon_f77.f90 rollcon_f77_body.f90 rollcon_f77_results.f90)
+  rollcon_context.f90 rollcon_body_plain.f90 rollcon_body.f90 rollcon_contact_plain.f90 rollcon_contact.f90
+  rollcon.f90 rollcon_f77_names.f90 rollcon_f77_support.f90 rollcon_f77.f90)
 
 function(rollcon_add_fortran directory)
   if(TARGET rollcon::fortran)

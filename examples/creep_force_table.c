@@ -16,25 +16,23 @@
 #include "rollcon.h"
 
 enum { SIDE = 11, LOADS = 5, ALONG = 41, ACROSS = 21, SPINS = 3 };
-enum { CASES = LOADS * ALONG * ACROSS * SPINS, PARAMETERS = 4, NUMBERS = 2 };
+enum { CASES = LOADS * ALONG * ACROSS * SPINS, PARAMETERS = 4 };
+/* Columns of the results. */
+enum { FORCE = 0, MOMENT = 3, ITERATIONS = 6, POWER = 7, SLOPES = 8, WIDTH = 8 + 10 * PARAMETERS };
+enum { BY_LATERAL = SLOPES + 20, BY_LONGITUDINAL = SLOPES + 30 };
 
 static const double young = 210000, poisson = 0.28, mu = 0.3, load = 100000, speed = 30000;
 static const double wheel_radius = 460, rail_crown = 300;
 static const double half_along = 9, half_across = 6.8; /* of the frame */
-static const int32_t parameters[PARAMETERS] = {ROLLCON_NORMAL, ROLLCON_SPIN, ROLLCON_LATERAL,
-                                               ROLLCON_LONGITUDINAL};
 
 static rollcon_context* context;
-static double values[CASES][PARAMETERS], force[CASES][3], moment[CASES][3];
-static double derivatives[CASES][PARAMETERS][10], statistics[CASES][NUMBERS];
+static double values[CASES][PARAMETERS], result[CASES][WIDTH];
 static int32_t status[CASES];
 
 /* A status below zero ends the program with the library's own words. */
 static int32_t must(int32_t result) {
-  char text[1000] = "";
   if (result >= 0) return result;
-  rollcon_context_get_error(context, (int64_t)sizeof text, text, NULL);
-  fprintf(stderr, "%s: %s\n", rollcon_status_string(result), text);
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(result), rollcon_last_error());
   exit(1);
 }
 
@@ -95,9 +93,9 @@ static void write_table(const char* folder) {
           "dF2/dlongitudinal,dF2/dlateral,friction_power\n");
   for (k = 0; k < CASES; ++k)
     fprintf(file, "%g,%g,%g,%g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g\n", values[k][0],
-            values[k][1], values[k][2], values[k][3], force[k][0], force[k][1], moment[k][2],
-            derivatives[k][3][0], derivatives[k][2][0], derivatives[k][3][1], derivatives[k][2][1],
-            statistics[k][1]);
+            values[k][1], values[k][2], values[k][3], result[k][FORCE], result[k][FORCE + 1],
+            result[k][MOMENT + 2], result[k][BY_LONGITUDINAL], result[k][BY_LATERAL],
+            result[k][BY_LONGITUDINAL + 1], result[k][BY_LATERAL + 1], result[k][POWER]);
   if (fclose(file) != 0) exit(1);
 }
 
@@ -108,8 +106,8 @@ static void print_piece(void) {
   for (k = 0; k < CASES; ++k) {
     if (fabs(values[k][0] - load) > 1 || values[k][1] != 0 || values[k][2] != 0) continue;
     if (fmod(fabs(values[k][3]) + 1e-12, 1e-3) > 2e-12) continue;
-    printf("  %12.4f %12.6f %15.3f %17.2f\n", values[k][3], force[k][0] / (mu * load),
-           derivatives[k][3][0] / (mu * load), statistics[k][1] / 1000);
+    printf("  %12.4f %12.6f %15.3f %17.2f\n", values[k][3], result[k][FORCE] / (mu * load),
+           result[k][BY_LONGITUDINAL] / (mu * load), result[k][POWER] / 1000);
   }
 }
 
@@ -127,12 +125,12 @@ int main(int argc, char** argv) {
   must(rollcon_contact_create(context, wheel, rail, &contact));
   set_scene(contact);
   list_cases();
-  must(rollcon_contact_solve_many(contact, PARAMETERS, parameters, CASES, values[0],
-                                  "iterations friction_power", 0, status, force[0], moment[0], NULL,
-                                  NULL, derivatives[0][0], statistics[0], NULL));
+  must(rollcon_contact_solve_many(contact, "normal spin lateral longitudinal", CASES, values[0],
+                                  "force moment iterations friction_power derivatives", WIDTH,
+                                  result[0], NULL, status));
   for (k = 0; k < CASES; ++k) {
     failed += status[k] != ROLLCON_OK;
-    iterations += statistics[k][0];
+    iterations += result[k][ITERATIONS];
   }
   print_piece();
   printf("\n%d cases, %.2f iterations each, %d without a good solution\n", (int)CASES,

@@ -12,10 +12,8 @@ static rollcon_context* context;
 
 /* A status below zero ends the program with the library's own words. */
 static int32_t must(int32_t status) {
-  char text[1000] = "";
   if (status >= 0) return status;
-  rollcon_context_get_error(context, (int64_t)sizeof text, text, NULL);
-  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), text);
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
   exit(1);
 }
 

@@ -1,133 +1,196 @@
-!> Bodies: settings, preparation and results, added to what the caller gives (module rollcon_body_inputs).
+!> Bodies: what the generated type rc_body_plain does not have. Vectors are xyz by columns: x(3,n); node numbers count from
+!> 1. Every call takes `stat` (absent: a failure prints its message and stops) and `errmsg` (set on failure).
 module rollcon_body
   use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
   use rollcon_c
   use rollcon_support
-  use rollcon_body_inputs
+  use rollcon_body_plain
   implicit none
   private
   public :: rc_body
 
-  type, extends(rc_body_inputs) :: rc_body
+  type, extends(rc_body_plain) :: rc_body
   contains
-    procedure, private :: set_option_int32
-    procedure, private :: set_option_int64
-    procedure, private :: set_option_real
-    generic :: set => set_option_int32, set_option_int64, set_option_real
-    procedure, private :: get_option_int32
-    procedure, private :: get_option_int64
-    procedure, private :: get_option_real
-    generic :: get => get_option_int32, get_option_int64, get_option_real
-    procedure :: prepare
-    procedure :: save => save_to
-    procedure :: get_kind
-    procedure :: get_size
+    procedure :: set_nodes
+    procedure :: set_nodes_by_component
+    procedure, private :: add_elements_int32
+    procedure, private :: add_elements_int64
+    generic :: add_elements => add_elements_int32, add_elements_int64
+    procedure, private :: tag_faces_int32
+    procedure, private :: tag_faces_int64
+    generic :: tag_faces => tag_faces_int32, tag_faces_int64
+    procedure, private :: tag_faces_of_nodes_int32
+    procedure, private :: tag_faces_of_nodes_int64
+    generic :: tag_faces_of_nodes => tag_faces_of_nodes_int32, tag_faces_of_nodes_int64
+    procedure, private :: set_support_int32
+    procedure, private :: set_support_int64
+    generic :: set_support => set_support_int32, set_support_int64
     procedure :: get_displacements
-    procedure :: get_reaction
-    procedure :: get_stat
   end type
 
 contains
 
-  !> Settings by name; rc_body_option_info lists them.
-  subroutine set_option_int32(self, name, value, stat, errmsg)
+  !> Nodes, x(3,n), of the surface or, of finite elements, of the volume; forgets elements, tags, supports, loads and contact
+  !> faces.
+  subroutine set_nodes(self, x, stat, errmsg)
     class(rc_body), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int32_t), intent(in) :: value
+    real(rc_real), intent(in), contiguous :: x(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%handle(), c_text(name), int(value, rc_long)), self%owner(), 'rc_body%set', stat, errmsg)
+    if (size(x, 1) /= 3) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%set_nodes', stat, errmsg, 'the first extent of x must be 3')
+      return
+    end if
+    call finish(rollcon_body_set_nodes(self%handle(), size(x, 2, rc_long), x, 3_rc_long, 1_rc_long), self%handle(), &
+      'rc_body%set_nodes', stat, errmsg)
   end subroutine
 
-  subroutine set_option_int64(self, name, value, stat, errmsg)
+  !> The same, x(n,3).
+  subroutine set_nodes_by_component(self, x, stat, errmsg)
     class(rc_body), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int64_t), intent(in) :: value
+    real(rc_real), intent(in), contiguous :: x(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%handle(), c_text(name), value), self%owner(), 'rc_body%set', stat, errmsg)
+    integer(rc_long) :: n
+    if (size(x, 2) /= 3) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%set_nodes_by_component', stat, errmsg, &
+        'the second extent of x must be 3')
+      return
+    end if
+    n = size(x, 1, rc_long)
+    call finish(rollcon_body_set_nodes(self%handle(), n, x, 1_rc_long, n), self%handle(), &
+      'rc_body%set_nodes_by_component', stat, errmsg)
   end subroutine
 
-  subroutine set_option_real(self, name, value, stat, errmsg)
+  !> Elements of one type: nodes(nodes per element, n), numbered from 1. Surface elements (ROLLCON_TRI3, ...), normals outwards:
+  !> tag 1 if absent. Finite elements take volume elements (ROLLCON_TET4, ...), whose tag (0 if absent) names their material, and
+  !> surface elements, which give their tag to the boundary faces with the same nodes.
+  subroutine add_elements_int32(self, type, nodes, tag, stat, errmsg)
     class(rc_body), intent(inout) :: self
-    character(len=*), intent(in) :: name
-    real(rc_real), intent(in) :: value
+    integer(rc_int), intent(in) :: type
+    integer(c_int32_t), intent(in), contiguous :: nodes(:, :)
+    integer, intent(in), optional :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_real(self%handle(), c_text(name), value), self%owner(), 'rc_body%set', stat, errmsg)
+    integer(rc_int) :: t
+    t = 1
+    if (is_volume_type(type)) t = 0
+    if (present(tag)) t = int(tag, rc_int)
+    if (nodes_of(type) /= 0 .and. size(nodes, 1) /= nodes_of(type)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%add_elements', stat, errmsg, &
+        'the first extent of nodes must be the number of nodes of one element')
+      return
+    end if
+    call finish(rollcon_body_add_elements(self%handle(), type, size(nodes, 2, rc_long), nodes, 1_rc_int, t), self%handle(), &
+      'rc_body%add_elements', stat, errmsg)
   end subroutine
 
-  subroutine get_option_int32(self, name, value, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int32_t), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    integer(rc_long) :: wide
-    wide = 0
-    call finish(rollcon_body_get_int(self%handle(), c_text(name), wide), self%owner(), 'rc_body%get', stat, errmsg)
-    value = int(wide, c_int32_t)
-  end subroutine
-
-  subroutine get_option_int64(self, name, value, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    character(len=*), intent(in) :: name
-    integer(c_int64_t), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    value = 0
-    call finish(rollcon_body_get_int(self%handle(), c_text(name), value), self%owner(), 'rc_body%get', stat, errmsg)
-  end subroutine
-
-  subroutine get_option_real(self, name, value, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    character(len=*), intent(in) :: name
-    real(rc_real), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    value = 0
-    call finish(rollcon_body_get_real(self%handle(), c_text(name), value), self%owner(), 'rc_body%get', stat, errmsg)
-  end subroutine
-
-  !> Checks that the body is complete, assembles and factorises its equations and freezes it; a solve does it if nobody did.
-  subroutine prepare(self, stat, errmsg)
+  subroutine add_elements_int64(self, type, nodes, tag, stat, errmsg)
     class(rc_body), intent(inout) :: self
+    integer(rc_int), intent(in) :: type
+    integer(c_int64_t), intent(in) :: nodes(:, :)
+    integer, intent(in), optional :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_prepare(self%handle()), self%owner(), 'rc_body%prepare', stat, errmsg)
+    call self%add_elements_int32(type, narrow_ids(nodes), tag, stat, errmsg)
   end subroutine
 
-  !> Writes the body, prepared if it was not, to a file; `load` makes a prepared body of it.
-  subroutine save_to(self, path, stat, errmsg)
+  !> Tags boundary faces of finite elements: face faces(i) of volume element elements(i), both numbered from 1, elements in the
+  !> order in which they were added. Boundary faces that no call names have tag 0; later calls win.
+  subroutine tag_faces_int32(self, elements, faces, tag, stat, errmsg)
     class(rc_body), intent(inout) :: self
-    character(len=*), intent(in) :: path
+    integer(c_int32_t), intent(in), contiguous :: elements(:), faces(:)
+    integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_save(self%handle(), c_text(path)), self%owner(), 'rc_body%save', stat, errmsg)
+    integer(c_int32_t) :: none(1)
+    if (size(elements) /= size(faces)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%tag_faces', stat, errmsg, &
+        'the extents of elements and faces must be the same')
+      return
+    end if
+    if (size(elements) == 0) then  ! an empty array may have no address
+      none = 0
+      call finish(rollcon_body_tag_faces(self%handle(), 0_rc_long, none, none, 1_rc_int, int(tag, rc_int)), &
+        self%handle(), 'rc_body%tag_faces', stat, errmsg)
+      return
+    end if
+    call finish(rollcon_body_tag_faces(self%handle(), size(elements, kind=rc_long), elements, faces, 1_rc_int, int(tag, rc_int)), &
+      self%handle(), 'rc_body%tag_faces', stat, errmsg)
   end subroutine
 
-  subroutine get_kind(self, kind, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    integer(rc_int), intent(out) :: kind
+  subroutine tag_faces_int64(self, elements, faces, tag, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: elements(:), faces(:)
+    integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    kind = 0
-    call finish(rollcon_body_get_kind(self%handle(), kind), self%owner(), 'rc_body%get_kind', stat, errmsg)
+    call self%tag_faces_int32(narrow_ids(elements), narrow_ids(faces), tag, stat, errmsg)
   end subroutine
 
-  !> Nodes and elements of the mesh.
-  subroutine get_size(self, nodes, elements, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    integer, intent(out) :: nodes
-    integer, intent(out), optional :: elements
+  !> Tags the faces all of whose nodes, numbered from 1, are given: boundary faces of finite elements, or the surface elements
+  !> added so far.
+  subroutine tag_faces_of_nodes_int32(self, nodes, tag, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer(c_int32_t), intent(in), contiguous :: nodes(:)
+    integer, intent(in) :: tag
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    integer(rc_long) :: n, m
-    n = 0
-    m = 0
-    call finish(rollcon_body_get_size(self%handle(), n, m), self%owner(), 'rc_body%get_size', stat, errmsg)
-    nodes = int(n)
-    if (present(elements)) elements = int(m)
+    integer(c_int32_t) :: none(1)
+    if (size(nodes) == 0) then  ! an empty array may have no address
+      none = 0
+      call finish(rollcon_body_tag_faces_of_nodes(self%handle(), 0_rc_long, none, 1_rc_int, int(tag, rc_int)), &
+        self%handle(), 'rc_body%tag_faces_of_nodes', stat, errmsg)
+      return
+    end if
+    call finish(rollcon_body_tag_faces_of_nodes(self%handle(), size(nodes, kind=rc_long), nodes, 1_rc_int, int(tag, rc_int)), &
+      self%handle(), 'rc_body%tag_faces_of_nodes', stat, errmsg)
+  end subroutine
+
+  subroutine tag_faces_of_nodes_int64(self, nodes, tag, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: nodes(:)
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%tag_faces_of_nodes_int32(narrow_ids(nodes), tag, stat, errmsg)
+  end subroutine
+
+  !> Holds displacement components of nodes, numbered from 1, at values(3,n) (zero if absent). dof_mask: sum of
+  !> ROLLCON_DOF_X, DOF_Y, DOF_Z (all if absent).
+  subroutine set_support_int32(self, nodes, dof_mask, values, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer(c_int32_t), intent(in), contiguous :: nodes(:)
+    integer(rc_int), intent(in), optional :: dof_mask
+    real(rc_real), intent(in), optional :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: v(:, :)
+    integer(rc_int) :: mask
+    mask = ROLLCON_DOF_XYZ
+    if (present(dof_mask)) mask = dof_mask
+    allocate (v(3, size(nodes)))
+    v = 0
+    if (present(values)) then
+      if (size(values, 1) /= 3 .or. size(values, 2) /= size(nodes)) then
+        call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%set_support', stat, errmsg, &
+          'the extents of values must be 3 and the number of nodes')
+        return
+      end if
+      v(:, :) = values
+    end if
+    call finish(rollcon_body_set_support(self%handle(), size(nodes, kind=rc_long), nodes, 1_rc_int, mask, v), self%handle(), &
+      'rc_body%set_support', stat, errmsg)
+  end subroutine
+
+  subroutine set_support_int64(self, nodes, dof_mask, values, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer(c_int64_t), intent(in) :: nodes(:)
+    integer(rc_int), intent(in), optional :: dof_mask
+    real(rc_real), intent(in), optional :: values(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%set_support_int32(narrow_ids(nodes), dof_mask, values, stat, errmsg)
   end subroutine
 
   !> Displacements u(3,n) of a prepared body under its own loads and given displacements, no contact acting.
@@ -144,29 +207,7 @@ contains
     allocate (u(3, n))
     u = 0
     if (status == ROLLCON_OK) status = rollcon_body_get_displacements(self%handle(), n, u)
-    call finish(status, self%owner(), 'rc_body%get_displacements', stat, errmsg)
-  end subroutine
-
-  !> Force of the supports on a prepared body and its moment about the origin, no contact acting.
-  subroutine get_reaction(self, force, moment, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    real(rc_real), intent(out) :: force(3), moment(3)
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    force = 0
-    moment = 0
-    call finish(rollcon_body_get_reaction(self%handle(), force, moment), self%owner(), 'rc_body%get_reaction', stat, errmsg)
-  end subroutine
-
-  !> Counters and timings of a prepared body by name; rc_body_stat_name lists them.
-  subroutine get_stat(self, name, value, stat, errmsg)
-    class(rc_body), intent(in) :: self
-    character(len=*), intent(in) :: name
-    real(rc_real), intent(out) :: value
-    integer, intent(out), optional :: stat
-    character(len=*), intent(inout), optional :: errmsg
-    value = 0
-    call finish(rollcon_body_get_stat(self%handle(), c_text(name), value), self%owner(), 'rc_body%get_stat', stat, errmsg)
+    call finish(status, self%handle(), 'rc_body%get_displacements', stat, errmsg)
   end subroutine
 
 end module rollcon_body

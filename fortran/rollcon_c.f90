@@ -179,6 +179,21 @@ module rollcon_c
       type(c_ptr) :: rc
     end function rollcon_status_string
 
+    function rollcon_last_error() result(rc) bind(C, name="rollcon_last_error")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr) :: rc
+    end function rollcon_last_error
+
+    function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: handle
+      integer(c_int32_t), value :: status
+      character(kind=c_char), intent(in) :: message(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_report
+
     function rollcon_context_create(header_abi, context) &
         result(rc) bind(C, name="rollcon_context_create")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -221,16 +236,21 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_context_set_threads
 
-    function rollcon_context_get_error(context, capacity, text, needed) &
-        result(rc) bind(C, name="rollcon_context_get_error")
+    function rollcon_context_set_latch(context, on) &
+        result(rc) bind(C, name="rollcon_context_set_latch")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: context
-      integer(c_int64_t), value :: capacity
-      character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int32_t), value :: on
       integer(c_int32_t) :: rc
-    end function rollcon_context_get_error
+    end function rollcon_context_set_latch
+
+    function rollcon_context_check(context) result(rc) bind(C, name="rollcon_context_check")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      integer(c_int32_t) :: rc
+    end function rollcon_context_check
 
     function rollcon_body_create(context, kind, body) result(rc) bind(C, name="rollcon_body_create")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -276,7 +296,7 @@ module rollcon_c
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: body
-      integer(c_int32_t), intent(out) :: kind
+      integer(c_int32_t), intent(inout) :: kind
       integer(c_int32_t) :: rc
     end function rollcon_body_get_kind
 
@@ -414,7 +434,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: body
       character(kind=c_char), intent(in) :: name(*)
-      integer(c_int64_t), intent(out) :: value
+      integer(c_int64_t), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_body_get_int
 
@@ -424,7 +444,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: body
       character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_body_get_real
 
@@ -441,10 +461,10 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: name(*)
-      integer(c_int32_t), intent(out) :: type
-      real(c_double), intent(out) :: low
-      real(c_double), intent(out) :: high
-      real(c_double), intent(out) :: standard
+      integer(c_int32_t), intent(inout) :: type
+      real(c_double), intent(inout) :: low
+      real(c_double), intent(inout) :: high
+      real(c_double), intent(inout) :: standard
       integer(c_int32_t) :: rc
     end function rollcon_body_option_info
 
@@ -455,7 +475,7 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_body_option_doc
 
@@ -464,8 +484,8 @@ module rollcon_c
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: body
-      integer(c_int64_t), intent(out) :: nodes
-      integer(c_int64_t), intent(out) :: elements
+      integer(c_int64_t), intent(inout) :: nodes
+      integer(c_int64_t), intent(inout) :: elements
       integer(c_int32_t) :: rc
     end function rollcon_body_get_size
 
@@ -495,7 +515,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: body
       character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_body_get_stat
 
@@ -512,7 +532,7 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_body_stat_name
 
@@ -716,7 +736,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: contact
       character(kind=c_char), intent(in) :: name(*)
-      integer(c_int64_t), intent(out) :: value
+      integer(c_int64_t), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_int
 
@@ -726,7 +746,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: contact
       character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_real
 
@@ -738,7 +758,7 @@ module rollcon_c
       character(kind=c_char), intent(in) :: name(*)
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_str
 
@@ -755,10 +775,10 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: name(*)
-      integer(c_int32_t), intent(out) :: type
-      real(c_double), intent(out) :: low
-      real(c_double), intent(out) :: high
-      real(c_double), intent(out) :: standard
+      integer(c_int32_t), intent(inout) :: type
+      real(c_double), intent(inout) :: low
+      real(c_double), intent(inout) :: high
+      real(c_double), intent(inout) :: standard
       integer(c_int32_t) :: rc
     end function rollcon_option_info
 
@@ -769,7 +789,7 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_option_doc
 
@@ -789,7 +809,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: event
       integer(c_int32_t), value :: key
-      integer(c_int64_t), intent(out) :: value
+      integer(c_int64_t), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_event_get_int
 
@@ -799,7 +819,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: event
       integer(c_int32_t), value :: key
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_event_get_real
 
@@ -818,26 +838,19 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_solve
 
-    function rollcon_contact_solve_many(contact, n_parameters, parameters, n_cases, values, &
-        names, capacity, status, force, moment, approach, creep, derivatives, statistics, &
-        tractions) result(rc) bind(C, name="rollcon_contact_solve_many")
+    function rollcon_contact_solve_many(contact, parameters, n_cases, values, columns, capacity, &
+        results, n_results, status) result(rc) bind(C, name="rollcon_contact_solve_many")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int32_t), value :: n_parameters
-      integer(c_int32_t), intent(in) :: parameters(*)
+      character(kind=c_char), intent(in) :: parameters(*)
       integer(c_int64_t), value :: n_cases
       real(c_double), intent(in) :: values(*)
-      character(kind=c_char), intent(in) :: names(*)
+      character(kind=c_char), intent(in) :: columns(*)
       integer(c_int64_t), value :: capacity
-      type(c_ptr), value :: status
-      type(c_ptr), value :: force
-      type(c_ptr), value :: moment
-      type(c_ptr), value :: approach
-      type(c_ptr), value :: creep
-      type(c_ptr), value :: derivatives
-      type(c_ptr), value :: statistics
-      type(c_ptr), value :: tractions
+      real(c_double), intent(out) :: results(*)
+      integer(c_int64_t), intent(inout) :: n_results
+      integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_solve_many
 
@@ -853,8 +866,8 @@ module rollcon_c
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      integer(c_int64_t), intent(out) :: nodes
-      integer(c_int64_t), intent(out) :: elements
+      integer(c_int64_t), intent(inout) :: nodes
+      integer(c_int64_t), intent(inout) :: elements
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_size
 
@@ -878,7 +891,7 @@ module rollcon_c
       integer(c_int32_t), value :: axes
       integer(c_int64_t), value :: capacity
       real(c_double), intent(out) :: v(*)
-      integer(c_int64_t), intent(out) :: n_values
+      integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_field
 
@@ -908,7 +921,7 @@ module rollcon_c
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
-      real(c_double), intent(out) :: approach
+      real(c_double), intent(inout) :: approach
       real(c_double), intent(out) :: creep(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_motion
@@ -921,7 +934,7 @@ module rollcon_c
       integer(c_int32_t), value :: parameter
       real(c_double), intent(out) :: force(*)
       real(c_double), intent(out) :: moment(*)
-      real(c_double), intent(out) :: approach
+      real(c_double), intent(inout) :: approach
       real(c_double), intent(out) :: creep(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_sensitivity
@@ -944,7 +957,7 @@ module rollcon_c
       implicit none
       type(c_ptr), value :: contact
       character(kind=c_char), intent(in) :: name(*)
-      real(c_double), intent(out) :: value
+      real(c_double), intent(inout) :: value
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stat
 
@@ -961,7 +974,7 @@ module rollcon_c
       integer(c_int32_t), value :: i
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_stat_name
 
@@ -972,7 +985,7 @@ module rollcon_c
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: capacity
       real(c_double), intent(out) :: rows(*)
-      integer(c_int64_t), intent(out) :: n_rows
+      integer(c_int64_t), intent(inout) :: n_rows
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_history
 
@@ -984,7 +997,7 @@ module rollcon_c
       integer(c_int64_t), value :: capacity
       real(c_double), intent(out) :: psi(*)
       real(c_double), intent(out) :: seconds(*)
-      integer(c_int64_t), intent(out) :: n_rows
+      integer(c_int64_t), intent(inout) :: n_rows
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_error_function
 
@@ -995,7 +1008,7 @@ module rollcon_c
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: capacity
       character(kind=c_char), intent(out) :: text(*)
-      integer(c_int64_t), intent(out) :: needed
+      integer(c_int64_t), intent(inout) :: needed
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_plan
 

@@ -21,7 +21,8 @@ module rollcon_context
     procedure :: handle
     procedure :: set_log
     procedure :: set_threads
-    procedure :: message
+    procedure :: set_latch
+    procedure :: check
     procedure, private :: assign
     generic :: assignment(=) => assign
     final :: finalize
@@ -114,11 +115,22 @@ contains
     call finish(rollcon_context_set_threads(self%p, int(n, rc_int)), self%p, 'rc_context%set_threads', stat, errmsg)
   end subroutine
 
-  !> Text of the last failure of this context or of its bodies and contacts.
-  function message(self) result(text)
+  !> 1: the first failure from here on is remembered, and later calls on this context, its bodies and contacts do nothing and
+  !> return it; 0: off. Either forgets what was remembered.
+  subroutine set_latch(self, on, stat, errmsg)
+    class(rc_context), intent(inout) :: self
+    integer, intent(in) :: on
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_context_set_latch(self%p, int(on, rc_int)), self%p, 'rc_context%set_latch', stat, errmsg)
+  end subroutine
+
+  !> The first failure since the latch was set, or the first status > 0, or 0.
+  subroutine check(self, stat, errmsg)
     class(rc_context), intent(in) :: self
-    character(len=:), allocatable :: text
-    text = context_message(self%p)
-  end function
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_context_check(self%p), self%p, 'rc_context%check', stat, errmsg)
+  end subroutine
 
 end module rollcon_context

@@ -1,10 +1,56 @@
-! FORTRAN 77 layer of rollcon, first part: contexts and what a caller gives for a contact.
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! Plain external subroutines: name mangling, integer width and hidden CHARACTER lengths are those of the compiler and the
-! options that build this file, which must be the caller's. Handles are INTEGERs > 0, the last argument is always IERR, the
-! status. README.md lists the names beside those of rollcon.h.
+! FORTRAN 77 layer of rollcon 0.1.0: plain external subroutines. Name mangling, integer width and hidden CHARACTER
+! lengths are those of the compiler and the options that build this file, which must be the caller's. Handles are
+! INTEGERs > 0, the last argument is always IERR, the status. README.md lists the names beside those of rollcon.h.
 
-!> New context.
+!> Version of the library.
+subroutine rcvers(iversion, iabi, text)
+  use rollcon_f77_support
+  implicit none
+  integer :: iversion, iabi
+  character(len=*) :: text
+  iversion = rollcon_version()
+  iabi = rollcon_abi()
+  text = f_text_at(rollcon_version_string())
+end subroutine
+
+!> Licences that this build carries and how it was built, as one line of text.
+subroutine rcinfo(text)
+  use rollcon_f77_support
+  implicit none
+  character(len=*) :: text
+  text = f_text_at(rollcon_build_info())
+end subroutine
+
+!> 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
+subroutine rchas(name, ihas)
+  use rollcon_f77_support
+  implicit none
+  integer :: ihas
+  character(len=*) :: name
+  ihas = rollcon_has_feature(c_name(name))
+end subroutine
+
+!> One line of text for a status.
+subroutine rcstex(istatus, text)
+  use rollcon_f77_support
+  implicit none
+  integer :: istatus
+  character(len=*) :: text
+  text = f_text_at(rollcon_status_string(narrow(istatus)))
+end subroutine
+
+!> The text of the last call that failed in this thread.
+subroutine rclerr(text)
+  use rollcon_f77_support
+  implicit none
+  character(len=*) :: text
+  text = names_77(f_text_at(rollcon_last_error()))
+end subroutine
+
+!> Makes a context.
 subroutine rcinit(ictx, ierr)
   use rollcon_f77_support
   implicit none
@@ -15,55 +61,46 @@ subroutine rcinit(ictx, ierr)
   if (ierr == ROLLCON_OK) ictx = rollcon_id_of(p)
 end subroutine
 
-!> Drops a reference to a context, body or contact and sets the handle to 0; 0 is allowed.
+!> Adds a reference.
+subroutine rckeep(ih, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ih, ierr
+  select case (kind_of(ih))
+  case (of_context)
+    ierr = rollcon_context_retain(context_of(ih))
+  case (of_body)
+    ierr = rollcon_body_retain(body_of(ih))
+  case (of_contact)
+    ierr = rollcon_contact_retain(contact_of(ih))
+  case default
+    call no_handle('RCKEEP', ih, ierr)
+  end select
+end subroutine
+
+!> Drops a reference. The handle becomes 0.
 subroutine rcfree(ih, ierr)
   use rollcon_f77_support
   implicit none
   integer :: ih, ierr
   ierr = ROLLCON_OK
   if (ih == 0) return
-  ! retaining first tells a live handle from a dead one, which release would ignore
-  ierr = rollcon_contact_retain(contact_of(ih))
-  if (ierr == ROLLCON_OK) then
-    call rollcon_contact_release(contact_of(ih))
-    call rollcon_contact_release(contact_of(ih))
-    ih = 0
-    return
-  end if
-  ierr = rollcon_body_retain(body_of(ih))
-  if (ierr == ROLLCON_OK) then
-    call rollcon_body_release(body_of(ih))
-    call rollcon_body_release(body_of(ih))
-    ih = 0
-    return
-  end if
-  ierr = rollcon_context_retain(context_of(ih))
-  if (ierr == ROLLCON_OK) then
-    call rollcon_context_release(context_of(ih))
+  select case (kind_of(ih))
+  case (of_context)
     call rollcon_context_release(context_of(ih))
     ih = 0
-  end if
+  case (of_body)
+    call rollcon_body_release(body_of(ih))
+    ih = 0
+  case (of_contact)
+    call rollcon_contact_release(contact_of(ih))
+    ih = 0
+  case default
+    call no_handle('RCFREE', ih, ierr)
+  end select
 end subroutine
 
-!> Adds a reference to a context, body or contact.
-subroutine rckeep(ih, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ih, ierr
-  ierr = rollcon_contact_retain(contact_of(ih))
-  if (ierr == ROLLCON_ERR_HANDLE) ierr = rollcon_body_retain(body_of(ih))
-  if (ierr == ROLLCON_ERR_HANDLE) ierr = rollcon_context_retain(context_of(ih))
-end subroutine
-
-!> Threads per solve; 0 leaves the number to OpenMP.
-subroutine rcthrd(ictx, n, ierr)
-  use rollcon_f77_support
-  implicit none
-  integer :: ictx, n, ierr
-  ierr = rollcon_context_set_threads(context_of(ictx), narrow(n))
-end subroutine
-
-!> Messages up to LEVEL go to the subroutine SINK(LEVEL, TEXT); LEVEL 0 turns the log off.
+!> Sets the log sink.
 subroutine rclog(ictx, level, sink, ierr)
   use rollcon_f77_support
   implicit none
@@ -75,64 +112,379 @@ subroutine rclog(ictx, level, sink, ierr)
   ierr = rollcon_context_set_log(context_of(ictx), narrow(level), c_funloc(call_log), c_loc(b))
 end subroutine
 
-!> Message of the last failure in a context.
-subroutine rcemsg(ictx, text, ierr)
+!> Sets the number of threads that each solve, and each preparation of a body, in this context may use.
+subroutine rcthrd(ictx, n, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, n, ierr
+  ierr = rollcon_context_set_threads(context_of(ictx), narrow(n))
+end subroutine
+
+!> For programs that check once, at the end.
+subroutine rcltch(ictx, ion, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, ion, ierr
+  ierr = rollcon_context_set_latch(context_of(ictx), narrow(ion))
+end subroutine
+
+!> The first failure since the latch was set, whose text becomes the last error.
+subroutine rcchek(ictx, ierr)
   use rollcon_f77_support
   implicit none
   integer :: ictx, ierr
-  character(len=*) :: text
-  character(kind=c_char), allocatable :: b(:)
-  integer(c_int64_t) :: need
-  allocate (b(usual_text))
-  b(1) = c_null_char
-  need = 0
-  ierr = rollcon_context_get_error(context_of(ictx), usual_text, b, need)
-  if (ierr == ROLLCON_ERR_CAPACITY) then
-    deallocate (b)
-    allocate (b(need))
-    ierr = rollcon_context_get_error(context_of(ictx), size(b, kind=c_int64_t), b, need)
+  ierr = rollcon_context_check(context_of(ictx))
+end subroutine
+
+!> Makes a body.
+subroutine rcbody(ictx, kind, ibody, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, kind, ibody, ierr
+  type(c_ptr) :: p
+  ibody = 0
+  ierr = rollcon_body_create(context_of(ictx), narrow(kind), p)
+  if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
+end subroutine
+
+!> Sets an isotropic linear elastic material.
+subroutine rcelas(ibody, itag, young, poisson, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: young, poisson
+  ierr = rollcon_body_set_elastic(body_of(ibody), narrow(itag), young, poisson)
+end subroutine
+
+!> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and .
+subroutine rcprep(ibody, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  ierr = rollcon_body_prepare(body_of(ibody))
+end subroutine
+
+!> The model given to rollcon_body_create.
+subroutine rckind(ibody, kind, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, kind, ierr
+  integer(c_int32_t) :: kind_c
+  kind_c = 0
+  ierr = rollcon_body_get_kind(body_of(ibody), kind_c)
+  kind = int(kind_c)
+end subroutine
+
+!> Writes the body, prepared if it was not, to a file.
+subroutine rcbsav(ibody, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: path
+  ierr = rollcon_body_save(body_of(ibody), c_text(path))
+end subroutine
+
+!> Makes a prepared body from a file of rollcon_body_save.
+subroutine rcblod(ictx, path, ibody, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, ibody, ierr
+  character(len=*) :: path
+  type(c_ptr) :: p
+  ibody = 0
+  ierr = rollcon_body_load(context_of(ictx), c_text(path), p)
+  if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
+end subroutine
+
+!> Sets the nodes and forgets elements, supports, loads and contact faces.
+subroutine rcbnod(ibody, n, x, ldx, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, ldx, ierr
+  double precision :: x(*)
+  if (ldx < 3) then
+    call refuse(body_of(ibody), 'RCBNOD: LDX is', ldx, '; allowed: 3 or more', ierr)
+    return
   end if
-  call give_text(b, text, ierr)
+  ierr = rollcon_body_set_nodes(body_of(ibody), int(n, c_int64_t), x, int(ldx, c_int64_t), 1_c_int64_t)
 end subroutine
 
-!> One line of text for a status.
-subroutine rcstex(istat, text)
+!> Sets the nodes and forgets elements, supports, loads and contact faces.
+subroutine rcbndt(ibody, n, x, ldx, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: istat
-  character(len=*) :: text
-  text = f_text_at(rollcon_status_string(narrow(istat)))
+  integer :: ibody, n, ldx, ierr
+  double precision :: x(*)
+  if (ldx < n) then
+    call refuse(body_of(ibody), 'RCBNDT: LDX is', ldx, '; allowed: N or more', ierr)
+    return
+  end if
+  ierr = rollcon_body_set_nodes(body_of(ibody), int(n, c_int64_t), x, 1_c_int64_t, int(ldx, c_int64_t))
 end subroutine
 
-!> Version as a number, the binary interface, and the version as text.
-subroutine rcvers(iver, iabi, text)
+!> Adds elements of one type.
+subroutine rcbelm(ibody, itype, n, ic, ldc, itag, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: iver, iabi
-  character(len=*) :: text
-  iver = rollcon_version()
-  iabi = rollcon_abi()
-  text = f_text_at(rollcon_version_string())
+  integer :: ibody, itype, n, ic(*), ldc, itag, ierr
+  integer(c_int32_t), allocatable :: packed(:, :)
+  call pack_77(body_of(ibody), 'RCBELM', itype, n, ic, ldc, packed, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_add_elements(body_of(ibody), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
 end subroutine
 
-!> Licences and options of the library that runs.
-subroutine rcinfo(text)
+!> Gives a tag to boundary faces of finite elements, by element and face.
+subroutine rcbtgf(ibody, n, ielements, ifaces, itag, ierr)
   use rollcon_f77_support
   implicit none
-  character(len=*) :: text
-  text = f_text_at(rollcon_build_info())
+  integer :: ibody, n, ielements(*), ifaces(*), itag, ierr
+  integer(c_int32_t), allocatable :: packed_elements(:)
+  integer(c_int32_t), allocatable :: packed_faces(:)
+  call pack_list_77(body_of(ibody), 'RCBTGF', n, ielements, packed_elements, ierr)
+  if (ierr /= ROLLCON_OK) return
+  call pack_list_77(body_of(ibody), 'RCBTGF', n, ifaces, packed_faces, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_tag_faces(body_of(ibody), int(n, c_int64_t), packed_elements, packed_faces, 1_c_int32_t, narrow(itag))
 end subroutine
 
-!> IHAS = 1 if the library has the feature, else 0.
-subroutine rchas(name, ihas)
+!> Gives a tag to the faces all of whose nodes are given, midside nodes too.
+subroutine rcbtgn(ibody, n, nodes, itag, ierr)
   use rollcon_f77_support
   implicit none
+  integer :: ibody, n, nodes(*), itag, ierr
+  integer(c_int32_t), allocatable :: packed_nodes(:)
+  call pack_list_77(body_of(ibody), 'RCBTGN', n, nodes, packed_nodes, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_tag_faces_of_nodes(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(itag))
+end subroutine
+
+!> Holds displacement components of nodes, at zero or at given values.
+subroutine rcsupp(ibody, n, nodes, idof_mask, values, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, nodes(*), idof_mask, ierr
+  double precision :: values(*)
+  integer(c_int32_t), allocatable :: packed_nodes(:)
+  call pack_list_77(body_of(ibody), 'RCSUPP', n, nodes, packed_nodes, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), values)
+end subroutine
+
+!> Holds displacement components of nodes, at zero or at given values.
+subroutine rchold(ibody, n, nodes, idof_mask, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, nodes(*), idof_mask, ierr
+  integer(c_int32_t), allocatable :: packed_nodes(:)
+  double precision, allocatable :: values(:)
+  integer :: no_room
+  call pack_list_77(body_of(ibody), 'RCHOLD', n, nodes, packed_nodes, ierr)
+  if (ierr /= ROLLCON_OK) return
+  if (n < 0) then
+    call refuse(body_of(ibody), 'RCHOLD: N is', n, '; allowed: 0 or more', ierr)
+    return
+  end if
+  allocate (values(n*3), stat=no_room)
+  if (no_room /= 0) then
+    call no_memory(body_of(ibody), 'RCHOLD', ierr)
+    return
+  end if
+  values = 0
+  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), values)
+end subroutine
+
+!> Prescribes the traction on the faces with a tag.
+subroutine rcbtrc(ibody, itag, traction, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: traction(3)
+  ierr = rollcon_body_set_traction(body_of(ibody), narrow(itag), traction)
+end subroutine
+
+!> Prescribes a pressure on the faces with a tag, against their outward normals.
+subroutine rcbprs(ibody, itag, pressure, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: pressure
+  ierr = rollcon_body_set_pressure(body_of(ibody), narrow(itag), pressure)
+end subroutine
+
+!> Says which faces may come into contact.
+subroutine rcbfac(ibody, n, itags, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, itags(*), ierr
+  integer(c_int32_t), allocatable :: packed_tags(:)
+  call pack_list_77(body_of(ibody), 'RCBFAC', n, itags, packed_tags, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed_tags)
+end subroutine
+
+!> Sets an integer option.
+subroutine rcbsti(ibody, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ivalue, ierr
   character(len=*) :: name
-  integer :: ihas
-  ihas = rollcon_has_feature(c_text(name))
+  ierr = rollcon_body_set_int(body_of(ibody), c_name(name), int(ivalue, c_int64_t))
 end subroutine
 
-!> New contact of two bodies.
+!> Sets a real option.
+subroutine rcbstr(ibody, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_body_set_real(body_of(ibody), c_name(name), value)
+end subroutine
+
+!> Value of an integer option.
+subroutine rcbgti(ibody, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ivalue, ierr
+  character(len=*) :: name
+  integer(c_int64_t) :: value_c
+  value_c = 0
+  ierr = rollcon_body_get_int(body_of(ibody), c_name(name), value_c)
+  ivalue = int(value_c)
+end subroutine
+
+!> Value of a real option.
+subroutine rcbgtr(ibody, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_body_get_real(body_of(ibody), c_name(name), value)
+end subroutine
+
+!> Number of options of bodies.
+subroutine rcbnop(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_body_option_count()
+end subroutine
+
+!> Row of the table of options of bodies.
+subroutine rcbopi(i, name, itype, xlow, high, standard, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, itype, ierr
+  character(len=*) :: name
+  double precision :: xlow, high, standard
+  integer(c_int32_t) :: type_c
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity
+  capacity = usual_text
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  type_c = 0
+  ierr = rollcon_body_option_info(narrow(i - 1), capacity, buffer, type_c, xlow, high, standard)
+  itype = int(type_c)
+  call give_text(c_null_ptr, 'RCBOPI', buffer, name, ierr)
+end subroutine
+
+!> What an option of bodies means.
+subroutine rcbopd(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_body_option_doc(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_body_option_doc(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCBOPD', buffer, text, ierr)
+end subroutine
+
+!> Nodes and elements given so far.
+subroutine rcbsiz(ibody, nodes, ielements, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, ielements, ierr
+  integer(c_int64_t) :: nodes_c
+  integer(c_int64_t) :: elements_c
+  nodes_c = 0
+  elements_c = 0
+  ierr = rollcon_body_get_size(body_of(ibody), nodes_c, elements_c)
+  nodes = int(nodes_c)
+  ielements = int(elements_c)
+end subroutine
+
+!> Displacement of every node under the body's own loads and given displacements.
+subroutine rcbdis(ibody, maxn, u, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, maxn, ierr
+  double precision :: u(*)
+  ierr = rollcon_body_get_displacements(body_of(ibody), int(maxn, c_int64_t), u)
+end subroutine
+
+!> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and i.
+subroutine rcbrea(ibody, force, xmoment, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: force(3), xmoment(3)
+  ierr = rollcon_body_get_reaction(body_of(ibody), force, xmoment)
+end subroutine
+
+!> One number about a prepared body.
+subroutine rcbsta(ibody, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_body_get_stat(body_of(ibody), c_name(name), value)
+end subroutine
+
+!> Number of statistics of bodies.
+subroutine rcbnst(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_body_stat_count()
+end subroutine
+
+!> Name of a statistic of bodies.
+subroutine rcbstn(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_body_stat_name(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_body_stat_name(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCBSTN', buffer, text, ierr)
+end subroutine
+
+!> Makes a contact of two bodies.
 subroutine rcpair(ictx, ibody1, ibody2, icon, ierr)
   use rollcon_f77_support
   implicit none
@@ -143,41 +495,45 @@ subroutine rcpair(ictx, ibody1, ibody2, icon, ierr)
   if (ierr == ROLLCON_OK) icon = rollcon_id_of(p)
 end subroutine
 
-!> Nodes X(LDX,N), LDX >= 3: the first three rows are used.
+!> Sets the nodes of the frame and forgets its elements, the gap array and the creep and friction fields.
 subroutine rcnode(icon, n, x, ldx, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ldx, ierr
   double precision :: x(*)
-  ierr = ROLLCON_ERR_ARGUMENT
-  if (ldx < 3) return
+  if (ldx < 3) then
+    call refuse(contact_of(icon), 'RCNODE: LDX is', ldx, '; allowed: 3 or more', ierr)
+    return
+  end if
   ierr = rollcon_contact_set_frame_nodes(contact_of(icon), int(n, c_int64_t), x, int(ldx, c_int64_t), 1_c_int64_t)
 end subroutine
 
-!> Nodes X(LDX,3), LDX >= N: the first N rows are used.
+!> Sets the nodes of the frame and forgets its elements, the gap array and the creep and friction fields.
 subroutine rcnodt(icon, n, x, ldx, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ldx, ierr
   double precision :: x(*)
-  ierr = ROLLCON_ERR_ARGUMENT
-  if (ldx < n) return
+  if (ldx < n) then
+    call refuse(contact_of(icon), 'RCNODT: LDX is', ldx, '; allowed: N or more', ierr)
+    return
+  end if
   ierr = rollcon_contact_set_frame_nodes(contact_of(icon), int(n, c_int64_t), x, 1_c_int64_t, int(ldx, c_int64_t))
 end subroutine
 
-!> Elements of one type, IC(LDC,N), numbered from 1; the first rows of IC are used, as many as the element has nodes.
+!> Adds elements of one type to the frame.
 subroutine rcelem(icon, itype, n, ic, ldc, itag, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, itype, n, ldc, itag, ierr
-  integer :: ic(max(ldc, 1), *)
+  integer :: icon, itype, n, ic(*), ldc, itag, ierr
   integer(c_int32_t), allocatable :: packed(:, :)
-  call pack_77(itype, n, ic, ldc, packed, ierr)
+  call pack_77(contact_of(icon), 'RCELEM', itype, n, ic, ldc, packed, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
+  ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, &
+    narrow(itag))
 end subroutine
 
-!> The faces of body IWHICH (1 or 2, not a handle) that carry a tag become the frame.
+!> Makes the faces of a body that carry a tag the frame.
 subroutine rcfram(icon, iwhich, itag, ierr)
   use rollcon_f77_support
   implicit none
@@ -185,25 +541,25 @@ subroutine rcfram(icon, iwhich, itag, ierr)
   ierr = rollcon_contact_frame_from_body(contact_of(icon), narrow(iwhich), narrow(itag))
 end subroutine
 
-!> Where body IWHICH (1 or 2) stands: X(I) = sum over J of ROT(I,J)*XB(J) + TRANS(I).
-subroutine rcpose(icon, iwhich, rot, trans, ierr)
+!> Says where a body with a mesh stands.
+subroutine rcpose(icon, iwhich, rotation, translation, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, iwhich, ierr
-  double precision :: rot(3, 3), trans(3)
-  ierr = rollcon_contact_set_pose(contact_of(icon), narrow(iwhich), transpose(rot), trans)
+  double precision :: rotation(3, 3), translation(3)
+  ierr = rollcon_contact_set_pose(contact_of(icon), narrow(iwhich), transpose(rotation), translation)
 end subroutine
 
-!> Origin, rolling direction and outward normal of body 1.
-subroutine rcaxes(icon, orig, roll, xnorm, ierr)
+!> Sets the axes.
+subroutine rcaxes(icon, origin, rolling, xnormal, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, ierr
-  double precision :: orig(3), roll(3), xnorm(3)
-  ierr = rollcon_contact_set_axes(contact_of(icon), orig, roll, xnorm)
+  double precision :: origin(3), rolling(3), xnormal(3)
+  ierr = rollcon_contact_set_axes(contact_of(icon), origin, rolling, xnormal)
 end subroutine
 
-!> Gap at each node.
+!> Sets the gap of the undeformed bodies at approach 0, node by node.
 subroutine rcgap(icon, n, gap, ierr)
   use rollcon_f77_support
   implicit none
@@ -212,7 +568,7 @@ subroutine rcgap(icon, n, gap, ierr)
   ierr = rollcon_contact_set_gap(contact_of(icon), int(n, c_int64_t), gap)
 end subroutine
 
-!> Gap A*X**2 + B*Y**2 + C*X*Y.
+!> Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the axes (t1, t2).
 subroutine rcgapq(icon, a, b, c, ierr)
   use rollcon_f77_support
   implicit none
@@ -221,25 +577,25 @@ subroutine rcgapq(icon, a, b, c, ierr)
   ierr = rollcon_contact_set_gap_quadratic(contact_of(icon), a, b, c)
 end subroutine
 
-!> Rolling speed.
-subroutine rcroll(icon, v, ierr)
+!> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
+subroutine rcroll(icon, speed, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, ierr
-  double precision :: v
-  ierr = rollcon_contact_set_rolling(contact_of(icon), v)
+  double precision :: speed
+  ierr = rollcon_contact_set_rolling(contact_of(icon), speed)
 end subroutine
 
-!> Longitudinal and lateral creepage and spin, by motion.
-subroutine rccrp(icon, cksi, ceta, cphi, ierr)
+!> Prescribes creepages and spin by motion.
+subroutine rccrp(icon, xlongitudinal, xlateral, spin, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, ierr
-  double precision :: cksi, ceta, cphi
-  ierr = rollcon_contact_set_creep(contact_of(icon), cksi, ceta, cphi)
+  double precision :: xlongitudinal, xlateral, spin
+  ierr = rollcon_contact_set_creep(contact_of(icon), xlongitudinal, xlateral, spin)
 end subroutine
 
-!> Rigid slip velocity SLIP(2,N) at each node; N = 0 removes it.
+!> Adds a rigid slip velocity given node by node to that of creepages and spin.
 subroutine rccrpf(icon, n, slip, ierr)
   use rollcon_f77_support
   implicit none
@@ -248,30 +604,396 @@ subroutine rccrpf(icon, n, slip, ierr)
   ierr = rollcon_contact_set_creep_field(contact_of(icon), int(n, c_int64_t), slip)
 end subroutine
 
-!> One direction (1 longitudinal, 2 lateral, 3 normal, 4 spin), by motion (1) or by force (2).
-subroutine rcpres(icon, idir, ihow, v, ierr)
+!> Prescribes one direction by motion or by force.
+subroutine rcpres(icon, idirection, ihow, value, ierr)
   use rollcon_f77_support
   implicit none
-  integer :: icon, idir, ihow, ierr
-  double precision :: v
-  ierr = rollcon_contact_prescribe(contact_of(icon), narrow(idir), narrow(ihow), v)
+  integer :: icon, idirection, ihow, ierr
+  double precision :: value
+  ierr = rollcon_contact_prescribe(contact_of(icon), narrow(idirection), narrow(ihow), value)
 end subroutine
 
-!> Friction law and its parameters: 'coulomb', 1, MU.
+!> Sets the law of friction for the whole frame.
 subroutine rcfric(icon, law, n, par, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ierr
   character(len=*) :: law
   double precision :: par(*)
-  ierr = rollcon_contact_set_friction(contact_of(icon), c_text(law), narrow(n), par)
+  ierr = rollcon_contact_set_friction(contact_of(icon), c_name(law), narrow(n), par)
 end subroutine
 
-!> Coefficient of friction at each node; N = 0 removes it.
+!> Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
 subroutine rcfrif(icon, n, xmu, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ierr
   double precision :: xmu(*)
   ierr = rollcon_contact_set_friction_field(contact_of(icon), int(n, c_int64_t), xmu)
+end subroutine
+
+!> Sets an integer option.
+subroutine rcseti(icon, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ivalue, ierr
+  character(len=*) :: name
+  ierr = rollcon_contact_set_int(contact_of(icon), c_name(name), int(ivalue, c_int64_t))
+end subroutine
+
+!> Sets a real option.
+subroutine rcsetr(icon, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_contact_set_real(contact_of(icon), c_name(name), value)
+end subroutine
+
+!> Sets a text option.
+subroutine rcsets(icon, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: name, value
+  ierr = rollcon_contact_set_str(contact_of(icon), c_name(name), c_name(value))
+end subroutine
+
+!> Value of an integer option.
+subroutine rcgeti(icon, name, ivalue, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ivalue, ierr
+  character(len=*) :: name
+  integer(c_int64_t) :: value_c
+  value_c = 0
+  ierr = rollcon_contact_get_int(contact_of(icon), c_name(name), value_c)
+  ivalue = int(value_c)
+end subroutine
+
+!> Value of a real option.
+subroutine rcgetr(icon, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_contact_get_real(contact_of(icon), c_name(name), value)
+end subroutine
+
+!> Value of a text option.
+subroutine rcgets(icon, name, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: name, text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_contact_get_str(contact_of(icon), c_name(name), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_contact_get_str(contact_of(icon), c_name(name), capacity, buffer, needed)
+  end if
+  call give_text(contact_of(icon), 'RCGETS', buffer, text, ierr)
+end subroutine
+
+!> Number of options.
+subroutine rcnopt(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_option_count()
+end subroutine
+
+!> Row of the table of options.
+subroutine rcopti(i, name, itype, xlow, high, standard, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, itype, ierr
+  character(len=*) :: name
+  double precision :: xlow, high, standard
+  integer(c_int32_t) :: type_c
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity
+  capacity = usual_text
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  type_c = 0
+  ierr = rollcon_option_info(narrow(i - 1), capacity, buffer, type_c, xlow, high, standard)
+  itype = int(type_c)
+  call give_text(c_null_ptr, 'RCOPTI', buffer, name, ierr)
+end subroutine
+
+!> What an option means.
+subroutine rcoptd(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_option_doc(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_option_doc(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCOPTD', buffer, text, ierr)
+end subroutine
+
+!> Sets the callback that is called once per iteration, and about every tenth of a second while bodies and operat.
+subroutine rcprog(icon, watch, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  procedure(progress_77) :: watch
+  type(box), pointer :: b
+  b => box_of(icon)
+  b%progress => watch
+  ierr = rollcon_contact_set_progress(contact_of(icon), c_funloc(call_progress), c_loc(b))
+end subroutine
+
+!> Sets the callback that is called once per iteration, and about every tenth of a second while bodies and operat.
+subroutine rcnopr(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_set_progress(contact_of(icon), c_null_funptr, c_null_ptr)
+end subroutine
+
+!> Asks a running solve to stop (an atomic store).
+subroutine rcstop(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_request_cancel(contact_of(icon))
+end subroutine
+
+!> Solves the steady rolling contact.
+subroutine rcsolv(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_solve(contact_of(icon))
+end subroutine
+
+!> Solves the scene for many load cases, each with some of what is prescribed replaced, on the threads of the con.
+subroutine rccase(icon, par, nc, values, columns, maxn, results, nres, istatus, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, nc, maxn, nres, istatus(*), ierr
+  character(len=*) :: par, columns
+  double precision :: values(*), results(*)
+  integer(c_int64_t) :: n_results_c
+  integer(c_int32_t), allocatable :: whole(:)
+  n_results_c = 0
+  call room_77(contact_of(icon), 'RCCASE', nc, whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_contact_solve_many(contact_of(icon), c_name(par), int(nc, c_int64_t), values, c_name(columns), &
+    int(maxn, c_int64_t), results, n_results_c, whole)
+  nres = int(n_results_c)
+  call give_integers(whole, istatus)
+end subroutine
+
+!> Forgets the solution, the warm start and the history.
+subroutine rcrset(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_reset(contact_of(icon))
+end subroutine
+
+!> Nodes and elements of the frame.
+subroutine rcsize(icon, nodes, ielements, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, nodes, ielements, ierr
+  integer(c_int64_t) :: nodes_c
+  integer(c_int64_t) :: elements_c
+  nodes_c = 0
+  elements_c = 0
+  ierr = rollcon_contact_get_size(contact_of(icon), nodes_c, elements_c)
+  nodes = int(nodes_c)
+  ielements = int(elements_c)
+end subroutine
+
+!> Tractions on body 1 at the nodes.
+subroutine rctrac(icon, iaxes, maxn, t, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iaxes, maxn, ierr
+  double precision :: t(*)
+  ierr = rollcon_contact_get_tractions(contact_of(icon), narrow(iaxes), int(maxn, c_int64_t), t)
+end subroutine
+
+!> A nodal field.
+subroutine rcfeld(icon, ifield, iaxes, maxn, v, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ifield, iaxes, maxn, nv, ierr
+  double precision :: v(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_contact_get_field(contact_of(icon), narrow(ifield), narrow(iaxes), int(maxn, c_int64_t), v, n_values_c)
+  nv = int(n_values_c)
+end subroutine
+
+!> State of each node.
+subroutine rcnsta(icon, maxn, istatus, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, maxn, istatus(*), ierr
+  integer(c_int32_t), allocatable :: whole(:)
+  integer(c_int64_t) :: room, elements
+  room = 0
+  elements = 0
+  ierr = rollcon_contact_get_size(contact_of(icon), room, elements)
+  room = min(room, int(maxn, c_int64_t))
+  call room_77(contact_of(icon), 'RCNSTA', int(room), whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_contact_get_status(contact_of(icon), room, whole)
+  call give_integers(whole, istatus)
+end subroutine
+
+!> Resultant force on body 1 and its moment about the origin of the axes.
+subroutine rcresu(icon, iaxes, force, xmoment, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iaxes, ierr
+  double precision :: force(3), xmoment(3)
+  ierr = rollcon_contact_get_resultant(contact_of(icon), narrow(iaxes), force, xmoment)
+end subroutine
+
+!> Approach, creepages and spin, as given or as found for prescribed forces.
+subroutine rcmotn(icon, approach, creep, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: approach, creep(3)
+  ierr = rollcon_contact_get_motion(contact_of(icon), approach, creep)
+end subroutine
+
+!> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one par.
+subroutine rcsens(icon, iparameter, force, xmoment, approach, creep, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iparameter, ierr
+  double precision :: force(3), xmoment(3), approach, creep(3)
+  ierr = rollcon_contact_get_sensitivity(contact_of(icon), narrow(iparameter), force, xmoment, approach, creep)
+end subroutine
+
+!> Elastic displacement of a body at any points of the contact surface, on the frame or off it, in local axes (of.
+subroutine rcdisp(icon, ibody, n, xy, u, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, n, ierr
+  double precision :: xy(*), u(*)
+  ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xy, u)
+end subroutine
+
+!> One number about the last solve.
+subroutine rcstat(icon, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_contact_get_stat(contact_of(icon), c_name(name), value)
+end subroutine
+
+!> Number of statistics.
+subroutine rcnstt(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_stat_count()
+end subroutine
+
+!> Name of a statistic.
+subroutine rcstnm(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_stat_name(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_stat_name(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCSTNM', buffer, text, ierr)
+end subroutine
+
+!> Iterations of the last solve, one row each.
+subroutine rchist(icon, maxn, rows, nr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, maxn, nr, ierr
+  double precision :: rows(*)
+  integer(c_int64_t) :: n_rows_c
+  n_rows_c = 0
+  ierr = rollcon_contact_get_history(contact_of(icon), int(maxn, c_int64_t), rows, n_rows_c)
+  nr = int(n_rows_c)
+end subroutine
+
+!> Convergence of the last solve.
+subroutine rcerrf(icon, maxn, psi, seconds, nr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, maxn, nr, ierr
+  double precision :: psi(*), seconds(*)
+  integer(c_int64_t) :: n_rows_c
+  n_rows_c = 0
+  ierr = rollcon_contact_get_error_function(contact_of(icon), int(maxn, c_int64_t), psi, seconds, n_rows_c)
+  nr = int(n_rows_c)
+end subroutine
+
+!> How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+subroutine rcplan(icon, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_contact_get_plan(contact_of(icon), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_contact_get_plan(contact_of(icon), capacity, buffer, needed)
+  end if
+  call give_text(contact_of(icon), 'RCPLAN', buffer, text, ierr)
+end subroutine
+
+!> Writes frame and fields, in global axes, as a VTU file for ParaView and meshio.
+subroutine rcwrit(icon, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: path
+  ierr = rollcon_contact_write(contact_of(icon), c_text(path))
 end subroutine

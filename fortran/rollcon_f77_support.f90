@@ -3,6 +3,7 @@ module rollcon_f77_support
   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_funloc, c_int32_t, c_int64_t, c_loc, &
     c_null_char, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
+  use rollcon_f77_names
   use rollcon_support, only: c_text, f_text, f_text_at, nodes_of, usual_text
   implicit none
   public
@@ -27,6 +28,9 @@ module rollcon_f77_support
     type(box), pointer :: next => null()
   end type
   type(box), pointer, save, private :: boxes => null()
+
+  integer(c_int32_t), parameter, private :: no_result = -huge(1_c_int32_t)
+  integer, parameter :: of_none = 0, of_context = 1, of_body = 2, of_contact = 3
 
 contains
 
@@ -55,6 +59,52 @@ contains
     contact_of = rollcon_contact_from_id(narrow(id))
   end function
 
+  !> What the handle stands for, which is in the highest bits of its number.
+  integer function kind_of(id)
+    integer, intent(in) :: id
+    kind_of = of_none
+    if (id <= 0) return
+    if (rollcon_id_of(context_of(id)) == id) kind_of = id/2**29
+  end function
+
+  !> A name of the library: NUL-terminated, in lower case whatever the caller's is, without trailing blanks.
+  pure function c_name(text) result(copy)
+    character(len=*), intent(in) :: text
+    character(kind=c_char) :: copy(len_trim(text) + 1)
+    integer :: i
+    copy = c_text(text)
+    do i = 1, size(copy) - 1
+      if (lge(copy(i), 'A') .and. lle(copy(i), 'Z')) copy(i) = achar(iachar(copy(i)) + 32)
+    end do
+  end function
+
+  !> "what number rule" is wrong: the last error, for log and latch of the handle's context too.
+  subroutine refuse(handle, what, number, rule, ierr)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: what, rule
+    integer, intent(in) :: number
+    integer, intent(out) :: ierr
+    character(len=24) :: digits
+    write (digits, '(i0)') number
+    ierr = rollcon_report(handle, ROLLCON_ERR_ARGUMENT, c_text(what//' '//trim(digits)//rule))
+  end subroutine
+
+  subroutine no_memory(handle, name, ierr)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
+    integer, intent(out) :: ierr
+    ierr = rollcon_report(handle, ROLLCON_ERR_MEMORY, c_text(name//': out of memory'))
+  end subroutine
+
+  subroutine no_handle(name, id, ierr)
+    character(len=*), intent(in) :: name
+    integer, intent(in) :: id
+    integer, intent(out) :: ierr
+    ierr = ROLLCON_ERR_HANDLE
+    if (id == 0) ierr = ROLLCON_ERR_ARGUMENT
+    ierr = rollcon_report(c_null_ptr, int(ierr, c_int32_t), c_text(name//': IH is no live context, body or contact'))
+  end subroutine
+
   !> As nodes_of, for INTEGERs of the caller's width.
   pure integer function nodes_77(type)
     integer, intent(in) :: type
@@ -63,80 +113,95 @@ contains
   end function
 
   !> Node numbers of N elements without gaps between them.
-  subroutine pack_77(itype, n, ic, ldc, packed, ierr)
+  subroutine pack_77(handle, name, itype, n, ic, ldc, packed, ierr)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
     integer, intent(in) :: itype, n, ldc
     integer, intent(in) :: ic(max(ldc, 1), *)
     integer(c_int32_t), allocatable, intent(out) :: packed(:, :)
     integer, intent(out) :: ierr
+    character(len=24) :: least
     integer :: i, j, npe, no_room
     npe = nodes_77(itype)
-    ierr = ROLLCON_ERR_ARGUMENT
-    if (ldc < npe .or. n < 0) return
-    ierr = ROLLCON_ERR_MEMORY
+    ierr = ROLLCON_OK
+    write (least, '(i0)') npe
+    if (ldc < npe) call refuse(handle, name//': LDC is', ldc, '; allowed for this type: '//trim(least)//' or more', ierr)
+    if (ierr == ROLLCON_OK .and. n < 0) call refuse(handle, name//': N is', n, '; allowed: 0 or more', ierr)
+    if (ierr /= ROLLCON_OK) return
     allocate (packed(npe, n), stat=no_room)
-    if (no_room /= 0) return
+    if (no_room /= 0) then
+      call no_memory(handle, name, ierr)
+      return
+    end if
     do j = 1, n
       do i = 1, npe
         packed(i, j) = narrow(ic(i, j))
       end do
     end do
-    ierr = ROLLCON_OK
   end subroutine
 
   !> The N numbers of a list.
-  subroutine pack_list_77(n, list, packed, ierr)
+  subroutine pack_list_77(handle, name, n, list, packed, ierr)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
     integer, intent(in) :: n
     integer, intent(in) :: list(*)
     integer(c_int32_t), allocatable, intent(out) :: packed(:)
     integer, intent(out) :: ierr
-    integer :: i, no_room
-    ierr = ROLLCON_ERR_ARGUMENT
-    if (n < 0) return
-    ierr = ROLLCON_ERR_MEMORY
-    allocate (packed(n), stat=no_room)
-    if (no_room /= 0) return
+    integer :: i
+    ierr = ROLLCON_OK
+    if (n < 0) then
+      call refuse(handle, name//': N is', n, '; allowed: 0 or more', ierr)
+      return
+    end if
+    call room_77(handle, name, n, packed, ierr)
+    if (ierr /= ROLLCON_OK) return
     do i = 1, n
       packed(i) = narrow(list(i))
     end do
-    ierr = ROLLCON_OK
   end subroutine
 
-  !> RCMANY, and the derivatives at an address that may be null.
-  subroutine solve_many_77(contact, np, ipar, nc, v, istat, f, xm, appr, creep, d, ierr)
-    type(c_ptr), intent(in) :: contact, d
-    integer, intent(in) :: np, nc, ipar(*)
-    integer, intent(inout) :: istat(*)
-    double precision, intent(in) :: v(*)
-    double precision, intent(inout), target :: f(*), xm(*), appr(*), creep(*)
+  !> Room for N results, none of which is there yet.
+  subroutine room_77(handle, name, n, room, ierr)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
+    integer, intent(in) :: n
+    integer(c_int32_t), allocatable, intent(out) :: room(:)
     integer, intent(out) :: ierr
-    integer(c_int32_t), allocatable :: p(:)
-    integer(c_int32_t), allocatable, target :: s(:)
-    integer :: i, no_room
-    call pack_list_77(np, ipar, p, ierr)
-    if (ierr /= ROLLCON_OK) return
-    allocate (s(max(nc, 1)), stat=no_room)
+    integer :: no_room
+    ierr = ROLLCON_OK
+    allocate (room(max(n, 0)), stat=no_room)
     if (no_room /= 0) then
-      ierr = ROLLCON_ERR_MEMORY
-      return
+      call no_memory(handle, name, ierr)
+    else
+      room = no_result
     end if
-    s = 0
-    ierr = rollcon_contact_solve_many(contact, narrow(np), p, int(nc, c_int64_t), v, c_text(''), 0_c_int64_t, c_loc(s), &
-      c_loc(f), c_loc(xm), c_loc(appr), c_loc(creep), d, c_null_ptr, c_null_ptr)
-    if (ierr < 0) return
-    do i = 1, nc
-      istat(i) = int(s(i))
+  end subroutine
+
+  !> The results that are there.
+  subroutine give_integers(from, to)
+    integer(c_int32_t), intent(in) :: from(:)
+    integer, intent(inout) :: to(*)
+    integer :: i
+    do i = 1, size(from)
+      if (from(i) /= no_result) to(i) = int(from(i))
     end do
   end subroutine
 
   !> The buffer's text, padded with blanks; ROLLCON_ERR_CAPACITY (and the beginning of the text) if it is longer.
-  subroutine give_text(buffer, text, status)
+  subroutine give_text(handle, name, buffer, text, status)
+    type(c_ptr), intent(in) :: handle
+    character(len=*), intent(in) :: name
     character(kind=c_char), intent(in) :: buffer(:)
     character(len=*), intent(out) :: text
     integer, intent(inout) :: status
     character(len=:), allocatable :: whole
+    character(len=80) :: why
     whole = f_text(buffer)
     text = whole
-    if (len(whole) > len(text) .and. status >= 0) status = ROLLCON_ERR_CAPACITY
+    if (len(whole) <= len(text) .or. status < 0) return
+    write (why, '(a, i0, a, i0)') ': the text has ', len(whole), ' characters; there is room for ', len(text)
+    status = rollcon_report(handle, ROLLCON_ERR_CAPACITY, c_text(name//trim(why)))
   end subroutine
 
   function box_of(id) result(b)

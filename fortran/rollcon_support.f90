@@ -12,8 +12,8 @@ module rollcon_support
   !> Room that holds nearly every text of the library; longer ones are asked for a second time.
   integer(rc_long), parameter, public :: usual_text = 512_rc_long
 
-  public :: c_text, f_text, f_text_at, context_message, finish, nodes_of, is_volume_type, narrow_ids
-  public :: rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
+  public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids
+  public :: rc_last_error, rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
 
 contains
 
@@ -65,29 +65,6 @@ contains
     end do
   end function
 
-  !> Text of the context's last failure; empty if there was none.
-  function context_message(context) result(text)
-    type(c_ptr), intent(in) :: context
-    character(len=:), allocatable :: text
-    character(kind=c_char), allocatable :: buffer(:)
-    integer(rc_long) :: needed
-    integer(rc_int) :: status
-    allocate (buffer(usual_text))
-    buffer(1) = c_null_char
-    needed = 0
-    status = rollcon_context_get_error(context, usual_text, buffer, needed)
-    if (status == ROLLCON_ERR_CAPACITY) then
-      deallocate (buffer)
-      allocate (buffer(needed))
-      status = rollcon_context_get_error(context, size(buffer, kind=rc_long), buffer, needed)
-    end if
-    if (status == ROLLCON_OK) then
-      text = f_text(buffer)
-    else
-      text = ''
-    end if
-  end function
-
   !> The rule of every call: `stat`, if present, gets the status; if it is absent, a failure (status < 0) prints the
   !> message and stops. `errmsg` gets the message of a failure, cut or padded to its length, and is left alone otherwise.
   subroutine finish(status, context, what, stat, errmsg, message)
@@ -98,15 +75,11 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     character(len=*), intent(in), optional :: message
     character(len=:), allocatable :: text
+    integer(rc_int) :: ignored
     if (present(stat)) stat = int(status)
+    if (present(message)) ignored = rollcon_report(context, status, c_text(what//': '//message))
     if (status >= 0 .or. (present(stat) .and. .not. present(errmsg))) return
-    text = ''
-    if (present(message)) then
-      text = what//': '//message
-    else if (c_associated(context) .and. status /= ROLLCON_ERR_HANDLE) then
-      text = context_message(context)
-    end if
-    if (len(text) == 0) text = what//': '//rc_status_string(int(status))
+    text = f_text_at(rollcon_last_error())
     if (present(errmsg)) errmsg = text
     if (present(stat)) return
     write (error_unit, '(2a)') 'rollcon: ', text
@@ -183,6 +156,12 @@ contains
   logical function rc_has_feature(name)
     character(len=*), intent(in) :: name
     rc_has_feature = rollcon_has_feature(c_text(name)) /= 0
+  end function
+
+  !> Text of the last failure in this thread.
+  function rc_last_error() result(text)
+    character(len=:), allocatable :: text
+    text = f_text_at(rollcon_last_error())
   end function
 
   function rc_status_string(status) result(text)

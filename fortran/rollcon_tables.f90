@@ -42,15 +42,13 @@ contains
     character(kind=c_char), allocatable :: buffer(:)
     integer(rc_long) :: needed
     integer(rc_int) :: status
-    allocate (buffer(usual_text))
-    buffer(1) = c_null_char
+    allocate (buffer(1))
     needed = 0
-    status = rollcon_option_doc(int(i - 1, rc_int), usual_text, buffer, needed)
-    if (status == ROLLCON_ERR_CAPACITY) then
-      deallocate (buffer)
-      allocate (buffer(needed))
-      status = rollcon_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
-    end if
+    status = rollcon_option_doc(int(i - 1, rc_int), 0_rc_long, buffer, needed)
+    deallocate (buffer)
+    allocate (buffer(max(needed, 1_rc_long)))
+    buffer(1) = c_null_char
+    if (status == ROLLCON_OK) status = rollcon_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
     text = f_text(buffer)
     call finish(status, c_null_ptr, 'rc_option_doc', stat, errmsg)
   end subroutine
@@ -103,15 +101,14 @@ contains
     character(kind=c_char), allocatable :: buffer(:)
     integer(rc_long) :: needed
     integer(rc_int) :: status
-    allocate (buffer(usual_text))
-    buffer(1) = c_null_char
+    allocate (buffer(1))
     needed = 0
-    status = rollcon_body_option_doc(int(i - 1, rc_int), usual_text, buffer, needed)
-    if (status == ROLLCON_ERR_CAPACITY) then
-      deallocate (buffer)
-      allocate (buffer(needed))
+    status = rollcon_body_option_doc(int(i - 1, rc_int), 0_rc_long, buffer, needed)
+    deallocate (buffer)
+    allocate (buffer(max(needed, 1_rc_long)))
+    buffer(1) = c_null_char
+    if (status == ROLLCON_OK) &
       status = rollcon_body_option_doc(int(i - 1, rc_int), size(buffer, kind=rc_long), buffer, needed)
-    end if
     text = f_text(buffer)
     call finish(status, c_null_ptr, 'rc_body_option_doc', stat, errmsg)
   end subroutine

@@ -4,16 +4,24 @@
  * Generated from bindings/api.toml by bindings/generate.py; do not edit.
  * Copyright (c) the rollcon authors. BSD-3-Clause.
  *
- * C90 with <stdint.h>, C++98; no other header is needed. What holds for all functions
- * (docs/api.md says more):
+ * C90 with <stdint.h>, C++98; no other header is needed.
+ *
+ * What holds for all functions; their comments say the rest (docs/api.md says more):
  *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
  *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
- *    rollcon_context_get_error tells what was wrong. Failures of calls that had no live
- *    handle leave a status only.
- *  - NULL gives ROLLCON_ERR_ARGUMENT unless a comment allows it; released, garbage and
- *    wrong-kind handles give ROLLCON_ERR_HANDLE.
+ *  - rollcon_last_error() tells in words why the last call of this thread that failed did so.
+ *  - NULL gives ROLLCON_ERR_ARGUMENT, as does a value out of range, unless a comment says
+ *    otherwise; released, garbage and wrong-kind handles give ROLLCON_ERR_HANDLE; an object that
+ *    another call is using ROLLCON_ERR_BUSY. Comments list what else is returned.
+ *  - Threads: one at a time per object, unless a comment says "any": then any thread at any time.
  *  - Arguments: the object, inputs (count before array), outputs. Inputs are copied, results are
- *    copied out. NaN and infinity are refused.
+ *    copied out. NaN and infinity are refused (ROLLCON_ERR_NONFINITE).
+ *  - A text comes out as (capacity, text, needed): bytes at text, the NUL counted, and the bytes
+ *    needed; other results of unknown length alike. Capacity 0 only asks for the need, with NULL
+ *    for the result; one that is too small is ROLLCON_ERR_CAPACITY and tells the need, too. The
+ *    need may be NULL otherwise.
+ *  - New handles are the caller's to release, and NULL after a failure.
+ *  - Programs that check once, at their end, set rollcon_context_set_latch.
  *  - Vectors are stored x y z, x y z, ...: x[n][3] in C, x(3,n) in Fortran.
  *  - Any consistent set of units; the reference says force, length and time. Angles in radians.
  *  - Axes: n is the outward normal of body 1, t1 the rolling direction, t2 = n x t1. Tractions and
@@ -69,7 +77,7 @@ enum {
   ROLLCON_NOT_CONVERGED   = 1,    /* iteration limit reached; the best iterate is kept */
   ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
-  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it (a body's own edge does not count) */
+  ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
@@ -79,7 +87,7 @@ enum {
   ROLLCON_ERR_CAPACITY    = -7,   /* the caller's array is too small; the need is reported */
   ROLLCON_ERR_SINGULAR    = -8,   /* a linear system is singular; a body is not held */
   ROLLCON_ERR_MEMORY      = -9,   /* out of memory or of handles */
-  ROLLCON_ERR_UNSUPPORTED = -10,  /* not in this build of the library */
+  ROLLCON_ERR_UNSUPPORTED = -10,  /* not in this build of the library, or made for another one */
   ROLLCON_ERR_BUSY        = -11,  /* the object is in use by another call */
   ROLLCON_ERR_LOAD        = -12,  /* the prescribed forces have no steady solution */
   ROLLCON_ERR_IO          = -13,  /* a file cannot be written or read */
@@ -224,46 +232,70 @@ typedef int32_t (ROLLCON_CALL *rollcon_progress_fn)(const rollcon_event *event, 
 
 /*
  * Version of the library: 10000 major + 100 minor + patch.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_version(void);
 
 /*
  * Binary interface number of the library: that of the shared library's SONAME; equals ROLLCON_ABI
  * of a header that fits.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_abi(void);
 
 /*
  * Version as text, "major.minor.patch".
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_version_string(void);
 
 /*
  * Licences that this build carries and how it was built, as one line of text.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_build_info(void);
 
 /*
  * 1 if this build has the feature, 0 if not or if the name is unknown or NULL.
  *   name  may be NULL; one of the features listed in the reference
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_has_feature(const char *name);
 
 /*
  * One line of text for a status; "unknown status" for other numbers.
  *   status  any number
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
 
+/* ---------------------------------------------------------------------------------- Failures */
+/* What went wrong, in words. Callable at any time, from any thread. */
+
+/*
+ * The text of the last call that failed in this thread: name of the function, offending entry,
+ * allowed range; empty before the first failure. Every negative status leaves its text, that of a
+ * dead handle too; successes leave the last text alone. Valid until the next failure in this
+ * thread; texts beyond 2047 bytes are cut.
+ * Threads: any.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
+
+/*
+ * For layers over this interface that check arguments of their own: makes a text the thread's
+ * last error and tells log and latch of the object's context, as a failing function does. Returns
+ * the status.
+ *   handle   may be NULL; context, body or contact that the caller was given; others: no log, no
+ *            latch
+ *   status   < 0; others stand for ROLLCON_ERR_ARGUMENT
+ *   message  may be NULL; "name of the function: what is wrong"
+ * Threads: any.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_report(const void *handle, int32_t status,
+    const char *message);
+
 /* ----------------------------------------------------------------------------------- Context */
-/* Owns the log sink, the thread budget and the text of the last failure. Different contexts are
-   independent. */
+/* Owns the log sink, the thread budget and the latch. Different contexts are independent. */
 
 /*
  * Makes a context.
@@ -271,16 +303,15 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
  *               has another
  *   context     new handle
  * Ownership: The caller owns the new handle: release it. *context is NULL after a failure.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_create(int32_t header_abi,
     rollcon_context **context);
 
 /*
  * Adds a reference.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_retain(rollcon_context *context);
 
@@ -288,7 +319,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_retain(rollcon_context *
  * Drops a reference; the handle is dead after the last one. Bodies and contacts made from the
  * context keep what they need of it. NULL and dead handles are ignored.
  *   context  may be NULL
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API void ROLLCON_CALL rollcon_context_release(rollcon_context *context);
 
@@ -299,8 +330,6 @@ ROLLCON_API void ROLLCON_CALL rollcon_context_release(rollcon_context *context);
  *   user       handed to fn
  * Ownership: `user` stays the caller's and must live until the sink is replaced or the context
  *   and all it made are gone.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_log(rollcon_context *context,
     int32_t max_level, rollcon_log_fn fn, void *user);
@@ -309,23 +338,33 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_log(rollcon_context 
  * Sets the number of threads that each solve, and each preparation of a body, in this context may
  * use.
  *   n        0 to 4096; 0 (standard): OpenMP decides
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_threads(rollcon_context *context,
     int32_t n);
 
 /*
- * Copies the text of the last failure in this context: name of the function, offending entry,
- * allowed range. Empty before the first failure; successes leave it alone.
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * For programs that check once, at the end. While the latch is on, the first call that fails on
+ * the context or on what was made from it is remembered, and every later one does nothing and
+ * returns the same status, with the same last error. Release, retain,
+ * rollcon_contact_request_cancel, rollcon_body_get_kind and the calls of this latch work on.
+ * Outputs of calls that do nothing keep the values that they had, handles to be made are NULL.
+ * Calls that have no live handle belong to no context.
+ *   on       1: on, 0: off (standard); either forgets what was remembered
+ * Also returns: ROLLCON_ERR_MEMORY.
+ * Threads: any.
  */
-ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_get_error(const rollcon_context *context,
-    int64_t capacity, char *text, int64_t *needed);
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_set_latch(rollcon_context *context,
+    int32_t on);
+
+/*
+ * The first failure since the latch was set, whose text becomes the last error; without one the
+ * first status > 0 (a solve that did not converge, ...); without either, or with the latch off,
+ * ROLLCON_OK. Any negative status may come.
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_check(const rollcon_context *context);
 
 /* -------------------------------------------------------------- Body: making, material, life */
 /* One of the two bodies of a contact. A prepared body is frozen and may be shared by contacts in
@@ -338,17 +377,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_context_get_error(const rollcon_
  *   body     new handle
  * Ownership: The caller owns the new handle: release it. The body keeps what it needs of the
  *   context. *body is NULL after a failure.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_UNSUPPORTED,
- *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_create(rollcon_context *context,
     int32_t kind, rollcon_body **body);
 
 /*
  * Adds a reference.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_retain(rollcon_body *body);
 
@@ -356,7 +392,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_retain(rollcon_body *body);
  * Drops a reference; the handle is dead after the last one. Contacts keep their bodies alive.
  * NULL and dead handles are ignored.
  *   body  may be NULL
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
 
@@ -368,9 +404,7 @@ ROLLCON_API void ROLLCON_CALL rollcon_body_release(rollcon_body *body);
  *   young    Young's modulus E > 0, force/length^2
  *   poisson  Poisson's ratio, -1 < nu <= 0.5; finite elements take up to 0.4999999, TET4 and
  *            WEDGE6 up to 0.45 (ROLLCON_ERR_UNSUPPORTED from rollcon_body_prepare)
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *body, int32_t tag,
     double young, double poisson);
@@ -390,10 +424,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_elastic(rollcon_body *b
  * what approach and creepage move.
  * Ownership: After a failure the body is unchanged and not prepared; mend it and prepare it
  *   again.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED.
  * Source: docs/theory.md, sections 9 and 10; equations (53) to (57) and (61) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body);
@@ -401,8 +433,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_prepare(rollcon_body *body)
 /*
  * The model given to rollcon_body_create.
  *   kind  out; ROLLCON_BODY_...
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body *body,
     int32_t *kind);
@@ -413,10 +444,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_kind(const rollcon_body
  * an older one is replaced. Poses are the contacts'. Every library of the same ABI number and
  * format reads it, on any machine of the same byte order with IEEE numbers.
  *   path  name of the file
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_IO,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, const char *path);
 
@@ -431,9 +460,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
  *   body     new handle
  * Ownership: The caller owns the new handle: release it. The body keeps what it needs of the
  *   context. *body is NULL after a failure.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_IO,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *context,
     const char *path, rollcon_body **body);
@@ -452,10 +479,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *conte
  *   x                 [n*3]; coordinates, length
  *   node_stride       >= 1, in doubles
  *   component_stride  >= 1, in doubles
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_nodes(rollcon_body *body, int64_t n,
     const double *x, int64_t node_stride, int64_t component_stride);
@@ -474,10 +498,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_nodes(rollcon_body *bod
  *   tag           surface elements: names these faces in loads, contact faces and
  *                 rollcon_contact_frame_from_body; tractions may jump where tags meet. Volume
  *                 elements: names their material
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_elements(rollcon_body *body,
     int32_t type, int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag);
@@ -492,10 +513,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_add_elements(rollcon_body *
  *   faces       [n]; face of each, in the order of ROLLCON_TET4, ...: see the element types
  *   index_base  0 or 1: number of the first element and of the first face of an element
  *   tag         names these faces in loads, contact faces and rollcon_contact_frame_from_body
- * Ownership: The arrays are copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces(rollcon_body *body, int64_t n,
     const int32_t *elements, const int32_t *faces, int32_t index_base, int32_t tag);
@@ -510,10 +528,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces(rollcon_body *bod
  *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
  *   index_base  0 or 1: id of the first node
  *   tag         names these faces in loads, contact faces and rollcon_contact_frame_from_body
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces_of_nodes(rollcon_body *body,
     int64_t n, const int32_t *nodes, int32_t index_base, int32_t tag);
@@ -529,10 +544,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_faces_of_nodes(rollcon_
  *   dof_mask    sum of ROLLCON_DOF_X, DOF_Y, DOF_Z: the components held, 1 to 7
  *   values      [n][3]; displacements x y z, length, -1e100 to 1e100; components outside of
  *               dof_mask are ignored; NULL: zero
- * Ownership: The arrays are copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_support(rollcon_body *body, int64_t n,
     const int32_t *nodes, int32_t index_base, int32_t dof_mask, const double *values);
@@ -542,10 +554,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_support(rollcon_body *b
  * same tag is added to it. Faces without load or support are free.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
  *   traction  [3]; force/length^2 along x y z, -1e100 to 1e100
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *body,
     int32_t tag, const double *traction);
@@ -555,9 +564,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *
  * earlier one and adds to a traction on the same tag.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
  *   pressure  force/length^2, -1e100 to 1e100; > 0 compresses
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *body,
     int32_t tag, double pressure);
@@ -567,10 +574,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
  * all faces that are neither held nor loaded.
  *   n     tags, >= 0; 0 returns to the standard
  *   tags  [n]; each of some face (else ROLLCON_ERR_ARGUMENT); NULL only with n = 0
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_body *body,
     int64_t n, const int32_t *tags);
@@ -582,9 +586,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_b
 /*
  * Sets an integer option.
  *   body   not prepared (ROLLCON_ERR_STATE)
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_int(rollcon_body *body,
     const char *name, int64_t value);
@@ -592,9 +594,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_int(rollcon_body *body,
 /*
  * Sets a real option.
  *   body   not prepared (ROLLCON_ERR_STATE)
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_real(rollcon_body *body,
     const char *name, double value);
@@ -602,9 +602,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_real(rollcon_body *body
 /*
  * Value of an integer option.
  *   value  out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_int(const rollcon_body *body,
     const char *name, int64_t *value);
@@ -612,16 +610,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_int(const rollcon_body 
 /*
  * Value of a real option.
  *   value  out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_real(const rollcon_body *body,
     const char *name, double *value);
 
 /*
  * Number of options of bodies.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_body_option_count(void);
 
@@ -634,8 +630,8 @@ ROLLCON_API int32_t ROLLCON_CALL rollcon_body_option_count(void);
  *   low       out, may be NULL; least value allowed
  *   high      out, may be NULL; greatest value allowed
  *   standard  out, may be NULL; value of a new body
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int64_t capacity,
     char *name, int32_t *type, double *low, double *high, double *standard);
@@ -643,11 +639,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int6
 /*
  * What an option of bodies means.
  *   i         0 to rollcon_body_option_count() - 1
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64_t capacity,
     char *text, int64_t *needed);
@@ -662,8 +655,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64
  * rollcon_body_prepare.
  *   nodes     out, may be NULL
  *   elements  out, may be NULL
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_size(const rollcon_body *body,
     int64_t *nodes, int64_t *elements);
@@ -673,9 +664,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_size(const rollcon_body
  * are none, and for rigid bodies.
  *   capacity  nodes that fit into u; at least those of the body
  *   u         [capacity][3], out; displacement x y z, length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  * Source: docs/theory.md, section 9.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rollcon_body *body,
@@ -687,9 +676,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rol
  * the error of the discretisation: a measure of it.
  *   force   [3], out, may be NULL; force
  *   moment  [3], out, may be NULL; force x length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_body *body,
     double *force, double *moment);
@@ -700,27 +687,22 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_reaction(const rollcon_
  * equations, which equal bodies of a context share: "shared" is 1 for a body for which nothing
  * was assembled because an equal one was prepared before, "loaded" for one from a file.
  *   value  out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_stat(const rollcon_body *body,
     const char *name, double *value);
 
 /*
  * Number of statistics of bodies.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_body_stat_count(void);
 
 /*
  * Name of a statistic of bodies.
  *   i         0 to rollcon_body_stat_count() - 1
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_t capacity,
     char *text, int64_t *needed);
@@ -738,24 +720,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_
  *   contact  new handle
  * Ownership: The caller owns the new handle: release it. The contact keeps bodies and context
  *   alive. *contact is NULL after a failure.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY,
- *   ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_create(rollcon_context *context,
     rollcon_body *body1, rollcon_body *body2, rollcon_contact **contact);
 
 /*
  * Adds a reference.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_retain(rollcon_contact *contact);
 
 /*
  * Drops a reference; the handle is dead after the last one. NULL and dead handles are ignored.
  *   contact  may be NULL
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API void ROLLCON_CALL rollcon_contact_release(rollcon_contact *contact);
 
@@ -767,10 +746,7 @@ ROLLCON_API void ROLLCON_CALL rollcon_contact_release(rollcon_contact *contact);
  *   x                 [n*3]; coordinates, length
  *   node_stride       >= 1, in doubles
  *   component_stride  >= 1, in doubles
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_contact *contact,
     int64_t n, const double *x, int64_t node_stride, int64_t component_stride);
@@ -783,10 +759,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_
  *   connectivity  [n][nodes of the type]; node ids
  *   index_base    0 or 1: id of the first node; messages count the same way
  *   tag           free label of these elements, written to files
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
     rollcon_contact *contact, int32_t type, int64_t n, const int32_t *connectivity,
@@ -800,9 +773,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
  *   which    1 or 2: the body, prepared or not
  *   tag      of some element of it (else ROLLCON_ERR_ARGUMENT)
  * Ownership: The faces are copied: later changes of an unprepared body do not reach the frame.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MESH, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_contact *contact,
     int32_t which, int32_t tag);
@@ -814,10 +785,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_
  *   rotation     [3][3]; by rows; orthonormal with determinant +1 to 1e-6 (else
  *                ROLLCON_ERR_ARGUMENT), then made exactly so
  *   translation  [3]; length
- * Ownership: The arrays are copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_pose(rollcon_contact *contact,
@@ -829,10 +797,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_pose(rollcon_contact
  *   origin   [3]; length
  *   rolling  [3]; rolling direction, not parallel to normal
  *   normal   [3]; outward normal of body 1
- * Ownership: The arrays are copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact *contact,
@@ -845,10 +810,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact
  * the axes.
  *   n        nodes of the frame
  *   gap      [n]; length
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap(rollcon_contact *contact,
     int64_t n, const double *gap);
@@ -859,9 +821,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap(rollcon_contact 
  *   a        1/length; 1/(2 R) for a sphere
  *   b        1/length
  *   c        1/length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
     rollcon_contact *contact, double a, double b, double c);
@@ -874,9 +834,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
  * Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a
  * wheel).
  *   speed    V > 0, length/time
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_contact *contact,
@@ -888,9 +846,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_cont
  *   longitudinal  creepage along t1, dimensionless
  *   lateral       creepage along t2, dimensionless
  *   spin          1/length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contact *contact,
@@ -901,10 +857,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
  * its components are along the local axes of each node.
  *   n        nodes of the frame; 0 removes the field
  *   slip     [n][2]; velocity along t1 and t2, length/time; NULL only with n = 0
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_contact *contact,
     int64_t n, const double *slip);
@@ -916,9 +869,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_
  *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
  *   value      motion: creepage, spin (1/length), approach (length); force: force, spin moment
  *              about the origin, and for NORMAL the compressive load >= 0
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, loads.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contact *contact,
@@ -929,10 +880,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
  *   law         "coulomb"
  *   n           parameters: 1
  *   parameters  [n]; mu >= 0
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, contact laws; Coulomb: equation (16) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
@@ -942,10 +890,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_con
  * Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
  *   n        nodes of the frame; 0 removes the field
  *   mu       [n]; >= 0; NULL only with n = 0
- * Ownership: The array is copied.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_field(
     rollcon_contact *contact, int64_t n, const double *mu);
@@ -956,27 +901,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_field(
 
 /*
  * Sets an integer option.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_int(rollcon_contact *contact,
     const char *name, int64_t value);
 
 /*
  * Sets a real option.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_real(rollcon_contact *contact,
     const char *name, double value);
 
 /*
  * Sets a text option.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_str(rollcon_contact *contact,
     const char *name, const char *value);
@@ -984,9 +923,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_str(rollcon_contact 
 /*
  * Value of an integer option.
  *   value    out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_int(const rollcon_contact *contact,
     const char *name, int64_t *value);
@@ -994,28 +931,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_int(const rollcon_co
 /*
  * Value of a real option.
  *   value    out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_real(const rollcon_contact *contact,
     const char *name, double *value);
 
 /*
  * Value of a text option.
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_str(const rollcon_contact *contact,
     const char *name, int64_t capacity, char *text, int64_t *needed);
 
 /*
  * Number of options.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(void);
 
@@ -1028,8 +958,8 @@ ROLLCON_API int32_t ROLLCON_CALL rollcon_option_count(void);
  *   low       out, may be NULL; least value allowed
  *   high      out, may be NULL; greatest value allowed
  *   standard  out, may be NULL; value of a new contact
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t i, int64_t capacity,
     char *name, int32_t *type, double *low, double *high, double *standard);
@@ -1037,11 +967,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_info(int32_t i, int64_t c
 /*
  * What an option means; for text options also the values allowed.
  *   i         0 to rollcon_option_count() - 1
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t capacity,
     char *text, int64_t *needed);
@@ -1056,8 +983,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t ca
  *   user     handed to fn
  * Ownership: `user` stays the caller's and must live until the callback is replaced or the
  *   contact is gone.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_progress(rollcon_contact *contact,
     rollcon_progress_fn fn, void *user);
@@ -1067,8 +992,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_progress(rollcon_con
  *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
  *   key    ROLLCON_EVENT_PHASE or ROLLCON_EVENT_ITERATION
  *   value  out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_int(const rollcon_event *event,
     int32_t key, int64_t *value);
@@ -1078,8 +1002,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_int(const rollcon_even
  *   event  as the callback got it; ROLLCON_ERR_HANDLE outside of the callback
  *   key    ROLLCON_EVENT_RESIDUAL or ROLLCON_EVENT_SECONDS
  *   value  out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_real(const rollcon_event *event,
     int32_t key, double *value);
@@ -1089,8 +1012,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_event_get_real(const rollcon_eve
  * operators are prepared, within moments; only a factorisation runs to its end. The solve returns
  * ROLLCON_CANCELLED; the contact stays usable. What was cancelled during its preparation has no
  * results, and the next solve prepares it anew.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_contact *contact);
 
@@ -1104,65 +1026,58 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * approaches (to pressures of 1e150) that double precision cannot calculate with are
  * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
  * may have any gap, with the option "system" = monolithic up to that limit.
- * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY, ROLLCON_ERR_LOAD.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *contact);
 
 /*
  * Solves the scene for many load cases, each with some of what is prescribed replaced, on the
- * threads of the context. A direction stands for the value prescribed there, as motion or as
- * force (rollcon_contact_prescribe); FRICTION for a factor on the friction coefficients of all
- * nodes as set (1: as set). Results do not depend on the order of the cases nor on the number of
- * threads: the library orders them itself, solves equal ones once and starts warm along chains of
- * neighbours (unless the option "warm_start" is 0). A case that fails has its negative status and
- * NaN for results and leaves the others alone; texts go to the log as warnings. The status
- * returned is the first that fits of CANCELLED (some cases were not solved), NOT_CONVERGED (or
- * failed), RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was solved. All results
- * are in local axes. The scene stays as it is, and so does the last solution unless something was
- * set since. The progress callback hears of the iterations of the calling thread, and of
- * ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
- *   n_parameters  0 to 5
- *   parameters    [n_parameters]; ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION, each
- *                 once
- *   n_cases       >= 0
- *   values        [n_cases][n_parameters]; a normal load, and a factor on friction, are >= 0
- *   names         statistics wanted, separated by blanks, of: iterations, fallbacks,
- *                 residual_normal, residual_tangential, nodes_contact, contact_area,
- *                 max_pressure, friction_power; NULL: none
- *   capacity      nodes that fit into the tractions of each case; at least those of the frame if
- *                 they are wanted
- *   status        [n_cases], out, may be NULL; as rollcon_contact_solve would return
- *   force         [n_cases][3], out, may be NULL; on body 1
- *   moment        [n_cases][3], out, may be NULL; about the origin of the axes
- *   approach      [n_cases], out, may be NULL; length
- *   creep         [n_cases][3], out, may be NULL; longitudinal, lateral, spin
- *   derivatives   [n_cases][n_parameters][10], out, may be NULL; by each parameter's value, of
- *                 force, moment, approach and creep (rollcon_contact_get_sensitivity); NaN where
- *                 there are none, such as by FRICTION at 0
- *   statistics    [n_cases][names], out; NULL only without names
- *   tractions     [n_cases][capacity][3], out, may be NULL; on body 1; the entries beyond the
- *                 frame's nodes are NaN
- * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * threads of the context. What is replaced and what is wanted is said by names, the columns of
+ * two tables with a row for each case. A direction stands for the value prescribed there, as
+ * motion or as force (rollcon_contact_prescribe); friction for a factor on the friction
+ * coefficients of all nodes as set (1: as set). Results do not depend on the order of the cases
+ * nor on the number of threads: the library orders them itself, solves equal ones once and starts
+ * warm along chains of neighbours (unless the option "warm_start" is 0). A case that fails has
+ * its negative status and NaN for results and leaves the others alone; texts go to the log as
+ * warnings. The status returned is the first that fits of CANCELLED (some cases were not solved),
+ * NOT_CONVERGED (or failed), RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was
+ * solved. All results are in local axes. The scene stays as it is, and so does the last solution
+ * unless something was set since. The progress callback hears of the iterations of the calling
+ * thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
+ *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
+ *               normal, spin, friction; NULL: none
+ *   n_cases     >= 0
+ *   values      [n_cases][parameters]; a normal load, and a factor on friction, are >= 0; NULL
+ *               only without cases or parameters
+ *   columns     columns of results, separated by blanks, of: force (3 numbers, on body 1), moment
+ *               (3, about the origin of the axes), approach, creep (3: longitudinal, lateral,
+ *               spin), derivatives (10 for each parameter: by its value, of force, moment,
+ *               approach and creep, see rollcon_contact_get_sensitivity; NaN where there are
+ *               none, such as by friction at 0), tractions (3 for each node of the frame, on body
+ *               1), and the statistics iterations, fallbacks, residual_normal,
+ *               residual_tangential, nodes_contact, contact_area, max_pressure, friction_power;
+ *               NULL: none
+ *   capacity    numbers for each case at results; at least those of the columns; 0 with columns
+ *               only asks for the need
+ *   results     [n_cases][capacity], out; a row for each case, the columns side by side; what is
+ *               beyond them is left alone; NULL only with capacity 0
+ *   n_results   out, may be NULL; numbers for each case; set after ROLLCON_ERR_CAPACITY too
+ *   status      [n_cases], out, may be NULL; as rollcon_contact_solve would return
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,
-    int32_t n_parameters, const int32_t *parameters, int64_t n_cases, const double *values,
-    const char *names, int64_t capacity, int32_t *status, double *force, double *moment,
-    double *approach, double *creep, double *derivatives, double *statistics, double *tractions);
+    const char *parameters, int64_t n_cases, const double *values, const char *columns,
+    int64_t capacity, double *results, int64_t *n_results, int32_t *status);
 
 /*
  * Forgets the solution, the warm start and the history; keeps the scene and all that was computed
  * for the frame.
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *contact);
 
@@ -1173,8 +1088,6 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *c
  * Nodes and elements of the frame. Works before a solve.
  *   nodes     out, may be NULL
  *   elements  out, may be NULL
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_contact *contact,
     int64_t *nodes, int64_t *elements);
@@ -1184,9 +1097,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_c
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  nodes that fit into t; at least those of the frame
  *   t         [capacity][3], out; force/length^2
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  * Source: docs/theory.md, contact laws.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
@@ -1200,9 +1111,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_tractions(
  *   capacity  doubles at v; 0 only asks for the need
  *   v         [capacity], out; values; NULL only with capacity 0
  *   n_values  out, may be NULL; doubles of the field; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_contact *contact,
     int32_t field, int32_t axes, int64_t capacity, double *v, int64_t *n_values);
@@ -1211,9 +1120,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_field(const rollcon_
  * State of each node: ROLLCON_OPEN, STICK, SLIP or EXCLUDED.
  *   capacity  numbers at status; at least the nodes of the frame
  *   status    [capacity], out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
     const rollcon_contact *contact, int64_t capacity, int32_t *status);
@@ -1223,9 +1130,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_status(
  *   axes     ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   force    [3], out, may be NULL; force
  *   moment   [3], out, may be NULL; force x length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
     const rollcon_contact *contact, int32_t axes, double *force, double *moment);
@@ -1234,9 +1139,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_resultant(
  * Approach, creepages and spin, as given or as found for prescribed forces.
  *   approach  out, may be NULL; length
  *   creep     [3], out, may be NULL; longitudinal, lateral (dimensionless), spin (1/length)
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
     const rollcon_contact *contact, double *approach, double *creep);
@@ -1258,9 +1161,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
  *   moment     [3], out, may be NULL; of its moment about the origin, local axes
  *   approach   out, may be NULL; of the approach
  *   creep      [3], out, may be NULL; of longitudinal and lateral creepage and spin
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, Newton's iteration.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
@@ -1274,9 +1175,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
  *   n        points, >= 0
  *   xy       [n][2]; positions along t1 and t2 from the origin, length
  *   u        [n][3], out; displacement (t1, t2, n), length
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, half-spaces.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
@@ -1287,27 +1186,22 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
  * bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is
  * computed when one of its numbers is asked for, at about the price of a solve.
  *   value    out
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_MEMORY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stat(const rollcon_contact *contact,
     const char *name, double *value);
 
 /*
  * Number of statistics.
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_stat_count(void);
 
 /*
  * Name of a statistic.
  *   i         0 to rollcon_stat_count() - 1
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_CAPACITY.
- * Threads: any thread at any time.
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_name(int32_t i, int64_t capacity,
     char *text, int64_t *needed);
@@ -1318,9 +1212,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stat_name(int32_t i, int64_t cap
  *   capacity  rows that fit; 0 only asks for the need
  *   rows      [capacity][8], out; NULL only with capacity 0
  *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
     const rollcon_contact *contact, int64_t capacity, double *rows, int64_t *n_rows);
@@ -1335,9 +1227,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_history(
  *   psi       [capacity], out; error function, dimensionless; NULL: not wanted
  *   seconds   [capacity], out; since the solve began; NULL: not wanted
  *   n_rows    out, may be NULL; rows there are; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_CAPACITY.
  * Source: docs/procedures.md, error function.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_error_function(
@@ -1346,12 +1236,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_error_function(
 
 /*
  * How the last solve was done (sizes, schemes, linear solver and why), as text for people.
- *   capacity  bytes at text; 0 only asks for the need
- *   text      [capacity], out; NUL-terminated; NULL only with capacity 0
- *   needed    out, may be NULL; bytes needed, the NUL counted; set after ROLLCON_ERR_CAPACITY too
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_BUSY.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_contact *contact,
     int64_t capacity, char *text, int64_t *needed);
@@ -1360,10 +1245,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_c
  * Writes frame and fields, in global axes, as a VTU file for ParaView and meshio. A field beyond
  * the range of double precision is ROLLCON_ERR_NONFINITE; nothing is written.
  *   path     name of the file; an existing one is replaced
- * Returns: ROLLCON_OK, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_BUSY, ROLLCON_ERR_MEMORY,
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY,
  *   ROLLCON_ERR_UNSUPPORTED.
- * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_contact *contact,
     const char *path);
@@ -1375,25 +1258,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_cont
 /*
  * Positive number of a handle; 0 for NULL and for handles that are not alive.
  *   handle  may be NULL; context, body or contact
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_id_of(const void *handle);
 
 /*
  * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_context *ROLLCON_CALL rollcon_context_from_id(int32_t id);
 
 /*
  * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_body *ROLLCON_CALL rollcon_body_from_id(int32_t id);
 
 /*
  * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
- * Threads: any thread at any time.
+ * Threads: any.
  */
 ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
 

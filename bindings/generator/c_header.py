@@ -3,7 +3,7 @@
 import textwrap
 
 WIDTH = 98
-TYPES = {"int32": "int32_t", "int64": "int64_t", "real": "double", "text": "const char *",
+TYPES = {"int32": "int32_t", "row": "int32_t", "path": "const char *", "int64": "int64_t", "real": "double", "text": "const char *",
          "char": "char", "user": "void *", "handle": "void *"}
 
 OPENING = """\
@@ -13,16 +13,24 @@ OPENING = """\
  * Generated from bindings/api.toml by bindings/generate.py; do not edit.
  * Copyright (c) the rollcon authors. BSD-3-Clause.
  *
- * C90 with <stdint.h>, C++98; no other header is needed. What holds for all functions
- * (docs/api.md says more):
+ * C90 with <stdint.h>, C++98; no other header is needed.
+ *
+ * What holds for all functions; their comments say the rest (docs/api.md says more):
  *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
  *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
- *    rollcon_context_get_error tells what was wrong. Failures of calls that had no live
- *    handle leave a status only.
- *  - NULL gives ROLLCON_ERR_ARGUMENT unless a comment allows it; released, garbage and
- *    wrong-kind handles give ROLLCON_ERR_HANDLE.
+ *  - rollcon_last_error() tells in words why the last call of this thread that failed did so.
+ *  - NULL gives ROLLCON_ERR_ARGUMENT, as does a value out of range, unless a comment says
+ *    otherwise; released, garbage and wrong-kind handles give ROLLCON_ERR_HANDLE; an object that
+ *    another call is using ROLLCON_ERR_BUSY. Comments list what else is returned.
+ *  - Threads: one at a time per object, unless a comment says "any": then any thread at any time.
  *  - Arguments: the object, inputs (count before array), outputs. Inputs are copied, results are
- *    copied out. NaN and infinity are refused.
+ *    copied out. NaN and infinity are refused (ROLLCON_ERR_NONFINITE).
+ *  - A text comes out as (capacity, text, needed): bytes at text, the NUL counted, and the bytes
+ *    needed; other results of unknown length alike. Capacity 0 only asks for the need, with NULL
+ *    for the result; one that is too small is ROLLCON_ERR_CAPACITY and tells the need, too. The
+ *    need may be NULL otherwise.
+ *  - New handles are the caller's to release, and NULL after a failure.
+ *  - Programs that check once, at their end, set rollcon_context_set_latch.
  *  - Vectors are stored x y z, x y z, ...: x[n][3] in C, x(3,n) in Fortran.
  *  - Any consistent set of units; the reference says force, length and time. Angles in radians.
  *  - Axes: n is the outward normal of body 1, t1 the rolling direction, t2 = n x t1. Tractions and
@@ -133,7 +141,10 @@ def paragraph(text, first=" * ", following=None):
 def argument_lines(args):
     lines = []
     width = max((len(a.name) for a in args), default=0)
+    of_texts = ("capacity", "needed") if any(a.base == "char" for a in args) else ()
     for arg in args:
+        if not arg.doc and (arg.base == "char" or arg.name in of_texts):
+            continue
         words = []
         if arg.array:
             words.append(arg.shape)
@@ -149,14 +160,20 @@ def argument_lines(args):
     return lines
 
 
+# What the header's opening says of every function.
+COMMON = ("ERR_ARGUMENT", "ERR_HANDLE", "ERR_BUSY")
+
+
 def function_comment(function):
     lines = ["/*", paragraph(function.doc)] + argument_lines(function.args)
     if function.ownership:
         lines.append(paragraph("Ownership: " + function.ownership, following=" *   "))
-    if function.errors:
-        names = ", ".join("ROLLCON_" + name for name in function.errors)
-        lines.append(paragraph("Returns: ROLLCON_OK, " + names + ".", following=" *   "))
-    lines.append(paragraph("Threads: " + function.threads, following=" *   "))
+    others = [name for name in function.errors if name not in COMMON]
+    if others:
+        names = ", ".join("ROLLCON_" + name for name in others)
+        lines.append(paragraph("Also returns: " + names + ".", following=" *   "))
+    if function.threads.startswith("any"):
+        lines.append(" * Threads: any.")
     if function.source:
         lines.append(paragraph("Source: " + function.source + ".", following=" *   "))
     return "\n".join(lines + [" */"])

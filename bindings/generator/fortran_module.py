@@ -1,7 +1,7 @@
 """fortran/rollcon_c.f90: module rollcon_c, the C interface as Fortran sees it."""
 
 WIDTH = 100  # the language allows 132
-KINDS = {"int32": "integer(c_int32_t)", "int64": "integer(c_int64_t)", "real": "real(c_double)"}
+KINDS = {"int32": "integer(c_int32_t)", "row": "integer(c_int32_t)", "int64": "integer(c_int64_t)", "real": "real(c_double)"}
 
 OPENING = """\
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
@@ -24,7 +24,7 @@ def dummy(arg):
     """Declaration of a dummy argument."""
     if arg.base in ("log_fn", "progress_fn"):
         return f"type(c_funptr), value :: {arg.name}"
-    if arg.base == "text":
+    if arg.base in ("text", "path"):
         return f"character(kind=c_char), intent(in) :: {arg.name}(*)"
     if arg.base == "char":
         return f"character(kind=c_char), intent(out) :: {arg.name}(*)"
@@ -32,13 +32,9 @@ def dummy(arg):
         kind, intent = KINDS[arg.base], "out" if arg.out else "in"
         if arg.array:
             return f"{kind}, intent({intent}) :: {arg.name}(*)"
-        return f"{kind}, intent(out) :: {arg.name}" if arg.out else f"{kind}, value :: {arg.name}"
+        # Failures leave it alone: of intent(out) it would be undefined then.
+        return f"{kind}, intent(inout) :: {arg.name}" if arg.out else f"{kind}, value :: {arg.name}"
     return f"type(c_ptr), {'intent(out)' if arg.out else 'value'} :: {arg.name}"
-
-
-def dummy_or_address(arg):
-    """As dummy, but an optional array is an address."""
-    return f"type(c_ptr), value :: {arg.name}" if arg.array and arg.optional else dummy(arg)
 
 
 def callback_dummy(arg):
@@ -91,7 +87,7 @@ def write(table):
     for function in table.functions:
         out.append(interface(function.name, function.returns, function.args,
                              f'bind(C, name="{function.name}")',
-                             dummy_or_address if function.addresses else dummy))
+                             dummy))
     out.append("\n  end interface\nend module rollcon_c\n")
     text = "".join(out)
     long = [line for line in text.splitlines() if len(line) > 132]

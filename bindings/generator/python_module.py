@@ -1,7 +1,9 @@
 """bindings/python/rollcon/_api.py: ctypes declarations."""
 
-NAMES = {"int32": "c_int32", "int64": "c_int64", "real": "c_double", "text": "c_char_p",
-         "char": "c_char_p"}
+import textwrap
+
+NAMES = {"int32": "c_int32", "row": "c_int32", "int64": "c_int64", "real": "c_double",
+         "text": "c_char_p", "path": "c_char_p", "char": "c_char_p"}
 
 OPENING = '''\
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
@@ -37,7 +39,8 @@ def ctype(arg):
 
 
 def return_ctype(returns):
-    return {"status": "c_int32", "int32": "c_int32", "text": "c_char_p",
+    return {"status": "c_int32", "int32": "c_int32", "text": "c_char_p", "path": "c_char_p",
+         "row": "c_int32",
             "void": "None"}.get(returns, "c_void_p")
 
 
@@ -49,6 +52,23 @@ def signature(function):
     half = (len(types) + 1) // 2
     return (f'    "{function.name}": ({return_ctype(function.returns)}, [\n'
             f'        {", ".join(types[:half])},\n        {", ".join(types[half:])}]),')
+
+
+def names_of(enum):
+    """(name, number): "fem" and "body_fem", "quad4"."""
+    words = [name.removeprefix("ROLLCON_").lower() for name, _, _ in enum.values]
+    first = {word.split("_")[0] + "_" for word in words}
+    common = first.pop() if len(first) == 1 and all("_" in word for word in words) else ""
+    numbers = [number for _, number, _ in enum.values]
+    short = [(word.removeprefix(common), n) for word, n in zip(words, numbers)]
+    return short + ([(word, n) for word, n in zip(words, numbers)] if common else [])
+
+
+def fill(head, text, tail):
+    lines = textwrap.wrap(text, 90, break_long_words=False)
+    if len(head + text + tail) <= 100:
+        return head + text + tail + "\n"
+    return head + "\n" + "".join(f"        {line}\n" for line in lines) + "    " + tail + "\n"
 
 
 def write(table):
@@ -66,4 +86,14 @@ def write(table):
         out.append(f'    {number}: "{name.removeprefix("ROLLCON_")}",\n')
     out.append("}\n\nFUNCTIONS = {\n")
     out += [signature(function) + "\n" for function in table.functions]
+    out.append("}\n\n# Names of the values of enumerations, with and without what all of them begin with.\n"
+               "ENUMERATORS = {\n")
+    for enum in table.enums:
+        pairs = ", ".join(f'"{name}": {number}' for name, number in names_of(enum))
+        out.append(fill(f'    "{enum.name}": {{', pairs, "},"))
+    out.append("}\n\n# Names of arguments and, of enumerators, their enumerations.\nARGUMENTS = {\n")
+    for function in table.functions:
+        pairs = ", ".join(f'("{a.name}", "{a.enum}")' if not a.out else f'("{a.name}", "")'
+                          for a in function.args)
+        out.append(fill(f'    "{function.name}": [', pairs, "],"))
     return "".join(out) + "}\n" + CLOSING

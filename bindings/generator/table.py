@@ -4,8 +4,8 @@ import re
 import tomllib
 from dataclasses import dataclass
 
-SCALARS = {"int32", "int64", "real"}
-TEXTS = {"text", "char"}
+SCALARS = {"int32", "int64", "real", "row"}
+TEXTS = {"text", "path", "char"}
 HANDLES = {"context", "body", "contact"}
 OPAQUE = HANDLES | {"event", "handle"}
 OTHERS = {"log_fn", "progress_fn", "user"}
@@ -14,7 +14,8 @@ THREADS = {
     "any": "any thread at any time.",
     "object": "one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.",
 }
-ARGUMENT = re.compile(r"(const |out )?(\w+)(\[.+\])?(\?)?$")
+ARGUMENT = re.compile(r"(const |out )?(\w+)(?::([\w ]+))?(\[.+\])?(\?)?$")
+LAYERS = {"capi", "fortran", "python"}
 
 
 @dataclass
@@ -26,6 +27,7 @@ class Argument:
     shape: str  # "[n][3]", or "" for a scalar
     optional: bool
     doc: str
+    enum: str  # name of the enumeration whose values an int32 takes, or ""
 
     @property
     def array(self):
@@ -42,7 +44,18 @@ class Function:
     ownership: str
     threads: str
     source: str
-    addresses: bool  # Fortran passes optional arrays by c_loc, to leave them out by c_null_ptr
+    group: str  # "body", "contact", ...: the first word of the name
+    f77: list  # names in the FORTRAN 77 layer; the second is of a variant, see fortran_77.py
+    plain: set  # layers in which the function is generated: "capi", "fortran", "python"
+    calls: str  # what the C layer calls on the object; standard: the method of this name
+    defaults: dict  # arguments that Fortran and Python may leave out, at the end
+    python: dict  # "name", "property", "defaults" in Python
+    fortran: str  # name of the type-bound procedure
+
+    @property
+    def verb(self):
+        """The name without prefix and kind of object."""
+        return self.name.removeprefix("rollcon_").removeprefix(self.group + "_")
 
 
 @dataclass
@@ -89,13 +102,13 @@ def parse_argument(row, where):
     match = ARGUMENT.match(row[1])
     if not match:
         raise ValueError(f"{where}: cannot read the type '{row[1]}'")
-    prefix, base, shape, optional = match.groups()
+    prefix, base, enum, shape, optional = match.groups()
     if base not in SCALARS | TEXTS | OPAQUE | OTHERS:
         raise ValueError(f"{where}: unknown type '{base}'")
     if base == "char" and not shape:
         raise ValueError(f"{where}: char needs a shape")
     return Argument(row[0], base, prefix == "out ", prefix == "const " or base == "handle",
-                    shape or "", bool(optional), row[2] if len(row) > 2 else "")
+                    shape or "", bool(optional), row[2] if len(row) > 2 else "", enum or "")
 
 
 def parse_arguments(rows, where):
@@ -109,7 +122,7 @@ def parse_arguments(rows, where):
 def parse_function(entry, statuses):
     where = entry["name"]
     unknown = set(entry) - {"name", "returns", "doc", "args", "errors", "ownership", "threads",
-                            "source", "addresses"}
+                            "source", "f77", "plain", "calls", "defaults", "python", "fortran"}
     if unknown:
         raise ValueError(f"{where}: unknown keys {sorted(unknown)}")
     returns = entry.get("returns", "status")
@@ -125,7 +138,33 @@ def parse_function(entry, statuses):
     return Function("rollcon_" + where, returns, entry["doc"],
                     parse_arguments(entry.get("args", []), where), errors,
                     entry.get("ownership", ""), threads, entry.get("source", ""),
-                    entry.get("addresses", False))
+                    where.split("_")[0], *layers(entry, where))
+
+
+def check_common_errors(function):
+    """The header says once which statuses every function with a handle may return."""
+    if function.returns != "status":
+        return
+    handle = bool(function.args) and function.args[0].base in OPAQUE and not function.args[0].out
+    alone = handle and not function.threads.startswith("any")
+    for name, due in (("ERR_ARGUMENT", True), ("ERR_HANDLE", handle), ("ERR_BUSY", alone)):
+        if (name in function.errors) != due:
+            raise ValueError(f"{function.name}: {name} must{'' if due else ' not'} be listed")
+
+
+def layers(entry, where):
+    """What concerns the layers over the C interface."""
+    f77 = entry.get("f77", [])
+    f77 = [f77] if isinstance(f77, str) else f77
+    plain = set(entry.get("plain", []))
+    if plain - LAYERS:
+        raise ValueError(f"{where}: unknown layers {sorted(plain - LAYERS)}")
+    verb = where.split("_", 1)[-1]
+    python = entry.get("python", {})
+    if set(python) - {"name", "property", "defaults"}:
+        raise ValueError(f"{where}: unknown keys for Python")
+    return (f77, plain, entry.get("calls", verb), entry.get("defaults", {}), python,
+            entry.get("fortran", verb))
 
 
 def parse_enum(entry):
@@ -148,6 +187,14 @@ def load(path):
     features = [(f["name"], f["built"], f["doc"]) for f in raw["feature"]]
     table = Table(tuple(raw["library"]["version"]), raw["library"]["abi"], features, enums,
                   callbacks, groups)
+    for function in table.functions:
+        check_common_errors(function)
+    known = {enum.name for enum in enums}
+    for function in table.functions:
+        for arg in function.args:
+            for enum in filter(None, arg.enum.split(" or ")):
+                if enum not in known:
+                    raise ValueError(f"{function.name}: unknown enumeration '{enum}'")
     names = [f.name for f in table.functions] + [v[0] for e in enums for v in e.values]
     if len({name.lower() for name in names}) != len(names):
         raise ValueError("two names differ by case only: Fortran cannot tell them apart")

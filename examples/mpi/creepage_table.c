@@ -32,10 +32,8 @@ static rollcon_contact* contact;
 
 /* A status below zero ends all ranks with the library's own words. */
 static int32_t must(int32_t status) {
-  char text[1000] = "";
   if (status >= 0) return status;
-  rollcon_context_get_error(context, (int64_t)sizeof text, text, NULL);
-  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), text);
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
   MPI_Abort(MPI_COMM_WORLD, 1);
   return status;
 }

@@ -50,60 +50,11 @@ rollcon_status rollcon_body_load(rollcon_context* context, const char* path, rol
 }
 
 rollcon_status rollcon_body_retain(rollcon_body* body) {
-  return retain(Kind::body, body);
+  return retain(__func__, Kind::body, body);
 }
 
 void rollcon_body_release(rollcon_body* body) {
   release(Kind::body, body);
-}
-
-rollcon_status rollcon_body_set_elastic(rollcon_body* body, int32_t tag, double young,
-                                        double poisson) {
-  return with_body(__func__, body, [&](Body& b) { b.set_elastic(tag, young, poisson); });
-}
-
-rollcon_status rollcon_body_set_nodes(rollcon_body* body, int64_t n, const double* x,
-                                      int64_t node_stride, int64_t component_stride) {
-  return with_body(__func__, body,
-                   [&](Body& b) { b.set_nodes(n, x, node_stride, component_stride); });
-}
-
-rollcon_status rollcon_body_add_elements(rollcon_body* body, int32_t type, int64_t n,
-                                         const int32_t* connectivity, int32_t index_base,
-                                         int32_t tag) {
-  return with_body(__func__, body,
-                   [&](Body& b) { b.add_elements(type, n, connectivity, index_base, tag); });
-}
-
-rollcon_status rollcon_body_tag_faces(rollcon_body* body, int64_t n, const int32_t* elements,
-                                      const int32_t* faces, int32_t index_base, int32_t tag) {
-  return with_body(__func__, body,
-                   [&](Body& b) { b.tag_faces(n, elements, faces, index_base, tag); });
-}
-
-rollcon_status rollcon_body_tag_faces_of_nodes(rollcon_body* body, int64_t n, const int32_t* nodes,
-                                               int32_t index_base, int32_t tag) {
-  return with_body(__func__, body,
-                   [&](Body& b) { b.tag_faces_of_nodes(n, nodes, index_base, tag); });
-}
-
-rollcon_status rollcon_body_set_support(rollcon_body* body, int64_t n, const int32_t* nodes,
-                                        int32_t index_base, int32_t dof_mask,
-                                        const double* values) {
-  return with_body(__func__, body,
-                   [&](Body& b) { b.set_support(n, nodes, index_base, dof_mask, values); });
-}
-
-rollcon_status rollcon_body_set_traction(rollcon_body* body, int32_t tag, const double* traction) {
-  return with_body(__func__, body, [&](Body& b) { b.set_traction(tag, traction); });
-}
-
-rollcon_status rollcon_body_set_pressure(rollcon_body* body, int32_t tag, double pressure) {
-  return with_body(__func__, body, [&](Body& b) { b.set_pressure(tag, pressure); });
-}
-
-rollcon_status rollcon_body_set_contact_faces(rollcon_body* body, int64_t n, const int32_t* tags) {
-  return with_body(__func__, body, [&](Body& b) { b.set_contact_faces(n, tags); });
 }
 
 rollcon_status rollcon_body_prepare(rollcon_body* body) {

@@ -165,12 +165,6 @@ rollcon_status rollcon_contact_get_error_function(const rollcon_contact* contact
   });
 }
 
-rollcon_status rollcon_contact_get_plan(const rollcon_contact* contact, int64_t capacity,
-                                        char* text, int64_t* needed) {
-  return with_contact(__func__, contact,
-                      [&](const Contact& c) { copy_text(c.plan(), capacity, text, needed); });
-}
-
 rollcon_status rollcon_contact_write(const rollcon_contact* contact, const char* path) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_pointer(path, "path");

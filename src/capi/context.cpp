@@ -3,7 +3,7 @@
 #include "support/context.hpp"
 
 #include "capi/guard.hpp"
-#include "capi/results.hpp"
+#include "support/input_checks.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -18,10 +18,14 @@ Handle* as_handle(const void* handle) {
 }  // namespace
 
 rollcon_status rollcon_context_create(int32_t header_abi, rollcon_context** context) {
-  if (!context) return ROLLCON_ERR_ARGUMENT;
-  *context = nullptr;
-  if (header_abi != ROLLCON_ABI) return ROLLCON_ERR_UNSUPPORTED;
+  if (context) *context = nullptr;
   return guarded(__func__, nullptr, [&] {
+    require_pointer(context, "context");
+    if (header_abi != ROLLCON_ABI)
+      fail(Status::err_unsupported,
+           "header_abi is %d, but this library, rollcon %s, has the binary interface %d: compile "
+           "the program with the rollcon.h of the library that it runs with",
+           header_abi, ROLLCON_VERSION_STRING, ROLLCON_ABI);
     auto object = std::make_shared<Object>();
     object->context = std::make_shared<Context>();
     *context = as_handle<rollcon_context>(handles().insert(Kind::context, std::move(object)));
@@ -29,7 +33,7 @@ rollcon_status rollcon_context_create(int32_t header_abi, rollcon_context** cont
 }
 
 rollcon_status rollcon_context_retain(rollcon_context* context) {
-  return retain(Kind::context, context);
+  return retain(__func__, Kind::context, context);
 }
 
 void rollcon_context_release(rollcon_context* context) {
@@ -42,19 +46,17 @@ rollcon_status rollcon_context_set_log(rollcon_context* context, int32_t max_lev
                      [&](Object& object) { object.context->set_log(max_level, fn, user); });
 }
 
-rollcon_status rollcon_context_set_threads(rollcon_context* context, int32_t n) {
-  return with_object(__func__, Kind::context, context,
-                     [&](Object& object) { object.context->set_threads(n); });
+rollcon_status rollcon_context_set_latch(rollcon_context* context, int32_t on) {
+  return with_shared(__func__, Kind::context, context, [&](Object& object) {
+    if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
+    object.context->set_latch(on != 0);
+  });
 }
 
-rollcon_status rollcon_context_get_error(const rollcon_context* context, int64_t capacity,
-                                         char* text, int64_t* needed) {
-  if (!context) return ROLLCON_ERR_ARGUMENT;
+rollcon_status rollcon_context_check(const rollcon_context* context) {
   const std::shared_ptr<Object> object = handles().find(Kind::context, context);
-  if (!object) return ROLLCON_ERR_HANDLE;
-  // Its own failures are not stored: they would replace the text that was asked for.
-  return guarded(__func__, nullptr,
-                 [&] { copy_text(object->context->error(), capacity, text, needed); });
+  return object ? report_latched(*object->context)
+                : report_handle(__func__, Kind::context, context);
 }
 
 int32_t rollcon_id_of(const void* handle) {

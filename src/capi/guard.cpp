@@ -1,17 +1,23 @@
 #include "capi/guard.hpp"
 
+#include <cstdio>
 #include <new>
+#include <string>
+
+#include "support/last_error.hpp"
 
 namespace rollcon::capi {
 
 Status report(const char* function, Context* context, Status status, const char* message) noexcept {
+  set_last_error(function, message);
   if (!context) return status;
-  context->set_error(function, message);
+  context->keep(status, last_error());
   try {
-    context->log(LogLevel::error, "%s: %s", function, message);
+    context->log(LogLevel::error, "%s", last_error());
   } catch (...) {
     // A log sink that throws: the status has to do.
   }
+  set_last_error(function, message);  // the sink may have had a failure of its own
   return status;
 }
 
@@ -29,9 +35,45 @@ Status report_current_exception(const char* function, Context* context) noexcept
   }
 }
 
-std::int32_t retain(Kind kind, const void* handle) noexcept {
-  if (!handle) return ROLLCON_ERR_ARGUMENT;
-  return handles().retain(kind, handle) ? ROLLCON_OK : ROLLCON_ERR_HANDLE;
+const char* name(Kind kind) noexcept {
+  switch (kind) {
+    case Kind::context:
+      return "context";
+    case Kind::body:
+      return "body";
+    default:
+      return "contact";
+  }
+}
+
+std::int32_t report_handle(const char* function, Kind kind, const void* handle) noexcept {
+  const int hosts_errno = errno;
+  char text[128];
+  if (handle)
+    std::snprintf(text, sizeof text,
+                  "%s is no live %s: it was released, is of another kind, or never was a handle",
+                  name(kind), name(kind));
+  else
+    std::snprintf(text, sizeof text, "%s is NULL: there is no %s to work on", name(kind),
+                  name(kind));
+  set_last_error(function, text);
+  errno = hosts_errno;
+  return handle ? ROLLCON_ERR_HANDLE : ROLLCON_ERR_ARGUMENT;
+}
+
+std::int32_t report_latched(const Context& context) noexcept {
+  return static_cast<std::int32_t>(context.tell_kept());
+}
+
+void report_caveat(const char* function, Context& context, Status status) noexcept {
+  char text[256];
+  std::snprintf(text, sizeof text, "%s: %s", function,
+                rollcon_status_string(static_cast<std::int32_t>(status)));
+  context.keep(status, text);
+}
+
+std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept {
+  return handles().retain(kind, handle) ? ROLLCON_OK : report_handle(function, kind, handle);
 }
 
 void release(Kind kind, const void* handle) noexcept {

@@ -13,8 +13,19 @@
 
 namespace rollcon::capi {
 
-/// Stores "function: message" in the context and tells its log. Null context: nowhere to tell.
+/// Makes "function: message" the thread's last error, and tells the context: its log and its latch.
 Status report(const char* function, Context* context, Status status, const char* message) noexcept;
+
+/// The handle is null, or not one of a live object of this kind.
+std::int32_t report_handle(const char* function, Kind kind, const void* handle) noexcept;
+
+/// Makes the failure that the context's latch keeps the thread's last error.
+std::int32_t report_latched(const Context& context) noexcept;
+
+/// Tells the context's latch that a call ended with a caveat.
+void report_caveat(const char* function, Context& context, Status status) noexcept;
+
+const char* name(Kind kind) noexcept;
 
 /// Reports the exception in flight; call it from a catch block.
 Status report_current_exception(const char* function, Context* context) noexcept;
@@ -33,6 +44,7 @@ std::int32_t guarded(const char* function, Context* context, F&& body) noexcept 
   } catch (...) {
     status = report_current_exception(function, context);
   }
+  if (context && static_cast<std::int32_t>(status) > 0) report_caveat(function, *context, status);
   errno = hosts_errno;
   return static_cast<std::int32_t>(status);
 }
@@ -40,21 +52,22 @@ std::int32_t guarded(const char* function, Context* context, F&& body) noexcept 
 /// Runs the body with the object of a handle, which it may share with calls in other threads.
 template <class F>
 std::int32_t with_shared(const char* function, Kind kind, const void* handle, F&& body) noexcept {
-  if (!handle) return ROLLCON_ERR_ARGUMENT;
   const std::shared_ptr<Object> object = handles().find(kind, handle);
-  if (!object) return ROLLCON_ERR_HANDLE;
+  if (!object) return report_handle(function, kind, handle);
   return guarded(function, object->context.get(), [&] { return body(*object); });
 }
 
-/// Runs the body with the object of a handle for itself alone.
+/// Runs the body with the object of a handle for itself alone, unless the context's latch has
+/// caught a failure.
 template <class F>
 std::int32_t with_object(const char* function, Kind kind, const void* handle, F&& body) noexcept {
-  return with_shared(function, kind, handle, [&](Object& object) {
+  const std::shared_ptr<Object> found = handles().find(kind, handle);
+  if (!found) return report_handle(function, kind, handle);
+  Object& object = *found;
+  if (object.context->latched() != Status::ok) return report_latched(*object.context);
+  return guarded(function, object.context.get(), [&] {
     if (object.busy.exchange(true, std::memory_order_acquire))
-      fail(Status::err_busy, "the %s is in use by another call",
-           kind == Kind::context ? "context"
-           : kind == Kind::body  ? "body"
-                                 : "contact");
+      fail(Status::err_busy, "the %s is in use by another call", name(kind));
     struct Free {
       std::atomic<bool>& busy;
       ~Free() { busy.store(false, std::memory_order_release); }
@@ -75,7 +88,7 @@ std::int32_t with_body(const char* function, const rollcon_body* handle, F&& bod
                      [&](Object& object) { return body(*object.body); });
 }
 
-std::int32_t retain(Kind kind, const void* handle) noexcept;
+std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept;
 void release(Kind kind, const void* handle) noexcept;
 
 }  // namespace rollcon::capi

@@ -55,6 +55,12 @@ std::shared_ptr<Object> HandleTable::find(Kind kind, const void* handle) const n
   return slot ? slot->object : nullptr;
 }
 
+std::shared_ptr<Object> HandleTable::find(const void* handle) const noexcept {
+  const std::lock_guard lock(mutex_);
+  const Slot* slot = live(handle);
+  return slot ? slot->object : nullptr;
+}
+
 bool HandleTable::retain(Kind kind, const void* handle) noexcept {
   const std::lock_guard lock(mutex_);
   Slot* slot = live(kind, handle);

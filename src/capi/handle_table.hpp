@@ -35,6 +35,8 @@ class HandleTable {
   const void* insert(Kind kind, std::shared_ptr<Object> object);
   /// Null if the handle is not a live one of this kind.
   std::shared_ptr<Object> find(Kind kind, const void* handle) const noexcept;
+  /// Of any kind.
+  std::shared_ptr<Object> find(const void* handle) const noexcept;
   /// False if the handle is not a live one of this kind.
   bool retain(Kind kind, const void* handle) noexcept;
   /// Takes the object out with its last reference, for the caller to destroy; else null.

@@ -4,7 +4,9 @@
 
 #include "build_info.hpp"
 #include "capi/api_tables.hpp"
+#include "capi/guard.hpp"
 #include "rollcon.h"
+#include "support/last_error.hpp"
 
 using namespace rollcon::capi;
 
@@ -37,6 +39,19 @@ int32_t rollcon_has_feature(const char* name) {
     if (std::strcmp(feature.name, name) == 0) return feature.built ? 1 : 0;
   }
   return 0;
+}
+
+const char* rollcon_last_error(void) {
+  return rollcon::last_error();
+}
+
+int32_t rollcon_report(const void* handle, int32_t status, const char* text) {
+  const rollcon::QuietFloatingPoint quiet;
+  const auto failure =
+      status < 0 ? static_cast<rollcon::Status>(status) : rollcon::Status::err_argument;
+  const std::shared_ptr<Object> object = handles().find(handle);
+  return static_cast<int32_t>(
+      report(nullptr, object ? object->context.get() : nullptr, failure, text ? text : ""));
 }
 
 const char* rollcon_status_string(int32_t status) {

@@ -38,44 +38,6 @@ void copy_doc(const Row& from, int64_t capacity, char* text, int64_t* needed) {
 
 }  // namespace
 
-rollcon_status rollcon_contact_set_int(rollcon_contact* contact, const char* name, int64_t value) {
-  return with_contact(__func__, contact, [&](Contact& c) { c.scene.options.set_int(name, value); });
-}
-
-rollcon_status rollcon_contact_set_real(rollcon_contact* contact, const char* name, double value) {
-  return with_contact(__func__, contact,
-                      [&](Contact& c) { c.scene.options.set_real(name, value); });
-}
-
-rollcon_status rollcon_contact_set_str(rollcon_contact* contact, const char* name,
-                                       const char* value) {
-  return with_contact(__func__, contact,
-                      [&](Contact& c) { c.scene.options.set_text(name, value); });
-}
-
-rollcon_status rollcon_contact_get_int(const rollcon_contact* contact, const char* name,
-                                       int64_t* value) {
-  return with_contact(__func__, contact, [&](Contact& c) {
-    require_pointer(value, "value");
-    *value = c.scene.options.get_int(name);
-  });
-}
-
-rollcon_status rollcon_contact_get_real(const rollcon_contact* contact, const char* name,
-                                        double* value) {
-  return with_contact(__func__, contact, [&](Contact& c) {
-    require_pointer(value, "value");
-    *value = c.scene.options.get_real(name);
-  });
-}
-
-rollcon_status rollcon_contact_get_str(const rollcon_contact* contact, const char* name,
-                                       int64_t capacity, char* text, int64_t* needed) {
-  return with_contact(__func__, contact, [&](Contact& c) {
-    copy_text(c.scene.options.get_text(name), capacity, text, needed);
-  });
-}
-
 int32_t rollcon_option_count(void) {
   return static_cast<int32_t>(option_table().size());
 }
@@ -90,28 +52,6 @@ rollcon_status rollcon_option_info(int32_t i, int64_t capacity, char* name, int3
 rollcon_status rollcon_option_doc(int32_t i, int64_t capacity, char* text, int64_t* needed) {
   return guarded(__func__, nullptr,
                  [&] { copy_doc(row(option_table(), i), capacity, text, needed); });
-}
-
-rollcon_status rollcon_body_set_int(rollcon_body* body, const char* name, int64_t value) {
-  return with_body(__func__, body, [&](Body& b) { b.set_int(name, value); });
-}
-
-rollcon_status rollcon_body_set_real(rollcon_body* body, const char* name, double value) {
-  return with_body(__func__, body, [&](Body& b) { b.set_real(name, value); });
-}
-
-rollcon_status rollcon_body_get_int(const rollcon_body* body, const char* name, int64_t* value) {
-  return with_body(__func__, body, [&](const Body& b) {
-    require_pointer(value, "value");
-    *value = b.get_int(name);
-  });
-}
-
-rollcon_status rollcon_body_get_real(const rollcon_body* body, const char* name, double* value) {
-  return with_body(__func__, body, [&](const Body& b) {
-    require_pointer(value, "value");
-    *value = b.get_real(name);
-  });
 }
 
 int32_t rollcon_body_option_count(void) {

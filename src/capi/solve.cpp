@@ -2,6 +2,7 @@
 
 #include "capi/guard.hpp"
 #include "support/input_checks.hpp"
+#include "support/last_error.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -31,12 +32,14 @@ std::int32_t call_progress(const Event& event, void* user) {
 
 template <class F>
 std::int32_t with_event(const char* function, const rollcon_event* handle, F&& body) noexcept {
-  if (!handle) return ROLLCON_ERR_ARGUMENT;
   for (const LiveEvent* live = innermost_event; live; live = live->outer) {
     if (reinterpret_cast<const rollcon_event*>(&live->event) == handle)
       return guarded(function, live->context, [&] { body(live->event); });
   }
-  return ROLLCON_ERR_HANDLE;
+  set_last_error(function, handle ? "event is no live event: events live as long as the callback "
+                                    "that is given them, in its thread"
+                                  : "event is NULL");
+  return handle ? ROLLCON_ERR_HANDLE : ROLLCON_ERR_ARGUMENT;
 }
 
 }  // namespace
@@ -85,12 +88,4 @@ rollcon_status rollcon_event_get_real(const rollcon_event* event, int32_t key, d
 rollcon_status rollcon_contact_request_cancel(rollcon_contact* contact) {
   return with_shared(__func__, Kind::contact, contact,
                      [](Object& object) { object.contact->request_cancel(); });
-}
-
-rollcon_status rollcon_contact_solve(rollcon_contact* contact) {
-  return with_contact(__func__, contact, [](Contact& c) { return c.solve(); });
-}
-
-rollcon_status rollcon_contact_reset(rollcon_contact* contact) {
-  return with_contact(__func__, contact, [](Contact& c) { c.reset(); });
 }

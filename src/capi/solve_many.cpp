@@ -2,10 +2,13 @@
 
 #include "contact/solve_many.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "capi/guard.hpp"
+#include "capi/results.hpp"
 #include "support/input_checks.hpp"
 #include "support/memory_limit.hpp"
 
@@ -14,23 +17,33 @@ using namespace rollcon::capi;
 
 namespace {
 
-std::vector<Parameter> checked_parameters(int32_t n, const int32_t* parameters) {
-  std::vector<Parameter> list;
-  if (n < 0 || n > ROLLCON_FRICTION)
-    fail(Status::err_argument, "n_parameters is %d; allowed: 0 to %d", n, ROLLCON_FRICTION);
-  if (n > 0) require_pointer(parameters, "parameters");
-  for (int32_t j = 0; j < n; ++j) {
-    if (parameters[j] < ROLLCON_LONGITUDINAL || parameters[j] > ROLLCON_FRICTION)
-      fail(Status::err_argument,
-           "parameter %d (counting from 0) is %d; allowed: %d to %d (longitudinal, lateral, "
-           "normal, spin, friction)",
-           j, parameters[j], ROLLCON_LONGITUDINAL, ROLLCON_FRICTION);
-    for (int32_t i = 0; i < j; ++i)
-      if (parameters[i] == parameters[j])
-        fail(Status::err_argument, "parameters %d and %d (counting from 0) are both %d", i, j,
-             parameters[j]);
-    list.push_back(static_cast<Parameter>(parameters[j]));
+/// f(word, length) for each of the words between blanks.
+template <class F>
+void each_word(const char* text, F&& f) {
+  while (text && *text) {
+    const std::size_t blanks = std::strspn(text, " "), length = std::strcspn(text + blanks, " ");
+    if (length > 0) f(text + blanks, length);
+    text += blanks + length;
   }
+}
+
+std::vector<Parameter> read_parameters(const char* names) {
+  static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction"};
+  std::vector<Parameter> list;
+  each_word(names, [&](const char* word, std::size_t length) {
+    int p = 0;
+    while (p < 5 && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0))
+      ++p;
+    const int shown = static_cast<int>(std::min<std::size_t>(length, 60));
+    if (p == 5)
+      fail(Status::err_argument,
+           "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction", shown,
+           word);
+    const auto parameter = static_cast<Parameter>(p + 1);
+    if (std::find(list.begin(), list.end(), parameter) != list.end())
+      fail(Status::err_argument, "parameters has '%.*s' twice", shown, word);
+    list.push_back(parameter);
+  });
   return list;
 }
 
@@ -56,58 +69,47 @@ void check_values(const Contact& c, const CaseList& list) {
     }
 }
 
-std::vector<CaseNumber> read_names(const char* text) {
-  std::vector<CaseNumber> list;
-  while (text && *text) {
-    if (*text == ' ') {
-      ++text;
-      continue;
-    }
-    std::size_t length = 0;
-    while (text[length] != '\0' && text[length] != ' ') ++length;
-    list.push_back(case_number(text, length));
-    text += length;
-  }
-  return list;
-}
-
 }  // namespace
 
-rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, int32_t n_parameters,
-                                          const int32_t* parameters, int64_t n_cases,
-                                          const double* values, const char* names, int64_t capacity,
-                                          int32_t* status, double* force, double* moment,
-                                          double* approach, double* creep, double* derivatives,
-                                          double* statistics, double* tractions) {
+rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* parameters,
+                                          int64_t n_cases, const double* values,
+                                          const char* columns, int64_t capacity, double* results,
+                                          int64_t* n_results, int32_t* status) {
   return with_contact(__func__, contact, [&](Contact& c) {
-    const std::vector<Parameter> parameter = checked_parameters(n_parameters, parameters);
+    const std::vector<Parameter> parameter = read_parameters(parameters);
     require_count(n_cases, "n_cases");
     constexpr int64_t most_cases = int64_t{1} << 40;
     if (n_cases > most_cases)
       fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld",
            static_cast<long long>(n_cases), static_cast<long long>(most_cases));
+    std::vector<CaseColumn> column;
+    int64_t width = 0;
+    each_word(columns, [&](const char* word, std::size_t length) {
+      column.push_back(
+          case_column(word, length, static_cast<int64_t>(parameter.size()), c.nodes()));
+      width += column.back().width;
+    });
+    if (width == 0) {
+      require_count(capacity, "capacity");
+      if (n_results) *n_results = 0;
+    } else {
+      const void* room = n_cases > 0 ? static_cast<const void*>(results)
+                                     : &width;  // a list without cases needs none
+      if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case"))
+        return Status::ok;
+    }
+    if (n_cases > 0 && capacity > PTRDIFF_MAX / n_cases / int64_t{sizeof(double)})
+      fail(Status::err_argument, "n_cases = %lld with capacity %lld is beyond the address space",
+           static_cast<long long>(n_cases), static_cast<long long>(capacity));
     // The order in which they are solved, and a status each; results are the caller's.
     constexpr double bytes_per_case = 32;
     const double bytes = bytes_per_case * static_cast<double>(n_cases);
     require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes",
                    static_cast<long long>(n_cases));
-    if (n_cases > 0 && n_parameters > 0) require_pointer(values, "values");
-    require_count(capacity, "capacity");
-    const std::vector<CaseNumber> number = read_names(names);
-    if (!number.empty()) require_pointer(statistics, "statistics");
+    if (n_cases > 0 && !parameter.empty()) require_pointer(values, "values");
     const CaseList list{parameter, n_cases, values};
     check_values(c, list);
-    CaseResults results;
-    results.status = status;
-    results.force = force;
-    results.moment = moment;
-    results.approach = approach;
-    results.creep = creep;
-    results.derivatives = derivatives;
-    results.number = number;
-    results.numbers = number.empty() ? nullptr : statistics;
-    results.capacity = capacity;
-    results.tractions = tractions;
-    return c.solve_many(list, results);
+    return c.solve_many(list,
+                        {.status = status, .row = results, .stride = capacity, .column = column});
   });
 }

@@ -5,6 +5,7 @@
 
 #include "contact/host_interrupt.hpp"
 #include "contact/lattice/lattice_scene.hpp"
+#include "contact/outcome_text.hpp"
 #include "contact/procedures/run.hpp"
 #include "contact/reach.hpp"
 #include "contact/state.hpp"
@@ -159,7 +160,8 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
       state_(std::make_unique<SolverState>()) {
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument,
-         "body1 and body2 are both rigid: at least one body must be elastic (HALFSPACE or BEM)");
+         "body1 and body2 are both rigid: at least one body must be elastic (FEM, BEM or "
+         "HALFSPACE)");
 }
 
 Contact::~Contact() = default;
@@ -177,6 +179,11 @@ void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
     fail(Status::err_state,
          "body %d has no mesh: the frame needs one of its own (rollcon_contact_set_frame_nodes)",
          which);
+  if (surface.elements() == 0)
+    fail(Status::err_state,
+         "body %d has no %selements whose faces could be the frame: call rollcon_body_add_elements "
+         "first",
+         which, body.kind() == BodyKind::fem ? "volume " : "");
   scene.set_frame_from(which - 1, surface, tag);
 }
 
@@ -262,23 +269,8 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
-  if (status == Status::not_converged) {
-    const bool strong = *std::max_element(s.problem.mu.begin(), s.problem.mu.end()) >= 1;
-    context_->log(LogLevel::warning,
-                  "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, "
-                  "%.1e tangential%s; the best iterate is kept",
-                  static_cast<long long>(s.report.normal_iterations +
-                                         s.report.tangential_iterations + s.report.full_iterations),
-                  static_cast<long long>(s.report.fallbacks), s.report.residual_normal,
-                  s.report.residual_tangential,
-                  s.problem.op.coupled && strong
-                      ? " (with friction of 1 and more between unlike bodies there may be several "
-                        "solutions or none)"
-                      : "");
-  }
-  if (status != Status::rim_contact) return status;
-  context_->log(LogLevel::warning, "contact reaches the rim of the frame at %lld node(s)",
-                static_cast<long long>(nodes_at_rim(s)));
+  if (status == Status::not_converged || status == Status::rim_contact)
+    context_->log(LogLevel::warning, "%s", describe_outcome(s).c_str());
   return status;
 }
 

@@ -8,6 +8,7 @@
 
 #include "contact/geometry.hpp"
 #include "contact/lattice/lattice_scene.hpp"
+#include "contact/outcome_text.hpp"
 #include "contact/state.hpp"
 
 namespace rollcon {
@@ -16,7 +17,7 @@ namespace {
 void line(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 void line(std::string& text, const char* format, ...) {
-  char buffer[512];
+  char buffer[768];
   std::va_list args;
   va_start(args, format);
   std::vsnprintf(buffer, sizeof buffer, format, args);
@@ -39,9 +40,13 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
       line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
            body->meshed() ? " surface of its own" : ", no mesh");
     else if (body->meshed())
-      line(text, "body %d: %s elements, %lld nodes, %lld elements%s", number,
-           fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
-           static_cast<long long>(body->mesh().surface.elements()), where_prepared(*body));
+      line(
+          text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number,
+          fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
+          static_cast<long long>(body->size().second), fem ? "volume" : "surface",
+          fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str()
+              : "",
+          where_prepared(*body));
     ++number;
   }
   if (body1.response() && body1.same_as(body2))
@@ -188,6 +193,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          static_cast<long long>(op.nodes), static_cast<long long>(op.rows),
          static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
   describe_reuse(text, s);
+  line(text, "result: %s", describe_outcome(s).c_str());
   line(text, "last solve: %lld linear system(s), %lld factorisation(s), %lld Krylov iteration(s)",
        static_cast<long long>(s.right_sides), static_cast<long long>(s.factorizations),
        static_cast<long long>(s.linear_iterations));

@@ -77,7 +77,7 @@ void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag)
     for (const std::int32_t k : body.element(e)) number[static_cast<std::size_t>(k)] = 0;
   }
   if (source.element.empty())
-    fail(Status::err_argument, "tag is %d; no element of body %d has it", tag, which + 1);
+    fail(Status::err_argument, "tag is %d, which no face of body %d has", tag, which + 1);
   for (std::size_t k = 0; k < number.size(); ++k) {
     if (number[k] < 0) continue;
     number[k] = static_cast<std::int32_t>(source.node.size());

@@ -71,11 +71,12 @@ class ManyCases {
             Contact::ProgressFunction function, void* user)
       : list_(list),
         results_(results),
-        order_(order_cases(list.cases, columns(), list.value, priority(list.parameter))),
+        order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
         cancel_(cancel),
         function_(function),
         user_(user),
         again_(order_.chain_begin.size(), false) {
+    for (const CaseColumn& c : results.column) width_ += c.width;
     clear();
   }
 
@@ -106,8 +107,8 @@ class ManyCases {
     bool calling_;
   };
 
-  std::int64_t columns() const { return static_cast<std::int64_t>(list_.parameter.size()); }
-  const double* values_of(std::int64_t i) const { return list_.value + i * columns(); }
+  std::int64_t parameters() const { return static_cast<std::int64_t>(list_.parameter.size()); }
+  const double* values_of(std::int64_t i) const { return list_.value + i * parameters(); }
   void clear();
   void work(CaseSolver& solver, bool calling);
   void solve_chain(CaseSolver& solver, std::size_t chain, Monitor& monitor, bool calling);
@@ -115,12 +116,12 @@ class ManyCases {
   void keep(CaseSolver& solver, std::int64_t i);
   void fail_case(std::int64_t i, Status status, const char* message);
   void forget_results(std::int64_t i);
-  template <class F>
-  void each_array(F&& f) const;
+  double* row(std::int64_t i) const { return results_.row + i * results_.stride; }
   void tell(Phase phase, std::int64_t iteration, double residual);
 
   const CaseList& list_;
   const CaseResults& results_;
+  std::int64_t width_ = 0;  ///< numbers in a row
   const CaseOrder order_;
   std::atomic<bool>& cancel_;
   Contact::ProgressFunction function_;
@@ -139,18 +140,6 @@ class ManyCases {
   std::size_t bytes_ = 0;
 };
 
-/// f(array, numbers per case)
-template <class F>
-void ManyCases::each_array(F&& f) const {
-  f(results_.force, std::int64_t{3});
-  f(results_.moment, std::int64_t{3});
-  f(results_.approach, std::int64_t{1});
-  f(results_.creep, std::int64_t{3});
-  f(results_.derivatives, 10 * columns());
-  f(results_.numbers, static_cast<std::int64_t>(results_.number.size()));
-  f(results_.tractions, 3 * results_.capacity);
-}
-
 void ManyCases::clear() {
   status_.assign(static_cast<std::size_t>(list_.cases), Status::cancelled);
   for (std::size_t chain = 0; chain + 1 < order_.chain_begin.size(); ++chain)
@@ -159,9 +148,7 @@ void ManyCases::clear() {
 }
 
 void ManyCases::forget_results(std::int64_t i) {
-  each_array([&](double* array, std::int64_t width) {
-    if (array) std::fill_n(array + i * width, width, none);
-  });
+  if (width_ > 0) std::fill_n(row(i), width_, none);
 }
 
 void ManyCases::tell(Phase phase, std::int64_t iteration, double residual) {
@@ -191,18 +178,33 @@ void ManyCases::fail_case(std::int64_t i, Status status, const char* message) {
 }
 
 void ManyCases::keep(CaseSolver& solver, std::int64_t i) {
-  const auto at = [i](double* array, std::int64_t width) {
-    return array ? array + i * width : nullptr;
-  };
-  solver.resultant(at(results_.force, 3), at(results_.moment, 3));
-  solver.motion(at(results_.approach, 1), at(results_.creep, 3));
-  if (results_.tractions) solver.tractions(at(results_.tractions, 3 * results_.capacity));
-  if (results_.numbers)
-    for (std::size_t k = 0; k < results_.number.size(); ++k)
-      at(results_.numbers, static_cast<std::int64_t>(results_.number.size()))[k] =
-          solver.number(results_.number[k]);
-  if (results_.derivatives)
-    solver.derivatives(list_.parameter, values_of(i), at(results_.derivatives, 10 * columns()));
+  double* to = row(i);
+  for (const CaseColumn& c : results_.column) {
+    switch (c.kind) {
+      case CaseColumn::Kind::force:
+        solver.resultant(to, nullptr);
+        break;
+      case CaseColumn::Kind::moment:
+        solver.resultant(nullptr, to);
+        break;
+      case CaseColumn::Kind::approach:
+        solver.motion(to, nullptr);
+        break;
+      case CaseColumn::Kind::creep:
+        solver.motion(nullptr, to);
+        break;
+      case CaseColumn::Kind::derivatives:
+        solver.derivatives(list_.parameter, values_of(i), to);
+        break;
+      case CaseColumn::Kind::tractions:
+        solver.tractions(to);
+        break;
+      case CaseColumn::Kind::number:
+        *to = solver.number(c.number);
+        break;
+    }
+    to += c.width;
+  }
 }
 
 // False: the whole chain has to wait for more rows.
@@ -310,10 +312,7 @@ Status ManyCases::finish() {
     const std::int64_t from = order_.solved_as[static_cast<std::size_t>(i)];
     const Status status = status_[static_cast<std::size_t>(from)];
     if (results_.status) results_.status[i] = static_cast<std::int32_t>(status);
-    if (from != i)
-      each_array([&](double* array, std::int64_t width) {
-        if (array) std::copy_n(array + from * width, width, array + i * width);
-      });
+    if (from != i && width_ > 0) std::copy_n(row(from), width_, row(i));
     stopped = stopped || status == Status::cancelled;
     missed = missed || status == Status::not_converged || static_cast<std::int32_t>(status) < 0;
     rim = rim || status == Status::rim_contact;
@@ -355,16 +354,36 @@ void reach_for_all(SolverState& s, const Options& options, const CaseList& list)
 
 }  // namespace
 
-CaseNumber case_number(const char* name, std::size_t length) {
-  static constexpr std::array<const char*, 8> names{
+CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters,
+                       std::int64_t nodes) {
+  using Kind = CaseColumn::Kind;
+  struct Named {
+    const char* name;
+    CaseColumn column;
+  };
+  const Named known[] = {{"force", {.kind = Kind::force, .width = 3}},
+                         {"moment", {.kind = Kind::moment, .width = 3}},
+                         {"approach", {.kind = Kind::approach, .width = 1}},
+                         {"creep", {.kind = Kind::creep, .width = 3}},
+                         {"derivatives", {.kind = Kind::derivatives, .width = 10 * parameters}},
+                         {"tractions", {.kind = Kind::tractions, .width = 3 * nodes}}};
+  static constexpr std::array<const char*, 8> numbers{
       "iterations",    "fallbacks",    "residual_normal", "residual_tangential",
       "nodes_contact", "contact_area", "max_pressure",    "friction_power"};
-  for (std::size_t k = 0; k < names.size(); ++k)
-    if (std::strlen(names[k]) == length && std::memcmp(names[k], name, length) == 0)
-      return static_cast<CaseNumber>(k);
+  const auto is = [&](const char* other) {
+    return std::strlen(other) == length && std::memcmp(other, name, length) == 0;
+  };
   std::string allowed;
-  for (const char* n : names) allowed += std::string(allowed.empty() ? "" : ", ") + n;
-  fail(Status::err_option, "cases have no statistic '%.*s'; allowed: %s",
+  for (const Named& n : known) {
+    if (is(n.name)) return n.column;
+    allowed += std::string(n.name) + ", ";
+  }
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (is(numbers[k]))
+      return {.kind = Kind::number, .number = static_cast<CaseNumber>(k), .width = 1};
+    allowed += std::string(k == 0 ? "" : ", ") + numbers[k];
+  }
+  fail(Status::err_option, "columns has '%.*s'; allowed: %s",
        static_cast<int>(std::min<std::size_t>(length, 60)), name, allowed.c_str());
 }
 
@@ -393,9 +412,6 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
     *state_ = SolverState{};
     throw;
   }
-  if (results.tractions && results.capacity < s.problem.nodes)
-    fail(Status::err_capacity, "capacity is %lld but %lld nodes are needed",
-         static_cast<long long>(results.capacity), static_cast<long long>(s.problem.nodes));
   if (cases.cases == 0) return Status::ok;
   ManyCases many(cases, results, cancel_, progress_, progress_user_);
   {

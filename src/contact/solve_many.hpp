@@ -19,8 +19,17 @@ enum class CaseNumber {
   max_pressure,
   friction_power,
 };
-/// err_option: unknown name, or a statistic that cases do not have.
-CaseNumber case_number(const char* name, std::size_t length);
+
+/// Neighbouring numbers in the row of a case, in the axes.
+struct CaseColumn {
+  enum class Kind { force, moment, approach, creep, derivatives, tractions, number };
+  Kind kind = Kind::force;
+  CaseNumber number = CaseNumber::iterations;  ///< of kind number
+  std::int64_t width = 0;
+};
+/// err_option: unknown name. parameters: those of the list; nodes: those of the frame.
+CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters,
+                       std::int64_t nodes);
 
 /// What replaces what the scene prescribes. A direction stands for the value prescribed there, as
 /// force or motion; friction for a factor on every coefficient.
@@ -30,18 +39,12 @@ struct CaseList {
   const double* value = nullptr;  ///< [cases][parameters]
 };
 
-/// In the axes. Null: not wanted. NaN where a case has no result.
+/// NaN where a case has no result.
 struct CaseResults {
-  std::int32_t* status = nullptr;  ///< [cases]
-  double* force = nullptr;         ///< [cases][3]
-  double* moment = nullptr;        ///< [cases][3]
-  double* approach = nullptr;      ///< [cases]
-  double* creep = nullptr;         ///< [cases][3]
-  double* derivatives = nullptr;   ///< [cases][parameters][10]
-  std::span<const CaseNumber> number;
-  double* numbers = nullptr;    ///< [cases][number]
-  std::int64_t capacity = 0;    ///< nodes
-  double* tractions = nullptr;  ///< [cases][capacity][3]; beyond the frame: NaN
+  std::int32_t* status = nullptr;  ///< [cases]; null: not wanted
+  double* row = nullptr;           ///< [cases][stride]
+  std::int64_t stride = 0;         ///< at least the widths of the columns
+  std::span<const CaseColumn> column;
 };
 
 }  // namespace rollcon

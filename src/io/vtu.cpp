@@ -95,8 +95,9 @@ void write_rows(Text& out, const Number* values, std::int64_t rows, int componen
 void check_finite(const PointArray& array, const SurfaceMesh& mesh) {
   for (std::int64_t k = 0; k < mesh.nodes() * array.components; ++k)
     if (!std::isfinite(array.real[k]))
-      fail(Status::err_nonfinite, "array '%s' is not finite at node %lld", array.name.c_str(),
-           static_cast<long long>(k / array.components + mesh.index_base));
+      fail(Status::err_nonfinite, "array '%s' is not finite at node %lld (counting from %d)",
+           array.name.c_str(), static_cast<long long>(k / array.components + mesh.index_base),
+           mesh.index_base);
 }
 
 void write_cells(Text& out, const SurfaceMesh& mesh) {

@@ -49,7 +49,8 @@ void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> 
                    static_cast<long long>(std::max(a.node, b.node)) + index_base);
     }
   }
-  together.fail_if_any("two nodes lie at the same place: give the elements one node there", where);
+  together.fail_if_any("two nodes lie at the same place: give the elements one node there", where,
+                       index_base);
 }
 
 }  // namespace rollcon

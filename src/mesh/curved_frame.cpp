@@ -74,8 +74,10 @@ void curve_frame(Frame& frame, std::span<const Vec3> normal) {
   if (steep > 0)
     fail(Status::err_mesh,
          "the surface is steeper than 60 degrees against the tangent plane of the axes "
-         "(rollcon_contact_set_axes sets it) at %lld node(s) of the frame; first: node %lld",
-         steep, first + frame.mesh.index_base);
+         "(rollcon_contact_set_axes sets it) at %lld node(s) of the frame; first: node %lld "
+         "(counting "
+         "from %d)",
+         steep, first + frame.mesh.index_base, frame.mesh.index_base);
   if (flat) return;
   frame.t1.resize(n);
   frame.t2.resize(n);

@@ -33,8 +33,9 @@ void check_range(const SurfaceMesh& mesh, const Axes& axes) {
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) {
       if (!std::isfinite(mesh.node[k][i]))
-        fail(Status::err_nonfinite, "coordinate %d of node %lld of the contact frame is not finite",
-             static_cast<int>(i), static_cast<long long>(k) + mesh.index_base);
+        fail(Status::err_nonfinite,
+             "coordinate %c of node %lld (counting from %d) of the contact frame is not finite",
+             "xyz"[i], static_cast<long long>(k) + mesh.index_base, mesh.index_base);
       extent = std::max(extent, std::abs(mesh.node[k][i] - axes.origin[i]));
     }
   constexpr double smallest = 1e-60, largest = 1e60;

@@ -134,19 +134,20 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
     else if (sign.negative)
       flipped.add("element %lld (%s)", id, name(type));
   }
-  coincident.fail_if_any("degenerate element: two of its nodes coincide", "frame");
-  degenerate.fail_if_any("degenerate element: its Jacobian vanishes", "frame");
-  folded.fail_if_any("degenerate element: its Jacobian changes sign", "frame");
+  coincident.fail_if_any("degenerate element: two of its nodes coincide", "frame", mesh.index_base);
+  degenerate.fail_if_any("degenerate element: its Jacobian vanishes", "frame", mesh.index_base);
+  folded.fail_if_any("degenerate element: its Jacobian changes sign", "frame", mesh.index_base);
   if (flipped.count == mesh.elements())
     flipped.fail_if_any(
         "all elements are flipped (clockwise seen from the tip of the normal n): reverse the order "
         "of their nodes, or n (rollcon_contact_set_axes)",
-        "frame");
-  flipped.fail_if_any("flipped element: clockwise seen from the tip of the normal n", "frame");
+        "frame", mesh.index_base);
+  flipped.fail_if_any("flipped element: clockwise seen from the tip of the normal n", "frame",
+                      mesh.index_base);
   steep.fail_if_any(
       "element steeper than 60 degrees against the tangent plane of the axes "
       "(rollcon_contact_set_axes sets it)",
-      "frame");
+      "frame", mesh.index_base);
 }
 
 namespace {
@@ -179,7 +180,8 @@ void check_midsides(const SurfaceMesh& mesh) {
                  static_cast<long long>(a.element) + base,
                  static_cast<long long>(b.element) + base);
   }
-  differ.fail_if_any("two elements share an edge but not its midside node", "frame");
+  differ.fail_if_any("two elements share an edge but not its midside node", "frame",
+                     mesh.index_base);
 }
 
 }  // namespace
@@ -201,8 +203,9 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
       same_side.add("elements %lld and %lld on edge %lld-%lld", element_id(all[0].cell),
                     element_id(all[1].cell), s.low() + base, s.high() + base);
   });
-  crowded.fail_if_any("more than two elements share an edge", "frame");
-  same_side.fail_if_any("two elements lie on the same side of their common edge", "frame");
+  crowded.fail_if_any("more than two elements share an edge", "frame", mesh.index_base);
+  same_side.fail_if_any("two elements lie on the same side of their common edge", "frame",
+                        mesh.index_base);
   check_midsides(mesh);
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto n = cells[c];
@@ -217,14 +220,15 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
       }
     }
   }
-  concave.fail_if_any("element too curved: its parts between neighbouring nodes fold", "frame");
+  concave.fail_if_any("element too curved: its parts between neighbouring nodes fold", "frame",
+                      mesh.index_base);
   const Overlap overlap = find_overlap(cells, x, y, 1e-9);
   if (overlap.count > 0)
     fail(Status::err_mesh,
          "the frame folds over itself when projected on the tangent plane of the axes "
-         "(rollcon_contact_set_axes sets it): elements %lld and %lld overlap; %lld parts of "
-         "elements concerned",
-         element_id(overlap.first), element_id(overlap.second),
+         "(rollcon_contact_set_axes sets it): elements %lld and %lld (counting from %d) overlap; "
+         "%lld parts of elements concerned",
+         element_id(overlap.first), element_id(overlap.second), mesh.index_base,
          static_cast<long long>(overlap.count));
 }
 

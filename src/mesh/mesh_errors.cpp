@@ -75,9 +75,9 @@ void check_connectivity(const SurfaceMesh& mesh, const char* where) {
     if (corners[i - 1].first == corners[i].first)
       twice.add("elements %lld and %lld", static_cast<long long>(corners[i - 1].second + base),
                 static_cast<long long>(corners[i].second + base));
-  range.fail_if_any("an element refers to a node that does not exist", where);
-  repeated.fail_if_any("a node is repeated within an element", where);
-  twice.fail_if_any("the same element is given twice", where);
+  range.fail_if_any("an element refers to a node that does not exist", where, base);
+  repeated.fail_if_any("a node is repeated within an element", where, base);
+  twice.fail_if_any("the same element is given twice", where, base);
 }
 
 }  // namespace rollcon

@@ -25,11 +25,11 @@ struct Tally {
     std::snprintf(text, sizeof text, format, args...);
     first = text;
   }
-  /// where: "frame", "surface" or "volume".
-  void fail_if_any(const char* what, const char* where) const {
+  /// where: "frame", "surface" or "volume"; base: what the caller's numbers count from.
+  void fail_if_any(const char* what, const char* where, std::int32_t base) const {
     if (count > 0)
-      fail(Status::err_mesh, "%s; %lld such in the %s; first: %s", what, count, where,
-           first.c_str());
+      fail(Status::err_mesh, "%s; %lld such in the %s; first: %s (counting from %d)", what, count,
+           where, first.c_str(), base);
   }
 };
 

@@ -119,7 +119,7 @@ std::vector<double> shell_volumes(const SurfaceMesh& mesh, const Shells& shells)
       flat.add("the one of element %lld",
                static_cast<long long>(shells.first[s]) + mesh.index_base);
   }
-  flat.fail_if_any("a closed part encloses no volume", "surface");
+  flat.fail_if_any("a closed part encloses no volume", "surface", mesh.index_base);
   return volume;
 }
 
@@ -159,9 +159,10 @@ std::vector<int> nesting_depths(const SurfaceMesh& mesh, const Shells& shells,
         ++depth[other];
       else if (inside[other] > 0)
         fail(Status::err_mesh,
-             "two closed parts of the surface cross: those of elements %lld and %lld",
+             "two closed parts of the surface cross: those of elements %lld and %lld "
+             "(counting from %d)",
              static_cast<long long>(shells.first[s]) + mesh.index_base,
-             static_cast<long long>(shells.first[other]) + mesh.index_base);
+             static_cast<long long>(shells.first[other]) + mesh.index_base, mesh.index_base);
     }
   }
   return depth;

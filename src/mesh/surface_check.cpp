@@ -110,7 +110,7 @@ void check_nodes_used(const SurfaceMesh& mesh) {
   Tally unused;
   for (std::size_t k = 0; k < used.size(); ++k)
     if (!used[k]) unused.add("node %lld", static_cast<long long>(k) + mesh.index_base);
-  unused.fail_if_any("a node belongs to no element", "surface");
+  unused.fail_if_any("a node belongs to no element", "surface", mesh.index_base);
 }
 
 void check_shapes(const SurfaceMesh& mesh) {
@@ -143,16 +143,17 @@ void check_shapes(const SurfaceMesh& mesh) {
     (defect == Defect::vanishing ? vanishing : turning)
         .add("element %lld (%s) %s", id, name(type), place);
   }
-  coincident.fail_if_any("degenerate element: two of its nodes coincide", "surface");
+  coincident.fail_if_any("degenerate element: two of its nodes coincide", "surface",
+                         mesh.index_base);
   vanishing.fail_if_any(
       "degenerate element: its Jacobian vanishes (no area, a corner of 180 degrees, or a midside "
       "node at a quarter of its edge)",
-      "surface");
+      "surface", mesh.index_base);
   turning.fail_if_any(
       "degenerate element: its normal turns over within it (folded, concave, or with a midside "
       "node "
       "beyond the quarter of its edge)",
-      "surface");
+      "surface", mesh.index_base);
 }
 
 std::vector<double> nearest_of_own_elements(const SurfaceMesh& mesh) {
@@ -182,7 +183,7 @@ void check_boundary_edges(const SurfaceMesh& mesh) {
   crowded.fail_if_any(
       "the body touches itself along an edge: more than two of its boundary faces meet there; join "
       "its parts by a common face or give each its own nodes",
-      "volume");
+      "volume", mesh.index_base);
 }
 
 }  // namespace

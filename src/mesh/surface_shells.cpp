@@ -53,7 +53,7 @@ void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
   halved.fail_if_any(
       "a quadratic element's edge lies on shorter edges of its neighbours: elements on both sides "
       "of an edge must share all of its nodes",
-      where);
+      where, mesh.index_base);
 }
 
 /// Elements joined across edges, and whether each looks to the same side as its root.
@@ -111,8 +111,8 @@ void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
                  names.node(s.high()), names.element(all[0].cell), names.type(all[0].cell),
                  names.element(all[1].cell), names.type(all[1].cell));
   });
-  crowded.fail_if_any("more than two elements share an edge", where);
-  differ.fail_if_any("two elements share an edge but not its midside node", where);
+  crowded.fail_if_any("more than two elements share an edge", where, mesh.index_base);
+  differ.fail_if_any("two elements share an edge but not its midside node", where, mesh.index_base);
   check_halved_edges(mesh, sides);
 }
 
@@ -124,8 +124,8 @@ void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
       open.add("edge %lld-%lld of element %lld (%s)", names.node(s.low()), names.node(s.high()),
                names.element(s.cell), names.type(s.cell));
   });
-  open.fail_if_any("open edge: only one element has it, but a body's surface must be closed",
-                   where);
+  open.fail_if_any("open edge: only one element has it, but a body's surface must be closed", where,
+                   mesh.index_base);
 }
 
 void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
@@ -151,7 +151,8 @@ void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
       touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]),
                    names.element(e));
     }
-  touching.fail_if_any("two parts of the surface touch at a node without sharing an edge", where);
+  touching.fail_if_any("two parts of the surface touch at a node without sharing an edge", where,
+                       mesh.index_base);
 }
 
 Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
@@ -168,7 +169,7 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
                   names.node(a.high()), names.element(a.cell), names.element(b.cell));
   });
   twisted.fail_if_any("one-sided surface (a Moebius strip): its elements cannot all look outwards",
-                      where);
+                      where, mesh.index_base);
   Shells shells;
   shells.shell.resize(n);
   shells.sign.resize(n);
@@ -199,7 +200,7 @@ void check_neighbours(const SurfaceMesh& mesh, const Shells& shells) {
   flipped.fail_if_any(
       "flipped element: its normal is opposite to that of most elements it hangs together with; "
       "reverse the order of its nodes",
-      where);
+      where, mesh.index_base);
 }
 
 void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
@@ -217,8 +218,9 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
   if (bodies > 1)
     fail(Status::err_mesh,
          "the surface encloses %lld bodies that do not hang together; give each its own body; "
-         "first: those of elements %lld and %lld",
-         static_cast<long long>(bodies), names.element(first), names.element(second));
+         "first: those of elements %lld and %lld (counting from %d)",
+         static_cast<long long>(bodies), names.element(first), names.element(second),
+         mesh.index_base);
 
   Tally inward;
   for (std::size_t e = 0; e < shells.sign.size(); ++e) {
@@ -232,11 +234,11 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
     inward.fail_if_any(
         "the normals of all elements look into the body: reverse the order of their nodes "
         "(counter-clockwise seen from outside)",
-        where);
+        where, mesh.index_base);
   inward.fail_if_any(
       "flipped element: its normal looks into the body; reverse the order of its nodes "
       "(counter-clockwise seen from outside)",
-      where);
+      where, mesh.index_base);
 }
 
 }  // namespace rollcon

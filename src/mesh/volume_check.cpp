@@ -54,8 +54,8 @@ void check_elements(std::int64_t nodes, const VolumeElements& volume, const Name
       break;
     }
   }
-  range.fail_if_any("an element refers to a node that does not exist", where);
-  repeated.fail_if_any("a node is repeated within an element", where);
+  range.fail_if_any("an element refers to a node that does not exist", where, names.base);
+  repeated.fail_if_any("a node is repeated within an element", where, names.base);
 }
 
 /// The same corners are the same element, whatever its order of interpolation.
@@ -76,7 +76,7 @@ void check_repeated_elements(const VolumeElements& volume, const Names& names) {
     if (corners[i - 1].first == corners[i].first)
       twice.add("elements %lld and %lld", names.element(corners[i - 1].second),
                 names.element(corners[i].second));
-  twice.fail_if_any("the same element is given twice", where);
+  twice.fail_if_any("the same element is given twice", where, names.base);
 }
 
 void check_nodes_used(std::size_t nodes, const VolumeElements& volume, const Names& names) {
@@ -85,7 +85,7 @@ void check_nodes_used(std::size_t nodes, const VolumeElements& volume, const Nam
   Tally unused;
   for (std::size_t k = 0; k < used.size(); ++k)
     if (!used[k]) unused.add("node %lld", names.node(static_cast<std::int32_t>(k)));
-  unused.fail_if_any("a node belongs to no element", where);
+  unused.fail_if_any("a node belongs to no element", where, names.base);
 }
 
 /// Midside nodes that are corners elsewhere: there a quadratic element lies on shorter ones.
@@ -107,7 +107,7 @@ void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const 
   halved.fail_if_any(
       "a midside node of one element is a corner of another: elements on both sides of a face must "
       "share all of its nodes",
-      where);
+      where, names.base);
 }
 
 enum class Match { same, midsides, own_side, twisted };
@@ -156,7 +156,7 @@ void check_halved_faces(std::span<const CornerFace> boundary, const Names& names
   halved.fail_if_any(
       "a quadrilateral face lies on triangles of its neighbours: elements on both sides of a face "
       "must share all of its nodes",
-      where);
+      where, names.base);
 }
 
 void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces,
@@ -181,11 +181,12 @@ void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces
               names.element(f.of.element), names.type(f.of.element), names.element(g.of.element),
               names.type(g.of.element));
   });
-  crowded.fail_if_any("more than two elements share a face", where);
+  crowded.fail_if_any("more than two elements share a face", where, names.base);
   overlapping.fail_if_any("two elements overlap: they lie on the same side of a face they share",
-                          where);
-  twisted.fail_if_any("two elements share the corners of a face but not its edges", where);
-  differ.fail_if_any("two elements share a face but not its midside nodes", where);
+                          where, names.base);
+  twisted.fail_if_any("two elements share the corners of a face but not its edges", where,
+                      names.base);
+  differ.fail_if_any("two elements share a face but not its midside nodes", where, names.base);
   check_halved_faces(boundary, names);
 }
 
@@ -208,10 +209,11 @@ void check_connected(const VolumeElements& volume, std::span<const CornerFace> f
   for (std::size_t e = 0; e < parent.size(); ++e)
     if (parent[e] == e && ++parts == 2) second = static_cast<long long>(e);
   if (parts > 1)
-    fail(Status::err_mesh,
-         "the volume consists of %lld parts that share no face; join them by common nodes or give "
-         "each its own body; first element of the second part: element %lld (%s)",
-         parts, names.element(second), names.type(second));
+    fail(
+        Status::err_mesh,
+        "the volume consists of %lld parts that share no face; join them by common nodes or give "
+        "each its own body; first element of the second part: element %lld (%s) (counting from %d)",
+        parts, names.element(second), names.type(second), names.base);
 }
 
 }  // namespace

@@ -204,17 +204,17 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
       folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), at.at[0],
                  at.at[1], at.at[2]);
   }
-  coincident.fail_if_any("degenerate element: two of its nodes coincide", "volume");
-  flat.fail_if_any("degenerate element: it has no volume", "volume");
+  coincident.fail_if_any("degenerate element: two of its nodes coincide", "volume", base);
+  flat.fail_if_any("degenerate element: it has no volume", "volume", base);
   inverted.fail_if_any(
       "element turned inside out: its Jacobian is negative; mirror the order of its nodes "
       "(exchange the bottom and the top face of wedges and hexahedra, the second and the third "
       "corner of tetrahedra, and their midside nodes with them)",
-      "volume");
+      "volume", base);
   folded.fail_if_any(
       "degenerate element: its Jacobian is not positive everywhere (folded, corners of 180 degrees "
       "or more, nodes in a wrong order, or a midside node at or beyond the quarter of its edge)",
-      "volume");
+      "volume", base);
   return nearest;
 }
 

@@ -5,10 +5,10 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
-#include <new>
 
 #include "support/error.hpp"
 #include "support/fpenv.hpp"
+#include "support/last_error.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -19,13 +19,11 @@ namespace rollcon {
 namespace {
 
 constexpr std::int32_t max_threads = 4096;
-constexpr std::size_t room_for_error = 128;  ///< of a call that finds no memory
+constexpr std::size_t room_for_text = 2048;  ///< of a call that finds no memory
 
 }  // namespace
 
-Context::Context() {
-  error_.reserve(room_for_error);
-}
+Context::Context() = default;
 
 void Context::set_log(std::int32_t max_level, LogFunction function, void* user) {
   if (max_level < 0 || max_level > static_cast<std::int32_t>(LogLevel::debug))
@@ -78,22 +76,29 @@ int Context::threads() const {
 #endif
 }
 
-void Context::set_error(const char* function, const char* message) noexcept {
+void Context::set_latch(bool on) {
   const std::lock_guard lock(mutex_);
-  error_.clear();
-  for (const char* part : {function, ": ", message}) {
-    try {
-      error_ += part;
-    } catch (const std::bad_alloc&) {
-      // As much as the room that is there holds.
-      error_.append(part, std::min(std::strlen(part), error_.capacity() - error_.size()));
-    }
-  }
+  if (on) kept_text_.reserve(room_for_text);
+  latch_ = on;
+  kept_ = Status::ok;
+  latched_.store(Status::ok, std::memory_order_relaxed);
+  kept_text_.clear();
 }
 
-std::string Context::error() const {
+void Context::keep(Status status, const char* text) noexcept {
   const std::lock_guard lock(mutex_);
-  return error_;
+  const bool failure = static_cast<std::int32_t>(status) < 0;
+  if (!latch_ || status == Status::ok || static_cast<std::int32_t>(kept_) < 0) return;
+  if (!failure && kept_ != Status::ok) return;
+  kept_ = status;
+  if (failure) latched_.store(status, std::memory_order_relaxed);
+  kept_text_.assign(text, std::min(std::strlen(text), kept_text_.capacity()));
+}
+
+Status Context::tell_kept() const noexcept {
+  const std::lock_guard lock(mutex_);
+  if (kept_ != Status::ok) set_last_error(nullptr, kept_text_.c_str());
+  return kept_;
 }
 
 }  // namespace rollcon

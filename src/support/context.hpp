@@ -1,5 +1,5 @@
 #pragma once
-/// What a context owns: log sink, thread budget, text of the last failure.
+/// What a context owns: log sink, thread budget, the failure that its latch keeps.
 
 #include <atomic>
 #include <cstdarg>
@@ -7,6 +7,8 @@
 #include <memory>
 #include <mutex>
 #include <string>
+
+#include "support/error.hpp"
 
 namespace rollcon {
 
@@ -28,9 +30,14 @@ class Context {
   /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region.
   int threads() const;
 
-  /// Keeps "function: message", cut where there is no memory for it.
-  void set_error(const char* function, const char* message) noexcept;
-  std::string error() const;
+  /// On: the first failure from here on is kept. Off or on, what was kept is forgotten.
+  void set_latch(bool on);
+  /// The first failure since the latch was set, ok if there was none.
+  Status latched() const noexcept { return latched_.load(std::memory_order_relaxed); }
+  /// With the latch on: keeps the first failure, and the first caveat until there is one.
+  void keep(Status status, const char* text) noexcept;
+  /// What the latch keeps; its text becomes the thread's last error.
+  Status tell_kept() const noexcept;
 
   /// The prepared bodies of this context, kept by weak references (set by the first of them).
   template <class Make>
@@ -44,11 +51,14 @@ class Context {
   void tell(std::int32_t level, const char* format, std::va_list args) const;
 
   mutable std::mutex mutex_;
-  std::string error_;
   LogFunction log_ = nullptr;
   void* log_user_ = nullptr;
   std::atomic<std::int32_t> log_level_{0};  ///< solves ask some ten times: read without the lock
   std::int32_t threads_ = 0;
+  bool latch_ = false;
+  std::atomic<Status> latched_{Status::ok};  ///< every call asks: read without the lock
+  Status kept_ = Status::ok;
+  std::string kept_text_;
   std::shared_ptr<EqualBodies> bodies_;
 };
 

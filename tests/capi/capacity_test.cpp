@@ -64,19 +64,6 @@ TEST_F(capacity, texts) {
   check_text_getter("get_plan", [&](auto n, auto* text, auto* needed) {
     return rollcon_contact_get_plan(contact, n, text, needed);
   });
-  ASSERT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
-  check_text_getter("get_error", [&](auto n, auto* text, auto* needed) {
-    return rollcon_context_get_error(context, n, text, needed);
-  });
-  EXPECT_EQ(error().substr(0, 27), "rollcon_contact_set_rolling") << "kept by failures to read it";
-}
-
-TEST_F(capacity, no_failure_no_text) {
-  std::int64_t needed = 0;
-  char text[4] = "###";
-  ASSERT_EQ(rollcon_context_get_error(context, 4, text, &needed), ROLLCON_OK);
-  EXPECT_EQ(needed, 1);
-  EXPECT_STREQ(text, "");
 }
 
 TEST_F(capacity, fields) {

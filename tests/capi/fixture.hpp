@@ -75,13 +75,7 @@ class Api : public ::testing::Test {
     ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
   }
 
-  std::string error() const {
-    std::int64_t needed = 0;
-    if (rollcon_context_get_error(context, 0, nullptr, &needed) != ROLLCON_OK) return "no text";
-    std::vector<char> text(static_cast<std::size_t>(needed));
-    rollcon_context_get_error(context, needed, text.data(), nullptr);
-    return text.data();
-  }
+  std::string error() const { return rollcon_last_error(); }
 
   SquareFrame frame{12, 1.5};
   rollcon_context* context = nullptr;

@@ -81,7 +81,10 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(
       rollcon_context_set_log(context, ROLLCON_LOG_DEBUG, expect_traps_in_log, &logged));
   EXPECT_SURVIVES(rollcon_context_set_threads(context, 2));
-  EXPECT_SURVIVES(rollcon_context_get_error(context, 4096, text, &i64));
+  EXPECT_SURVIVES(rollcon_context_set_latch(context, 0));
+  EXPECT_SURVIVES(rollcon_context_check(context));
+  EXPECT_SURVIVES(rollcon_report(context, -1, "a failure"));
+  EXPECT_SURVIVES(rollcon_last_error());
   EXPECT_SURVIVES(rollcon_body_create(context2, ROLLCON_BODY_HALFSPACE, &body2));
   EXPECT_SURVIVES(rollcon_body_retain(body2));
   EXPECT_SURVIVES(rollcon_body_release(body2));

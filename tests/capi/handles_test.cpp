@@ -93,11 +93,11 @@ void with_each_context_call(const void* handle, F&& check) {
   auto* c = static_cast<rollcon_context*>(const_cast<void*>(handle));
   rollcon_body* body = nullptr;
   rollcon_contact* contact = nullptr;
-  std::int64_t n = 0;
   check("retain", rollcon_context_retain(c));
   check("set_log", rollcon_context_set_log(c, 0, nullptr, nullptr));
   check("set_threads", rollcon_context_set_threads(c, 1));
-  check("get_error", rollcon_context_get_error(c, 0, nullptr, &n));
+  check("set_latch", rollcon_context_set_latch(c, 0));
+  check("check", rollcon_context_check(c));
   check("body_create", rollcon_body_create(c, ROLLCON_BODY_RIGID, &body));
   check("contact_create", rollcon_contact_create(c, nullptr, nullptr, &contact));
 }

@@ -211,14 +211,12 @@ TEST_F(overflow, only_what_is_left_of_gap_and_approach_counts) {
 }
 
 TEST_F(overflow, load_cases_fail_alone) {
-  const std::int32_t parameter = ROLLCON_LONGITUDINAL;
   const double value[3] = {1e-3, DBL_MAX, 2e-3};
   std::int32_t status[3] = {-1000, -1000, -1000};
   std::vector<double> f(9);
-  EXPECT_EQ(
-      rollcon_contact_solve_many(contact, 1, &parameter, 3, value, nullptr, 0, status, f.data(),
-                                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
-      ROLLCON_NOT_CONVERGED);
+  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 3, value, "force", 3, f.data(),
+                                       nullptr, status),
+            ROLLCON_NOT_CONVERGED);
   EXPECT_EQ(status[0], ROLLCON_OK);
   EXPECT_EQ(status[1], ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(status[2], ROLLCON_OK);

@@ -83,24 +83,44 @@ class solve_many : public Api {
     const std::size_t cases = values.size() / parameters.size();
     Table t(cases, parameters.size(), name_count, nodes());
     EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_solve_many(
-                  contact, static_cast<std::int32_t>(parameters.size()), parameters.data(),
-                  static_cast<std::int64_t>(cases), values.data(), names, frame.nodes,
-                  t.status.data(), t.force.data(), t.moment.data(), t.approach.data(),
-                  t.creep.data(), t.derivatives.data(), t.statistics.data(), t.tractions.data()),
+    const std::size_t width = 10 + 10 * parameters.size() + name_count + 3 * nodes();
+    std::vector<double> rows(width * cases);
+    std::int64_t told = 0;
+    const std::string columns =
+        std::string("force moment approach creep derivatives ") + names + " tractions";
+    EXPECT_EQ(rollcon_contact_solve_many(contact, names_of(parameters).c_str(),
+                                         static_cast<std::int64_t>(cases), values.data(),
+                                         columns.c_str(), static_cast<std::int64_t>(width),
+                                         rows.data(), &told, t.status.data()),
               expected)
         << error();
+    EXPECT_EQ(told, static_cast<std::int64_t>(width));
+    for (std::size_t i = 0; i < cases; ++i) {
+      const double* from = &rows[width * i];
+      for (std::vector<double>* array : {&t.force, &t.moment, &t.approach, &t.creep, &t.derivatives,
+                                         &t.statistics, &t.tractions}) {
+        const std::size_t n = array->size() / cases;
+        std::copy_n(from, n, array->data() + n * i);
+        from += n;
+      }
+    }
     return t;
+  }
+
+  static std::string names_of(const std::vector<std::int32_t>& parameters) {
+    static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin",
+                                            "friction"};
+    std::string text;
+    for (const std::int32_t p : parameters) text += std::string(" ") + known[p - 1];
+    return text;
   }
 
   /// Forces alone, one thread.
   std::int32_t forces(const std::vector<std::int32_t>& parameters, std::int64_t cases,
                       const std::vector<double>& values, std::vector<double>& force) {
     force.assign(static_cast<std::size_t>(3 * cases), -1);
-    return rollcon_contact_solve_many(contact, static_cast<std::int32_t>(parameters.size()),
-                                      parameters.data(), cases, values.data(), nullptr, 0, nullptr,
-                                      force.data(), nullptr, nullptr, nullptr, nullptr, nullptr,
-                                      nullptr);
+    return rollcon_contact_solve_many(contact, names_of(parameters).c_str(), cases, values.data(),
+                                      "force", 3, force.data(), nullptr, nullptr);
   }
 
   std::size_t nodes() const { return static_cast<std::size_t>(frame.nodes); }
@@ -280,10 +300,9 @@ TEST_F(solve_many, lists_may_be_empty_and_cases_open) {
   EXPECT_EQ(force[5], 0);
   EXPECT_NEAR(force[8], -0.5 * load, 1e-8 * load);
   // Without parameters all cases are the scene itself.
-  EXPECT_EQ(
-      rollcon_contact_solve_many(contact, 0, nullptr, 2, nullptr, nullptr, 0, nullptr, force.data(),
-                                 nullptr, nullptr, nullptr, nullptr, nullptr, nullptr),
-      ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve_many(contact, nullptr, 2, nullptr, "force", 3, force.data(),
+                                       nullptr, nullptr),
+            ROLLCON_OK);
   EXPECT_NEAR(force[5], -load, 1e-8 * load);
   EXPECT_EQ(forces({ROLLCON_NORMAL}, 1, {4 * load}, force), ROLLCON_RIM_CONTACT);
 }
@@ -315,50 +334,55 @@ TEST_F(solve_many, the_contact_keeps_scene_and_solution) {
 }
 
 TEST_F(solve_many, refuses_what_it_cannot_take) {
-  std::vector<double> force(30);
-  const auto call = [&](std::int32_t n, const std::int32_t* p, std::int64_t cases, const double* v,
-                        const char* wanted, std::int64_t capacity, double* statistics,
-                        double* tractions) {
-    return rollcon_contact_solve_many(contact, n, p, cases, v, wanted, capacity, nullptr,
-                                      force.data(), nullptr, nullptr, nullptr, nullptr, statistics,
-                                      tractions);
+  std::vector<double> room(3 * nodes() + 8, 7);
+  std::int64_t needed = 0;
+  const auto call = [&](const char* parameters, std::int64_t cases, const double* v,
+                        const char* columns, std::int64_t capacity) {
+    return rollcon_contact_solve_many(contact, parameters, cases, v, columns, capacity, room.data(),
+                                      &needed, nullptr);
   };
   const auto refused = [&](std::int32_t status, std::int32_t expected, const char* word) {
     EXPECT_EQ(status, expected);
     EXPECT_NE(error().find(word), std::string::npos) << error();
     EXPECT_EQ(error().substr(0, 26), "rollcon_contact_solve_many");
+    for (const double v : room) EXPECT_EQ(v, 7);
   };
-  const std::int32_t normal = ROLLCON_NORMAL, unknown = 6, twice[2] = {1, 1};
-  const std::int32_t friction = ROLLCON_FRICTION;
-  const double good = load, negative = -1, not_a_number = none;
-  std::vector<double> room(3 * nodes());
-  refused(call(1, &unknown, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "is 6");
-  refused(call(2, twice, 1, room.data(), nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
-          "both 1");
-  refused(call(-1, &normal, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
-  refused(call(1, nullptr, 1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "NULL");
-  refused(call(1, &normal, -1, &good, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT, "-1");
-  refused(call(0, nullptr, INT64_MAX, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+  const double good = load, negative = -1, not_a_number = none, two[2] = {1, 1};
+  refused(call("normal cost", 1, two, "force", 3), ROLLCON_ERR_ARGUMENT, "parameters has 'cost'");
+  refused(call("NORMAL", 1, &good, "force", 3), ROLLCON_ERR_ARGUMENT, "allowed: longitudinal");
+  refused(call(" spin  spin", 1, two, "force", 3), ROLLCON_ERR_ARGUMENT, "'spin' twice");
+  refused(call("normal", -1, &good, "force", 3), ROLLCON_ERR_ARGUMENT, "n_cases is -1");
+  refused(call("", INT64_MAX, nullptr, "", 0), ROLLCON_ERR_ARGUMENT,
           "n_cases is 9223372036854775807");
+  refused(call("normal", 2, two, "force", INT64_MAX), ROLLCON_ERR_ARGUMENT, "address space");
   // A list that no machine's memory holds, even without anything to be written.
-  refused(call(0, nullptr, std::int64_t{1} << 40, nullptr, nullptr, 0, nullptr, nullptr),
-          ROLLCON_ERR_MEMORY, "a list of 1099511627776 cases takes");
-  refused(call(1, &normal, 1, nullptr, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
-          "values is NULL");
-  refused(call(1, &normal, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
-          "case 0");
-  refused(call(1, &friction, 1, &negative, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
-          "factor on friction");
-  refused(call(1, &normal, 1, &not_a_number, nullptr, 0, nullptr, nullptr), ROLLCON_ERR_NONFINITE,
-          "case 0");
-  refused(call(1, &normal, 1, &good, " iterations  cost", 0, room.data(), nullptr),
-          ROLLCON_ERR_OPTION, "'cost'");
-  refused(call(1, &normal, 1, &good, "iterations", 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
-          "statistics is NULL");
-  refused(call(1, &normal, 1, &good, nullptr, frame.nodes - 1, nullptr, room.data()),
-          ROLLCON_ERR_CAPACITY, "169 nodes");
-  EXPECT_EQ(call(1, &normal, 1, &good, "", frame.nodes, nullptr, room.data()), ROLLCON_OK);
-  EXPECT_EQ(call(1, &normal, 1, &good, " ", frame.nodes, nullptr, room.data()), ROLLCON_OK);
+  refused(call("", std::int64_t{1} << 40, nullptr, "", 0), ROLLCON_ERR_MEMORY,
+          "a list of 1099511627776 cases takes");
+  refused(call("normal", 1, nullptr, "force", 3), ROLLCON_ERR_ARGUMENT, "values is NULL");
+  refused(call("normal", 1, &negative, "force", 3), ROLLCON_ERR_ARGUMENT, "case 0");
+  refused(call("friction", 1, &negative, "force", 3), ROLLCON_ERR_ARGUMENT, "factor on friction");
+  refused(call("normal", 1, &not_a_number, "force", 3), ROLLCON_ERR_NONFINITE, "case 0");
+  refused(call("normal", 1, &good, " iterations  cost", 2), ROLLCON_ERR_OPTION,
+          "columns has 'cost'; allowed: force, moment");
+  refused(call("normal", 1, &good, "force", -1), ROLLCON_ERR_ARGUMENT, "capacity is -1");
+  refused(call("normal", 1, &good, "", -1), ROLLCON_ERR_ARGUMENT, "capacity is -1");
+  EXPECT_FAILS(rollcon_contact_solve_many(contact, "normal", 1, &good, "force", 3, nullptr, nullptr,
+                                          nullptr),
+               ROLLCON_ERR_ARGUMENT, "results is NULL");
+  const auto traction_columns = static_cast<std::int64_t>(3 * nodes());
+  refused(call("normal", 1, &good, "tractions approach", traction_columns), ROLLCON_ERR_CAPACITY,
+          "needed: 508");
+  EXPECT_EQ(needed, traction_columns + 1);
+  // Asking for the need solves nothing.
+  needed = 0;
+  EXPECT_EQ(call("normal spin", 1, two, "derivatives tractions force", 0), ROLLCON_OK);
+  EXPECT_EQ(needed, 20 + traction_columns + 3);
+  for (const double v : room) EXPECT_EQ(v, 7);
+  // Room beyond the columns is left alone; a column may come twice.
+  EXPECT_EQ(call("normal", 1, &good, "force approach  force ", 8), ROLLCON_OK);
+  EXPECT_EQ(room[7], 7);
+  EXPECT_TRUE(same(&room[0], &room[4], 3));
+  EXPECT_EQ(call("normal", 1, &good, nullptr, 0), ROLLCON_OK);
 }
 
 TEST_F(solve_many, workers_share_the_operators) {
@@ -482,9 +506,8 @@ TEST_F(solve_many, several_contacts_at_once_in_threads_of_their_own) {
       EXPECT_EQ(rollcon_contact_set_rolling(c, 10), ROLLCON_OK);
       EXPECT_EQ(rollcon_contact_set_creep(c, 1e-3, 0, 0), ROLLCON_OK);
       EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_solve_many(c, 3, three.data(), 60, values.data(), nullptr, 0,
-                                           nullptr, force[k].data(), nullptr, nullptr, nullptr,
-                                           nullptr, nullptr, nullptr),
+      EXPECT_EQ(rollcon_contact_solve_many(c, names_of(three).c_str(), 60, values.data(), "force",
+                                           3, force[k].data(), nullptr, nullptr),
                 ROLLCON_OK);
       rollcon_contact_release(c);
       rollcon_context_release(own);

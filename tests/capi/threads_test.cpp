@@ -52,8 +52,7 @@ std::int32_t call_back_into_the_library(const rollcon_event*, void* user) {
                       rollcon_contact_set_progress(c, nullptr, nullptr), rollcon_contact_reset(c)};
   EXPECT_EQ(rollcon_contact_retain(c), ROLLCON_OK);
   rollcon_contact_release(c);
-  std::int64_t needed = 0;
-  EXPECT_EQ(rollcon_context_get_error(watcher.context, 0, nullptr, &needed), ROLLCON_OK);
+  EXPECT_EQ(rollcon_context_check(watcher.context), ROLLCON_OK);
   return 0;
 }
 

@@ -119,7 +119,7 @@ contains
     call c%set_friction('coulomb', [0.1_rc_real], stat)
     call demand(stat == ROLLCON_OK, 'a contact keeps its bodies')
     d = c
-    call d%from_id(context, c%id())
+    call d%from_id(c%id())
     call c%free()
     call d%set_rolling(-1.0_rc_real, stat, message)
     call demand(stat == ROLLCON_ERR_ARGUMENT, 'the other name of the contact works')

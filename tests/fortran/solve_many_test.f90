@@ -11,11 +11,12 @@ program solve_many_test
   real(rc_real), allocatable :: force(:, :), moment(:, :), approach(:), creep(:, :), slopes(:, :, :), numbers(:, :), t(:, :, :)
   real(rc_real), allocatable :: traction(:, :)
   integer(rc_int), allocatable :: status(:)
-  double precision :: v77(2, n), f77(3, n), m77(3, n), a77(n), c77(3, n), d77(10, 2, n)
-  integer :: parameters77(2), status77(n)
+  double precision :: v77(2, n), r77(30, n)
+  character(len=200) :: text
+  integer :: status77(n), nr
   integer(rc_int) :: parameters(2)
   integer :: connectivity(4, elements), i, j, k, e, stat, ierr, failures = 0
-  external :: rcmany, rcmand
+  external :: rccase, rclerr
 
   e = 0
   do j = 0, side - 1
@@ -76,18 +77,21 @@ program solve_many_test
   call contact%solve_many(parameters, -values, force=force, stat=stat)
   if (stat /= ROLLCON_ERR_ARGUMENT) call fail('a pulling load passes')
 
-  parameters77 = [3, 2]
   v77 = values
   call contact%solve_many(parameters, values, force=force, moment=moment, approach=approach, creep=creep, derivatives=slopes)
-  call rcmany(contact%id(), 2, parameters77, n, v77, status77, f77, m77, a77, c77, ierr)
-  if (ierr /= 0 .or. any(status77 /= 0) .or. any(abs(f77 - force) > 0) .or. any(abs(m77 - moment) > 0) .or. &
-    any(abs(a77 - approach) > 0) .or. any(abs(c77 - creep) > 0)) call fail('RCMANY differs')
-  call rcmand(contact%id(), 2, parameters77, n, v77, status77, f77, m77, a77, c77, d77, ierr)
-  if (ierr /= 0 .or. any(abs(d77 - slopes) > 0)) call fail('RCMAND differs')
-  call rcmany(contact%id(), 2, [3, 3], n, v77, status77, f77, m77, a77, c77, ierr)
-  if (ierr /= ROLLCON_ERR_ARGUMENT) call fail('RCMANY takes a parameter twice')
-  call rcmany(0, 2, parameters77, n, v77, status77, f77, m77, a77, c77, ierr)
-  if (ierr /= ROLLCON_ERR_ARGUMENT) call fail('RCMANY takes no contact')
+  call rccase(contact%id(), 'NORMAL Lateral', n, v77, 'FORCE MOMENT APPROACH CREEP DERIVATIVES', 30, r77, nr, status77, ierr)
+  if (ierr /= 0 .or. nr /= 30 .or. any(status77 /= 0) .or. any(abs(r77(1:3, :) - force) > 0) .or. &
+    any(abs(r77(4:6, :) - moment) > 0) .or. any(abs(r77(7, :) - approach) > 0) .or. any(abs(r77(8:10, :) - creep) > 0)) &
+    call fail('RCCASE differs')
+  if (any(abs(reshape(r77(11:30, :), [10, 2, n]) - slopes) > 0)) call fail('derivatives of RCCASE differ')
+  call rccase(contact%id(), 'normal normal', n, v77, 'force', 30, r77, nr, status77, ierr)
+  if (ierr /= ROLLCON_ERR_ARGUMENT) call fail('RCCASE takes a parameter twice')
+  call rccase(contact%id(), 'normal lateral', n, v77, 'force moment', 5, r77, nr, status77, ierr)
+  if (ierr /= ROLLCON_ERR_CAPACITY .or. nr /= 6) call fail('RCCASE tells no need')
+  call rclerr(text)
+  if (text(:8) /= 'RCCASE: ') call fail('the text is not that of RCCASE: '//text)
+  call rccase(0, 'normal', n, v77, 'force', 30, r77, nr, status77, ierr)
+  if (ierr /= ROLLCON_ERR_ARGUMENT) call fail('RCCASE takes no contact')
   if (failures > 0) stop 1
   ! A main program's own are not freed at its end.
   if (allocated(force)) deallocate (force)

@@ -72,14 +72,22 @@ void set_threads(World& w) {
   FUZZ_CALL(w, rollcon_context_set_threads, w.context(), n >= 0 && n <= 4096 ? 1 : n);
 }
 
-void get_error(World& w) {
+void report(World& w) {
+  const std::int32_t status = w.in.integer32();
+  const std::string text = w.in.text(known_names());
+  require(rollcon_report(w.body(), status, text.c_str()) ==
+              (status < 0 ? status : ROLLCON_ERR_ARGUMENT),
+          "status of a report");
+  require(std::string(rollcon_last_error()) == text.substr(0, 2047), "text of a report");
+}
+
+void latch(World& w) {
   rollcon_context* c = w.context();
-  std::int64_t need = 1;
-  rollcon_context_get_error(c, 0, nullptr, &need);
-  ask<char>(w, need, [&](std::int64_t capacity, char* text, std::int64_t* needed) {
-    return checked("rollcon_context_get_error", nullptr,
-                   rollcon_context_get_error(c, capacity, text, w.in.one_in(8) ? nullptr : needed));
-  });
+  // Rarely left on: what follows would do nothing.
+  FUZZ_CALL(w, rollcon_context_set_latch, c, w.in.one_in(8) ? w.in.integer32() : 1);
+  FUZZ_CALL(w, rollcon_context_set_threads, c, -1);
+  rollcon_context_check(c);
+  if (!w.in.one_in(16)) FUZZ_CALL(w, rollcon_context_set_latch, c, 0);
 }
 
 void facts(World& w) {
@@ -136,8 +144,8 @@ void tables(World& w) {
 }  // namespace
 
 std::span<const Call> context_calls() {
-  static const Call calls[] = {create,      retain,    release, set_log,
-                               set_threads, get_error, facts,   tables};
+  static const Call calls[] = {create, retain, release, set_log, set_threads,
+                               report, latch,  facts,   tables};
   return calls;
 }
 

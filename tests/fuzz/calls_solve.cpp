@@ -65,49 +65,42 @@ void solve_many(World& w) {
   // Lists for which a large machine might have room would only take long.
   if (n > 8) n = (n | std::int64_t{1} << 62U) >> (w.in.one_in(2) ? 0 : 23);
   const auto cases = static_cast<std::size_t>(absurd ? 0 : n);
-  const std::int32_t m = w.in.one_in(20) ? w.in.integer32() : w.in.below(4);
-  const auto width = static_cast<std::size_t>(m < 0 || m > 5 ? 0 : m);
-  std::vector<std::int32_t> parameter(width);
-  for (std::size_t j = 0; j < width; ++j)
-    parameter[j] =
-        w.in.one_in(12) ? w.in.integer32() : static_cast<std::int32_t>(j) + 1 + w.in.below(2);
-  const std::vector<double> values = w.in.reals(cases * width);
-  static const char* const lists[] = {nullptr, "", "iterations", " nodes_contact  max_pressure ",
-                                      "friction_power nonsense"};
-  const char* names = lists[w.in.below(5)];
-  const std::size_t wanted = names == lists[2]   ? 1
-                             : names == lists[3] ? 2
-                             : names == lists[4] ? 2
-                                                 : 0;
+  static constexpr const char* known[] = {"longitudinal", "lateral",  "normal",
+                                          "spin",         "friction", "nonsense"};
+  std::string parameters;
+  const int first = w.in.below(6), width = w.in.below(4);
+  for (int j = 0; j < width; ++j)
+    parameters += std::string(" ") + known[(first + (w.in.one_in(12) ? 0 : j)) % 6];
+  const std::vector<double> values = w.in.reals(cases * static_cast<std::size_t>(width));
+  static constexpr const char* lists[] = {"", "force", " force  moment max_pressure ",
+                                          "force tractions derivatives approach creep",
+                                          "force iterations nonsense"};
+  const int list = w.in.below(5);
   std::int64_t nodes = 0;
   rollcon_contact_get_size(c, &nodes, nullptr);
-  const std::int64_t capacity = nodes + w.in.below(4) - 1, room = capacity > 0 ? capacity : 0;
+  const std::int64_t widths[] = {0, 3, 7, 3 + 3 * nodes + 10 * width + 4, 5};
+  std::int64_t capacity = widths[list] + w.in.below(4) - 1, told = 0;
+  if (w.in.one_in(12)) capacity = w.in.integer();
   const auto count = static_cast<std::int64_t>(cases);
+  const bool asks = capacity == 0 && list > 0;
+  const std::int64_t room = capacity > 0 && capacity < 100000 ? capacity : 0;
   Output<std::int32_t> status(count);
-  Output<double> force(3 * count), moment(3 * count), approach(count), creep(3 * count),
-      derivatives(10 * count * static_cast<std::int64_t>(width)),
-      statistics(count * static_cast<std::int64_t>(wanted)), tractions(3 * room * count);
+  Output<double> result(room * count);
   // Of a list that is longer than memory there is nothing to read or to write.
-  const int asked = absurd ? 0 : w.in.byte();
-  const auto if_asked = [&](int bit, Output<double>& out) {
-    return asked & bit ? out.data() : nullptr;
-  };
+  const bool some = !absurd && room == capacity;
   const std::int32_t sum =
-      FUZZ_CALL(w, rollcon_contact_solve_many, c, absurd && n > 0 ? 0 : m, parameter.data(), n,
-                absurd ? nullptr : values.data(), absurd ? nullptr : names, capacity,
-                asked & 1 ? status.data() : nullptr, if_asked(2, force), if_asked(4, moment),
-                if_asked(8, approach), if_asked(16, creep), if_asked(32, derivatives),
-                statistics.data(), if_asked(64, tractions));
-  if (sum < 0) {
-    require(status.untouched() && force.untouched() && moment.untouched() && approach.untouched() &&
-                creep.untouched() && derivatives.untouched() && statistics.untouched() &&
-                tractions.untouched(),
-            "a failed call wrote into its output");
+      FUZZ_CALL(w, rollcon_contact_solve_many, c, absurd && n > 0 ? nullptr : parameters.c_str(), n,
+                absurd ? nullptr : values.data(), some || asks ? lists[list] : "",
+                some || asks ? capacity : 0, some ? result.data() : nullptr, &told,
+                absurd ? nullptr : status.data());
+  if (sum < 0 || asks) {
+    require(status.untouched() && result.untouched(), "a failed call wrote into its output");
     return;
   }
-  if ((asked & 3) != 3) return;
+  if (absurd || !some || list == 0) return;
+  require(told == widths[list], "numbers per case");
   for (std::size_t i = 0; i < cases; ++i) {
-    const double* f = &force.values()[3 * i];
+    const double* f = &result.values()[static_cast<std::size_t>(room) * i];
     const bool finite = all_finite({f[0], f[1], f[2]});
     require(finite == (status.values()[i] >= 0 && status.values()[i] != ROLLCON_CANCELLED),
             "a case of status " + std::to_string(status.values()[i]) +

@@ -36,14 +36,16 @@ const std::map<std::string, std::int32_t>& status_numbers() {
   return numbers;
 }
 
-/// "Returns:" of the comment before each declaration of the header.
+/// "Also returns:" of the comment before each declaration of the header, and what its opening says
+/// of all functions.
 StatusesOf read_header() {
   StatusesOf all;
   std::ifstream file(ROLLCON_HEADER);
   std::set<std::int32_t> listed;
-  bool in_list = false;
+  bool in_list = false, any_thread = false;
   for (std::string line; std::getline(file, line);) {
-    if (line.find("Returns:") != std::string::npos) in_list = true;
+    if (line.find("Also returns:") != std::string::npos) in_list = true;
+    any_thread = any_thread || line.find("* Threads: any") != std::string::npos;
     if (in_list) {
       std::istringstream words(line);
       for (std::string word; words >> word;) {
@@ -51,11 +53,18 @@ StatusesOf read_header() {
         const auto found = status_numbers().find(word);
         if (found != status_numbers().end()) listed.insert(found->second);
       }
-      if (line.find("Threads:") != std::string::npos) in_list = false;
+      if (line.find('.') != std::string::npos) in_list = false;
     }
     const std::size_t name = line.find("rollcon_status ROLLCON_CALL rollcon_");
-    if (name == std::string::npos) continue;
+    if (name == std::string::npos) {
+      if (line.find("ROLLCON_API") == 0) any_thread = false;
+      continue;
+    }
     const std::size_t begin = line.find("rollcon_", name + 14);
+    listed.insert({ROLLCON_OK, ROLLCON_ERR_ARGUMENT});
+    if (line.find(" *", begin) != std::string::npos) listed.insert(ROLLCON_ERR_HANDLE);
+    if (!any_thread) listed.insert(ROLLCON_ERR_BUSY);
+    any_thread = false;
     all[line.substr(begin, line.find('(') - begin)] = listed;
     listed.clear();
   }
@@ -75,12 +84,10 @@ std::int32_t checked(const char* function, const rollcon_context* context, std::
   static const StatusesOf documented = read_header();
   const auto found = documented.find(function);
   require(found != documented.end(), std::string(function) + " is not in the header");
-  std::string text;
-  if (status < 0 && status != ROLLCON_ERR_HANDLE && context) {
-    char buffer[4096] = "";
-    std::int64_t needed = 0;
-    rollcon_context_get_error(context, sizeof buffer, buffer, &needed);
-    text = buffer;
+  const std::string text = rollcon_last_error();
+  // A context that has latched a failure answers with it whatever is called.
+  if (context && status < 0 && rollcon_context_check(context) == status) return status;
+  if (status < 0) {
     require(text.rfind(std::string(function) + ": ", 0) == 0,
             std::string(function) + ": status " + std::to_string(status) + ", text '" + text + "'");
   }

@@ -47,13 +47,10 @@ class Failing final : public Caller {
     // A file that cannot be opened for want of memory is one that cannot be written.
     const bool of_file = where == "rollcon_contact_write" && status == ROLLCON_ERR_IO;
     if (status != ROLLCON_ERR_MEMORY && !of_file) wrong = "status " + std::to_string(status);
-    std::array<char, 500> text{};
-    // The call of a list of cases tells of its own failures, cases do not; without a context there
-    // is none to tell.
-    if (where != "rollcon_contact_solve_many" && where != "rollcon_context_create" && context &&
-        rollcon_context_get_error(context, 500, text.data(), nullptr) == ROLLCON_OK &&
-        !std::string(text.data()).starts_with(std::string(name) + ": "))
-      wrong = std::string("text '") + text.data() + "'";
+    // The call of a list of cases tells of its own failures, cases do not.
+    if (where != "rollcon_contact_solve_many" &&
+        !std::string(rollcon_last_error()).starts_with(std::string(name) + ": "))
+      wrong = std::string("text '") + rollcon_last_error() + "'";
     repeated_ = true;
     return function();
   }

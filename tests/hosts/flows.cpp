@@ -179,26 +179,24 @@ std::vector<double> many(Caller& call) {
   constexpr std::int64_t cases = 12;
   roll_sphere(call, h, 6);
   CALL(rollcon_contact_set_str, h.contact, "operators", "table");
-  const std::int32_t parameter[2] = {ROLLCON_NORMAL, ROLLCON_LONGITUDINAL};
-  std::vector<double> value, force(3 * cases), moment(3 * cases);
+  std::vector<double> value, result(6 * cases);
   for (std::int64_t i = 0; i < cases; ++i) {
     value.push_back(200.0 + 50.0 * static_cast<double>(i / 4));
     value.push_back(2e-4 * static_cast<double>(i % 4 + 1));
   }
   std::array<std::int32_t, cases> status{};
   const auto all = [&] {
-    const std::int32_t summary = rollcon_contact_solve_many(
-        h.contact, 2, parameter, cases, value.data(), nullptr, 0, status.data(), force.data(),
-        moment.data(), nullptr, nullptr, nullptr, nullptr, nullptr);
+    const std::int32_t summary =
+        rollcon_contact_solve_many(h.contact, "normal longitudinal", cases, value.data(),
+                                   "force moment", 6, result.data(), nullptr, status.data());
     if (summary < 0) return summary;
     // A case that found no memory has that status; the flow wants every case.
     const auto failed = std::find_if(status.begin(), status.end(), [](auto s) { return s < 0; });
     return failed == status.end() ? summary : *failed;
   };
   call("rollcon_contact_solve_many", all);
-  force.insert(force.end(), moment.begin(), moment.end());
   end(call, h);
-  return force;
+  return result;
 }
 
 void set_bem(Caller& call, Handles& h) {
@@ -279,10 +277,8 @@ constexpr Flow all[] = {{"dense", nullptr, dense},
 void Caller::operator()(const char* name, const std::function<std::int32_t()>& function) {
   const std::int32_t status = make(name, function);
   if (status >= 0) return;
-  std::array<char, 500> text{};
-  if (rollcon_context_get_error(context, 500, text.data(), nullptr) < 0) text[0] = '\0';
-  throw Unexpected(std::string(name) + ": " + rollcon_status_string(status) + " (" + text.data() +
-                   ")");
+  throw Unexpected(std::string(name) + ": " + rollcon_status_string(status) + " (" +
+                   rollcon_last_error() + ")");
 }
 
 std::int32_t Caller::make(const char*, const std::function<std::int32_t()>& function) {

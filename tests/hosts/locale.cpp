@@ -41,8 +41,7 @@ std::string texts() {
   Caller call;
   call.made_contact = [&](rollcon_contact* c) {
     const auto add_error = [&](std::int32_t status) {
-      rollcon_context_get_error(call.context, 20000, text.data(), nullptr);
-      all += std::to_string(status) + " " + text.data() + "\n";
+      all += std::to_string(status) + " " + rollcon_last_error() + "\n";
     };
     rollcon_contact_solve(c);
     rollcon_contact_get_plan(c, 20000, text.data(), nullptr);

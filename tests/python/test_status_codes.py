@@ -46,7 +46,7 @@ class StatusCodes(Scene):
         for young, poisson in ((0.0, 0.3), (-1.0, 0.3), (1.0, -1.0), (1.0, 0.501)):
             text = self.fails(rc.ERR_ARGUMENT, body.set_elastic, young, poisson)
             self.assertIn("rollcon_body_set_elastic", text)
-            self.assertEqual(text, self.context.last_error())
+            self.assertEqual(text, rc.last_error())
         for young, poisson in ((NAN, 0.3), (1.0, INFINITY)):
             self.fails(rc.ERR_NONFINITE, body.set_elastic, young, poisson)
         self.fails(rc.ERR_STATE, self.plane.set_elastic, 1.0, 0.3)

@@ -42,14 +42,11 @@ MeshedBody meshed(volumes::Mesh mesh, const Elastic& material) {
 
 namespace {
 
-/// Throws with the context's message when status < 0.
-std::int32_t check(rollcon_context* context, std::int32_t status, const char* what) {
+/// Throws with the library's message when status < 0.
+std::int32_t check(rollcon_context*, std::int32_t status, const char* what) {
   if (status >= 0) return status;
-  std::string text(1000, '\0');
-  std::int64_t needed = 0;
-  rollcon_context_get_error(context, static_cast<std::int64_t>(text.size()), text.data(), &needed);
   throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status) + ": " +
-                           text.c_str());
+                           rollcon_last_error());
 }
 
 void give_mesh(rollcon_context* context, rollcon_body* made, const MeshedBody& body) {

@@ -148,12 +148,15 @@ FUNCTIONS = {
     "rollcon_build_info": (c_char_p, []),
     "rollcon_has_feature": (c_int32, [c_char_p]),
     "rollcon_status_string": (c_char_p, [c_int32]),
+    "rollcon_last_error": (c_char_p, []),
+    "rollcon_report": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_context_create": (c_int32, [c_int32, POINTER(c_void_p)]),
     "rollcon_context_retain": (c_int32, [c_void_p]),
     "rollcon_context_release": (None, [c_void_p]),
     "rollcon_context_set_log": (c_int32, [c_void_p, c_int32, log_fn, c_void_p]),
     "rollcon_context_set_threads": (c_int32, [c_void_p, c_int32]),
-    "rollcon_context_get_error": (c_int32, [c_void_p, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_context_set_latch": (c_int32, [c_void_p, c_int32]),
+    "rollcon_context_check": (c_int32, [c_void_p]),
     "rollcon_body_create": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
     "rollcon_body_retain": (c_int32, [c_void_p]),
     "rollcon_body_release": (None, [c_void_p]),
@@ -234,8 +237,8 @@ FUNCTIONS = {
     "rollcon_contact_request_cancel": (c_int32, [c_void_p]),
     "rollcon_contact_solve": (c_int32, [c_void_p]),
     "rollcon_contact_solve_many": (c_int32, [
-        c_void_p, c_int32, POINTER(c_int32), c_int64, POINTER(c_double), c_char_p, c_int64, POINTER(c_int32),
-        POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+        c_void_p, c_char_p, c_int64, POINTER(c_double), c_char_p,
+        c_int64, POINTER(c_double), POINTER(c_int64), POINTER(c_int32)]),
     "rollcon_contact_reset": (c_int32, [c_void_p]),
     "rollcon_contact_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_contact_get_tractions": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),
@@ -268,6 +271,203 @@ FUNCTIONS = {
     "rollcon_context_from_id": (c_void_p, [c_int32]),
     "rollcon_body_from_id": (c_void_p, [c_int32]),
     "rollcon_contact_from_id": (c_void_p, [c_int32]),
+}
+
+# Names of the values of enumerations, with and without what all of them begin with.
+ENUMERATORS = {
+    "status": {
+        "ok": 0, "not_converged": 1, "no_contact": 2, "cancelled": 3, "rim_contact": 4,
+        "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh": -4, "err_state":
+        -5, "err_option": -6, "err_capacity": -7, "err_singular": -8, "err_memory": -9,
+        "err_unsupported": -10, "err_busy": -11, "err_load": -12, "err_io": -13, "err_internal":
+        -99
+    },
+    "body kind": {
+        "fem": 1, "bem": 2, "halfspace": 3, "rigid": 4, "body_fem": 1, "body_bem": 2,
+        "body_halfspace": 3, "body_rigid": 4
+    },
+    "element type": {
+        "tri3": 203, "tri6": 206, "quad4": 214, "quad8": 218, "quad9": 219, "tet4": 304, "tet10":
+        310, "wedge6": 326, "wedge15": 335, "hex8": 338, "hex20": 350
+    },
+    "dof": {"x": 1, "y": 2, "z": 4, "xyz": 7, "dof_x": 1, "dof_y": 2, "dof_z": 4, "dof_xyz": 7},
+    "direction": {"longitudinal": 1, "lateral": 2, "normal": 3, "spin": 4},
+    "parameter": {"friction": 5},
+    "how": {"motion": 1, "force": 2, "by_motion": 1, "by_force": 2},
+    "axes": {"local": 0, "global": 1},
+    "field": {
+        "point": 1, "traction": 2, "gap": 3, "slip": 4, "displacement1": 5, "displacement2": 6,
+        "area": 7, "friction": 8, "pressure": 9, "rigid_slip": 10, "friction_power": 11, "weight":
+        12, "field_point": 1, "field_traction": 2, "field_gap": 3, "field_slip": 4,
+        "field_displacement1": 5, "field_displacement2": 6, "field_area": 7, "field_friction": 8,
+        "field_pressure": 9, "field_rigid_slip": 10, "field_friction_power": 11, "field_weight":
+        12
+    },
+    "node status": {"open": 0, "stick": 1, "slip": 2, "excluded": 3},
+    "log level": {
+        "error": 1, "warning": 2, "info": 3, "debug": 4, "log_error": 1, "log_warning": 2,
+        "log_info": 3, "log_debug": 4
+    },
+    "option type": {"int": 1, "real": 2, "str": 3, "type_int": 1, "type_real": 2, "type_str": 3},
+    "event key": {
+        "phase": 1, "iteration": 2, "residual": 101, "seconds": 102, "event_phase": 1,
+        "event_iteration": 2, "event_residual": 101, "event_seconds": 102
+    },
+    "phase": {
+        "compliance": 1, "normal": 2, "tangential": 3, "full": 4, "cases": 5, "phase_compliance":
+        1, "phase_normal": 2, "phase_tangential": 3, "phase_full": 4, "phase_cases": 5
+    },
+}
+
+# Names of arguments and, of enumerators, their enumerations.
+ARGUMENTS = {
+    "rollcon_version": [],
+    "rollcon_abi": [],
+    "rollcon_version_string": [],
+    "rollcon_build_info": [],
+    "rollcon_has_feature": [("name", "")],
+    "rollcon_status_string": [("status", "")],
+    "rollcon_last_error": [],
+    "rollcon_report": [("handle", ""), ("status", ""), ("message", "")],
+    "rollcon_context_create": [("header_abi", ""), ("context", "")],
+    "rollcon_context_retain": [("context", "")],
+    "rollcon_context_release": [("context", "")],
+    "rollcon_context_set_log": [
+        ("context", ""), ("max_level", "log level"), ("fn", ""), ("user", "")
+    ],
+    "rollcon_context_set_threads": [("context", ""), ("n", "")],
+    "rollcon_context_set_latch": [("context", ""), ("on", "")],
+    "rollcon_context_check": [("context", "")],
+    "rollcon_body_create": [("context", ""), ("kind", "body kind"), ("body", "")],
+    "rollcon_body_retain": [("body", "")],
+    "rollcon_body_release": [("body", "")],
+    "rollcon_body_set_elastic": [("body", ""), ("tag", ""), ("young", ""), ("poisson", "")],
+    "rollcon_body_prepare": [("body", "")],
+    "rollcon_body_get_kind": [("body", ""), ("kind", "")],
+    "rollcon_body_save": [("body", ""), ("path", "")],
+    "rollcon_body_load": [("context", ""), ("path", ""), ("body", "")],
+    "rollcon_body_set_nodes": [
+        ("body", ""), ("n", ""), ("x", ""), ("node_stride", ""), ("component_stride", "")
+    ],
+    "rollcon_body_add_elements": [
+        ("body", ""), ("type", "element type"), ("n", ""), ("connectivity", ""), ("index_base",
+        ""), ("tag", "")
+    ],
+    "rollcon_body_tag_faces": [
+        ("body", ""), ("n", ""), ("elements", ""), ("faces", ""), ("index_base", ""), ("tag", "")
+    ],
+    "rollcon_body_tag_faces_of_nodes": [
+        ("body", ""), ("n", ""), ("nodes", ""), ("index_base", ""), ("tag", "")
+    ],
+    "rollcon_body_set_support": [
+        ("body", ""), ("n", ""), ("nodes", ""), ("index_base", ""), ("dof_mask", "dof"),
+        ("values", "")
+    ],
+    "rollcon_body_set_traction": [("body", ""), ("tag", ""), ("traction", "")],
+    "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
+    "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
+    "rollcon_body_set_int": [("body", ""), ("name", ""), ("value", "")],
+    "rollcon_body_set_real": [("body", ""), ("name", ""), ("value", "")],
+    "rollcon_body_get_int": [("body", ""), ("name", ""), ("value", "")],
+    "rollcon_body_get_real": [("body", ""), ("name", ""), ("value", "")],
+    "rollcon_body_option_count": [],
+    "rollcon_body_option_info": [
+        ("i", ""), ("capacity", ""), ("name", ""), ("type", ""), ("low", ""), ("high", ""),
+        ("standard", "")
+    ],
+    "rollcon_body_option_doc": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_body_get_size": [("body", ""), ("nodes", ""), ("elements", "")],
+    "rollcon_body_get_displacements": [("body", ""), ("capacity", ""), ("u", "")],
+    "rollcon_body_get_reaction": [("body", ""), ("force", ""), ("moment", "")],
+    "rollcon_body_get_stat": [("body", ""), ("name", ""), ("value", "")],
+    "rollcon_body_stat_count": [],
+    "rollcon_body_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_contact_create": [("context", ""), ("body1", ""), ("body2", ""), ("contact", "")],
+    "rollcon_contact_retain": [("contact", "")],
+    "rollcon_contact_release": [("contact", "")],
+    "rollcon_contact_set_frame_nodes": [
+        ("contact", ""), ("n", ""), ("x", ""), ("node_stride", ""), ("component_stride", "")
+    ],
+    "rollcon_contact_add_frame_elements": [
+        ("contact", ""), ("type", "element type"), ("n", ""), ("connectivity", ""), ("index_base",
+        ""), ("tag", "")
+    ],
+    "rollcon_contact_frame_from_body": [("contact", ""), ("which", ""), ("tag", "")],
+    "rollcon_contact_set_pose": [
+        ("contact", ""), ("which", ""), ("rotation", ""), ("translation", "")
+    ],
+    "rollcon_contact_set_axes": [("contact", ""), ("origin", ""), ("rolling", ""), ("normal", "")],
+    "rollcon_contact_set_gap": [("contact", ""), ("n", ""), ("gap", "")],
+    "rollcon_contact_set_gap_quadratic": [("contact", ""), ("a", ""), ("b", ""), ("c", "")],
+    "rollcon_contact_set_rolling": [("contact", ""), ("speed", "")],
+    "rollcon_contact_set_creep": [
+        ("contact", ""), ("longitudinal", ""), ("lateral", ""), ("spin", "")
+    ],
+    "rollcon_contact_set_creep_field": [("contact", ""), ("n", ""), ("slip", "")],
+    "rollcon_contact_prescribe": [
+        ("contact", ""), ("direction", "direction"), ("how", "how"), ("value", "")
+    ],
+    "rollcon_contact_set_friction": [("contact", ""), ("law", ""), ("n", ""), ("parameters", "")],
+    "rollcon_contact_set_friction_field": [("contact", ""), ("n", ""), ("mu", "")],
+    "rollcon_contact_set_int": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_contact_set_real": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_contact_set_str": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_contact_get_int": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_contact_get_real": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_contact_get_str": [
+        ("contact", ""), ("name", ""), ("capacity", ""), ("text", ""), ("needed", "")
+    ],
+    "rollcon_option_count": [],
+    "rollcon_option_info": [
+        ("i", ""), ("capacity", ""), ("name", ""), ("type", ""), ("low", ""), ("high", ""),
+        ("standard", "")
+    ],
+    "rollcon_option_doc": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_contact_set_progress": [("contact", ""), ("fn", ""), ("user", "")],
+    "rollcon_event_get_int": [("event", ""), ("key", "event key"), ("value", "")],
+    "rollcon_event_get_real": [("event", ""), ("key", "event key"), ("value", "")],
+    "rollcon_contact_request_cancel": [("contact", "")],
+    "rollcon_contact_solve": [("contact", "")],
+    "rollcon_contact_solve_many": [
+        ("contact", ""), ("parameters", ""), ("n_cases", ""), ("values", ""), ("columns", ""),
+        ("capacity", ""), ("results", ""), ("n_results", ""), ("status", "")
+    ],
+    "rollcon_contact_reset": [("contact", "")],
+    "rollcon_contact_get_size": [("contact", ""), ("nodes", ""), ("elements", "")],
+    "rollcon_contact_get_tractions": [
+        ("contact", ""), ("axes", "axes"), ("capacity", ""), ("t", "")
+    ],
+    "rollcon_contact_get_field": [
+        ("contact", ""), ("field", "field"), ("axes", "axes"), ("capacity", ""), ("v", ""),
+        ("n_values", "")
+    ],
+    "rollcon_contact_get_status": [("contact", ""), ("capacity", ""), ("status", "")],
+    "rollcon_contact_get_resultant": [
+        ("contact", ""), ("axes", "axes"), ("force", ""), ("moment", "")
+    ],
+    "rollcon_contact_get_motion": [("contact", ""), ("approach", ""), ("creep", "")],
+    "rollcon_contact_get_sensitivity": [
+        ("contact", ""), ("parameter", "direction or parameter"), ("force", ""), ("moment", ""),
+        ("approach", ""), ("creep", "")
+    ],
+    "rollcon_contact_get_displacements_at": [
+        ("contact", ""), ("body", ""), ("n", ""), ("xy", ""), ("u", "")
+    ],
+    "rollcon_contact_get_stat": [("contact", ""), ("name", ""), ("value", "")],
+    "rollcon_stat_count": [],
+    "rollcon_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_contact_get_history": [
+        ("contact", ""), ("capacity", ""), ("rows", ""), ("n_rows", "")
+    ],
+    "rollcon_contact_get_error_function": [
+        ("contact", ""), ("capacity", ""), ("psi", ""), ("seconds", ""), ("n_rows", "")
+    ],
+    "rollcon_contact_get_plan": [("contact", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_contact_write": [("contact", ""), ("path", "")],
+    "rollcon_id_of": [("handle", "")],
+    "rollcon_context_from_id": [("id", "")],
+    "rollcon_body_from_id": [("id", "")],
+    "rollcon_contact_from_id": [("id", "")],
 }
 
 

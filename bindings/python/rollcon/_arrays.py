@@ -5,6 +5,7 @@ from ctypes import POINTER, c_double, c_int32
 import numpy as np
 
 from . import _api
+from ._library import enumerator
 
 _NODES = {_api.TRI3: 3, _api.TRI6: 6, _api.QUAD4: 4, _api.QUAD8: 8, _api.QUAD9: 9,
           _api.TET4: 4, _api.TET10: 10, _api.WEDGE6: 6, _api.WEDGE15: 15, _api.HEX8: 8,
@@ -56,12 +57,21 @@ def nodes(x):
                x.strides[1] // x.itemsize)
 
 
+def integer_list(values, what):
+    """As integers, of one dimension."""
+    array, address = integers(values, what)
+    if array.ndim != 1:
+        raise ValueError(f"expected {what} of one dimension, got shape {array.shape}")
+    return array, address
+
+
 def elements(element_type, connectivity):
-    """Node ids connectivity[n, nodes per element] and their address."""
+    """Number of the type, node ids connectivity[n, nodes per element] and their address."""
+    element_type = enumerator(element_type, "element type", "element_type")
     array, address = integers(connectivity, "node ids")
     if array.ndim != 2 or array.shape[1] != _NODES.get(element_type, array.shape[1]):
         raise ValueError(f"connectivity of shape {array.shape} does not fit the element type")
-    return array, address
+    return element_type, array, address
 
 
 def room(*shape, dtype=np.float64):

@@ -24,10 +24,26 @@ def _find():
     return found
 
 
+def _load(path):
+    """The library with its functions' types; ImportError says what is wrong with it."""
+    where = "named by ROLLCON_LIBRARY" if os.environ.get("ROLLCON_LIBRARY") else "found"
+    try:
+        library = ctypes.CDLL(path)
+    except OSError as error:
+        raise ImportError(f"cannot load librollcon, {where} as '{path}': {error}") from error
+    if not hasattr(library, "rollcon_abi"):
+        raise ImportError(f"'{path}', {where}, is not librollcon")
+    if library.rollcon_abi() != _api.ABI:
+        raise ImportError(f"'{path}', {where}, has ABI {library.rollcon_abi()}, this package needs "
+                          f"{_api.ABI}: take both from one version of rollcon")
+    try:
+        return _api.declare(library)
+    except AttributeError as error:
+        raise ImportError(f"'{path}', {where}, is older than this package: {error}") from error
+
+
 library_path = _find()
-lib = _api.declare(ctypes.CDLL(library_path))
-if lib.rollcon_abi() != _api.ABI:
-    raise ImportError(f"{library_path} has ABI {lib.rollcon_abi()}, this package needs {_api.ABI}")
+lib = _load(library_path)
 
 
 def version():
@@ -45,7 +61,7 @@ def build_info():
 
 
 def has_feature(name):
-    return bool(lib.rollcon_has_feature(name.encode()))
+    return bool(lib.rollcon_has_feature(c_text(name, "name")))
 
 
 def status_string(status):
@@ -72,41 +88,89 @@ def read_text(get):
     return status, buffer.value.decode(errors="replace") if status >= 0 else ""
 
 
-def check(status, context=None):
-    """Returns a status >= 0; raises RollconError with the context's text for the rest."""
+def last_error():
+    """Text of the last call that failed in this thread; empty if there was none."""
+    return lib.rollcon_last_error().decode(errors="replace")
+
+
+def check(status):
+    """Returns a status >= 0; raises RollconError with its text for the rest."""
     if status >= 0:
         return status
-    message = ""
-    if context is not None and status != _api.ERR_HANDLE:
-        message = context.last_error()
-    raise RollconError(status, message or status_string(status))
+    raise RollconError(status, last_error())
+
+
+def c_text(text, what):
+    """Bytes of a text for C, which ends it at its first NUL."""
+    if not isinstance(text, str):
+        raise TypeError(f"{what} must be a text, not {text!r}")
+    if "\0" in text:
+        raise ValueError(f"{what} has a NUL in it: {text!r}")
+    return text.encode()
+
+
+def c_path(path):
+    """Bytes of the name of a file: str, bytes or os.PathLike."""
+    try:
+        name = os.fsencode(path)
+    except TypeError:
+        raise TypeError(f"path must be the name of a file, not {path!r}") from None
+    if b"\0" in name:
+        raise ValueError(f"path has a NUL in it: {path!r}")
+    return name
+
+
+def enumerator(value, enumeration, what):
+    """The number that a name of an enumeration stands for, "quad4" or "normal"; numbers as they
+    are."""
+    if not isinstance(value, str):
+        return value
+    names = {}
+    for one in enumeration.split(" or ") if enumeration else ():
+        names.update(_api.ENUMERATORS[one])
+    if value.lower() not in names:
+        allowed = ", ".join(names) if names else "a number"
+        raise ValueError(f"{what} is '{value}'; allowed: {allowed}")
+    return names[value.lower()]
 
 
 _RANGE = {ctypes.c_int32: 2**31, ctypes.c_int64: 2**63}
 
 
 def call(function, *arguments):
-    """Calls a C function: integers of any kind, but none that ctypes would cut silently."""
+    """Calls a C function: names of enumerators, integers of any kind, but none that ctypes would
+    cut silently."""
     checked = []
-    for argument, c_type in zip(arguments, function.argtypes):
+    described = _api.ARGUMENTS[function.__name__]
+    for argument, c_type, (name, enumeration) in zip(arguments, function.argtypes, described):
         limit = _RANGE.get(c_type)
         if limit is not None:
-            argument = operator.index(argument)
+            argument = enumerator(argument, enumeration, name)
+            try:
+                argument = operator.index(argument)
+            except TypeError:
+                raise TypeError(f"{name} must be an integer, not {argument!r}") from None
             if not -limit <= argument < limit:
-                raise OverflowError(f"{argument} does not fit {c_type.__name__}")
+                raise OverflowError(f"{name} is {argument}, which does not fit {c_type.__name__}")
+        elif c_type is ctypes.c_double:
+            try:
+                argument = float(argument)
+            except (TypeError, ValueError):
+                raise TypeError(f"{name} must be a number, not {argument!r}") from None
         checked.append(argument)
     return function(*checked)
 
 
 class Handle:
-    """One reference to an object of the library."""
+    """One reference to an object of the library. A copy (copy.copy) is another one to the same
+    object; there are no deep copies."""
 
     _kind = ""
 
-    def __init__(self, value, context):
+    def __init__(self, value, context=None):
         self._handle = value
-        self._context = context
-        self._release = getattr(lib, f"rollcon_{self._kind}_release")
+        self._context = context  # its log sink must live as long as what was made from it
+        self._callbacks = {}  # what C keeps addresses of; shared by copies
 
     @property
     def handle(self):
@@ -122,7 +186,20 @@ class Handle:
         """Gives the reference back; no harm if that was done before."""
         handle, self._handle = getattr(self, "_handle", None), None
         if handle:
-            self._release(handle)
+            getattr(lib, f"rollcon_{self._kind}_release")(handle)
+
+    def __copy__(self):
+        if self._handle:
+            self._call("retain")
+        other = type(self).__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        return other
+
+    def __deepcopy__(self, _):
+        raise TypeError(f"a {self._kind} cannot be copied deeply; copy.copy is another reference")
+
+    def __reduce_ex__(self, _):
+        raise TypeError(f"a {self._kind} cannot be pickled: it lives in this process")
 
     def __enter__(self):
         return self
@@ -134,5 +211,4 @@ class Handle:
         self.close()
 
     def _call(self, name, *arguments):
-        function = getattr(lib, f"rollcon_{self._kind}_{name}")
-        return check(call(function, self._handle, *arguments), self._context)
+        return check(call(getattr(lib, f"rollcon_{self._kind}_{name}"), self._handle, *arguments))

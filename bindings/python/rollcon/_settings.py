@@ -5,7 +5,18 @@ from ctypes import byref, c_double, c_int64
 import numpy as np
 
 from . import _api
-from ._library import check, lib, read_text
+from ._library import c_text, call, check, lib, read_text
+from .options import body_option_table, option_table
+
+_types = {}  # of the settings of each kind of object, by name
+
+
+def _type_of(kind, name):
+    """TYPE_INT, ...; of an unknown setting TYPE_INT, for which the library finds the words."""
+    if kind not in _types:
+        rows = option_table() if kind == "contact" else body_option_table()
+        _types[kind] = {row.name: row.type for row in rows}
+    return _types[kind].get(name, _api.TYPE_INT)
 
 
 class Settings:
@@ -14,29 +25,24 @@ class Settings:
     def set(self, name, value):
         """A setting by name (option_table() and body_option_table() list them): int, float or str
         by its type."""
+        text = c_text(name, "name")
         if isinstance(value, str):
             if not hasattr(lib, f"rollcon_{self._kind}_set_str"):
                 raise TypeError(f"no setting of a {self._kind} is a text")
-            self._call("set_str", name.encode(), value.encode())
+            self._call("set_str", text, c_text(value, "value"))
         elif isinstance(value, (bool, int, np.integer)):
-            self._call("set_int", name.encode(), int(value))
+            self._call("set_int", text, int(value))
         else:
-            self._call("set_real", name.encode(), float(value))
+            self._call("set_real", text, value)
 
     def get(self, name):
         """Value of a setting."""
-        status = _api.OK
-        for kind, c_type in (("int", c_int64), ("real", c_double)):
-            value = c_type()
-            status = getattr(lib, f"rollcon_{self._kind}_get_{kind}")(self._handle, name.encode(),
-                                                                      byref(value))
-            if status >= 0:
-                return value.value
-            if status != _api.ERR_OPTION:
-                check(status, self._context)
-        get_text = getattr(lib, f"rollcon_{self._kind}_get_str", None)
-        if get_text is None:
-            check(status, self._context)
-        status, text = read_text(lambda *a: get_text(self._handle, name.encode(), *a))
-        check(status, self._context)
-        return text
+        text, kind = c_text(name, "name"), _type_of(self._kind, name)
+        if kind == _api.TYPE_STR:
+            get = getattr(lib, f"rollcon_{self._kind}_get_str")
+            status, value = read_text(lambda *a: call(get, self._handle, text, *a))
+            check(status)
+            return value
+        value = c_int64() if kind == _api.TYPE_INT else c_double()
+        self._call("get_int" if kind == _api.TYPE_INT else "get_real", text, byref(value))
+        return value.value

@@ -1,30 +1,23 @@
-"""Context: log, thread budget, text of the last failure."""
+"""Context: log, thread budget, latch."""
 
 import ctypes
 
 from . import _api
-from ._library import Handle, call, check, lib, read_text
+from ._library import Handle, check, lib
+from ._plain import ContextPlain
 
 
-class Context(Handle):
-    """Owner of log sink, thread budget and the text of the last failure."""
+class Context(ContextPlain, Handle):
+    """Owner of log sink, thread budget and the latch."""
 
     _kind = "context"
 
     def __init__(self, threads=None):
         made = ctypes.c_void_p()
         check(lib.rollcon_context_create(_api.ABI, ctypes.byref(made)))
-        super().__init__(made.value, None)
-        self._sink = None
+        super().__init__(made.value)
         if threads is not None:
             self.set_threads(threads)
-
-    def _call(self, name, *arguments):
-        return check(call(getattr(lib, f"rollcon_context_{name}"), self._handle, *arguments), self)
-
-    def set_threads(self, n):
-        """Threads per solve; 0 leaves the number to OpenMP."""
-        self._call("set_threads", n)
 
     def set_log(self, level, sink=None):
         """Messages up to `level` go to sink(level, text); no sink: to nobody.
@@ -36,8 +29,4 @@ class Context(Handle):
         else:
             wrapped = _api.log_fn(lambda lv, text, _: sink(lv, text.decode(errors="replace")))
         self._call("set_log", level, wrapped, None)
-        self._sink = wrapped  # C keeps the address
-
-    def last_error(self):
-        """Text of the last failure in this context; empty if there was none."""
-        return read_text(lambda *a: lib.rollcon_context_get_error(self._handle, *a))[1]
+        self._callbacks["log"] = wrapped

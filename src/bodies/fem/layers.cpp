@@ -100,8 +100,9 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
     for (const std::int32_t k : nodes) missed[at(k)] = 0;
   }
   if (const auto k = std::find(missed.begin(), missed.end(), 1); k != missed.end())
-    fail(Status::err_mesh, "node %lld of the body feels the frame, but no face around it does",
-         static_cast<long long>(k - missed.begin()) + surface_.index_base);
+    fail(Status::err_mesh,
+         "node %lld (counting from %d) of the body feels the frame, but no face around it does",
+         static_cast<long long>(k - missed.begin()) + surface_.index_base, surface_.index_base);
   std::sort(face.begin(), face.end());
   const std::size_t under = face.size();
   for (const std::int64_t e : candidates) {

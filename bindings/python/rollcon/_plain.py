@@ -1,0 +1,342 @@
+# Generated from bindings/api.toml by bindings/generate.py; do not edit.
+"""The plain methods of Context, Body and Contact: one call of the library each."""
+
+from ctypes import byref, c_double, c_int32, c_int64
+
+from . import _api
+from ._arrays import integer_list, reals, room, vector
+from ._library import c_path, c_text, check, lib, read_text
+
+
+class ContextPlain:
+
+    def set_threads(self, n):
+        """Sets the number of threads that each solve, and each preparation of a body, in this
+        context may use.
+
+        n: 0 to 4096; 0 (standard): OpenMP decides.
+        """
+        self._call("set_threads", n)
+
+    def set_latch(self, on=1):
+        """For programs that check once, at the end. While the latch is on, the first call that
+        fails on the context or on what was made from it is remembered, and every later one does
+        nothing and returns the same status, with the same last error. Release, retain,
+        request_cancel(), kind() and the calls of this latch work on. Outputs of calls that do
+        nothing keep the values that they had, handles to be made are None. Calls that have no
+        live handle belong to no context.
+
+        on: 1: on, 0: off (standard); either forgets what was remembered.
+        """
+        self._call("set_latch", on)
+
+    def check(self):
+        """The first failure since the latch was set, whose text becomes the last error; without
+        one the first status > 0 (a solve that did not converge, ...); without either, or with the
+        latch off, OK. Any negative status may come.
+        """
+        return self._call("check")
+
+
+class BodyPlain:
+
+    def set_elastic(self, young, poisson, tag=0):
+        """Sets an isotropic linear elastic material.
+
+        tag: finite elements: tag of the volume elements that get the material; half-spaces and
+          boundary-element bodies, of one material, ignore it.
+        young: Young's modulus E > 0, force/length^2.
+        poisson: Poisson's ratio, -1 < nu <= 0.5; finite elements take up to 0.4999999, TET4 and
+          WEDGE6 up to 0.45 (ERR_UNSUPPORTED from rollcon_body_prepare).
+        """
+        self._call("set_elastic", tag, young, poisson)
+
+    def prepare(self):
+        """Checks that the body is complete and its mesh and supports sound, assembles and
+        factorises its equations, and freezes it. Optional: the first solve does it. Calling it
+        again does nothing. (Finite elements with many contact faces and no loads of their own are
+        factorised when a frame tells which part of the faces takes part.) ERR_MESH names the
+        offending elements or nodes: double nodes, degenerate or repeated elements, neighbours of
+        opposite orientation, and for elastic bodies open edges, normals that point inwards, more
+        than one outer shell; for finite elements turned elements, faces that meet without
+        matching, parts that share no face, tagged faces that are not on the boundary. A body
+        equal to one that is prepared in the same context (mesh, tags, material, supports, loads,
+        contact faces, options) shares its equations: nothing is assembled again. ERR_SINGULAR:
+        the supports leave the body free to move, and the text says how; hold it (three nodes not
+        on a line, or a hub), since what is held is also what approach and creepage move.
+        """
+        self._call("prepare")
+
+    @property
+    def kind(self):
+        """The model given to create()."""
+        kind = c_int32()
+        self._call("get_kind", byref(kind))
+        return kind.value
+
+    def save(self, path):
+        """Writes the body, prepared if it was not, to a file: all that was given, the factors,
+        and the responses to frames that it keeps (option cache_bytes). The file appears whole or
+        not at all; an older one is replaced. Poses are the contacts'. Every library of the same
+        ABI number and format reads it, on any machine of the same byte order with IEEE numbers.
+
+        path: name of the file.
+        """
+        self._call("save", c_path(path))
+
+    def set_traction(self, tag, traction):
+        """Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on
+        the same tag is added to it. Faces without load or support are free.
+
+        tag: of some face (else ERR_ARGUMENT).
+        traction: force/length^2 along x y z, -1e100 to 1e100.
+        """
+        traction, traction_at = vector(traction)
+        self._call("set_traction", tag, traction_at)
+
+    def set_pressure(self, tag, pressure):
+        """Prescribes a pressure on the faces with a tag, against their outward normals; replaces
+        an earlier one and adds to a traction on the same tag.
+
+        tag: of some face (else ERR_ARGUMENT).
+        pressure: force/length^2, -1e100 to 1e100; > 0 compresses.
+        """
+        self._call("set_pressure", tag, pressure)
+
+    def set_contact_faces(self, tags):
+        """Says which faces may come into contact: on them gaps are computed and frames laid.
+        Standard: all faces that are neither held nor loaded.
+
+        tags: each of some face (else ERR_ARGUMENT).
+        """
+        tags, tags_at = integer_list(tags, "tags")
+        self._call("set_contact_faces", len(tags), tags_at)
+
+    @property
+    def size(self):
+        """Nodes and elements given so far; 0 for bodies without a mesh. Works before prepare().
+        """
+        nodes = c_int64()
+        elements = c_int64()
+        self._call("get_size", byref(nodes), byref(elements))
+        return nodes.value, elements.value
+
+    def reaction(self):
+        """Resultant of the forces that the supports exert on the body under its own loads and
+        given displacements, and its moment about the origin of the body's axes. It balances the
+        loads up to the error of the discretisation: a measure of it.
+
+        force: force.
+        moment: force x length.
+        """
+        force, force_at = room(3)
+        moment, moment_at = room(3)
+        self._call("get_reaction", force_at, moment_at)
+        return force, moment
+
+    def stat(self, name):
+        """One number about a prepared body: unknowns, assemblies, factorisations, condition,
+        seconds, bytes; 0 for bodies without equations. Names: stat_name(). Counts are those of
+        the equations, which equal bodies of a context share: "shared" is 1 for a body for which
+        nothing was assembled because an equal one was prepared before, "loaded" for one from a
+        file.
+        """
+        value = c_double()
+        self._call("get_stat", c_text(name, "name"), byref(value))
+        return value.value
+
+
+class ContactPlain:
+
+    def frame_from_body(self, which, tag):
+        """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of
+        the frame and forgets the gap array and the creep and friction fields. Its nodes are those
+        of the faces, in the order of their ids in the body, and follow the body's pose. Faces of
+        body 2 are turned over, so that the frame's normals point out of body 1.
+
+        which: 1 or 2: the body, prepared or not.
+        tag: of some element of it (else ERR_ARGUMENT).
+        """
+        self._call("frame_from_body", which, tag)
+
+    def set_axes(self, origin, rolling, normal):
+        """Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent
+        plane, t2 = n x t1. Vectors need not have unit length. Creepages, spin and moments belong
+        to the origin.
+
+        origin: length.
+        rolling: rolling direction, not parallel to normal.
+        normal: outward normal of body 1.
+        """
+        origin, origin_at = vector(origin)
+        rolling, rolling_at = vector(rolling)
+        normal, normal_at = vector(normal)
+        self._call("set_axes", origin_at, rolling_at, normal_at)
+
+    def set_gap(self, gap):
+        """Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic
+        gap. Where a body has a mesh and no gap is given, it is measured along the frame's normals
+        between the surfaces; a half-space or rigid body without a mesh is then the plane through
+        the origin of the axes.
+
+        gap: length.
+        """
+        gap, gap_at = reals(gap)
+        self._call("set_gap", len(gap), gap_at)
+
+    def set_gap_quadratic(self, a, b, c=0.0):
+        """Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the
+        axes (t1, t2); replaces a gap array.
+
+        a: 1/length; 1/(2 R) for a sphere.
+        b: 1/length.
+        c: 1/length.
+        """
+        self._call("set_gap_quadratic", a, b, c)
+
+    def set_rolling(self, speed):
+        """Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for
+        a wheel).
+
+        speed: V > 0, length/time.
+        """
+        self._call("set_rolling", speed)
+
+    def set_creep(self, longitudinal=0.0, lateral=0.0, spin=0.0):
+        """Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y,
+        lateral + spin x) of body 1 relative to body 2. The same as three calls of prescribe().
+
+        longitudinal: creepage along t1, dimensionless.
+        lateral: creepage along t2, dimensionless.
+        spin: 1/length.
+        """
+        self._call("set_creep", longitudinal, lateral, spin)
+
+    def set_creep_field(self, slip):
+        """Adds a rigid slip velocity given node by node to that of creepages and spin. On a
+        curved frame its components are along the local axes of each node.
+
+        slip: velocity along t1 and t2, length/time.
+        """
+        if slip is None:
+            slip = ()
+            slip_at = None
+        else:
+            slip, slip_at = reals(slip, 2)
+        self._call("set_creep_field", len(slip), slip_at)
+
+    def prescribe(self, direction, how, value):
+        """Prescribes one direction by motion or by force; the other quantity is found by the
+        solve. Forces act on body 1. Standard: all by motion, 0.
+
+        direction: LONGITUDINAL, LATERAL, NORMAL or SPIN.
+        how: BY_MOTION or BY_FORCE.
+        value: motion: creepage, spin (1/length), approach (length); force: force, spin moment
+          about the origin, and for NORMAL the compressive load >= 0.
+        """
+        self._call("prescribe", direction, how, value)
+
+    def set_friction_field(self, mu):
+        """Sets the friction coefficient node by node, in place of that of set_friction().
+
+        mu: >= 0.
+        """
+        if mu is None:
+            mu = ()
+            mu_at = None
+        else:
+            mu, mu_at = reals(mu)
+        self._call("set_friction_field", len(mu), mu_at)
+
+    def request_cancel(self):
+        """Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies
+        and operators are prepared, within moments; only a factorisation runs to its end. The
+        solve returns CANCELLED; the contact stays usable. What was cancelled during its
+        preparation has no results, and the next solve prepares it anew.
+        """
+        self._call("request_cancel")
+
+    def reset(self):
+        """Forgets the solution, the warm start and the history; keeps the scene and all that was
+        computed for the frame.
+        """
+        self._call("reset")
+
+    @property
+    def size(self):
+        """Nodes and elements of the frame. Works before a solve."""
+        nodes = c_int64()
+        elements = c_int64()
+        self._call("get_size", byref(nodes), byref(elements))
+        return nodes.value, elements.value
+
+    def resultant(self, axes=_api.LOCAL):
+        """Resultant force on body 1 and its moment about the origin of the axes.
+
+        axes: LOCAL or GLOBAL.
+        force: force.
+        moment: force x length.
+        """
+        force, force_at = room(3)
+        moment, moment_at = room(3)
+        self._call("get_resultant", axes, force_at, moment_at)
+        return force, moment
+
+    def motion(self):
+        """Approach, creepages and spin, as given or as found for prescribed forces.
+
+        creep: longitudinal, lateral (dimensionless), spin (1/length).
+        """
+        approach = c_double()
+        creep, creep_at = room(3)
+        self._call("get_motion", byref(approach), creep_at)
+        return approach.value, creep
+
+    def sensitivity(self, parameter):
+        """Derivatives of what resultant() (local axes) and motion() give, by one parameter. A
+        direction stands for the value last solved with there: creepage, spin or approach where
+        the motion was prescribed; force, spin moment or compressive load where the force was;
+        motions that were found then change with it. FRICTION stands for a factor, now 1, on every
+        friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of Newton's
+        system at the solution, the state of every node held: at most one factorisation for all
+        parameters (one more for NORMAL where pressures stand alone) and one right side each; kept
+        until the next solve. After NO_CONTACT only a prescribed motion's derivative by itself is
+        not 0. ERR_STATE: no solution, one that did not converge, or the parameter is a tangential
+        force or spin moment without friction. ERR_SINGULAR: a load at the limit of friction.
+
+        parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION.
+        force: of the force on body 1, local axes.
+        moment: of its moment about the origin, local axes.
+        creep: of longitudinal and lateral creepage and spin.
+        """
+        force, force_at = room(3)
+        moment, moment_at = room(3)
+        approach = c_double()
+        creep, creep_at = room(3)
+        self._call("get_sensitivity", parameter, force_at, moment_at, byref(approach), creep_at)
+        return force, moment, approach.value, creep
+
+    def stat(self, name):
+        """One number about the last solve: residuals, error estimates, iterations, areas, power,
+        seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error
+        estimate is computed when one of its numbers is asked for, at about the price of a solve.
+        """
+        value = c_double()
+        self._call("get_stat", c_text(name, "name"), byref(value))
+        return value.value
+
+    def plan(self):
+        """How the last solve was done (sizes, schemes, linear solver and why), as text for
+        people.
+        """
+        status, text = read_text(lambda *a: lib.rollcon_contact_get_plan(self._handle, *a))
+        check(status)
+        return text
+
+    def write(self, path):
+        """Writes frame and fields, in global axes, as a VTU file for ParaView and meshio. A field
+        beyond the range of double precision is ERR_NONFINITE; nothing is written.
+
+        path: name of the file; an existing one is replaced.
+        """
+        self._call("write", c_path(path))

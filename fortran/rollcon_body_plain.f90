@@ -1,0 +1,323 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+! Copyright (c) the rollcon authors. BSD-3-Clause.
+
+!> The life of a body and its plain procedures. rc_body (module rollcon_body) adds the others; programs use that type.
+!> A variable is one reference to the object: assignment adds a reference, `free` and the end of the variable's life drop it.
+module rollcon_body_plain
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
+    c_null_ptr, c_ptr
+  use rollcon_c
+  use rollcon_support
+  use rollcon_context
+  implicit none
+  private
+  public :: rc_body_plain
+
+  type :: rc_body_plain
+    private
+    type(c_ptr) :: p = c_null_ptr
+  contains
+    procedure :: create
+    procedure :: load
+    procedure :: set_elastic => body_set_elastic
+    procedure :: prepare => body_prepare
+    procedure :: get_kind => body_get_kind
+    procedure :: save => body_save
+    procedure :: set_traction => body_set_traction
+    procedure :: set_pressure => body_set_pressure
+    procedure :: set_contact_faces => body_set_contact_faces
+    procedure :: get_size => body_get_size
+    procedure :: get_reaction => body_get_reaction
+    procedure :: get_stat => body_get_stat
+    procedure :: free => release
+    procedure :: from_id
+    procedure :: id
+    procedure :: handle
+    procedure, private :: set_option_int32
+    procedure, private :: set_option_int64
+    procedure, private :: set_option_real
+    generic :: set => set_option_int32, set_option_int64, set_option_real
+    procedure, private :: get_option_int32
+    procedure, private :: get_option_int64
+    procedure, private :: get_option_real
+    generic :: get => get_option_int32, get_option_int64, get_option_real
+    procedure, private :: assign
+    generic :: assignment(=) => assign
+    final :: finalize
+  end type
+
+contains
+
+  !> A new body; a failure leaves none.
+  subroutine create(self, context, kind, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    type(rc_context), intent(in) :: context
+    integer(rc_int), intent(in) :: kind
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    call self%free()
+    status = rollcon_body_create(context%handle(), kind, self%p)
+    if (status /= ROLLCON_OK) self%p = c_null_ptr
+    call finish(status, context%handle(), 'rc_body%create', stat, errmsg)
+  end subroutine
+
+  !> A prepared body from a file that rc_body%save wrote: nothing is assembled or factorised.
+  subroutine load(self, context, path, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    type(rc_context), intent(in) :: context
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    call self%free()
+    status = rollcon_body_load(context%handle(), c_text(path), self%p)
+    if (status /= ROLLCON_OK) self%p = c_null_ptr
+    call finish(status, context%handle(), 'rc_body%load', stat, errmsg)
+  end subroutine
+
+  !> Gives the reference back; the object lives on while another variable or the library uses it.
+  impure elemental subroutine release(self)
+    class(rc_body_plain), intent(inout) :: self
+    if (c_associated(self%p)) call rollcon_body_release(self%p)
+    self%p = c_null_ptr
+  end subroutine
+
+  impure elemental subroutine finalize(self)
+    type(rc_body_plain), intent(inout) :: self
+    call self%free()
+  end subroutine
+
+  impure elemental subroutine assign(self, other)
+    class(rc_body_plain), intent(inout) :: self
+    class(rc_body_plain), intent(in) :: other
+    type(c_ptr) :: p
+    p = other%p
+    if (c_associated(p)) then
+      if (rollcon_body_retain(p) /= ROLLCON_OK) p = c_null_ptr
+    end if
+    call self%free()
+    self%p = p
+  end subroutine
+
+  !> Adds a reference to the body that `id` names (as the FORTRAN 77 layer counts them).
+  subroutine from_id(self, id, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: id
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: p
+    integer(rc_int) :: status
+    p = rollcon_body_from_id(int(id, rc_int))
+    status = rollcon_body_retain(p)
+    call self%free()
+    if (status == ROLLCON_OK) self%p = p
+    call finish(status, c_null_ptr, 'rc_body%from_id', stat, errmsg)
+  end subroutine
+
+  integer function id(self)
+    class(rc_body_plain), intent(in) :: self
+    id = int(rollcon_id_of(self%p))
+  end function
+
+  !> The C handle, for calls of module rollcon_c; the reference stays here.
+  function handle(self) result(p)
+    class(rc_body_plain), intent(in) :: self
+    type(c_ptr) :: p
+    p = self%p
+  end function
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine set_option_int32(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_int(self%p, c_text(name), int(value, rc_long)), self%p, 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine set_option_int64(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_int(self%p, c_text(name), value), self%p, 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine set_option_real(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_real(self%p, c_text(name), value), self%p, 'rc_body%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine get_option_int32(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: wide
+    wide = 0
+    call finish(rollcon_body_get_int(self%p, c_text(name), wide), self%p, 'rc_body%get', stat, errmsg)
+    value = int(wide, c_int32_t)
+  end subroutine
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine get_option_int64(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_int(self%p, c_text(name), value), self%p, 'rc_body%get', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_body_option_info lists them.
+  subroutine get_option_real(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_real(self%p, c_text(name), value), self%p, 'rc_body%get', stat, errmsg)
+  end subroutine
+
+  !> Sets an isotropic linear elastic material.
+  subroutine body_set_elastic(self, young, poisson, tag, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: young
+    real(rc_real), intent(in) :: poisson
+    integer, intent(in), optional :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: tag_or_standard
+    tag_or_standard = 0
+    if (present(tag)) tag_or_standard = tag
+    call finish(rollcon_body_set_elastic(self%p, int(tag_or_standard, rc_int), young, poisson), self%p, 'rc_body%set_elastic', &
+      stat, errmsg)
+  end subroutine
+
+  !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and freezes
+  !> it. Optional: the first solve does it. Calling it again does nothing. (Finite elements with many contact faces and no
+  !> loads of their own are factorised when a frame tells which part of the faces takes part.) ROLLCON_ERR_MESH names the
+  !> offending elements or nodes: double nodes, degenerate or repeated elements, neighbours of opposite orientation, and for
+  !> elastic bodies open edges, normals that point inwards, more than one outer shell; for finite elements turned elements,
+  !> faces that meet without matching, parts that share no face, tagged faces that are not on the boundary. A body equal to
+  !> one that is prepared in the same context (mesh, tags, material, supports, loads, contact faces, options) shares its
+  !> equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and the text
+  !> says how; hold it (three nodes not on a line, or a hub), since what is held is also what approach and creepage move.
+  subroutine body_prepare(self, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_prepare(self%p), self%p, 'rc_body%prepare', stat, errmsg)
+  end subroutine
+
+  !> The model given to rollcon_body_create.
+  subroutine body_get_kind(self, kind, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    integer(rc_int), intent(out) :: kind
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    kind = 0
+    call finish(rollcon_body_get_kind(self%p, kind), self%p, 'rc_body%get_kind', stat, errmsg)
+  end subroutine
+
+  !> Writes the body, prepared if it was not, to a file: all that was given, the factors, and the responses to frames that
+  !> it keeps (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses are the contacts'.
+  !> Every library of the same ABI number and format reads it, on any machine of the same byte order with IEEE numbers.
+  subroutine body_save(self, path, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_save(self%p, c_text(path)), self%p, 'rc_body%save', stat, errmsg)
+  end subroutine
+
+  !> Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the same tag is added to it.
+  !> Faces without load or support are free.
+  subroutine body_set_traction(self, tag, traction, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tag
+    real(rc_real), intent(in) :: traction(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_traction(self%p, int(tag, rc_int), traction), self%p, 'rc_body%set_traction', stat, errmsg)
+  end subroutine
+
+  !> Prescribes a pressure on the faces with a tag, against their outward normals; replaces an earlier one and adds to a
+  !> traction on the same tag.
+  subroutine body_set_pressure(self, tag, pressure, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tag
+    real(rc_real), intent(in) :: pressure
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_pressure(self%p, int(tag, rc_int), pressure), self%p, 'rc_body%set_pressure', stat, errmsg)
+  end subroutine
+
+  !> Says which faces may come into contact: on them gaps are computed and frames laid. Standard: all faces that are neither
+  !> held nor loaded.
+  subroutine body_set_contact_faces(self, tags, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tags(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_contact_faces(self%p, size(tags, 1, rc_long), int(tags, rc_int)), self%p, &
+      'rc_body%set_contact_faces', stat, errmsg)
+  end subroutine
+
+  !> Nodes and elements given so far; 0 for bodies without a mesh. Works before rollcon_body_prepare.
+  subroutine body_get_size(self, nodes, elements, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    integer, intent(out) :: nodes
+    integer, intent(out), optional :: elements
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: nodes_c
+    integer(rc_long) :: elements_c
+    nodes_c = 0
+    elements_c = 0
+    call finish(rollcon_body_get_size(self%p, nodes_c, elements_c), self%p, 'rc_body%get_size', stat, errmsg)
+    nodes = int(nodes_c)
+    if (present(elements)) elements = int(elements_c)
+  end subroutine
+
+  !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and its moment
+  !> about the origin of the body's axes. It balances the loads up to the error of the discretisation: a measure of it.
+  subroutine body_get_reaction(self, force, moment, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    real(rc_real), intent(out) :: force(3)
+    real(rc_real), intent(out) :: moment(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    force = 0
+    moment = 0
+    call finish(rollcon_body_get_reaction(self%p, force, moment), self%p, 'rc_body%get_reaction', stat, errmsg)
+  end subroutine
+
+  !> One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for bodies without
+  !> equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a context share:
+  !> "shared" is 1 for a body for which nothing was assembled because an equal one was prepared before, "loaded" for one
+  !> from a file.
+  subroutine body_get_stat(self, name, value, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_body_get_stat(self%p, c_text(name), value), self%p, 'rc_body%get_stat', stat, errmsg)
+  end subroutine
+
+end module rollcon_body_plain

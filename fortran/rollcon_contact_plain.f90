@@ -1,0 +1,503 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+! Copyright (c) the rollcon authors. BSD-3-Clause.
+
+!> The life of a contact and its plain procedures. rc_contact (module rollcon_contact) adds the others; programs use that type.
+!> A variable is one reference to the object: assignment adds a reference, `free` and the end of the variable's life drop it.
+module rollcon_contact_plain
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
+    c_null_ptr, c_ptr
+  use rollcon_c
+  use rollcon_support
+  use rollcon_context
+  use rollcon_body
+  implicit none
+  private
+  public :: rc_contact_plain
+
+  type :: rc_contact_plain
+    private
+    type(c_ptr) :: p = c_null_ptr
+  contains
+    procedure :: create
+    procedure :: frame_from_body => contact_frame_from_body
+    procedure :: set_pose => contact_set_pose
+    procedure :: set_axes => contact_set_axes
+    procedure :: set_gap => contact_set_gap
+    procedure :: set_gap_quadratic => contact_set_gap_quadratic
+    procedure :: set_rolling => contact_set_rolling
+    procedure :: set_creep => contact_set_creep
+    procedure :: set_creep_field => contact_set_creep_field
+    procedure :: prescribe => contact_prescribe
+    procedure :: set_friction => contact_set_friction
+    procedure :: set_friction_field => contact_set_friction_field
+    procedure :: request_cancel => contact_request_cancel
+    procedure :: solve => contact_solve
+    procedure :: reset => contact_reset
+    procedure :: get_size => contact_get_size
+    procedure :: get_resultant => contact_get_resultant
+    procedure :: get_motion => contact_get_motion
+    procedure :: get_sensitivity => contact_get_sensitivity
+    procedure :: get_stat => contact_get_stat
+    procedure :: get_plan => contact_get_plan
+    procedure :: write_vtu => contact_write
+    procedure :: free => release
+    procedure :: from_id
+    procedure :: id
+    procedure :: handle
+    procedure, private :: set_option_int32
+    procedure, private :: set_option_int64
+    procedure, private :: set_option_real
+    procedure, private :: set_option_text
+    generic :: set => set_option_int32, set_option_int64, set_option_real, set_option_text
+    procedure, private :: get_option_int32
+    procedure, private :: get_option_int64
+    procedure, private :: get_option_real
+    procedure, private :: get_option_text
+    generic :: get => get_option_int32, get_option_int64, get_option_real, get_option_text
+    procedure, private :: assign
+    generic :: assignment(=) => assign
+    final :: finalize
+  end type
+
+contains
+
+  !> A new contact; a failure leaves none.
+  subroutine create(self, context, body1, body2, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    type(rc_context), intent(in) :: context
+    type(rc_body), intent(in) :: body1
+    type(rc_body), intent(in) :: body2
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    call self%free()
+    status = rollcon_contact_create(context%handle(), body1%handle(), body2%handle(), self%p)
+    if (status /= ROLLCON_OK) self%p = c_null_ptr
+    call finish(status, context%handle(), 'rc_contact%create', stat, errmsg)
+  end subroutine
+
+  !> Gives the reference back; the object lives on while another variable or the library uses it.
+  impure elemental subroutine release(self)
+    class(rc_contact_plain), intent(inout) :: self
+    if (c_associated(self%p)) call rollcon_contact_release(self%p)
+    self%p = c_null_ptr
+  end subroutine
+
+  impure elemental subroutine finalize(self)
+    type(rc_contact_plain), intent(inout) :: self
+    call self%free()
+  end subroutine
+
+  impure elemental subroutine assign(self, other)
+    class(rc_contact_plain), intent(inout) :: self
+    class(rc_contact_plain), intent(in) :: other
+    type(c_ptr) :: p
+    p = other%p
+    if (c_associated(p)) then
+      if (rollcon_contact_retain(p) /= ROLLCON_OK) p = c_null_ptr
+    end if
+    call self%free()
+    self%p = p
+  end subroutine
+
+  !> Adds a reference to the contact that `id` names (as the FORTRAN 77 layer counts them).
+  subroutine from_id(self, id, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: id
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: p
+    integer(rc_int) :: status
+    p = rollcon_contact_from_id(int(id, rc_int))
+    status = rollcon_contact_retain(p)
+    call self%free()
+    if (status == ROLLCON_OK) self%p = p
+    call finish(status, c_null_ptr, 'rc_contact%from_id', stat, errmsg)
+  end subroutine
+
+  integer function id(self)
+    class(rc_contact_plain), intent(in) :: self
+    id = int(rollcon_id_of(self%p))
+  end function
+
+  !> The C handle, for calls of module rollcon_c; the reference stays here.
+  function handle(self) result(p)
+    class(rc_contact_plain), intent(in) :: self
+    type(c_ptr) :: p
+    p = self%p
+  end function
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_int32(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_int(self%p, c_text(name), int(value, rc_long)), self%p, 'rc_contact%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_int64(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_int(self%p, c_text(name), value), self%p, 'rc_contact%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_real(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_real(self%p, c_text(name), value), self%p, 'rc_contact%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine set_option_text(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: name
+    character(len=*), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_str(self%p, c_text(name), c_text(value)), self%p, 'rc_contact%set', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_int32(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int32_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: wide
+    wide = 0
+    call finish(rollcon_contact_get_int(self%p, c_text(name), wide), self%p, 'rc_contact%get', stat, errmsg)
+    value = int(wide, c_int32_t)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_int64(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    integer(c_int64_t), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_contact_get_int(self%p, c_text(name), value), self%p, 'rc_contact%get', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_real(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_contact_get_real(self%p, c_text(name), value), self%p, 'rc_contact%get', stat, errmsg)
+  end subroutine
+
+  !> A setting by name; rc_option_info lists them.
+  subroutine get_option_text(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    character(len=:), allocatable, intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), allocatable :: buffer(:)
+    integer(rc_long) :: needed
+    integer(rc_int) :: status
+    allocate (buffer(1))
+    needed = 0
+    status = rollcon_contact_get_str(self%p, c_text(name), 0_rc_long, buffer, needed)
+    deallocate (buffer)
+    allocate (buffer(max(needed, 1_rc_long)))
+    buffer(1) = c_null_char
+    if (status == ROLLCON_OK) status = rollcon_contact_get_str(self%p, c_text(name), size(buffer, kind=rc_long), buffer, &
+      needed)
+    value = f_text(buffer)
+    call finish(status, self%p, 'rc_contact%get', stat, errmsg)
+  end subroutine
+
+  !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap
+  !> array and the creep and friction fields. Its nodes are those of the faces, in the order of their ids in the body, and
+  !> follow the body's pose. Faces of body 2 are turned over, so that the frame's normals point out of body 1.
+  subroutine contact_frame_from_body(self, which, tag, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: which
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_frame_from_body(self%p, int(which, rc_int), int(tag, rc_int)), self%p, &
+      'rc_contact%frame_from_body', stat, errmsg)
+  end subroutine
+
+  !> Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0. Standard: identity and zero.
+  !> Half-spaces ignore it: their surface is the frame's.
+  subroutine contact_set_pose(self, which, rotation, translation, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: which
+    real(rc_real), intent(in) :: rotation(3, 3)
+    real(rc_real), intent(in) :: translation(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_pose(self%p, int(which, rc_int), transpose(rotation), translation), self%p, &
+      'rc_contact%set_pose', stat, errmsg)
+  end subroutine
+
+  !> Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent plane, t2 = n x t1. Vectors need
+  !> not have unit length. Creepages, spin and moments belong to the origin.
+  subroutine contact_set_axes(self, origin, rolling, normal, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: rolling(3)
+    real(rc_real), intent(in) :: normal(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_axes(self%p, origin, rolling, normal), self%p, 'rc_contact%set_axes', stat, errmsg)
+  end subroutine
+
+  !> Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap. Where a body has a mesh
+  !> and no gap is given, it is measured along the frame's normals between the surfaces; a half-space or rigid body without
+  !> a mesh is then the plane through the origin of the axes.
+  subroutine contact_set_gap(self, gap, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: gap(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_gap(self%p, size(gap, 1, rc_long), gap), self%p, 'rc_contact%set_gap', stat, errmsg)
+  end subroutine
+
+  !> Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the axes (t1, t2); replaces a gap
+  !> array.
+  subroutine contact_set_gap_quadratic(self, a, b, c, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: a
+    real(rc_real), intent(in) :: b
+    real(rc_real), intent(in) :: c
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_gap_quadratic(self%p, a, b, c), self%p, 'rc_contact%set_gap_quadratic', stat, errmsg)
+  end subroutine
+
+  !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
+  subroutine contact_set_rolling(self, speed, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: speed
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_rolling(self%p, speed), self%p, 'rc_contact%set_rolling', stat, errmsg)
+  end subroutine
+
+  !> Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x) of body 1 relative
+  !> to body 2. The same as three calls of rollcon_contact_prescribe.
+  subroutine contact_set_creep(self, longitudinal, lateral, spin, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: longitudinal
+    real(rc_real), intent(in) :: lateral
+    real(rc_real), intent(in) :: spin
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_creep(self%p, longitudinal, lateral, spin), self%p, 'rc_contact%set_creep', stat, errmsg)
+  end subroutine
+
+  !> Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame its components are along
+  !> the local axes of each node.
+  subroutine contact_set_creep_field(self, slip, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: slip(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(slip, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%set_creep_field', stat, errmsg, 'the first extent of slip must be 2')
+      return
+    end if
+    call finish(rollcon_contact_set_creep_field(self%p, size(slip, 2, rc_long), slip), self%p, 'rc_contact%set_creep_field', &
+      stat, errmsg)
+  end subroutine
+
+  !> Prescribes one direction by motion or by force; the other quantity is found by the solve. Forces act on body 1.
+  !> Standard: all by motion, 0.
+  subroutine contact_prescribe(self, direction, how, value, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: direction
+    integer(rc_int), intent(in) :: how
+    real(rc_real), intent(in) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_prescribe(self%p, direction, how, value), self%p, 'rc_contact%prescribe', stat, errmsg)
+  end subroutine
+
+  !> Sets the law of friction for the whole frame.
+  subroutine contact_set_friction(self, law, parameters, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: law
+    real(rc_real), intent(in), contiguous :: parameters(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_friction(self%p, c_text(law), size(parameters, 1, rc_int), parameters), self%p, &
+      'rc_contact%set_friction', stat, errmsg)
+  end subroutine
+
+  !> Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
+  subroutine contact_set_friction_field(self, mu, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: mu(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_friction_field(self%p, size(mu, 1, rc_long), mu), self%p, 'rc_contact%set_friction_field', &
+      stat, errmsg)
+  end subroutine
+
+  !> Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and operators are prepared,
+  !> within moments; only a factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays usable.
+  !> What was cancelled during its preparation has no results, and the next solve prepares it anew.
+  subroutine contact_request_cancel(self, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_request_cancel(self%p), self%p, 'rc_contact%request_cancel', stat, errmsg)
+  end subroutine
+
+  !> Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by force. Starts from the last
+  !> solution unless the option "warm_start" is 0. After ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be
+  !> read. A failed solve leaves the scene as it was but discards the last solution. Bodies that are not prepared are
+  !> prepared first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the
+  !> body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that
+  !> double precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that
+  !> are never to touch may have any gap, with the option "system" = monolithic up to that limit.
+  subroutine contact_solve(self, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_solve(self%p), self%p, 'rc_contact%solve', stat, errmsg)
+  end subroutine
+
+  !> Forgets the solution, the warm start and the history; keeps the scene and all that was computed for the frame.
+  subroutine contact_reset(self, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_reset(self%p), self%p, 'rc_contact%reset', stat, errmsg)
+  end subroutine
+
+  !> Nodes and elements of the frame. Works before a solve.
+  subroutine contact_get_size(self, nodes, elements, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    integer, intent(out) :: nodes
+    integer, intent(out), optional :: elements
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: nodes_c
+    integer(rc_long) :: elements_c
+    nodes_c = 0
+    elements_c = 0
+    call finish(rollcon_contact_get_size(self%p, nodes_c, elements_c), self%p, 'rc_contact%get_size', stat, errmsg)
+    nodes = int(nodes_c)
+    if (present(elements)) elements = int(elements_c)
+  end subroutine
+
+  !> Resultant force on body 1 and its moment about the origin of the axes.
+  subroutine contact_get_resultant(self, force, moment, axes, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    real(rc_real), intent(out) :: force(3)
+    real(rc_real), intent(out) :: moment(3)
+    integer(rc_int), intent(in), optional :: axes
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: axes_or_standard
+    axes_or_standard = ROLLCON_LOCAL
+    if (present(axes)) axes_or_standard = axes
+    force = 0
+    moment = 0
+    call finish(rollcon_contact_get_resultant(self%p, axes_or_standard, force, moment), self%p, 'rc_contact%get_resultant', stat, &
+      errmsg)
+  end subroutine
+
+  !> Approach, creepages and spin, as given or as found for prescribed forces.
+  subroutine contact_get_motion(self, approach, creep, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    real(rc_real), intent(out) :: approach
+    real(rc_real), intent(out) :: creep(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    approach = 0
+    creep = 0
+    call finish(rollcon_contact_get_motion(self%p, approach, creep), self%p, 'rc_contact%get_motion', stat, errmsg)
+  end subroutine
+
+  !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one parameter. A
+  !> direction stands for the value last solved with there: creepage, spin or approach where the motion was prescribed;
+  !> force, spin moment or compressive load where the force was; motions that were found then change with it. FRICTION
+  !> stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of
+  !> Newton's system at the solution, the state of every node held: at most one factorisation for all parameters (one more
+  !> for NORMAL where pressures stand alone) and one right side each; kept until the next solve. After ROLLCON_NO_CONTACT
+  !> only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or
+  !> the parameter is a tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
+  !> friction.
+  subroutine contact_get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    integer(rc_int), intent(in) :: parameter
+    real(rc_real), intent(out) :: force(3)
+    real(rc_real), intent(out) :: moment(3)
+    real(rc_real), intent(out) :: approach
+    real(rc_real), intent(out) :: creep(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    force = 0
+    moment = 0
+    approach = 0
+    creep = 0
+    call finish(rollcon_contact_get_sensitivity(self%p, parameter, force, moment, approach, creep), self%p, &
+      'rc_contact%get_sensitivity', stat, errmsg)
+  end subroutine
+
+  !> One number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes. Names:
+  !> rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its numbers is asked
+  !> for, at about the price of a solve.
+  subroutine contact_get_stat(self, name, value, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_contact_get_stat(self%p, c_text(name), value), self%p, 'rc_contact%get_stat', stat, errmsg)
+  end subroutine
+
+  !> How the last solve was done (sizes, schemes, linear solver and why), as text for people.
+  subroutine contact_get_plan(self, text, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=:), allocatable, intent(out) :: text
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), allocatable :: buffer(:)
+    integer(rc_long) :: needed
+    integer(rc_int) :: status
+    allocate (buffer(1))
+    needed = 0
+    status = rollcon_contact_get_plan(self%p, 0_rc_long, buffer, needed)
+    deallocate (buffer)
+    allocate (buffer(max(needed, 1_rc_long)))
+    buffer(1) = c_null_char
+    if (status == ROLLCON_OK) status = rollcon_contact_get_plan(self%p, size(buffer, kind=rc_long), buffer, needed)
+    text = f_text(buffer)
+    call finish(status, self%p, 'rc_contact%get_plan', stat, errmsg)
+  end subroutine
+
+  !> Writes frame and fields, in global axes, as a VTU file for ParaView and meshio. A field beyond the range of double
+  !> precision is ROLLCON_ERR_NONFINITE; nothing is written.
+  subroutine contact_write(self, path, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_write(self%p, c_text(path)), self%p, 'rc_contact%write_vtu', stat, errmsg)
+  end subroutine
+
+end module rollcon_contact_plain

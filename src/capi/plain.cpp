@@ -1,0 +1,257 @@
+/// Generated from bindings/api.toml by bindings/generate.py; do not edit.
+/// The functions that hand their arguments to one method of their object.
+
+#include "bodies/body.hpp"
+#include "capi/guard.hpp"
+#include "capi/results.hpp"
+#include "contact/contact.hpp"
+#include "support/input_checks.hpp"
+
+using namespace rollcon;
+using namespace rollcon::capi;
+
+// clang-format off
+
+rollcon_status rollcon_context_set_threads(rollcon_context *context, int32_t n) {
+  return with_object(__func__, Kind::context, context, [&](Object& self) {
+    self.context->set_threads(n);
+  });
+}
+
+rollcon_status rollcon_body_set_elastic(rollcon_body *body, int32_t tag, double young,
+    double poisson) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_elastic(tag, young, poisson);
+  });
+}
+
+rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
+    int64_t node_stride, int64_t component_stride) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_nodes(n, x, node_stride, component_stride);
+  });
+}
+
+rollcon_status rollcon_body_add_elements(rollcon_body *body, int32_t type, int64_t n,
+    const int32_t *connectivity, int32_t index_base, int32_t tag) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.add_elements(type, n, connectivity, index_base, tag);
+  });
+}
+
+rollcon_status rollcon_body_tag_faces(rollcon_body *body, int64_t n, const int32_t *elements,
+    const int32_t *faces, int32_t index_base, int32_t tag) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.tag_faces(n, elements, faces, index_base, tag);
+  });
+}
+
+rollcon_status rollcon_body_tag_faces_of_nodes(rollcon_body *body, int64_t n,
+    const int32_t *nodes, int32_t index_base, int32_t tag) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.tag_faces_of_nodes(n, nodes, index_base, tag);
+  });
+}
+
+rollcon_status rollcon_body_set_support(rollcon_body *body, int64_t n, const int32_t *nodes,
+    int32_t index_base, int32_t dof_mask, const double *values) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_support(n, nodes, index_base, dof_mask, values);
+  });
+}
+
+rollcon_status rollcon_body_set_traction(rollcon_body *body, int32_t tag, const double *traction) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_traction(tag, traction);
+  });
+}
+
+rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double pressure) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_pressure(tag, pressure);
+  });
+}
+
+rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, const int32_t *tags) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_contact_faces(n, tags);
+  });
+}
+
+rollcon_status rollcon_body_set_int(rollcon_body *body, const char *name, int64_t value) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_int(name, value);
+  });
+}
+
+rollcon_status rollcon_body_set_real(rollcon_body *body, const char *name, double value) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_real(name, value);
+  });
+}
+
+rollcon_status rollcon_body_get_int(const rollcon_body *body, const char *name, int64_t *value) {
+  return with_body(__func__, body, [&](Body& self) {
+    require_pointer(value, "value");
+    *value = self.get_int(name);
+  });
+}
+
+rollcon_status rollcon_body_get_real(const rollcon_body *body, const char *name, double *value) {
+  return with_body(__func__, body, [&](Body& self) {
+    require_pointer(value, "value");
+    *value = self.get_real(name);
+  });
+}
+
+rollcon_status rollcon_contact_set_frame_nodes(rollcon_contact *contact, int64_t n,
+    const double *x, int64_t node_stride, int64_t component_stride) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_frame_nodes(n, x, node_stride, component_stride);
+  });
+}
+
+rollcon_status rollcon_contact_add_frame_elements(rollcon_contact *contact, int32_t type,
+    int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.add_frame_elements(type, n, connectivity, index_base, tag);
+  });
+}
+
+rollcon_status rollcon_contact_frame_from_body(rollcon_contact *contact, int32_t which,
+    int32_t tag) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.frame_from_body(which, tag);
+  });
+}
+
+rollcon_status rollcon_contact_set_pose(rollcon_contact *contact, int32_t which,
+    const double *rotation, const double *translation) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_pose(which, rotation, translation);
+  });
+}
+
+rollcon_status rollcon_contact_set_axes(rollcon_contact *contact, const double *origin,
+    const double *rolling, const double *normal) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_axes(origin, rolling, normal);
+  });
+}
+
+rollcon_status rollcon_contact_set_gap(rollcon_contact *contact, int64_t n, const double *gap) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_gap(n, gap);
+  });
+}
+
+rollcon_status rollcon_contact_set_gap_quadratic(rollcon_contact *contact, double a, double b,
+    double c) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_gap_quadratic(a, b, c);
+  });
+}
+
+rollcon_status rollcon_contact_set_rolling(rollcon_contact *contact, double speed) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_speed(speed);
+  });
+}
+
+rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longitudinal,
+    double lateral, double spin) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_creep(longitudinal, lateral, spin);
+  });
+}
+
+rollcon_status rollcon_contact_set_creep_field(rollcon_contact *contact, int64_t n,
+    const double *slip) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_creep_field(n, slip);
+  });
+}
+
+rollcon_status rollcon_contact_prescribe(rollcon_contact *contact, int32_t direction,
+    int32_t how, double value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.prescribe(direction, how, value);
+  });
+}
+
+rollcon_status rollcon_contact_set_friction(rollcon_contact *contact, const char *law, int32_t n,
+    const double *parameters) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_friction(law, n, parameters);
+  });
+}
+
+rollcon_status rollcon_contact_set_friction_field(rollcon_contact *contact, int64_t n,
+    const double *mu) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_friction_field(n, mu);
+  });
+}
+
+rollcon_status rollcon_contact_set_int(rollcon_contact *contact, const char *name, int64_t value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.options.set_int(name, value);
+  });
+}
+
+rollcon_status rollcon_contact_set_real(rollcon_contact *contact, const char *name, double value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.options.set_real(name, value);
+  });
+}
+
+rollcon_status rollcon_contact_set_str(rollcon_contact *contact, const char *name,
+    const char *value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.options.set_text(name, value);
+  });
+}
+
+rollcon_status rollcon_contact_get_int(const rollcon_contact *contact, const char *name,
+    int64_t *value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_pointer(value, "value");
+    *value = self.scene.options.get_int(name);
+  });
+}
+
+rollcon_status rollcon_contact_get_real(const rollcon_contact *contact, const char *name,
+    double *value) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_pointer(value, "value");
+    *value = self.scene.options.get_real(name);
+  });
+}
+
+rollcon_status rollcon_contact_get_str(const rollcon_contact *contact, const char *name,
+    int64_t capacity, char *text, int64_t *needed) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    copy_text(self.scene.options.get_text(name), capacity, text, needed);
+  });
+}
+
+rollcon_status rollcon_contact_solve(rollcon_contact *contact) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    return self.solve();
+  });
+}
+
+rollcon_status rollcon_contact_reset(rollcon_contact *contact) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.reset();
+  });
+}
+
+rollcon_status rollcon_contact_get_plan(const rollcon_contact *contact, int64_t capacity,
+    char *text, int64_t *needed) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    copy_text(self.plan(), capacity, text, needed);
+  });
+}
+
+// clang-format on

@@ -1,0 +1,182 @@
+/// The text of the last failure, and the latch of programs that check once.
+
+#include <thread>
+
+#include "fixture.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+/// The thread's last error starts with the function's name and contains the word.
+void expect_text(const char* function, const char* word) {
+  const std::string text = rollcon_last_error();
+  EXPECT_EQ(text.substr(0, text.find(':')), function) << text;
+  EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
+}
+
+}  // namespace
+
+class last_error : public Api {};
+class latch : public Api {};
+
+TEST_F(last_error, is_that_of_a_call_without_a_live_handle) {
+  ASSERT_EQ(rollcon_body_set_elastic(sphere, 0, -1, 0.3), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_body_set_elastic", "young is -1");
+  EXPECT_EQ(rollcon_body_set_elastic(nullptr, 0, 1, 0.3), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_body_set_elastic", "body is NULL");
+  EXPECT_EQ(rollcon_contact_solve(reinterpret_cast<rollcon_contact*>(sphere)), ROLLCON_ERR_HANDLE);
+  expect_text("rollcon_contact_solve", "contact is no live contact");
+  EXPECT_EQ(rollcon_contact_retain(nullptr), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_contact_retain", "contact is NULL");
+  rollcon_body* body = nullptr;
+  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_RIGID, &body), ROLLCON_OK);
+  rollcon_body_release(body);
+  std::int32_t kind = 0;
+  EXPECT_EQ(rollcon_body_get_kind(body, &kind), ROLLCON_ERR_HANDLE);
+  expect_text("rollcon_body_get_kind", "body is no live body");
+}
+
+TEST_F(last_error, is_that_of_a_call_without_an_object) {
+  rollcon_context* other = nullptr;
+  EXPECT_EQ(rollcon_context_create(ROLLCON_ABI + 6, &other), ROLLCON_ERR_UNSUPPORTED);
+  expect_text("rollcon_context_create",
+              ("header_abi is " + std::to_string(ROLLCON_ABI + 6)).c_str());
+  expect_text("rollcon_context_create",
+              ("binary interface " + std::to_string(ROLLCON_ABI)).c_str());
+  EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, nullptr), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_context_create", "context is NULL");
+  EXPECT_EQ(rollcon_stat_name(-3, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_stat_name", "i is -3");
+  EXPECT_EQ(rollcon_option_info(100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr),
+            ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_option_info", "i is 100000");
+  std::int64_t value = 0;
+  EXPECT_EQ(rollcon_event_get_int(nullptr, ROLLCON_EVENT_PHASE, &value), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_event_get_int", "event is NULL");
+  EXPECT_EQ(rollcon_event_get_int(reinterpret_cast<const rollcon_event*>(&value),
+                                  ROLLCON_EVENT_PHASE, &value),
+            ROLLCON_ERR_HANDLE);
+  expect_text("rollcon_event_get_int", "event is no live event");
+}
+
+TEST_F(last_error, belongs_to_the_thread_and_survives_successes) {
+  ASSERT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  std::string elsewhere = "unasked";
+  std::thread([&] {
+    elsewhere = rollcon_last_error();
+    EXPECT_EQ(rollcon_contact_set_rolling(contact, -2), ROLLCON_ERR_ARGUMENT);
+    expect_text("rollcon_contact_set_rolling", "speed is -2");
+  }).join();
+  EXPECT_EQ(elsewhere, "");
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
+  expect_text("rollcon_contact_set_rolling", "speed is -1");
+}
+
+namespace {
+
+std::string said;
+void fails_too(std::int32_t, const char* message, void*) {
+  said = message;
+  EXPECT_EQ(rollcon_contact_solve(nullptr), ROLLCON_ERR_ARGUMENT);
+}
+
+}  // namespace
+
+TEST_F(last_error, is_that_of_the_call_though_its_log_sink_fails) {
+  ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_contact_set_rolling", "speed is -1");
+  EXPECT_EQ(said, rollcon_last_error());
+}
+
+TEST_F(last_error, of_layers_over_the_interface) {
+  ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr), ROLLCON_OK);
+  EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_MESH, "RCNODE: LDX is 2"), ROLLCON_ERR_MESH);
+  EXPECT_STREQ(rollcon_last_error(), "RCNODE: LDX is 2");
+  EXPECT_EQ(said, "RCNODE: LDX is 2");
+  EXPECT_EQ(rollcon_report(nullptr, 1, "no failure"), ROLLCON_ERR_ARGUMENT);
+  EXPECT_STREQ(rollcon_last_error(), "no failure");
+  EXPECT_EQ(rollcon_report(nullptr, -1, nullptr), ROLLCON_ERR_ARGUMENT);
+  EXPECT_STREQ(rollcon_last_error(), "");
+  // Beyond its room a text is cut.
+  const std::string length(5000, 'x');
+  EXPECT_EQ(rollcon_report(nullptr, -1, length.c_str()), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_last_error(), length.substr(0, 2047));
+}
+
+TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
+  set_scene();
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  double before = 0, number = -7;
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "max_pressure", &before), ROLLCON_OK);
+
+  EXPECT_EQ(rollcon_contact_set_friction(contact, "static", 1, &before), ROLLCON_ERR_ARGUMENT);
+  const std::string first = error();
+  // Nothing happens any more, in no object of the context.
+  EXPECT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.01),
+            ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(error(), first);
+  EXPECT_EQ(rollcon_contact_get_stat(contact, "no such thing", &number), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(number, -7);
+  rollcon_body* body = sphere;
+  EXPECT_EQ(rollcon_body_create(context, ROLLCON_BODY_RIGID, &body), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(body, nullptr);
+  EXPECT_EQ(rollcon_body_set_elastic(sphere, 0, 1, 0), ROLLCON_ERR_ARGUMENT);
+  // Failures without an object belong to no context.
+  EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_ERR_ARGUMENT);
+  EXPECT_NE(error(), first);
+  // What works on.
+  std::int32_t kind = 0;
+  EXPECT_EQ(rollcon_body_get_kind(plane, &kind), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_request_cancel(contact), ROLLCON_OK);
+  EXPECT_EQ(rollcon_body_retain(plane), ROLLCON_OK);
+  rollcon_body_release(plane);
+
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(error(), first);
+  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "max_pressure", &number), ROLLCON_OK);
+  EXPECT_EQ(number, before) << "nothing was set in between";
+}
+
+TEST_F(latch, is_off_until_it_is_set) {
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_context_set_latch(context, 2), ROLLCON_ERR_ARGUMENT, "on is 2");
+  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  ASSERT_EQ(rollcon_context_set_latch(context, 0), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_context_check(nullptr), ROLLCON_ERR_ARGUMENT, "context is NULL");
+}
+
+TEST_F(latch, tells_of_the_first_caveat_without_stopping) {
+  set_scene();
+  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
+            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_NO_CONTACT);
+  expect_text("rollcon_contact_solve", rollcon_status_string(ROLLCON_NO_CONTACT));
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_context_check(context), ROLLCON_ERR_ARGUMENT);
+  expect_text("rollcon_contact_set_rolling", "speed is -1");
+}
+
+TEST_F(latch, holds_failures_that_layers_report) {
+  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_ARGUMENT, "RCNODE: LDX is 2"),
+            ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_ERR_ARGUMENT);
+  EXPECT_STREQ(rollcon_last_error(), "RCNODE: LDX is 2");
+}
