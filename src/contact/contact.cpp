@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/procedures/run.hpp"
@@ -132,12 +134,41 @@ void refuse_tangential_loads(const Problem& problem) {
            "at every node: there is no steady solution");
 }
 
+namespace {
+
+std::string number(double share) {
+  if (!(share < 1e6)) return "infinite";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", share);
+  return text;
+}
+
+std::string times(double share) {
+  if (!(share < 1e6)) return "beyond";
+  return share < 1.00005 ? "all of" : number(share) + " times";
+}
+
+// Which of the prescribed loads, and by how much.
+std::string describe_beyond_friction(const FrictionShare& share) {
+  const std::string all = times(share.sliding);
+  if (!share.by_moment)
+    return "the prescribed tangential force is " + all +
+           " what friction can carry (|Ft| must be less than mu Fn)";
+  if (!share.by_force)
+    return "the prescribed spin moment is " + all +
+           " what friction can carry (that of all nodes sliding around the origin)";
+  return "the prescribed tangential force and spin moment together are " + all +
+         " what friction can carry (alone the force is " + number(share.force) +
+         " of it, the moment " + number(share.moment) + ")";
+}
+
+}  // namespace
+
 Status status_of(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::no_solution:
-      fail(Status::err_load,
-           "the prescribed tangential force or spin moment reaches what friction can carry "
-           "(|Ft| must be less than mu Fn): there is no steady solution");
+      fail(Status::err_load, "%s: there is no steady solution",
+           describe_beyond_friction(s.report.share).c_str());
     case Outcome::cancelled:
       return Status::cancelled;
     case Outcome::not_converged:
@@ -260,11 +291,11 @@ Status Contact::solve_scene() {
     const bool strong = *std::max_element(s.problem.mu.begin(), s.problem.mu.end()) >= 1;
     context_->log(LogLevel::warning,
                   "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, "
-                  "%.1e tangential%s; the best iterate is kept",
+                  "%.1e tangential, %.1e of the loads%s; the best iterate is kept",
                   static_cast<long long>(s.report.normal_iterations +
                                          s.report.tangential_iterations + s.report.full_iterations),
                   static_cast<long long>(s.report.fallbacks), s.report.residual_normal,
-                  s.report.residual_tangential,
+                  s.report.residual_tangential, s.report.residual_load,
                   s.problem.op.coupled && strong
                       ? " (with friction of 1 and more between unlike bodies there may be several "
                         "solutions or none)"
