@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "contact/newton.hpp"
 #include "contact/start.hpp"
@@ -24,8 +25,11 @@ bool Newton::holds(double tolerance) {
   const Iterate& it = *iterate_;
   for (std::size_t m = 0; m < 4; ++m)
     if (!p.by_force[m] && it.motion[m] != p.value[m]) return false;
+  const std::vector<double>& pressures = it.lambda[2];
   const bool as_judged =
-      report_.fallbacks == 0 && it.motion[approach] == judged_approach_ && it.lambda[2] == judged_;
+      report_.fallbacks == 0 && it.motion[approach] == judged_approach_ &&
+      judged_.size() == pressures.size() &&
+      std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
   if (goal_ == Part::tangential && !as_judged) {
     const Residual normal = normal_laws();
     report_.residual_normal = normal.normal;

@@ -14,7 +14,7 @@ namespace {
 constexpr double at_limit = 1 - 1e-12;
 // A search over directions, of loads with a spin moment, is for iterations that lead nowhere: those
 // that solve a load have fewer steps before them.
-constexpr std::int64_t before_search = 2;
+constexpr std::int64_t before_search = 4;
 constexpr double suspicious = 0.9;  // share under pressures that are not those of the solution
 constexpr double enough = 1e-6;     // of pressures under sliding
 constexpr std::int64_t iterations = 60;
