@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <numeric>
 
@@ -141,6 +142,12 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   guards.push_back({"best_iterate", static_cast<double>(record.iterations), seconds_of([&] {
                       for (int c = 0; c < 3; ++c) copy[c] = tractions[c];
                       sink = copy[0][nodes / 2];
+                    })});
+  // Pressures that the tangential part stands on are those that the normal part ended with.
+  guards.push_back({"last_guard", 1, seconds_of([&] {
+                      copy[2] = tractions[2];
+                      seen = std::memcmp(copy[2].data(), tractions[2].data(),
+                                         nodes * sizeof(double)) == 0;
                     })});
   guards.push_back({"finite", systems, seconds_of([&] {
                       seen = std::all_of(x.begin(), x.end(),

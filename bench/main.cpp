@@ -65,7 +65,8 @@ int run(const std::vector<Case>& cases, int argc, char** argv) {
   std::vector<std::string> wanted;
   const auto want = [&](const std::string& name) {
     if (name == "stability")  // all of its parts
-      wanted.insert(wanted.end(), {"stability_named", "stability_random", "stability_bodies"});
+      wanted.insert(wanted.end(), {"stability_named", "stability_random", "stability_forces",
+                                   "stability_bodies"});
     else
       wanted.push_back(name);
   };

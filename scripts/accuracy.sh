@@ -108,7 +108,7 @@ if wanted speed; then
   echo "wrote docs/speed.md"
 fi
 if wanted stability; then
-  run_cases 1 stability_named stability_random stability_bodies
+  run_cases 1 stability_named stability_random stability_forces stability_bodies
   cat "${files[@]}" > "$build/stability.jsonl"
   python3 bench/report_stability.py "$build/stability.jsonl" docs "$command stability"
   echo "wrote docs/stability.md"

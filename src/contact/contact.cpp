@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "contact/host_interrupt.hpp"
 #include "contact/lattice/lattice_scene.hpp"
@@ -137,9 +138,8 @@ void refuse_tangential_loads(const Problem& problem) {
 Status status_of(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::no_solution:
-      fail(Status::err_load,
-           "the prescribed tangential force or spin moment reaches what friction can carry "
-           "(|Ft| must be less than mu Fn): there is no steady solution");
+      fail(Status::err_load, "%s: there is no steady solution",
+           describe_beyond_friction(s.report.share).c_str());
     case Outcome::cancelled:
       return Status::cancelled;
     case Outcome::not_converged:

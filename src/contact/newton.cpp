@@ -35,7 +35,7 @@ std::size_t Newton::bytes() const {
   for (int c = 0; c < 3; ++c)
     sum += sizeof(double) * (frozen_[c].capacity() + next_[c].capacity() +
                              next_image_[c].capacity() + known_[c].capacity());
-  return sum + sizeof(double) * (b_.capacity() + x_.capacity() + correction_.capacity());
+  return sum + sizeof(double) * (judged_.capacity() + b_.capacity() + x_.capacity() + correction_.capacity());
 }
 
 // Residuals of the projected laws at the iterate; also finds the active nodes and makes every image

@@ -7,6 +7,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/friction_limit.hpp"
 #include "contact/linear_solver.hpp"
 #include "contact/prediction.hpp"
 #include "contact/problem.hpp"
@@ -57,6 +58,7 @@ struct NewtonReport {
   std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
   double residual_normal = 0, residual_tangential = 0;
   double residual_load = 0;  ///< greatest relative error of a prescribed load
+  FrictionShare share;       ///< where the loads were found to be beyond friction
   std::int64_t fallbacks = 0;
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
   std::int64_t refuted = 0;        ///< successes of a part that the last guard did not let pass
@@ -139,8 +141,9 @@ class Newton {
   Outcome relax(double tolerance, std::int64_t max_iterations);
   void sweep_along_flow();
   Outcome continue_in_friction(bool from_above, double tolerance, std::int64_t max_iterations);
-  bool friction_bounded(Part part) const;
-  bool load_beyond_sliding();
+  bool beyond_friction(Part part, std::int64_t iteration, double residual_normal);
+  bool beyond_sliding(double by);
+  FrictionShare slide_against_loads();
   void remember_best(Part part, double worst);
   void return_to_best();
   std::int64_t& iterations_of(Part part) {
@@ -174,7 +177,11 @@ class Newton {
     std::vector<double> lambda[3];
     std::array<double, 4> motion{};
   } best_;
+  std::vector<double> judged_;  ///< pressures that the normal part converged to
+  double judged_approach_ = 0;  ///< likewise
   std::int64_t iterations_left_ = 0;
+  bool compared_ = false;  ///< with sliding against the loads, in this solve
+  FrictionShare slides_;   ///< what that gave
 
   TotalSliding sliding_;
   Prediction prediction_;

@@ -12,6 +12,7 @@ namespace rollcon {
 namespace {
 
 constexpr int most_evaluations = 120;
+constexpr int most_doublings = 40;     // every node slides long before that
 constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
 
 }  // namespace
@@ -83,7 +84,7 @@ Outcome Newton::bracket(int m, Part part, double from, double scale, double tole
   double low = from, high = low, step = scale;
   double at_low = excess(low), at_high = at_low;
   int evaluations = 1;
-  while (outcome == Outcome::converged && at_low * at_high > 0 && evaluations < most_evaluations) {
+  while (outcome == Outcome::converged && at_low * at_high > 0 && evaluations < most_doublings) {
     if (at_low > 0)
       low = high, at_low = at_high, at_high = excess(high += step);
     else
@@ -91,6 +92,7 @@ Outcome Newton::bracket(int m, Part part, double from, double scale, double tole
     step *= 2;
     ++evaluations;
   }
+  if (outcome == Outcome::converged && at_low * at_high > 0) outcome = Outcome::not_converged;
   int side = 0;
   while (outcome == Outcome::converged && evaluations < most_evaluations) {
     const double limit = close_enough * load_on_body1(p, m, it.lambda).magnitude;

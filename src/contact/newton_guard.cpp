@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "contact/newton.hpp"
 #include "contact/start.hpp"
@@ -15,16 +16,21 @@ constexpr double slack = 10;  // images made anew have another rounding
 
 }  // namespace
 
-// The tangential problem of equal bodies stands on pressures that were found before it: they are
-// judged again, by gaps that are still at hand. The part solved last was judged when it ended, by
-// the problem as it was then; after fallbacks, which change problems for a while, it is judged by
-// the problem as it is.
+// The tangential problem of equal bodies stands on pressures that were found before it: they are to
+// be those still, or are judged again. The part solved last was judged when it ended, by the
+// problem as it was then; after fallbacks, which change problems for a while, all is judged by the
+// problem as it is.
 bool Newton::holds(double tolerance) {
   const Problem& p = *problem_;
   const Iterate& it = *iterate_;
   for (std::size_t m = 0; m < 4; ++m)
     if (!p.by_force[m] && it.motion[m] != p.value[m]) return false;
-  if (goal_ == Part::tangential) {
+  const std::vector<double>& pressures = it.lambda[2];
+  const bool as_judged =
+      report_.fallbacks == 0 && it.motion[approach] == judged_approach_ &&
+      judged_.size() == pressures.size() &&
+      std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
+  if (goal_ == Part::tangential && !as_judged) {
     const Residual normal = normal_laws();
     report_.residual_normal = normal.normal;
     report_.residual_load = std::max(report_.residual_load, normal.load);
@@ -68,7 +74,12 @@ Newton::Residual Newton::normal_laws() {
 // A converged part is a solution if the guard lets it pass. Else what it stood on is found anew,
 // for whatever is tried next, and nothing returns to it.
 Outcome Newton::guarded(Outcome outcome, double tolerance, std::int64_t max_iterations) {
-  if (outcome != Outcome::converged || holds(tolerance)) return outcome;
+  if (outcome != Outcome::converged) return outcome;
+  if (holds(tolerance)) {
+    if (goal_ == Part::normal || !friction_overdrawn(*problem_, iterate_->lambda)) return outcome;
+    report_.share = share_of_friction(*problem_, iterate_->lambda);
+    return Outcome::no_solution;
+  }
   ++report_.refuted;
   best_.worst = INFINITY;
   start_cold(*problem_, *iterate_);

@@ -13,6 +13,7 @@ namespace {
 constexpr double start_tolerance = 1e-2;  // of the frictionless start of a coupled problem
 constexpr std::int64_t patience = 12;     // iterations without progress before a run is stuck
 constexpr double much_more = 1e3;         // times the traction found in the end
+constexpr double clearly = 0.05;          // beyond sliding, before fallbacks are tried
 constexpr double progress = 0.7;          // factor on the best residual that counts as progress
 
 }  // namespace
@@ -83,11 +84,7 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     remember_best(part, worst);
     if (waiting > patience) return Outcome::not_converged;
     if (k >= max_iterations || iterations_left_ <= 0) return Outcome::not_converged;
-    const bool settled =
-        part == Part::tangential || pressures_settled(*problem_, iterate_->lambda, residual.normal);
-    if (part != Part::normal && settled && friction_bounded(part) &&
-        load_beyond_friction(*problem_, iterate_->lambda))
-      return Outcome::no_solution;
+    if (beyond_friction(part, k, residual.normal)) return Outcome::no_solution;
     // Forcing term: the linear residual need not be smaller than the next Newton residual can be.
     double forcing = std::clamp(
         k == 0 ? 1e-3 * worst : 0.1 * std::min(worst, last_worst > 0 ? worst / last_worst : 1.0),
@@ -105,22 +102,6 @@ Outcome Newton::run(Part part, double tolerance, std::int64_t max_iterations,
     ++iterations;
     --iterations_left_;
   }
-}
-
-// Whether pressures near those of the solution tell what friction can carry. In coupled problems
-// friction changes the pressures, and with them its bound, until the end; but where the load is
-// given and all nodes have the same coefficient, their sum is known.
-bool Newton::friction_bounded(Part part) const {
-  const Problem& p = *problem_;
-  if (part == Part::tangential && !p.op.coupled) return true;
-  if (!p.turn.empty() || !p.by_force[approach]) return false;
-  double mu = -1;
-  for (std::size_t k = 0; k < p.mu.size(); ++k) {
-    if (!(iterate_->lambda[2][k] < 0)) continue;
-    if (mu >= 0 && p.mu[k] != mu) return false;
-    mu = p.mu[k];
-  }
-  return true;
 }
 
 void Newton::remember_best(Part part, double worst) {
@@ -161,6 +142,7 @@ void Newton::reserve(std::size_t n) {
     best_.lambda[c].resize(n);
   }
   active_.reserve(n);
+  judged_.reserve(n);
   is_active_.resize(n);
   merits_.reserve(8);
 }
@@ -177,6 +159,8 @@ Outcome Newton::attempt(bool cold, double tolerance, std::int64_t max_iterations
           outcome == Outcome::converged;
     }
     pressures_found_ = outcome == Outcome::converged;
+    judged_ = iterate_->lambda[2];
+    judged_approach_ = iterate_->motion[approach];
   }
   if (outcome != Outcome::converged || goal_ == Part::normal) return outcome;
   if (look_for_sliding && goal_ == Part::tangential && sliding_.given(*problem_, *iterate_))
@@ -209,7 +193,7 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   linear.forget_exact();
   goal_ = goal(problem, frictionless);
   best_.worst = INFINITY;
-  pressures_found_ = false;
+  pressures_found_ = compared_ = false;
   reserve(static_cast<std::size_t>(problem.nodes));
   begin_prediction();
   for (const int m : {xi1, xi2, approach, spin}) {
@@ -233,6 +217,7 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
   }
   Outcome outcome = guarded(attempt(cold, tolerance, max_iterations), tolerance, max_iterations);
   prediction_ratio_ = 0;
+  if (outcome == Outcome::not_converged && beyond_sliding(clearly)) outcome = Outcome::no_solution;
   if (outcome == Outcome::not_converged && !cold && iterations_left_ > 0) {
     ++report_.fallbacks;
     start_cold(problem, iterate);
@@ -240,13 +225,13 @@ NewtonReport Newton::solve(Problem& problem, Iterate& iterate, bool frictionless
     outcome = guarded(attempt(true, tolerance, max_iterations), tolerance, max_iterations);
     report_.saved[static_cast<std::size_t>(Rung::cold)] += outcome == Outcome::converged;
   }
+  if (outcome == Outcome::not_converged && beyond_sliding(clearly)) outcome = Outcome::no_solution;
   // Without coupling the tangential problem has no meaning under pressures that were not found.
   const bool worth_while = goal_ == Part::full || (goal_ == Part::tangential && pressures_found_);
   if (outcome == Outcome::not_converged && worth_while && iterations_left_ > 0)
     outcome = fall_back(tolerance, max_iterations);
   if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) return_to_best();
-  if (outcome == Outcome::not_converged && goal_ == Part::full && load_beyond_sliding())
-    outcome = Outcome::no_solution;
+  if (outcome == Outcome::not_converged && beyond_sliding(0)) outcome = Outcome::no_solution;
   if (predict && outcome == Outcome::converged)
     prediction_.solved();
   else

@@ -41,15 +41,28 @@ std::string text_of(const char* format, Args... args) {
   return text;
 }
 
+std::string share_text(double share) {
+  if (!(share < 1e6)) return "infinite";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", share);
+  return text;
+}
+
+std::string times(double share) {
+  if (!(share < 1e6)) return "beyond";
+  return share < 1.00005 ? "all of" : share_text(share) + " times";
+}
+
 std::string not_converged(const SolverState& s) {
   const NewtonReport& r = s.report;
   const std::vector<double>& mu = s.problem.mu;
   const bool strong = !mu.empty() && *std::max_element(mu.begin(), mu.end()) >= 1;
   return text_of(
       "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, %.1e "
-      "tangential%s; the best iterate is kept",
+      "tangential, %.1e of the loads%s; the best iterate is kept",
       static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
       static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential,
+      r.residual_load,
       s.problem.op.coupled && strong
           ? " (with friction of 1 and more between unlike bodies there may be several solutions or "
             "none)"
@@ -57,6 +70,19 @@ std::string not_converged(const SolverState& s) {
 }
 
 }  // namespace
+
+std::string describe_beyond_friction(const FrictionShare& share) {
+  const std::string all = times(share.sliding);
+  if (!share.by_moment)
+    return "the prescribed tangential force is " + all +
+           " what friction can carry (|Ft| must be less than mu Fn)";
+  if (!share.by_force)
+    return "the prescribed spin moment is " + all +
+           " what friction can carry (that of all nodes sliding around the origin)";
+  return "the prescribed tangential force and spin moment together are " + all +
+         " what friction can carry (alone the force is " + share_text(share.force) +
+         " of it, the moment " + share_text(share.moment) + ")";
+}
 
 std::string describe_outcome(const SolverState& s) {
   switch (s.outcome) {
@@ -67,7 +93,7 @@ std::string describe_outcome(const SolverState& s) {
     case Outcome::no_contact:
       return "the bodies do not touch";
     case Outcome::no_solution:
-      return "the prescribed forces have no steady solution";
+      return describe_beyond_friction(s.report.share) + ": there is no steady solution";
     case Outcome::converged:
       break;
   }

@@ -7,8 +7,10 @@
 
 namespace rollcon {
 
-/// Without the cause: "not converged after ...", "the contact reaches the rim ...", "converged
-/// ...".
+/// "not converged after ...", "contact reaches the rim ...", "converged ...".
 std::string describe_outcome(const SolverState& s);
+
+/// Which of the prescribed loads friction cannot carry, and by how much.
+std::string describe_beyond_friction(const FrictionShare& share);
 
 }  // namespace rollcon

@@ -9,8 +9,6 @@
 namespace rollcon {
 namespace {
 
-constexpr double settled = 1e-3;  // normal residual below which pressures are judged
-
 // The bodies cut at half the approach, where a smooth Hertzian contact has its edge.
 struct Cut {
   double low = INFINITY;  ///< least gap, as an approach
@@ -99,52 +97,6 @@ void start_cold(const Problem& p, Iterate& it) {
   for (std::size_t k = 0; k < p.gap.size(); ++k)
     if (p.used[k]) low = std::min(low, gap_at(p, k));
   if (std::isfinite(low)) it.motion[approach] = low;
-}
-
-bool pressures_settled(const Problem& p, const std::vector<double> (&lambda)[3], double residual) {
-  if (!(residual < settled)) return false;
-  if (!p.by_force[approach]) return true;
-  const double load = p.value[approach];
-  return std::abs(load_on_body1(p, approach, lambda).value - load) <= settled * load;
-}
-
-bool load_beyond_friction(const Problem& p, const std::vector<double> (&lambda)[3]) {
-  const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2], m = p.by_force[spin];
-  if (!f1 && !f2 && !m) return false;
-  const bool curved = !p.turn.empty();
-  double scale = 1;
-  if (p.by_force[approach]) {  // to the load that will be carried in the end
-    const double carried = load_on_body1(p, approach, lambda).value;
-    if (!(carried > 0)) return false;
-    scale = p.value[approach] / carried;
-  }
-  const auto by_friction = [&](int motion) {
-    const auto k = static_cast<std::size_t>(motion);
-    if (!p.by_force[k]) return 0.0;
-    return p.value[k] - scale * load_of_pressures(p, motion, lambda[2]);
-  };
-  const double along = by_friction(xi1), across = by_friction(xi2);
-  const double force = std::hypot(along, across);
-  // The part of a node's friction that can act in the direction of the force.
-  const auto share = [&](std::size_t k) {
-    if (!curved || !(force > 0)) return 1.0;
-    const Turn& t = p.turn[k];
-    return std::hypot(t[0][0] * along + t[0][1] * across, t[1][0] * along + t[1][1] * across) /
-           force;
-  };
-  double capacity = 0, moment = 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
-    const double limit = -p.mu[k] * lambda[2][k] * p.weight[k];
-    capacity += limit * share(k);
-    moment += std::abs(limit) * std::hypot(p.op.slip_x[k], p.op.slip_y[k]);
-  }
-  capacity *= scale;
-  moment *= scale;
-  // On a curved frame the share of friction in the normal load is not settled before the end.
-  const double margin = curved && p.by_force[approach] ? 2 * settled : -1e-12;
-  const double spin_moment = std::abs(by_friction(spin));
-  return (force > 0 && force >= capacity * (1 + margin)) ||
-         (m && spin_moment > 0 && spin_moment >= moment);
 }
 
 }  // namespace rollcon

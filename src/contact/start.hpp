@@ -1,5 +1,5 @@
 #pragma once
-/// Where iterations begin, and loads that friction cannot carry.
+/// Where iterations begin.
 
 #include <array>
 #include <vector>
@@ -21,13 +21,5 @@ GuessedContact guess_contact(const Problem& problem);
 void guess_approach(const Problem& problem, std::array<double, 4>& motion);
 /// Zero tractions; unknown motions start from zero, but bodies that carry no load just touch.
 void start_cold(const Problem& problem, Iterate& iterate);
-
-/// True when the normal part's residual and load are near those of the solution: what friction can
-/// carry may be judged by these pressures.
-bool pressures_settled(const Problem& problem, const std::vector<double> (&lambda)[3],
-                       double residual);
-/// ||F_t|| >= mu F_n has no steady solution; neither has a spin moment beyond what full sliding
-/// about the origin can give. On a curved frame pressures carry a part of these loads.
-bool load_beyond_friction(const Problem& problem, const std::vector<double> (&lambda)[3]);
 
 }  // namespace rollcon

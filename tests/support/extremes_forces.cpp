@@ -105,7 +105,8 @@ Scene forces_scene(std::uint32_t seed) {
     scene.set("operators", std::string(d.of(operators)));
     scene.set("accuracy", 1e-10);  // as the tables have it
   }
-  scene.group = std::string("several loads: ") + (pairing < 2 ? "unlike bodies" : "like bodies");
+  scene.group =
+      std::string("random: several loads, ") + (pairing < 2 ? "unlike bodies" : "like bodies");
   scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_ERR_LOAD};
   return scene;
 }

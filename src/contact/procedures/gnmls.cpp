@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/friction_limit.hpp"
 #include "contact/procedures/run.hpp"
 #include "contact/start.hpp"
 #include "support/index.hpp"
@@ -104,6 +105,21 @@ double Gnmls::load_residual(const Point& z) const {
     if (scale > 0) worst = std::max(worst, std::abs(sum.value - p.value[at(m)]) / scale);
   }
   return worst;
+}
+
+// Pressures are near those of the solution. What friction has a part in is not settled before the
+// end: pressures of unlike bodies, unless all that matters is their sum, and loads that pressures
+// carry on curved frames.
+bool Gnmls::beyond_friction() {
+  constexpr double part_of_friction = 0.05, settling = 2e-3;
+  const Problem& p = *problem_;
+  const bool moment = p.by_force[spin], curved = !p.turn.empty() && p.by_force[approach];
+  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, z_.lambda[2]);
+  const double limit = 1 + (curved ? settling : -1e-12), far = 1 + part_of_friction;
+  if (!moment && share_of_forces(p, z_.lambda) < (sum_known ? limit : far)) return false;
+  report_.share = share_of_friction(p, z_.lambda);
+  return report_.share.together >= (known ? limit : far) ||
+         (sum_known && report_.share.force >= limit);
 }
 
 bool Gnmls::creepage_unknown() const {
@@ -250,14 +266,17 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       if (k >= max_iterations) return Outcome::not_converged;
       continue;
     }
-    if (worst <= tolerance) return Outcome::converged;
+    if (worst <= tolerance) {
+      if (!tangential_ || !friction_overdrawn(p, z_.lambda)) return Outcome::converged;
+      report_.share = share_of_friction(p, z_.lambda);
+      return Outcome::no_solution;
+    }
     // A warm start that leads nowhere is left for a cold one.
     waiting = worst < progress * best_worst_ ? 0 : waiting + 1;
     if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
     if (k >= max_iterations) return Outcome::not_converged;
-    if (tangential_ && pressures_settled(p, z_.lambda, residual.normal) &&
-        load_beyond_friction(p, z_.lambda))
+    if (tangential_ && pressures_settled(p, z_.lambda, residual.normal) && beyond_friction())
       return Outcome::no_solution;
     const double eta = next_tolerance(residual, worst, tolerance);
     linearise();

@@ -29,6 +29,7 @@ class Gnmls {
   Residual evaluate(const Point& z, bool measure);
   double load_residual(const Point& z) const;
   void linearise();
+  bool beyond_friction();
   bool creepage_unknown() const;
   bool any_sticks() const;
   void estimate_slip();
