@@ -226,7 +226,9 @@ contains
 
   !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap
   !> array and the creep and friction fields. Its nodes are those of the faces, in the order of their ids in the body, and
-  !> follow the body's pose. Faces of body 2 are turned over, so that the frame's normals point out of body 1.
+  !> follow the body's pose. Of finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they are the
+  !> corners alone, and the frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2 are turned
+  !> over, so that the frame's normals point out of body 1.
   subroutine contact_frame_from_body(self, which, tag, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: which
@@ -264,7 +266,9 @@ contains
 
   !> Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap. Where a body has a mesh
   !> and no gap is given, it is measured along the frame's normals between the surfaces; a half-space or rigid body without
-  !> a mesh is then the plane through the origin of the axes.
+  !> a mesh is then the plane through the origin of the axes. These normals are level along the rolling direction
+  !> (rollcon_contact_get_tractions): a gap along the surface's own would be longer by half the square of the angle between
+  !> them.
   subroutine contact_set_gap(self, gap, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: gap(:)

@@ -164,14 +164,14 @@ enum {
    scalars ignore the axes. */
 enum {
   ROLLCON_FIELD_POINT          = 1,    /* [3] position of the node */
-  ROLLCON_FIELD_TRACTION       = 2,    /* [3] traction on body 1; normal component <= 0 */
-  ROLLCON_FIELD_GAP            = 3,    /* [1] normal gap of the deformed bodies */
+  ROLLCON_FIELD_TRACTION       = 2,    /* [3] traction on body 1; normal component <= 0, along levelled normals (rollcon_contact_get_tractions) */
+  ROLLCON_FIELD_GAP            = 3,    /* [1] gap of the deformed bodies along levelled normals */
   ROLLCON_FIELD_SLIP           = 4,    /* [2 or 3] slip velocity of body 1 relative to body 2 */
   ROLLCON_FIELD_DISPLACEMENT1  = 5,    /* [3] elastic displacement of body 1 */
   ROLLCON_FIELD_DISPLACEMENT2  = 6,    /* [3] elastic displacement of body 2 */
   ROLLCON_FIELD_AREA           = 7,    /* [1] area of the node's median-dual cell */
   ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient */
-  ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0 */
+  ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0, along levelled normals */
   ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
   ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
   ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function */
@@ -768,7 +768,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
 /*
  * Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame
  * and forgets the gap array and the creep and friction fields. Its nodes are those of the faces,
- * in the order of their ids in the body, and follow the body's pose. Faces of body 2 are turned
+ * in the order of their ids in the body, and follow the body's pose. Of finite-element bodies
+ * with tri6 among these faces (tet10, the ends of wedge15) they are the corners alone, and the
+ * frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2 are turned
  * over, so that the frame's normals point out of body 1.
  *   which    1 or 2: the body, prepared or not
  *   tag      of some element of it (else ROLLCON_ERR_ARGUMENT)
@@ -807,7 +809,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact
  * Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap.
  * Where a body has a mesh and no gap is given, it is measured along the frame's normals between
  * the surfaces; a half-space or rigid body without a mesh is then the plane through the origin of
- * the axes.
+ * the axes. These normals are level along the rolling direction (rollcon_contact_get_tractions):
+ * a gap along the surface's own would be longer by half the square of the angle between them.
  *   n        nodes of the frame
  *   gap      [n]; length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
@@ -1093,7 +1096,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_size(const rollcon_c
     int64_t *nodes, int64_t *elements);
 
 /*
- * Tractions on body 1 at the nodes; the normal component is <= 0 in compression.
+ * Tractions on body 1 at the nodes; the normal component is <= 0 in compression. Normals follow a
+ * surface across the rolling direction only: along it all are as inclined as at the origin of the
+ * axes. At a distance x from there, on a radius R, they are off the surface's own by x/R:
+ * pressures by half its square (0.02 % at x/R = 0.02, 0.5 % at 0.1), and the part p x/R of a
+ * pressure along the surface is no traction.
  *   axes      ROLLCON_LOCAL or ROLLCON_GLOBAL
  *   capacity  nodes that fit into t; at least those of the frame
  *   t         [capacity][3], out; force/length^2

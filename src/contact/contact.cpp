@@ -11,12 +11,22 @@
 #include "contact/reach.hpp"
 #include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/corner_elements.hpp"
 #include "support/clock.hpp"
 
 namespace rollcon {
 namespace {
 
 constexpr std::size_t history_rows = 512;  // room without allocation
+
+// Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move
+// there otherwise than at midside nodes: tractions on both swing from node to node. Linear ones,
+// told from the displacements of the vertices, do not (docs/theory.md, section 10).
+bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
+  for (std::size_t e = 0; e < surface.type.size(); ++e)
+    if (surface.tag[e] == tag && surface.type[e] == ElementType::tri6) return true;
+  return false;
+}
 
 // Records history and passes every iteration to the caller's callback.
 class Watch final : public Monitor {
@@ -184,7 +194,8 @@ void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
          "body %d has no %selements whose faces could be the frame: call rollcon_body_add_elements "
          "first",
          which, body.kind() == BodyKind::fem ? "volume " : "");
-  scene.set_frame_from(which - 1, surface, tag);
+  const bool corners = body.kind() == BodyKind::fem && has_tri6(surface, tag);
+  scene.set_frame_from(which - 1, corners ? corner_elements(surface) : surface, tag);
 }
 
 std::int64_t Contact::nodes() const {

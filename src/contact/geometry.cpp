@@ -26,8 +26,10 @@ std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
     const auto first = static_cast<std::size_t>(mesh.offset[static_cast<std::size_t>(e)]);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto fan = static_cast<std::size_t>(fans.of[first + i]);
-      const auto k = static_cast<std::size_t>(number[static_cast<std::size_t>(nodes[i])]);
-      sum[k] = sum[k] + fans.normal[fan];
+      const std::int32_t k = number[static_cast<std::size_t>(nodes[i])];
+      if (k < 0) continue;  // a frame of the faces' corners
+      Vec3& there = sum[static_cast<std::size_t>(k)];
+      there = there + fans.normal[fan];
     }
   }
   return sum;
@@ -68,15 +70,6 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   }
   missed.fail_if_any();
   return normal;
-}
-
-void clear_rim_at_edges(Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
-  if (source.body < 0) return;
-  const TractionNodes& fans = pair.body[static_cast<std::size_t>(source.body)]->smooth_fans();
-  for (std::size_t k = 0; k < source.node.size(); ++k) {
-    const auto node = static_cast<std::size_t>(source.node[k]);
-    if (fans.start[node + 1] - fans.start[node] > 1) frame.rim[k] = 0;
-  }
 }
 
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,

@@ -27,6 +27,11 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
                                    const PairOfBodies& pair);
 
+/// Makes of a gap, measured as above or given, the one that the bodies' displacements can close
+/// between nodes of their linear faces (gap_on_faces.cpp). Nothing changes at those nodes.
+void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
+                      bool measured, std::vector<double>& gap);
+
 /// Frame nodes where the bodies overlap before they approach each other, and the greatest depth.
 struct InitialOverlap {
   std::int64_t nodes = 0;
@@ -39,8 +44,8 @@ InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& ga
 void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
                          const PairOfBodies& pair);
 
-/// Contact that reaches the edge of its body is not cut off by the frame: nodes of a frame taken
-/// from a body that lie on a sharp edge of it do not count as rim.
-void clear_rim_at_edges(Frame& frame, const FrameSource& source, const PairOfBodies& pair);
+/// Nodes at which the frame cuts the contact off: those on its boundary, but for nodes on an edge
+/// of either body beyond which the body does not go on, or only too steeply for a frame.
+void find_rim(Frame& frame, const PairOfBodies& pair);
 
 }  // namespace rollcon

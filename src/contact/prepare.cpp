@@ -51,23 +51,31 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   if (source.element.back() >= mesh.elements()) return {};
   std::vector<std::uint8_t> known(static_cast<std::size_t>(mesh.nodes()), 0);
   for (const std::int32_t k : source.node) known[static_cast<std::size_t>(k)] = 1;
-  for (const std::int64_t e : source.element)
-    for (const std::int32_t k : mesh.element(e))
+  // Of a frame of corners, those of the faces.
+  for (std::size_t i = 0; i < source.element.size(); ++i) {
+    const auto own = scene.mesh().element(static_cast<std::int64_t>(i));
+    const auto face = mesh.element(source.element[i]);
+    if (face.size() < own.size()) return {};
+    for (const std::int32_t k : face.first(own.size()))
       if (!known[static_cast<std::size_t>(k)]) return {};
+  }
   return source;
 }
 
 void build_frame_part(SolverState& state, const Scene& scene, const PairOfBodies& pair) {
+  const std::array<std::int64_t, 2> poses_before = state.pose_revision;
   const bool same_poses = poses_leave_frame(state, scene, pair);
   if (state.mesh_revision == scene.revision.mesh && state.axes_revision == scene.revision.axes &&
-      same_poses)
+      same_poses) {
+    if (state.pose_revision != poses_before) find_rim(state.frame, pair);
     return;
+  }
   ++state.work.frames;
   Frame frame = build_frame(scene.mesh(), scene.axes());
   state.frame_source = present_source(scene, pair);
   if (normal_source(pair) >= 0)
     curve_frame(frame, surface_normals(frame, state.frame_source, pair));
-  clear_rim_at_edges(frame, state.frame_source, pair);
+  find_rim(frame, pair);
   const bool same_size =
       frame.nodes() == state.frame.nodes() && state.mesh_revision == scene.revision.mesh;
   state.frame = std::move(frame);
@@ -327,6 +335,7 @@ void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) 
     p.gap = undeformed_gap(state.frame, state.frame_source, pair);
     refuse_deep_overlap(state.frame, p.gap, pair);
   }
+  fit_gap_to_faces(state.frame, state.frame_source, pair, !scene.has_gap(), p.gap);
   for (std::size_t k = 0; k < state.offset_depth.size(); ++k) p.gap[k] -= state.offset_depth[k];
   set_datum(state);
   state.gap_revision = scene.revision.gap;

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "mesh/corner_elements.hpp"
 #include "mesh/coupled_element.hpp"
+#include "mesh/shape.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
@@ -54,15 +56,34 @@ ElementMatrix own_matrix(const SurfaceMesh& mesh, std::int64_t element) {
   return m;
 }
 
-/// The face that a layer element is, with its local nodes in the layer's order; -1: none.
+/// Of int N_i L_j, L_j the linear function of corner j.
+ElementMatrix corner_matrix(const SurfaceMesh& mesh, std::int64_t element) {
+  const ElementType type = mesh.type[at(element)];
+  const auto corners = static_cast<std::size_t>(corner_count(type));
+  // By the corner functions themselves: they are linear in the quadratic ones.
+  const auto points = reference_nodes(type);
+  std::array<Shape, max_element_nodes> linear;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    evaluate_shape(linear_type(type), points[k].xi, points[k].eta, linear[k]);
+  const ElementMatrix own = own_matrix(mesh, element);
+  ElementMatrix m{};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < corners; ++j)
+      for (std::size_t k = 0; k < points.size(); ++k) m[i][j] += own[i][k] * linear[k].value[j];
+  return m;
+}
+
+/// The face that a layer element is, or whose corners a linear one has, with its local nodes in the
+/// layer's order; -1: none.
 std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> candidates,
                        const SurfaceMesh& layer, std::int64_t element,
                        std::array<std::size_t, max_element_nodes>& local) {
   const auto nodes = layer.element(element);
   const double reach = 1e-9 * element_diameter(layer, element);
   for (const std::int64_t f : candidates) {
-    if (body.type[at(f)] != layer.type[at(element)]) continue;
-    const auto own = body.element(f);
+    const ElementType type = layer.type[at(element)];
+    if (body.type[at(f)] != type && linear_type(body.type[at(f)]) != type) continue;
+    const auto own = body.element(f).first(nodes.size());
     std::size_t found = 0;
     for (; found < nodes.size(); ++found) {
       const Vec3& x = layer.node[at(nodes[found])];
@@ -112,23 +133,28 @@ SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64
   const SurfaceSearch search(body, face);
   ElementCoupling coupling(body, search, layer);
   std::array<std::size_t, max_element_nodes> local{};
+  bool in_faces = true;
   for (std::int64_t e = 0; e < layer.elements(); ++e) {
     const auto nodes = layer.element(e);
     const std::int64_t same = same_face(body, coupling.candidates(e), layer, e, local);
     if (same >= 0) {
-      const ElementMatrix m = own_matrix(body, same);
+      const bool whole = body.type[at(same)] == layer.type[at(e)];
+      const ElementMatrix m = whole ? own_matrix(body, same) : corner_matrix(body, same);
       const auto own = body.element(same);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t i = 0; i < own.size(); ++i)
         for (std::size_t j = 0; j < nodes.size(); ++j)
           entry.push_back({own[i], nodes[j], m[i][local[j]]});
       continue;
     }
+    in_faces = false;
     for (const CoupledNode& row : coupling.integrate(e))
       for (std::size_t j = 0; j < nodes.size(); ++j)
         entry.push_back({row.node, nodes[j], row.value[j]});
   }
   drop_slivers(entry, body.nodes());
-  return compress(entry);
+  SurfaceCoupling result = compress(entry);
+  result.in_faces = in_faces;
+  return result;
 }
 
 }  // namespace rollcon

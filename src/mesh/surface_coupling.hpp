@@ -17,6 +17,9 @@ struct SurfaceCoupling {
   std::vector<std::int64_t> start;   ///< node.size() + 1
   std::vector<std::int32_t> column;  ///< ascending in each row
   std::vector<double> value;         ///< area
+  /// Every element of the layer is a face of the body or has the corners of one: its tractions are
+  /// among those that the faces' own shape functions can give.
+  bool in_faces = false;
 };
 
 /// Faces of one mesh, ascending: columns are its nodes too.
@@ -29,7 +32,8 @@ SurfaceCoupling couple_faces(const SurfaceMesh& mesh, std::span<const std::int64
 /// contact patch test: to rounding on flat meshes with straight sides, also distorted ones; on
 /// curved ones to second order). What of the layer lies over no face goes to the nearest one: the
 /// sum over i is always int N_j over the layer. Layer elements that are faces of the body, node for
-/// node, are coupled as couple_faces does. No faces: an empty matrix.
+/// node, are coupled as couple_faces does, and linear ones with the corners of a quadratic face
+/// over that face. No faces: an empty matrix.
 SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face,
                              const SurfaceMesh& layer);
 

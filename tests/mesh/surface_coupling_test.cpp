@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "mesh/corner_elements.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
 #include "mesh/surface_search.hpp"
@@ -419,6 +420,41 @@ TEST(SurfaceCoupling, ThousandsOfElements) {
                          (fraction > 0 ? ", distorted" : "") + ": columns",
                      column_error(m, layer), 1e-12);
       }
+}
+
+// Linear tractions on the corners of quadratic faces: exact, wherever the midside nodes are.
+TEST(SurfaceCoupling, corners_of_quadratic_faces) {
+  for (const ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
+    const auto lines = uniform_lines(0, 2, 3);
+    const SurfaceMesh body = perturb(rectangle(type, lines, lines), 0.1, 5);
+    const SurfaceMesh layer = corner_elements(body);
+    const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
+    EXPECT_TRUE(m.in_faces) << name_of(type);
+    EXPECT_EQ(layer.type[0], linear_type(type));
+    // By the face's own coordinates, as its shape functions are.
+    std::vector<double> traction(body.node.size(), 0.0), expected(body.node.size(), 0.0);
+    for (const std::int32_t k : layer.connectivity) traction[at(k)] = 1 + 0.3 * k;
+    integrate_surface(body, [&](std::int64_t e, const Shape& s, const Vec3&, double area) {
+      const auto nodes = body.element(e);
+      double t = 0;
+      for (std::size_t i = 0; i < nodes.size(); ++i) {
+        Shape linear;
+        const ReferencePoint there = reference_nodes(type)[i];
+        evaluate_shape(linear_type(type), there.xi, there.eta, linear);
+        for (int c = 0; c < corner_count(type); ++c)
+          t += s.value[i] * linear.value[at(c)] * traction[at(nodes[at(c)])];
+      }
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        expected[at(nodes[i])] += area * s.value[i] * t;
+    });
+    std::vector<double> found = loads(m, body, traction);
+    for (std::size_t k = 0; k < found.size(); ++k) found[k] -= expected[k];
+    expect_error(name_of(type) + ": loads of linear tractions", largest(found) / largest(expected),
+                 1e-13);
+    const auto others = uniform_lines(0, 2, 4);
+    EXPECT_FALSE(
+        couple_layer(body, all_of(body), rectangle(ElementType::tri3, others, others)).in_faces);
+  }
 }
 
 }  // namespace

@@ -151,8 +151,10 @@ class ContactPlain:
     def frame_from_body(self, which, tag):
         """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of
         the frame and forgets the gap array and the creep and friction fields. Its nodes are those
-        of the faces, in the order of their ids in the body, and follow the body's pose. Faces of
-        body 2 are turned over, so that the frame's normals point out of body 1.
+        of the faces, in the order of their ids in the body, and follow the body's pose. Of
+        finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they are
+        the corners alone, and the frame's elements linear: size() tells how many. Faces of body 2
+        are turned over, so that the frame's normals point out of body 1.
 
         which: 1 or 2: the body, prepared or not.
         tag: of some element of it (else ERR_ARGUMENT).
@@ -177,7 +179,9 @@ class ContactPlain:
         """Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic
         gap. Where a body has a mesh and no gap is given, it is measured along the frame's normals
         between the surfaces; a half-space or rigid body without a mesh is then the plane through
-        the origin of the axes.
+        the origin of the axes. These normals are level along the rolling direction (tractions()):
+        a gap along the surface's own would be longer by half the square of the angle between
+        them.
 
         gap: length.
         """

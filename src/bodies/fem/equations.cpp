@@ -132,6 +132,7 @@ void System::load(std::span<const std::int64_t> face, SurfaceLoads& loads, int /
 void System::load(const SurfaceMesh& layer, SurfaceLoads& loads, int /*threads*/) {
   FeltTractions felt = feel(layer, loads);
   write_loads(felt.node, by_columns(felt.load), loads);
+  if (felt.traction.rows() == 0) return;
   loads.seen_node = std::move(felt.node);
   loads.seen = std::move(felt.traction);
 }

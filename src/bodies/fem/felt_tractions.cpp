@@ -93,6 +93,19 @@ std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t 
 
 }  // namespace
 
+RowMatrix<double> columns_of(const SurfaceCoupling& coupling,
+                             std::span<const std::int32_t> column) {
+  RowMatrix<double> load;
+  load.resize(static_cast<std::int64_t>(coupling.node.size()),
+              static_cast<std::int64_t>(column.size()));
+  for (std::size_t r = 0; r < coupling.node.size(); ++r)
+    for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k) {
+      const auto found = std::lower_bound(column.begin(), column.end(), coupling.column[at(k)]);
+      load.row(static_cast<std::int64_t>(r))[found - column.begin()] = coupling.value[at(k)];
+    }
+  return load;
+}
+
 std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionNodes& fans,
                                      std::span<const std::int64_t> face,
                                      const SurfaceCoupling& coupling) {

@@ -19,9 +19,12 @@ namespace rollcon::fem {
 
 struct FeltTractions {
   std::vector<std::int32_t> node;  ///< of the faces, ascending
-  RowMatrix<double> traction;      ///< s at these nodes for each column of the coupling
-  RowMatrix<double> load;          ///< M s
+  RowMatrix<double> traction;  ///< s at these nodes for each column of the coupling; empty: s is t
+  RowMatrix<double> load;      ///< M s
 };
+
+/// The coupling as a dense matrix: one row for each of its nodes; column: its columns, ascending.
+RowMatrix<double> columns_of(const SurfaceCoupling& coupling, std::span<const std::int32_t> column);
 
 /// By face: 0 under a frame as coarse as the body, whose tractions are felt as they are, growing to
 /// the spacing of the face's nodes over its size under a much finer one. 0 too for faces at sharp

@@ -124,6 +124,8 @@ FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) co
     normal = normal + element_area(layer, e) * unit_normal(layer, e, middle, middle);
   const std::vector<std::int64_t> candidates = facing(normalized(normal));
   const SurfaceCoupling coupling = couple_layer(surface_, candidates, layer);
+  // Nothing of such tractions is left to a half-space.
+  if (coupling.in_faces) return {coupling.node, {}, columns_of(coupling, outline.column)};
   outline.seen_face = feeling_faces(coupling, outline, candidates);
   choose_material(outline);
   std::vector<double> share = smoothing_shares(surface_, fans_, outline.seen_face, coupling);
@@ -134,6 +136,7 @@ FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) co
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   FeltTractions felt = feel(layer, rows);
   condense(felt.node, felt.load, rows, threads);
+  if (felt.traction.rows() == 0) return;
   rows.seen_node = std::move(felt.node);
   rows.seen = std::move(felt.traction);
 }

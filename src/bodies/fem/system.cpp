@@ -253,16 +253,7 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
 
 void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
   const SurfaceCoupling mass = couple_faces(surface_, face);
-  RowMatrix<double> load;
-  load.resize(static_cast<std::int64_t>(mass.node.size()),
-              static_cast<std::int64_t>(rows.column.size()));
-  for (std::size_t r = 0; r < mass.node.size(); ++r)
-    for (std::int64_t k = mass.start[r]; k < mass.start[r + 1]; ++k) {
-      const auto column =
-          std::lower_bound(rows.column.begin(), rows.column.end(), mass.column[at(k)]);
-      load.row(static_cast<std::int64_t>(r))[column - rows.column.begin()] = mass.value[at(k)];
-    }
-  condense(mass.node, load, rows, threads);
+  condense(mass.node, columns_of(mass, rows.column), rows, threads);
 }
 
 BodyStatistics System::statistics() const {

@@ -1,0 +1,92 @@
+// Contact over the full width of a body: where the body ends, a frame laid on it has no rim.
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "support/frames.hpp"
+#include "support/scene.hpp"
+#include "support/volume_meshes.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double side = 2, height = 1;
+
+scenes::MeshedBody block(std::int32_t held) {
+  scenes::MeshedBody body = scenes::meshed(
+      volumes::block(surfaces::brick({3, 3, 2}, {side, side, height}), VolumeType::hex8),
+      {.shear = 1e3, .poisson = 0.3});
+  body.held_tag = {held};
+  return body;
+}
+
+/// Linear quadrilaterals from `margin` to side - margin in both directions.
+SurfaceMesh laid(double margin, double z) {
+  const auto lines = frames::uniform_lines(margin, side - margin, 5);
+  return surfaces::transform(frames::rectangle(ElementType::quad4, lines, lines),
+                             [z](const Vec3& x) {
+                               return Vec3{x[0], x[1], z};
+                             });
+}
+
+std::int32_t press(scenes::RollingPair& pair, double z) {
+  pair.axes({side / 2, side / 2, z}, {1, 0, 0}, {0, 0, 1}).friction(0).approach(1e-3);
+  const std::int32_t status = pair.solve();
+  std::printf("status %d, %g nodes in contact, %g on a rim\n", status, pair.stat("nodes_contact"),
+              pair.stat("nodes_rim"));
+  return status;
+}
+
+TEST(RimAtEdges, the_edge_of_body_1_is_none) {
+  scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
+  pair.frame(laid(0, height));
+  EXPECT_EQ(press(pair, height), ROLLCON_OK);
+  EXPECT_EQ(pair.stat("nodes_contact"), 36);
+  EXPECT_EQ(pair.stat("nodes_rim"), 0);
+}
+
+TEST(RimAtEdges, the_edge_of_body_2_is_none) {
+  scenes::RollingPair pair(scenes::RigidBody{}, block(6), 1);
+  pair.frame(laid(0, 0));
+  EXPECT_EQ(press(pair, 0), ROLLCON_OK);
+  EXPECT_EQ(pair.stat("nodes_rim"), 0);
+}
+
+TEST(RimAtEdges, a_frame_that_ends_before_the_edge_has_one) {
+  scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
+  pair.frame(laid(0.05, height));
+  EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
+  EXPECT_EQ(pair.stat("nodes_rim"), 20);
+}
+
+TEST(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
+  scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
+  const auto lines = frames::uniform_lines(0, side, 5);
+  const auto half = frames::uniform_lines(0, side / 2, 5);
+  pair.frame(
+      surfaces::transform(frames::rectangle(ElementType::quad4, half, lines), [](const Vec3& x) {
+        return Vec3{x[0], x[1], height};
+      }));
+  EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
+  EXPECT_EQ(pair.stat("nodes_rim"), 4);  // its last line less the ends, which are on edges
+}
+
+// The edge of a rigid surface that moves along: the frame is not made anew.
+TEST(RimAtEdges, follows_a_rigid_body_that_moves) {
+  scenes::MeshedBody plate;
+  plate.mesh =
+      surfaces::block(surfaces::brick({2, 2, 1}, {side, side, height}), ElementType::quad4);
+  scenes::RollingPair pair(block(5), plate, 1);
+  pair.frame(laid(0.1, height));
+  const std::array<Vec3, 3> same{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  pair.pose(2, same, {0.1, 0, height});
+  EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
+  EXPECT_EQ(pair.stat("nodes_rim"), 14);  // the plate ends over the first line of six
+  pair.pose(2, same, {0, 0, height});
+  EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
+  EXPECT_EQ(pair.stat("nodes_rim"), 20);
+}
+
+}  // namespace
+}  // namespace rollcon
