@@ -56,6 +56,7 @@ std::unique_ptr<SolverState> share(SolverState& from) {
   to->offset_depth = from.offset_depth;
   for (int c = 0; c < 2; ++c) to->offset_slip[c] = from.offset_slip[c];
   to->lattice = from.lattice;
+  to->no_lattice = from.no_lattice;
   to->lattice_known = from.lattice_known;
   to->table = from.table;
   to->problem = share(from.problem);

@@ -11,8 +11,9 @@
 
 namespace rollcon {
 
-/// nx by ny cells of dx by dy, turned, with nodes and elements renumbered.
-inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle) {
+/// nx by ny cells of dx by dy, turned, with nodes and elements renumbered; with holes: a corner
+/// cell, one at a side, two that meet in a node and four around one lack, and a node lies loose.
+inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, bool holes = false) {
   SurfaceMesh mesh = frames::rotate(
       frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, -1 + nx * dx, nx),
                         frames::uniform_lines(0.5, 0.5 + ny * dy, ny)),
@@ -25,6 +26,16 @@ inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle) {
   for (std::size_t k = 0; k < n; ++k) node[static_cast<std::size_t>(number[k])] = mesh.node[k];
   mesh.node = node;
   for (std::int32_t& k : mesh.connectivity) k = number[static_cast<std::size_t>(k)];
+  if (holes) {
+    mesh.node.push_back({-7, 3, 0});
+    const int gone[][2] = {{5, 6}, {5, 5}, {4, 6}, {4, 5}, {2, 3}, {1, 2}, {3, 0}, {0, 0}};
+    for (const auto& cell : gone) {  // the last one first
+      const auto e = static_cast<std::ptrdiff_t>(cell[1] * nx + cell[0]);
+      mesh.connectivity.erase(mesh.connectivity.begin() + 4 * e,
+                              mesh.connectivity.begin() + 4 * e + 4);
+      mesh.type.pop_back(), mesh.tag.pop_back(), mesh.offset.pop_back();
+    }
+  }
   return build_frame(std::move(mesh), Axes{});
 }
 

@@ -27,12 +27,20 @@ inline double cross(Vec2 a, Vec2 b) {
 struct Cell {
   int corners;
   Vec2 corner[4];  ///< reference coordinates, counter-clockwise
-  int depth = 0;
+  int depth = 0;   ///< halvings of the area, about
 
   Vec2 centre() const;
   /// Parts of equal reference size: a quadrilateral halved along its first or second direction or
   /// both, a triangle in four. Returns their number.
   int split(bool first, bool second, Cell* parts) const;
+  /// A quadrilateral along the diagonal through its corner 0, or the other one.
+  int cut(bool other, Cell* parts) const;
+  /// A triangle from the point `part` of the way along its side (from corner `side`) to the corner
+  /// opposite.
+  int split_at_foot(int side, double part, Cell* parts) const;
+  /// A triangle halfway between a side and the corner opposite; what is beside the side along its
+  /// diagonal from the side's first corner, or the other one.
+  int split_needle(int side, bool other, Cell* parts) const;
   /// How far a reference point lies outside, in half sizes of the cell (0: inside or on it).
   double distance_outside(Vec2 point) const;
 };

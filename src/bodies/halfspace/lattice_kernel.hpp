@@ -5,25 +5,24 @@
 #include <cstdint>
 #include <vector>
 
-#include "bodies/halfspace/hat_rules.hpp"
 #include "bodies/halfspace/kernels.hpp"
-#include "bodies/halfspace/lattice_antiderivatives.hpp"
+#include "bodies/halfspace/lattice_near.hpp"
 
 namespace rollcon::halfspace {
 
-/// The shape function of one node: product of two hats of half-widths dx, dy. Nodes on the rim of a
-/// frame have halves.
-struct LatticeHat {
-  double dx = 0, dy = 0;
-  Hat x = Hat::whole, y = Hat::whole;
+/// Largest offsets, in cells, that are asked for.
+struct OffsetReach {
+  std::int64_t x, y;
 };
 
 /// The five integrals of kernels.hpp of a source at the origin for observers at
-/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral.
+/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
 class LatticeIntegrals {
  public:
-  /// terms: which integrals are wanted.
-  LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms);
+  /// terms: which integrals are wanted. Takes time and memory in proportion to `reach` at most,
+  /// however slender the cells.
+  LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
+                   OffsetReach reach);
 
   /// integral[k][m], m < count: observer (first + m, j). Unwanted integrals are left alone. May be
   /// called by several threads at once.
@@ -34,11 +33,6 @@ class LatticeIntegrals {
   struct Rule {
     std::vector<double> x, w;
   };
-  struct Range {
-    std::int64_t first = 0, last = -1;
-    std::int64_t size() const { return last - first + 1; }
-    bool contains(std::int64_t i) const { return first <= i && i <= last; }
-  };
   void make_near();
   void far(double y, const double* x, std::int64_t count, std::int64_t at,
            double* const (&integral)[integral_count]) const;
@@ -46,7 +40,8 @@ class LatticeIntegrals {
   LatticeHat hat_;
   double shift_x_, shift_y_;
   int terms_;
-  Range near_x_, near_y_;  ///< closed forms where both indices lie in these
+  OffsetReach reach_;
+  OffsetRange near_x_, near_y_;  ///< closed forms where both indices lie in these
   std::vector<double> near_[integral_count];
   double largest_ = 1;                 ///< integral 0 at the source
   std::vector<Rule> rule_x_, rule_y_;  ///< [n], n = 1 to max_hat_points

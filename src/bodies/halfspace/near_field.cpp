@@ -12,7 +12,8 @@
 namespace rollcon::halfspace {
 namespace {
 
-constexpr int max_depth = 40;
+constexpr int max_depth = 120;  ///< halvings of area; what is left is smaller than rounding
+constexpr double slender = 4;   ///< sides' ratio from which the longer one is split alone
 constexpr double most_gauss_points = 12;  ///< per direction, before a cell is split
 constexpr double most_uneven = 0.3;       ///< departure from the tangent map that polar takes
 constexpr double reach_affine = 4;        ///< how far outside polar works, in half sizes
@@ -98,11 +99,55 @@ class Integration {
     measure(cell, geometry);
     bool split_first = true, split_second = true;
     if (gauss(cell, geometry, split_first, split_second)) return;
-    if (cell.depth == max_depth) return;  // smaller than rounding
+    if (cell.depth >= max_depth) return;
     if (locate(cell.centre()) && polar(cell)) return;
     Cell parts[4];
-    const int n = cell.split(split_first, split_second, parts);
+    const int n = cell.corners == 3
+                      ? split_triangle(cell, geometry, parts)
+                      : split_square(cell, geometry, split_first, split_second, parts);
     for (int i = 0; i < n; ++i) integrate(parts[i]);
+  }
+
+  /// Splitting must make slender cells rounder: the cells between one that is as it was and an
+  /// observer beside its long side would otherwise be as many as the sides' ratio.
+  int split_square(const Cell& cell, const CellShape& g, bool first, bool second,
+                          Cell* parts) const {
+    // Mapped elements would need more triangles than squares.
+    if (first && second && shape_.map == MapKind::affine) {
+      const Vec2 a = g.middle[1] - g.middle[3], b = g.middle[2] - g.middle[0];
+      const double aa = dot(a, a), bb = dot(b, b), area = cross(a, b);
+      if (slender * slender * area * area < aa * bb) {
+        const Vec2 c = g.corner[2] - g.corner[0], d = g.corner[3] - g.corner[1];
+        return cell.cut(dot(d, d) < dot(c, c), parts);
+      }
+      first = aa * slender * slender > bb;
+      second = bb * slender * slender > aa;
+    }
+    return cell.split(first, second, parts);
+  }
+
+  static int split_triangle(const Cell& cell, const CellShape& g, Cell* parts) {
+    double square[3];
+    int longest = 0, shortest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const Vec2 side = g.corner[(i + 1) % 3] - g.corner[i];
+      square[i] = dot(side, side);
+      if (square[i] > square[longest]) longest = i;
+      if (square[i] < square[shortest]) shortest = i;
+    }
+    const double height = 2 * g.area / std::sqrt(square[longest]);
+    if (!(slender * height < std::sqrt(square[longest]))) return cell.split(true, true, parts);
+    if (square[shortest] > 4 * height * height) {
+      const int next = (longest + 1) % 3;
+      const Vec2 base = g.corner[next] - g.corner[longest],
+                 apex = g.corner[(longest + 2) % 3] - g.corner[longest];
+      return cell.split_at_foot(longest, dot(base, apex) / dot(base, base), parts);
+    }
+    // Of the trapezoid beside the shortest side, the shorter diagonal.
+    const int next = (shortest + 1) % 3, tip = (shortest + 2) % 3;
+    const Vec2 one = 0.5 * (g.corner[next] + g.corner[tip]) - g.corner[shortest],
+               other = 0.5 * (g.corner[shortest] + g.corner[tip]) - g.corner[next];
+    return cell.split_needle(shortest, dot(other, other) < dot(one, one), parts);
   }
 
   void measure(const Cell& cell, CellShape& g) const {
@@ -128,8 +173,9 @@ class Integration {
     const double distance = std::max(std::sqrt(dot(g.centre, g.centre)), 0.5 * g.half_length);
     const double safety = shape_.map == MapKind::affine ? 1 : 10;
     const double tolerance = tolerance_ * distance / (safety * g.area);
-    const int p = direction_degree(shape_.type, shape_.map);
     if (cell.corners == 3) {
+      const int p = corner_count(shape_.type) == 3 ? direction_degree(shape_.type, shape_.map)
+                                                   : ray_degree(shape_.type, shape_.map);
       double rho = 1e300;
       for (int i = 0; i < 3; ++i)
         rho = std::min(rho, ellipse_parameter(g.corner[i], g.middle[i], g.corner[(i + 1) % 3]));
@@ -138,6 +184,7 @@ class Integration {
         if (rule.degree >= degree) return triangle_gauss(cell, rule);
       return false;
     }
+    const int p = direction_degree(shape_.type, shape_.map);
     const double first = std::min({ellipse_parameter(g.corner[0], g.middle[0], g.corner[1]),
                                    ellipse_parameter(g.middle[3], g.centre, g.middle[1]),
                                    ellipse_parameter(g.corner[3], g.middle[2], g.corner[2])});

@@ -77,7 +77,7 @@ std::vector<double> characteristic_steps(const Frame& frame, double part) {
   constexpr double further_on_rim = 0.8, further_inside = 0.3;
   const auto n = static_cast<std::size_t>(frame.nodes());
   const std::optional<Lattice> lattice = find_lattice(frame);
-  if (lattice && lattice->nx > 2 && lattice->ny > 2)
+  if (lattice && lattice->has_inner_node())
     return std::vector<double>(n, part * lattice->spacing_along_flow());
   std::vector<double> step = spacing_along_flow(frame);
   const std::vector<Spread> spread = spread_along_flow(frame);

@@ -4,10 +4,23 @@
 
 namespace rollcon {
 
-Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries)
+namespace {
+
+// Whole hats belong to inner nodes.
+std::int64_t reach_of(std::int64_t nodes, const HatPiece& sources) {
+  return nodes - (sources.whole() ? 2 : 1);
+}
+
+}  // namespace
+
+Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries,
+                         const HatPiece& sources)
     : lattice_(lattice),
-      px_(fft_size(2 * lattice.nx - 3)),
-      py_(fft_size(2 * lattice.ny - 3)),
+      reach_x_(reach_of(lattice.nx, sources)),
+      reach_y_(reach_of(lattice.ny, sources)),
+      source_(lattice.node.size(), -1),
+      px_(fft_size(2 * reach_x_ + 1)),
+      py_(fft_size(2 * reach_y_ + 1)),
       columns_(px_ / 2 + 1),
       mirrored_(entries.mirror(0, 0) != 0),
       kept_(mirrored_ ? py_ / 2 + 1 : py_),
@@ -24,13 +37,17 @@ Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries)
     spectrum_.emplace_back(columns_ * kept_stride_);
     std::fill_n(spectrum_.back().data(), spectrum_.back().size(), Complex{});
   }
+  for (const std::int32_t place : sources.places) {
+    const auto at = static_cast<std::size_t>(place);
+    source_[at] = lattice.node[at];
+  }
   fill_rows(entries);
   transform_spectra();
 }
 
 /// Rows of entries, transformed along x; columns of spectrum_ then hold values by offset along y.
 void Convolution::fill_rows(const LatticeEntries& entries) {
-  const std::int64_t reach_x = lattice_.nx - 2, reach_y = lattice_.ny - 2;
+  const std::int64_t reach_x = reach_x_, reach_y = reach_y_;
   const std::int64_t count = 2 * reach_x + 1;
   const std::size_t kinds = kinds_.kind.size();
   std::vector<std::vector<double>> value(kinds,
@@ -98,7 +115,7 @@ std::size_t Convolution::Workspace::bytes() const {
 }
 
 std::size_t Convolution::bytes() const {
-  std::size_t sum = sizeof *this;
+  std::size_t sum = sizeof *this + source_.size() * sizeof(std::int32_t);
   for (const auto& s : spectrum_) sum += s.bytes();
   return sum;
 }
@@ -111,11 +128,10 @@ void Convolution::transform_rows(int c, const double* lambda, Workspace& w) cons
   for (std::int64_t iy = 0; iy < ny; ++iy) {
     std::uint8_t& loaded = w.loaded[c][static_cast<std::size_t>(iy)];
     loaded = 0;
-    if (iy == 0 || iy == ny - 1) continue;
-    const std::int32_t* node = lattice_.node.data() + iy * nx;
+    const std::int32_t* source = source_.data() + iy * nx;
     bool any = false;
-    for (std::int64_t ix = 1; ix < nx - 1; ++ix) {
-      const double v = lambda[node[ix]];
+    for (std::int64_t ix = 0; ix < nx; ++ix) {
+      const double v = source[ix] >= 0 ? lambda[source[ix]] : 0;
       any = any || v != 0;
       row[ix] = v;
     }
@@ -190,8 +206,8 @@ bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], cons
   return true;
 }
 
-void Convolution::apply(const double* const (&lambda)[3], double* const (&image)[3],
-                        Workspace& w) const {
+void Convolution::run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w,
+                      bool add) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   bool source[3], target[3];
   for (int c = 0; c < 3; ++c) {
@@ -209,7 +225,11 @@ void Convolution::apply(const double* const (&lambda)[3], double* const (&image)
         std::copy_n(w.half.data() + tile(r, k) + iy * block, block, w.waves.data() + k * block);
       along_.inverse(w.waves.data(), row);
       const std::int32_t* node = lattice_.node.data() + iy * nx;
-      for (std::int64_t ix = 0; ix < nx; ++ix) image[r][node[ix]] = row[ix];
+      for (std::int64_t ix = 0; ix < nx; ++ix) {
+        if (node[ix] < 0) continue;
+        double& to = image[r][node[ix]];
+        to = add ? to + row[ix] : row[ix];
+      }
     }
   }
 }

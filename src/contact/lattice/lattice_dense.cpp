@@ -4,30 +4,32 @@
 #include <cmath>
 #include <vector>
 
+#include "contact/lattice/hat_pieces.hpp"
 #include "contact/lattice/lattice_entries.hpp"
 
 namespace rollcon {
 namespace {
 
-/// Sources [first, last] along one axis whose hats are alike.
-struct Sources {
-  Hat hat;
-  std::int64_t first, last;
-};
-
-/// Entries of the sources of one kind for all offsets that occur.
+/// Entries of the sources with one shape of hat for all offsets that occur.
 class Part {
  public:
-  Part(const Lattice& lattice, HalfspaceConstants c, double delta, Sources x, Sources y)
-      : lattice_(lattice),
-        x_(x),
-        y_(y),
-        first_i_(-x.last),
-        first_j_(-y.last),
-        width_(lattice.nx - x.first + x.last) {
-    const LatticeEntries entries(lattice, c, delta, x.hat, y.hat);
+  Part(const Lattice& lattice, HalfspaceConstants c, double delta, const HatPiece& sources) {
+    std::int64_t low_x = lattice.nx, high_x = 0;
+    for (const std::int32_t place : sources.places) {
+      low_x = std::min(low_x, place % lattice.nx);
+      high_x = std::max(high_x, place % lattice.nx);
+    }
+    const std::int64_t low_y = sources.places.front() / lattice.nx,
+                       high_y = sources.places.back() / lattice.nx;
+    const std::int64_t first_i = -high_x, first_j = -high_y;
+    const std::int64_t height = lattice.ny - low_y + high_y;
+    width_ = lattice.nx - low_x + high_x;
+    middle_ = -first_j * width_ - first_i;
+    for (const std::int32_t place : sources.places)
+      source_.push_back({lattice.node[static_cast<std::size_t>(place)],
+                         place / lattice.nx * width_ + place % lattice.nx});
+    const LatticeEntries entries(lattice, c, delta, sources.x, sources.y);
     kinds_ = entries.kinds();
-    const std::int64_t height = lattice.ny - y.first + y.last;
     value_.assign(kinds_.kind.size(),
                   std::vector<double>(static_cast<std::size_t>(width_ * height)));
     LatticeEntries::Workspace w;
@@ -35,44 +37,36 @@ class Part {
       double* entry[3][3] = {};
       for (std::size_t k = 0; k < value_.size(); ++k)
         entry[kinds_.kind[k].r][kinds_.kind[k].c] = value_[k].data() + line * width_;
-      entries.row(first_j_ + line, first_i_, width_, entry, w);
+      entries.row(first_j + line, first_i, width_, entry, w);
     }
   }
 
-  /// Entries (r, c) of these sources in the row of node (tx, ty); row in the frame's numbering.
-  void write(std::int64_t tx, std::int64_t ty, int r, int c, double* row) const {
+  /// Adds the entries (r, c) of these sources to the row of node (tx, ty); row in the frame's
+  /// numbering.
+  void add(std::int64_t tx, std::int64_t ty, int r, int c, double* row) const {
     const EntryKinds::Use& use = kinds_.use[r][c];
-    for (std::int64_t sy = y_.first; sy <= y_.last; ++sy) {
-      const std::int32_t* node = lattice_.node.data() + sy * lattice_.nx;
-      if (use.kind < 0) {
-        for (std::int64_t sx = x_.first; sx <= x_.last; ++sx) row[node[sx]] = 0;
-        continue;
-      }
-      const double* value = value_[static_cast<std::size_t>(use.kind)].data() +
-                            (ty - sy - first_j_) * width_ + tx - first_i_;
-      for (std::int64_t sx = x_.first; sx <= x_.last; ++sx) row[node[sx]] = use.sign * value[-sx];
-    }
+    if (use.kind < 0) return;
+    const double* value =
+        value_[static_cast<std::size_t>(use.kind)].data() + middle_ + ty * width_ + tx;
+    for (const Source& s : source_) row[s.node] += use.sign * value[-s.offset];
   }
 
  private:
-  const Lattice& lattice_;
-  Sources x_, y_;
-  std::int64_t first_i_, first_j_, width_;
+  struct Source {
+    std::int32_t node;
+    std::int64_t offset;
+  };
+  std::vector<Source> source_;
+  std::int64_t width_ = 0, middle_ = 0;  ///< of a line of entries; where offset 0 is
   EntryKinds kinds_;
   std::vector<std::vector<double>> value_;  ///< of each kind: [j][i]
 };
-
-std::vector<Sources> along(std::int64_t n) {
-  std::vector<Sources> parts{{Hat::after, 0, 0}, {Hat::before, n - 1, n - 1}};
-  if (n > 2) parts.push_back({Hat::whole, 1, n - 2});
-  return parts;
-}
 
 }  // namespace
 
 void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool want_tangential,
                             ContactOperators& op) {
-  const std::int64_t n = lattice.nodes();
+  const std::int64_t n = lattice.frame_nodes();
   op.nodes = n;
   op.coupled = c.ck != 0;
   bool wanted[3][3];
@@ -83,14 +77,16 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
   require_operator_memory(op, wanted, n);
   const double delta = op.upstream.empty() ? 0 : op.upstream[0];
   std::vector<Part> parts;
-  for (const Sources& x : along(lattice.nx))
-    for (const Sources& y : along(lattice.ny)) parts.emplace_back(lattice, c, delta, x, y);
-  std::vector<std::int64_t> place(static_cast<std::size_t>(n));
-  for (std::size_t at = 0; at < place.size(); ++at)
-    place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
+  for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, c, delta, piece);
+  std::vector<std::int64_t> place(static_cast<std::size_t>(n), -1);
+  for (std::size_t at = 0; at < lattice.node.size(); ++at)
+    if (lattice.node[at] >= 0)
+      place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
   const auto write = [&](std::int64_t node, int r, int k, double* row) {
+    std::fill_n(row, n, 0.0);
     const std::int64_t at = place[static_cast<std::size_t>(node)];
-    for (const Part& part : parts) part.write(at % lattice.nx, at / lattice.nx, r, k, row);
+    if (at < 0) return;
+    for (const Part& part : parts) part.add(at % lattice.nx, at / lattice.nx, r, k, row);
   };
 
   std::vector<double> displacement(static_cast<std::size_t>(n));

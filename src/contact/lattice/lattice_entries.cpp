@@ -9,18 +9,22 @@ int terms_of(HalfspaceConstants c) {
   return (c.cv != 0 ? halfspace::with_shear : 0) + (c.ck != 0 ? halfspace::with_coupling : 0);
 }
 
+halfspace::OffsetReach reach_of(const Lattice& lattice, std::int64_t margin) {
+  return {lattice.nx - 1 + margin, lattice.ny - 1 + margin};
+}
+
 }  // namespace
 
 LatticeEntries::LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x,
-                               Hat y)
+                               Hat y, std::int64_t margin)
     : c_(c),
       e_(lattice.ex),
       s_(lattice.ey),
       delta_(delta),
       cut_y_(y != Hat::whole),
-      here_({lattice.dx, lattice.dy, x, y}, 0, 0, terms_of(c)),
-      ahead_({lattice.dx, lattice.dy, x, y}, delta * lattice.ex, -delta * lattice.ey, terms_of(c)) {
-}
+      here_({lattice.dx, lattice.dy, x, y}, 0, 0, terms_of(c), reach_of(lattice, margin)),
+      ahead_({lattice.dx, lattice.dy, x, y}, delta * lattice.ex, -delta * lattice.ey, terms_of(c),
+             reach_of(lattice, margin)) {}
 
 EntryKinds LatticeEntries::kinds() const {
   EntryKinds k;

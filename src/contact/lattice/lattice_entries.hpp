@@ -30,9 +30,10 @@ class LatticeEntries {
  public:
   /// delta: distance to the upstream point of the characteristic scheme; then rows 0 and 1 are its
   /// slip (w(x) - w(x + delta t1)) / delta. Zero: they are the tangential displacements w. x, y:
-  /// hats of the sources, along the lattice's axes.
+  /// hats of the sources, along the lattice's axes. Offsets reach across the lattice and this
+  /// margin.
   LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x = Hat::whole,
-                 Hat y = Hat::whole);
+                 Hat y = Hat::whole, std::int64_t margin = 0);
 
   struct Workspace {
     std::vector<double> here[halfspace::integral_count], ahead[halfspace::integral_count];

@@ -5,8 +5,8 @@
 #include <mutex>
 
 #include "contact/lattice/convolution.hpp"
+#include "contact/lattice/cut_hats.hpp"
 #include "contact/lattice/lattice_preconditioner.hpp"
-#include "contact/lattice/rim.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -17,7 +17,7 @@ struct LatticeOperator::Shared {
   double delta;
   SparseRows convection;
   Convolution convolution;
-  Rim rim;
+  CutHats cut;
   double entry[3][3] = {}, norm[2] = {};
 
   Shared(Lattice&& grid, HalfspaceConstants constants, double step, SparseRows&& rows)
@@ -25,8 +25,8 @@ struct LatticeOperator::Shared {
         c(constants),
         delta(step),
         convection(std::move(rows)),
-        convolution(lattice, LatticeEntries(lattice, c, delta)),
-        rim(lattice, c, delta) {
+        convolution(lattice, LatticeEntries(lattice, c, delta), hat_pieces(lattice).front()),
+        cut(lattice, c, delta) {
     measure();
   }
   void measure();
@@ -34,15 +34,15 @@ struct LatticeOperator::Shared {
 
 struct LatticeOperator::Workspace {
   Convolution::Workspace convolution;
-  RimWorkspace rim;
+  CutHats::Workspace cut;
   std::vector<double> displacement[2];  ///< at all nodes, upwind schemes only
 
   explicit Workspace(const Shared& shared) : convolution(shared.convolution) {
     if (shared.delta == 0)
-      for (auto& w : displacement) w.resize(shared.lattice.node.size());
+      for (auto& w : displacement) w.resize(static_cast<std::size_t>(shared.lattice.frame_nodes()));
   }
   std::size_t bytes() const {
-    return convolution.bytes() + rim.bytes() +
+    return convolution.bytes() + (cut ? cut->bytes() : 0) +
            (displacement[0].size() + displacement[1].size()) * sizeof(double);
   }
 };
@@ -56,17 +56,30 @@ struct Term {
   double factor;
 };
 
+/// The place with all cells that is nearest to the middle.
+std::int64_t inner_place(const Lattice& lattice) {
+  const std::int64_t nx = lattice.nx;
+  std::int64_t best = -1, least = 0;
+  for (std::int64_t at = 0; at < nx * lattice.ny; ++at) {
+    if (lattice.cells[static_cast<std::size_t>(at)] != Lattice::all) continue;
+    const std::int64_t i = at % nx - nx / 2, j = at / nx - lattice.ny / 2, far = i * i + j * j;
+    if (best < 0 || far < least) best = at, least = far;
+  }
+  return best;
+}
+
 std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& convection) {
-  const std::int64_t nx = lattice.nx, ny = lattice.ny, x = nx / 2, y = ny / 2;
-  std::vector<std::int64_t> place(lattice.node.size());
-  for (std::size_t at = 0; at < place.size(); ++at)
-    place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
-  const auto row = static_cast<std::size_t>(lattice.node[static_cast<std::size_t>(y * nx + x)]);
+  const std::int64_t nx = lattice.nx, middle = inner_place(lattice);
+  std::vector<std::int64_t> place(static_cast<std::size_t>(lattice.frame_nodes()), -1);
+  for (std::size_t at = 0; at < lattice.node.size(); ++at)
+    if (lattice.node[at] >= 0)
+      place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
+  const auto row = static_cast<std::size_t>(lattice.node[static_cast<std::size_t>(middle)]);
   std::vector<Term> terms;
   for (auto k = static_cast<std::size_t>(convection.start[row]);
        k < static_cast<std::size_t>(convection.start[row + 1]); ++k) {
     const std::int64_t at = place[static_cast<std::size_t>(convection.column[k])];
-    terms.push_back({at % nx - x, at / nx - y, convection.value[k]});
+    terms.push_back({at % nx - middle % nx, at / nx - middle / nx, convection.value[k]});
   }
   return terms;
 }
@@ -75,11 +88,11 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
 
 /// Own entries and norms of the row of a node in the middle.
 void LatticeOperator::Shared::measure() {
-  const LatticeEntries entries(lattice, c, delta);
   const std::vector<Term> terms =
       delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
+  const LatticeEntries entries(lattice, c, delta, Hat::whole, Hat::whole, margin);
   // Entries at the offsets of all nodes from the middle one, and the margin around them.
   const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1),
                      low_y = lattice.ny / 2 - (lattice.ny - 1);
@@ -118,7 +131,7 @@ void LatticeOperator::Shared::measure() {
 
 LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta,
                                  SparseRows convection) {
-  if (lattice.nx < 3 || lattice.ny < 3)
+  if (!lattice.has_inner_node())
     fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node",
          static_cast<long long>(lattice.nx), static_cast<long long>(lattice.ny));
   shared_ = std::make_shared<Shared>(std::move(lattice), c, delta, std::move(convection));
@@ -141,7 +154,10 @@ void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&im
   for (int r = 0; r < 2; ++r)
     if (upwind && image[r] != nullptr) target[r] = work_->displacement[r].data();
   shared_->convolution.apply(lambda, target, work_->convolution);
-  shared_->rim.add(lambda, target, work_->rim);
+  shared_->cut.add(lambda, target, work_->cut);
+  for (double* values : target)
+    if (values != nullptr)
+      for (const std::int32_t k : shared_->lattice.loose) values[k] = 0;
   if (!upwind) return;
   const SparseRows& rows = shared_->convection;
   for (int r = 0; r < 2; ++r) {
@@ -171,8 +187,8 @@ std::unique_ptr<FieldPreconditioner> LatticeOperator::make_preconditioner() cons
 
 std::size_t LatticeOperator::bytes() const {
   const SparseRows& rows = shared_->convection;
-  return shared_->convolution.bytes() + shared_->rim.bytes() + work_->bytes() +
-         shared_->lattice.node.size() * sizeof(std::int32_t) +
+  return shared_->convolution.bytes() + shared_->cut.bytes() + work_->bytes() +
+         shared_->lattice.node.size() * (sizeof(std::int32_t) + 1) +
          rows.value.size() * (sizeof(double) + sizeof(std::int32_t));
 }
 

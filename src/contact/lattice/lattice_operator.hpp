@@ -14,8 +14,8 @@ namespace rollcon {
 class LatticeOperator final : public FieldOperator {
  public:
   /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes).
-  /// delta = 0: `convection` holds the rows of an upwind scheme. The lattice needs 3 nodes or more
-  /// either way. Throws Error(err_unsupported) in a build without FFTW.
+  /// delta = 0: `convection` holds the rows of an upwind scheme. The lattice needs an inner
+  /// node. Throws Error(err_unsupported) in a build without FFTW.
   LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection);
   ~LatticeOperator() override;
 

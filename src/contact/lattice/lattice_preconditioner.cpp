@@ -26,9 +26,9 @@ class LatticePreconditioner final : public FieldPreconditioner {
   LatticePreconditioner(const Lattice& lattice, HalfspaceConstants c)
       : lattice_(lattice),
         fft_(lattice.nx, lattice.ny, margin(lattice.nx), margin(lattice.ny)),
-        place_(lattice.node.size()) {
+        place_(static_cast<std::size_t>(lattice.frame_nodes()), -1) {
     for (std::size_t k = 0; k < lattice.node.size(); ++k)
-      place_[at(lattice.node[k])] = static_cast<std::int32_t>(k);
+      if (lattice.node[k] >= 0) place_[at(lattice.node[k])] = static_cast<std::int32_t>(k);
     make_symbols(c);
   }
 

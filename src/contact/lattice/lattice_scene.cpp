@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <string>
 
 #include "contact/lattice/lattice_dense.hpp"
 #include "contact/lattice/lattice_operator.hpp"
@@ -13,26 +14,27 @@
 namespace rollcon {
 namespace {
 
-// From so many nodes on FFT is faster, warm as well as cold (bench case `lattice`).
-constexpr std::int64_t fft_from = 600;
+// From so many nodes on FFT takes less time, one cold solve and one warm taken together
+// (docs/speed.md): cold ones gain from the first node on, warm ones lose where few nodes touch.
+constexpr std::int64_t fft_from = 400;
 
-// Why a table of one node's influence does not tell those of all; null: it does.
-const char* obstacle_to_table(const SolverState& s) {
+// Why a table of one node's influence does not tell those of all; empty: it does.
+std::string obstacle_to_table(const SolverState& s) {
   HalfspaceConstants c;
   if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
-  if (!s.lattice) return "the frame is not a regular grid of quad4 elements";
-  if (s.lattice->nx < 3 || s.lattice->ny < 3) return "the grid has no inner node";
-  return nullptr;
+  if (!s.lattice) return "the frame is not a regular grid of quad4 elements: " + s.no_lattice;
+  if (!s.lattice->has_inner_node()) return "the grid has no inner node";
+  return {};
 }
 
-// Why operators cannot be applied by FFT; null: they can.
-const char* obstacle_to_fft(const SolverState& s) {
+// Why operators cannot be applied by FFT; empty: they can.
+std::string obstacle_to_fft(const SolverState& s) {
   if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
-  if (const char* reason = obstacle_to_table(s)) return reason;
+  if (std::string reason = obstacle_to_table(s); !reason.empty()) return reason;
   if (s.procedure.monolithic) return "system is monolithic";
   if (!s.procedure.standard()) return "jacobian is not 'exact'";
   if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
-  return nullptr;
+  return {};
 }
 
 // op: stencils of the scheme, whose rows are taken over.
@@ -42,7 +44,7 @@ void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperato
   const double delta =
       op.upstream.empty() ? 0 : s.characteristic_step * lattice.spacing_along_flow();
   op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection);
-  op.nodes = lattice.nodes();
+  op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
   op.normal = true;
   op.tangential = !s.frictionless;
@@ -84,17 +86,17 @@ LatticeScene scene_of(const SolverState& s, std::function<bool()> cancelled) {
 
 void build_lattice_operators(SolverState& s, const Options& options) {
   if (!s.lattice_known) {
-    s.lattice = s.frame.curved() ? std::nullopt : find_lattice(s.frame);
+    s.lattice = find_lattice(s.frame, &s.no_lattice);
     s.lattice_known = true;
   }
-  const char *no_fft = obstacle_to_fft(s), *no_table = obstacle_to_table(s);
+  const std::string no_fft = obstacle_to_fft(s), no_table = obstacle_to_table(s);
   const bool any = options.operators == "auto";
   const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
-  if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
+  if (const std::string reason = ask_fft ? no_fft : ask_table ? no_table : ""; !reason.empty())
     fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
-         reason);
-  const bool fft = !no_fft && (ask_fft || (any && s.frame.nodes() >= fft_from));
-  choose_table(s, !fft && !no_table && (any || ask_table));
+         reason.c_str());
+  const bool fft = no_fft.empty() && (ask_fft || (any && s.frame.nodes() >= fft_from));
+  choose_table(s, !fft && no_table.empty() && (any || ask_table));
   if (!fft) return release_field(s);
   ContactOperators& op = s.problem.op;
   if (op.field && (op.tangential || s.frictionless)) return;
@@ -139,8 +141,8 @@ bool solve_on_coarser_lattice(const SolverState& s, double tolerance, Iterate& i
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
   HalfspaceConstants c;
-  if (!body.halfspace(c)) return false;
-  const std::size_t n = s.lattice->node.size();
+  if (!body.halfspace(c) || !s.lattice->loose.empty()) return false;
+  const std::size_t n = s.frame.x.size();
   SparseRows same;  // rows of an upwind scheme that leave displacements as they are
   for (std::size_t k = 0; k <= n; ++k) same.start.push_back(static_cast<std::int64_t>(k));
   for (std::size_t k = 0; k < n; ++k) same.column.push_back(static_cast<std::int32_t>(k));
@@ -156,10 +158,37 @@ bool displacements_on_lattice(const SolverState& s, const Compliance& body, doub
   return true;
 }
 
+namespace {
+
+// What makes the grid differ from a full one with all nodes on their places.
+std::string describe_flaws(const SolverState& s) {
+  const Lattice& l = *s.lattice;
+  char text[120];
+  std::string all;
+  const auto missing = (l.nx - 1) * (l.ny - 1) - s.frame.elements();
+  if (missing > 0) {
+    std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing",
+                  static_cast<long long>(missing));
+    all += text;
+  }
+  if (l.misfit > 1e-9) {
+    std::snprintf(text, sizeof text, "; nodes taken as on its places, up to %.1g of a spacing off",
+                  l.misfit);
+    all += text;
+  }
+  return all;
+}
+
+}  // namespace
+
 std::string describe_lattice(const SolverState& s) {
   if (s.table)
     return "operators: rows of a regular grid, copied from a table of one node's influence: no "
-           "integrals";
+           "integrals" +
+           describe_flaws(s);
+  HalfspaceConstants c;
+  if (!s.problem.op.field && s.compliance->halfspace(c) && !s.lattice)
+    return "operators: dense, by integrals; not a regular grid: " + s.no_lattice;
   if (!s.problem.op.field) return {};
   char text[200];
   std::snprintf(
@@ -169,7 +198,7 @@ std::string describe_lattice(const SolverState& s) {
       static_cast<long long>(s.lattice->nx), static_cast<long long>(s.lattice->ny),
       static_cast<double>(s.problem.op.field->bytes()) / 1e6,
       static_cast<long long>(s.problem.op.field->applications()));
-  return text;
+  return text + describe_flaws(s);
 }
 
 }  // namespace rollcon

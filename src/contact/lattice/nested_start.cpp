@@ -13,43 +13,47 @@ namespace {
 constexpr std::int64_t coarsest = 12;
 constexpr std::int64_t coarse_iterations = 60;
 
-/// Every second node; on an even number of nodes the last one has no coarse neighbour.
+/// Every second node and the cells between them; on an even number of nodes the last one has no
+/// coarse neighbour.
 struct Coarser {
   Lattice lattice;
   Frame frame;
   std::vector<std::int32_t> fine;  ///< coarse node -> node of the finer frame
 };
 
+/// Of the cells that have all their nodes.
 Coarser coarsen(const Frame& frame, const Lattice& lattice) {
   Coarser c;
   const std::int64_t nx = (lattice.nx + 1) / 2, ny = (lattice.ny + 1) / 2;
   SurfaceMesh mesh;
   mesh.offset.push_back(0);
+  std::vector<std::int32_t> place, number(at(nx * ny), -1), low_corner;
   for (std::int64_t j = 0; j < ny; ++j)
     for (std::int64_t i = 0; i < nx; ++i) {
       const std::int32_t k = lattice.node[at(2 * j * lattice.nx + 2 * i)];
+      if (k < 0) continue;
+      number[at(j * nx + i)] = static_cast<std::int32_t>(c.fine.size());
+      place.push_back(static_cast<std::int32_t>(j * nx + i));
       c.fine.push_back(k);
       mesh.node.push_back(frame.mesh.node[at(k)]);
     }
   for (std::int64_t j = 0; j + 1 < ny; ++j)
     for (std::int64_t i = 0; i + 1 < nx; ++i) {
-      const auto corner = static_cast<std::int32_t>(j * nx + i);
-      const auto row = static_cast<std::int32_t>(nx);
-      for (const std::int32_t k : {corner, corner + 1, corner + 1 + row, corner + row})
-        mesh.connectivity.push_back(k);
+      const std::int64_t low = j * nx + i;
+      const std::int32_t corner[] = {number[at(low)], number[at(low + 1)], number[at(low + 1 + nx)],
+                                     number[at(low + nx)]};
+      if (*std::min_element(corner, corner + 4) < 0) continue;
+      low_corner.push_back(static_cast<std::int32_t>(low));
+      mesh.connectivity.insert(mesh.connectivity.end(), corner, corner + 4);
       mesh.type.push_back(ElementType::quad4);
       mesh.tag.push_back(0);
       mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
     }
-  c.frame = build_frame(std::move(mesh), frame.axes);
   c.lattice = lattice;
-  c.lattice.nx = nx;
-  c.lattice.ny = ny;
   c.lattice.dx *= 2;
   c.lattice.dy *= 2;
-  c.lattice.node.resize(at(nx * ny));
-  for (std::size_t k = 0; k < c.lattice.node.size(); ++k)
-    c.lattice.node[k] = static_cast<std::int32_t>(k);
+  c.lattice.place(nx, ny, place, low_corner);
+  if (c.lattice.has_inner_node()) c.frame = build_frame(std::move(mesh), frame.axes);
   return c;
 }
 
@@ -79,13 +83,15 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
 void interpolate(const Lattice& coarse, const std::vector<double>& from, const Lattice& fine,
                  std::vector<double>& to) {
   const auto value = [&](std::int64_t i, std::int64_t j) {
-    return i < coarse.nx && j < coarse.ny ? from[at(j * coarse.nx + i)] : 0.0;
+    const std::int32_t k = i < coarse.nx && j < coarse.ny ? coarse.node[at(j * coarse.nx + i)] : -1;
+    return k >= 0 ? from[at(k)] : 0.0;
   };
   for (std::int64_t j = 0; j < fine.ny; ++j)
     for (std::int64_t i = 0; i < fine.nx; ++i) {
       const std::int64_t a = i / 2, b = j / 2, c = (i + 1) / 2, d = (j + 1) / 2;
-      to[at(fine.node[at(j * fine.nx + i)])] =
-          0.25 * (value(a, b) + value(c, b) + value(a, d) + value(c, d));
+      const std::int32_t k = fine.node[at(j * fine.nx + i)];
+      if (k < 0) continue;
+      to[at(k)] = 0.25 * (value(a, b) + value(c, b) + value(a, d) + value(c, d));
     }
 }
 
@@ -104,6 +110,7 @@ bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool 
                         double tolerance, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
   const Coarser coarser = coarsen(scene.frame, scene.lattice);
+  if (!coarser.lattice.has_inner_node()) return false;
   Problem p = coarser_problem(problem, scene, coarser, frictionless);
   Iterate start;
   start.resize(p.nodes);

@@ -9,6 +9,7 @@
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/halfspace/near_field.hpp"
+#include "support/error.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {
@@ -71,7 +72,8 @@ double error_against_compliance(double dx, double dy, double shift_x, double shi
   make_halfspace_compliance(frame, {0, 1, 1}, 1e-13, 1)->block({px, py}, out);
   double worst = 0;
   for (const Kind& kind : kinds) {
-    const LatticeIntegrals lattice({dx, dy, kind.x, kind.y}, shift_x, shift_y, all_terms);
+    const LatticeIntegrals lattice({dx, dy, kind.x, kind.y}, shift_x, shift_y, all_terms,
+                                   {reach + 8, reach + 8});
     std::size_t node = nodes;
     for (std::size_t k = 0; k < nodes; ++k)
       if (std::abs(frame.x[k] - kind.at_x * dx) < 1e-9 * dx &&
@@ -114,9 +116,30 @@ TEST(LatticeKernel, EqualsTheComplianceOfTheSameFrame) {
   EXPECT_LT(error_against_compliance(0.1, 5, 0.06, 0), bound);
 }
 
+// Antiderivatives in both directions lose digits with the square of the sides' ratio.
+TEST(LatticeKernel, SlenderCellsLoseNoDigits) {
+  constexpr double bound = 1e-12;  // the compliance's own rounding grows with the ratio
+  std::printf("bound %.0e\n", bound);
+  for (const double ratio : {1e3, 1e-3, 1e4}) {
+    EXPECT_LT(error_against_compliance(ratio, 1, 0, 0), bound);
+    EXPECT_LT(error_against_compliance(ratio, 1, 0.6 * ratio, 0), bound);
+  }
+}
+
+TEST(LatticeKernel, WorkFollowsTheOffsetsAskedForNotTheCells) {
+  // All offsets near the source would be some 1e15.
+  for (const double ratio : {1e12, 1e-12}) {
+    const LatticeIntegrals lattice({ratio, 1}, 0.3 * ratio, 0.1, all_terms, {20, 20});
+    const Integrals value = row(lattice, 20, -20, 41);
+    for (const double v : value.value[0]) EXPECT_GT(v, 0) << ratio;
+    EXPECT_THROW(row(lattice, 21, -20, 41), Error);
+    EXPECT_THROW(row(lattice, 0, -21, 41), Error);
+  }
+}
+
 TEST(LatticeKernel, EveryInstructionSet) {
   const InstructionSet best = best_instruction_set();
-  const LatticeIntegrals lattice({0.3, 0.2}, 0.1, 0, all_terms);
+  const LatticeIntegrals lattice({0.3, 0.2}, 0.1, 0, all_terms, {60, 60});
   for (const InstructionSet set :
        {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
     for (const std::int64_t j : {0, 3, 17, 60}) {
@@ -131,9 +154,9 @@ TEST(LatticeKernel, EveryInstructionSet) {
 }
 
 TEST(LatticeKernel, IntegralsThatAreNotWantedAreLeftAlone) {
-  const LatticeIntegrals all({0.3, 0.2}, 0.1, 0, all_terms);
+  const LatticeIntegrals all({0.3, 0.2}, 0.1, 0, all_terms, {60, 60});
   for (const int terms : {0, 1, 2}) {
-    const LatticeIntegrals some({0.3, 0.2}, 0.1, 0, terms);
+    const LatticeIntegrals some({0.3, 0.2}, 0.1, 0, terms, {60, 60});
     for (const std::int64_t j : {0, 20}) {
       const Integrals expected = row(all, j, -30, 61), value = row(some, j, -30, 61);
       for (int k = 0; k < integral_count; ++k) {

@@ -1,0 +1,52 @@
+#pragma once
+/// Half-space integrals of a lattice's hats near their source, where no rule of a few points does:
+/// exact to rounding for cells of any shape.
+///
+/// Along the longer side of a cell the integral is a sum of second antiderivatives H of the kernel
+/// at the hat's kinks. Across, each of these is integrated as its distance asks for: by a closed
+/// form (antiderivatives in both directions lose digits with the square of the cell's sides' ratio,
+/// so it serves kinks near the observer only), by a rule, or by a rule after what is singular in it
+/// was taken out.
+
+#include <cstdint>
+#include <vector>
+
+#include "bodies/halfspace/hat_rules.hpp"
+#include "bodies/halfspace/kernels.hpp"
+
+namespace rollcon::halfspace {
+
+/// The shape function of one node: product of two hats of half-widths dx, dy. Nodes on the rim of a
+/// frame have halves.
+struct LatticeHat {
+  double dx = 0, dy = 0;
+  Hat x = Hat::whole, y = Hat::whole;
+};
+
+struct OffsetRange {
+  std::int64_t first = 0, last = -1;
+  std::int64_t size() const { return last - first + 1; }
+  bool contains(std::int64_t i) const { return first <= i && i <= last; }
+};
+
+/// Rules are used where the kernel is analytic on an ellipse of this size around the hat ...
+inline constexpr double smallest_ellipse = 5.5;
+/// ... which a singularity this many half-widths off along, or beside, the axis leaves free.
+inline constexpr double clear_along = (smallest_ellipse + 1 / smallest_ellipse) / 2;
+inline constexpr double clear_beside = (smallest_ellipse - 1 / smallest_ellipse) / 2;
+
+/// Sum of the semi-axes of the ellipse with foci -1, 1 through the point (along, beside).
+double ellipse_size(double along, double beside);
+/// Points of a hat's rule for an error 1 / digits where the kernel is analytic on such an ellipse.
+int hat_points(double size, double digits);
+/// The rule for half-width 1; 1 <= n <= max_hat_points.
+const LineRule& stored_hat_rule(Hat hat, int n);
+
+/// value[k][(j - y.first) * x.size() + i - x.first]: integral k of kernels.hpp of a source at the
+/// origin for the observer at (shift_x + i dx, shift_y + j dy). Integrals that `terms` does not
+/// want stay empty.
+void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
+                            OffsetRange x, OffsetRange y,
+                            std::vector<double> (&value)[integral_count]);
+
+}  // namespace rollcon::halfspace

@@ -1,0 +1,23 @@
+#pragma once
+/// Hats of a lattice's nodes by their shape: whole where all four cells around a node are there,
+/// else a sum of halves and quarters.
+
+#include <cstdint>
+#include <vector>
+
+#include "bodies/halfspace/hat_rules.hpp"
+#include "mesh/lattice.hpp"
+
+namespace rollcon {
+
+/// The nodes that have this piece.
+struct HatPiece {
+  halfspace::Hat x, y;
+  std::vector<std::int32_t> places;  ///< ascending
+  bool whole() const { return x == halfspace::Hat::whole && y == halfspace::Hat::whole; }
+};
+
+/// The whole hats first; pieces of no node are left out.
+std::vector<HatPiece> hat_pieces(const Lattice& lattice);
+
+}  // namespace rollcon
