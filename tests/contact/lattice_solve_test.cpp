@@ -178,7 +178,7 @@ TEST(Lattice, FlawsKeepTheFft) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   for (const Case& c :
        {Case{.name = "rounded", .off = 2e-6}, Case{.name = "holes", .holes = true}}) {
-    const auto fast = make(c, "auto", 40), exact = make(c, "dense", 40);
+    const auto fast = make(c, "auto"), exact = make(c, "dense");
     const std::int32_t expected = c.holes ? ROLLCON_RIM_CONTACT : ROLLCON_OK;
     ASSERT_EQ(fast->solve(), expected);
     ASSERT_EQ(exact->solve(), expected);
@@ -188,7 +188,7 @@ TEST(Lattice, FlawsKeepTheFft) {
     std::printf("%s: difference %.1e (bound %.0e), bytes %.0f, dense %.0f\n", c.name, worst, bound,
                 fast->stat("peak_bytes"), exact->stat("peak_bytes"));
     EXPECT_LE(worst, bound);
-    EXPECT_LE(fast->stat("peak_bytes"), 0.1 * exact->stat("peak_bytes"));
+    EXPECT_LE(fast->stat("peak_bytes"), 0.2 * exact->stat("peak_bytes"));
     EXPECT_NE(fast->plan().find(c.holes ? "4 cell(s) of the grid missing" : "of a spacing off"),
               std::string::npos)
         << fast->plan();

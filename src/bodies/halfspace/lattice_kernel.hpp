@@ -16,7 +16,8 @@ struct OffsetReach {
 };
 
 /// The five integrals of kernels.hpp of a source at the origin for observers at
-/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
+/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for
+/// slender cells.
 class LatticeIntegrals {
  public:
   /// terms: which integrals are wanted. Takes time and memory in proportion to `reach` at most,

@@ -111,7 +111,7 @@ class Integration {
   /// Splitting must make slender cells rounder: the cells between one that is as it was and an
   /// observer beside its long side would otherwise be as many as the sides' ratio.
   int split_square(const Cell& cell, const CellShape& g, bool first, bool second,
-                          Cell* parts) const {
+                   Cell* parts) const {
     // Mapped elements would need more triangles than squares.
     if (first && second && shape_.map == MapKind::affine) {
       const Vec2 a = g.middle[1] - g.middle[3], b = g.middle[2] - g.middle[0];
