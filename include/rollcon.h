@@ -70,6 +70,7 @@ enum {
   ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame: enlarge it (a body's own edge does not count) */
+  ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
@@ -1094,17 +1095,20 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
 /*
  * Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by
  * force. Starts from the last solution unless the option "warm_start" is 0. After
- * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
- * the scene as it was but discards the last solution. Bodies that are not prepared are prepared
- * first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the
- * text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and
- * approaches (to pressures of 1e150) that double precision cannot calculate with are
- * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
- * may have any gap, with the option "system" = monolithic up to that limit.
+ * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. ROLLCON_COARSE, which
+ * goes before ROLLCON_RIM_CONTACT, says that no node in contact has all its neighbours in contact
+ * (with friction: fewer than 5 have); the solution is that of the frame, not of the bodies. Log
+ * and plan tell more. A failed solve leaves the scene as it was but discards the last solution.
+ * Bodies that are not prepared are prepared first and may fail as rollcon_body_prepare does
+ * (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times
+ * speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
+ * precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is
+ * allowed. Nodes that are never to touch may have any gap, with the option "system" = monolithic
+ * up to that limit.
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION,
- *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY, ROLLCON_ERR_LOAD.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE,
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY, ROLLCON_ERR_LOAD.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
  */
@@ -1119,10 +1123,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * neighbours (unless the option "warm_start" is 0). A case that fails has its negative status and
  * NaN for results and leaves the others alone; texts go to the log as warnings. The status
  * returned is the first that fits of CANCELLED (some cases were not solved), NOT_CONVERGED (or
- * failed), RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was solved. All results
- * are in local axes. The scene stays as it is, and so does the last solution unless something was
- * set since. The progress callback hears of the iterations of the calling thread, and of
- * ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
+ * failed), COARSE, RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was solved. All
+ * results are in local axes. The scene stays as it is, and so does the last solution unless
+ * something was set since. The progress callback hears of the iterations of the calling thread,
+ * and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
  *   n_parameters  0 to 5
  *   parameters    [n_parameters]; ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION, each
  *                 once
@@ -1130,7 +1134,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   values        [n_cases][n_parameters]; a normal load, and a factor on friction, are >= 0
  *   names         statistics wanted, separated by blanks, of: iterations, fallbacks,
  *                 residual_normal, residual_tangential, nodes_contact, contact_area,
- *                 max_pressure, friction_power; NULL: none
+ *                 max_pressure, friction_power, friction_power_balance; NULL: none
  *   capacity      nodes that fit into the tractions of each case; at least those of the frame if
  *                 they are wanted
  *   status        [n_cases], out, may be NULL; as rollcon_contact_solve would return
@@ -1145,9 +1149,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   tractions     [n_cases][capacity][3], out, may be NULL; on body 1; the entries beyond the
  *                 frame's nodes are NaN
  * Returns: ROLLCON_OK, ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE, ROLLCON_ERR_NONFINITE,
- *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_BUSY.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_ARGUMENT, ROLLCON_ERR_HANDLE,
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_BUSY.
  * Threads: one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,

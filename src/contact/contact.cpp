@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/few_nodes.hpp"
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/procedures/run.hpp"
 #include "contact/reach.hpp"
@@ -105,6 +106,31 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.timings.linear += linear.seconds;
 }
 
+// What the caller of a solve that is not plain success should know, as warnings.
+void tell_caveats(const SolverState& s, Status status, const Context& context) {
+  if (status == Status::not_converged) {
+    const bool strong = *std::max_element(s.problem.mu.begin(), s.problem.mu.end()) >= 1;
+    context.log(LogLevel::warning,
+                "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, "
+                "%.1e tangential%s; the best iterate is kept",
+                static_cast<long long>(s.report.normal_iterations + s.report.tangential_iterations +
+                                       s.report.full_iterations),
+                static_cast<long long>(s.report.fallbacks), s.report.residual_normal,
+                s.report.residual_tangential,
+                s.problem.op.coupled && strong
+                    ? " (with friction of 1 and more between unlike bodies there may be several "
+                      "solutions or none)"
+                    : "");
+  }
+  if (status != Status::coarse && status != Status::rim_contact) return;
+  if (status == Status::coarse) context.log(LogLevel::warning, "%s", describe_few_nodes(s).c_str());
+  if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
+    context.log(LogLevel::warning,
+                "contact reaches the rim of the frame at %lld node(s), approach %.6g: enlarge the "
+                "frame, or look at the gap there",
+                static_cast<long long>(rim), s.problem.approach_of(s.iterate.motion));
+}
+
 }  // namespace
 
 void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
@@ -147,6 +173,7 @@ Status status_of(const SolverState& s) {
     case Outcome::converged:
       break;
   }
+  if (too_few_nodes(s)) return Status::coarse;
   return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
 }
 
@@ -256,23 +283,7 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
-  if (status == Status::not_converged) {
-    const bool strong = *std::max_element(s.problem.mu.begin(), s.problem.mu.end()) >= 1;
-    context_->log(LogLevel::warning,
-                  "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, "
-                  "%.1e tangential%s; the best iterate is kept",
-                  static_cast<long long>(s.report.normal_iterations +
-                                         s.report.tangential_iterations + s.report.full_iterations),
-                  static_cast<long long>(s.report.fallbacks), s.report.residual_normal,
-                  s.report.residual_tangential,
-                  s.problem.op.coupled && strong
-                      ? " (with friction of 1 and more between unlike bodies there may be several "
-                        "solutions or none)"
-                      : "");
-  }
-  if (status != Status::rim_contact) return status;
-  context_->log(LogLevel::warning, "contact reaches the rim of the frame at %lld node(s)",
-                static_cast<long long>(nodes_at_rim(s)));
+  tell_caveats(s, status, *context_);
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/error_variant.hpp"
+#include "contact/few_nodes.hpp"
 #include "contact/gap_between_nodes.hpp"
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/state.hpp"
@@ -118,6 +119,8 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   const bool friction = !s.frictionless;
   e.normal = e.tractions = 1;
   e.tangential = friction ? 1 : 0;
+  // What two discretisations of an edge have in common says nothing about a contact.
+  if (too_few_nodes(s)) return;
   if (s.problem.op.field) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = *s.scheme == Scheme::characteristic;

@@ -18,6 +18,7 @@ enum class CaseNumber {
   contact_area,
   max_pressure,
   friction_power,
+  friction_power_balance,
 };
 /// err_option: unknown name, or a statistic that cases do not have.
 CaseNumber case_number(const char* name, std::size_t length);

@@ -152,7 +152,7 @@ class Contact(Settings, Handle):
         self._progress = wrapped  # C keeps the address
 
     def solve(self):
-        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT."""
+        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE."""
         self._raised.clear()
         status = lib.rollcon_contact_solve(self._handle)
         if self._raised:
