@@ -11,6 +11,8 @@
 #include <numeric>
 
 #include "bench.hpp"
+#include "contact/few_nodes.hpp"
+#include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/surface_check.hpp"
@@ -160,6 +162,12 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
                                  static_cast<std::int64_t>(tractions[2][k] < 0);
                       sink = static_cast<double>(count);
                     })});
+  SolverState whole_contact;
+  whole_contact.frame = build_frame(rolling::grid(13), Axes{});
+  for (const std::uint8_t at_rim : whole_contact.frame.rim)
+    whole_contact.iterate.lambda[2].push_back(at_rim ? 0 : -1);
+  guards.push_back(
+      {"inside", 1, seconds_of([&] { sink = static_cast<double>(nodes_inside(whole_contact)); })});
   emit(runner, record, guards, whole);
 }
 

@@ -13,11 +13,11 @@ from collections import Counter, defaultdict
 from report import load, of_case, plot, processor, table
 
 BOUND = 1e-8  # laws kept
-STATUS = {0: "OK", 1: "NOT_CONVERGED", 2: "NO_CONTACT", 3: "CANCELLED", 4: "RIM_CONTACT",
+STATUS = {0: "OK", 1: "NOT_CONVERGED", 2: "NO_CONTACT", 3: "CANCELLED", 4: "RIM_CONTACT", 5: "COARSE",
           -1: "ERR_ARGUMENT", -3: "ERR_NONFINITE", -4: "ERR_MESH", -5: "ERR_STATE", -6: "ERR_OPTION",
           -8: "ERR_SINGULAR", -9: "ERR_MEMORY", -10: "ERR_UNSUPPORTED", -12: "ERR_LOAD",
           -99: "ERR_INTERNAL"}
-SAYS_SOLVED = (0, 2, 4)
+SAYS_SOLVED = (0, 2, 4, 5)
 STANDARD = ("cold", "warm from another state")
 
 
@@ -188,7 +188,7 @@ elastic, or what tractions of the size found cause), the error is the greatest o
 - slip of sticking nodes, and slip across or along the traction at slipping ones, over s0, or the change of traction over q0 that would put it right if that is less;
 - sums of tractions against resultants and prescribed forces; motions against those prescribed.
 
-**Solved**: the library says so (`OK`, `RIM_CONTACT`, `NO_CONTACT`), this status is right for the scene, and that error is at most 1e-8.
+**Solved**: the library says so (`OK`, `RIM_CONTACT`, `COARSE`, `NO_CONTACT`), this status is right for the scene, and that error is at most 1e-8.
 **Refused**: it ended with an error, rightly (a tangential load that friction cannot carry under the pressures of the scene).
 **Wrong**: neither, whatever the library says. All settings are standard but `accuracy` on regular grids (1e-10: operators come from tables there, the
 check from integrals).

@@ -33,7 +33,7 @@ struct Loop {
 struct Part {
   double seconds = 0;
   std::int64_t solves = 0, iterations = 0, most_iterations = 0, fallbacks = 0, allocations = 0;
-  std::array<std::int64_t, 5> status{};  ///< how often each status >= 0
+  std::array<std::int64_t, 6> status{};  ///< how often each status >= 0
   std::int64_t failed = 0;
 };
 
@@ -128,6 +128,7 @@ void run(Runner& runner, const Loop& loop) {
       {"converged", static_cast<double>(all.status[0])},
       {"not_converged", static_cast<double>(all.status[1])},
       {"rim_contact", static_cast<double>(all.status[4])},
+      {"coarse", static_cast<double>(all.status[5])},
       {"failed", static_cast<double>(all.failed)}};
   runner.emit(record);
 }

@@ -18,6 +18,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_no_contact = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_cancelled = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_rim_contact = 4_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_coarse = 5_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_argument = -1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_handle = -2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_nonfinite = -3_c_int32_t

@@ -78,6 +78,7 @@ enum {
   ROLLCON_NO_CONTACT      = 2,    /* the bodies do not touch; tractions are zero */
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which */
+  ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
@@ -1022,16 +1023,20 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
 /*
  * Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by
  * force. Starts from the last solution unless the option "warm_start" is 0. After
- * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. A failed solve leaves
- * the scene as it was but discards the last solution. Bodies that are not prepared are prepared
- * first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the
- * text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and
- * approaches (to pressures of 1e150) that double precision cannot calculate with are
- * ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that are never to touch
- * may have any gap, with the option "system" = monolithic up to that limit.
+ * ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be read. ROLLCON_COARSE, which
+ * goes before ROLLCON_RIM_CONTACT, says that no node in contact has all its neighbours in contact
+ * (with friction: fewer than 5 have); the solution is that of the frame, not of the bodies. Log
+ * and plan tell more. A failed solve leaves the scene as it was but discards the last solution.
+ * Bodies that are not prepared are prepared first and may fail as rollcon_body_prepare does
+ * (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the body. Creepages (whose slip, times
+ * speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that double
+ * precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is
+ * allowed. Nodes that are never to touch may have any gap, with the option "system" = monolithic
+ * up to that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
- *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_LOAD.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *contact);
@@ -1046,10 +1051,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * warm along chains of neighbours (unless the option "warm_start" is 0). A case that fails has
  * its negative status and NaN for results and leaves the others alone; texts go to the log as
  * warnings. The status returned is the first that fits of CANCELLED (some cases were not solved),
- * NOT_CONVERGED (or failed), RIM_CONTACT, NO_CONTACT, OK. A negative one means that no case was
- * solved. All results are in local axes. The scene stays as it is, and so does the last solution
- * unless something was set since. The progress callback hears of the iterations of the calling
- * thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
+ * NOT_CONVERGED (or failed), COARSE, RIM_CONTACT, NO_CONTACT, OK. A negative one means that no
+ * case was solved. All results are in local axes. The scene stays as it is, and so does the last
+ * solution unless something was set since. The progress callback hears of the iterations of the
+ * calling thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
  *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
  *               normal, spin, friction; NULL: none
  *   n_cases     >= 0
@@ -1061,8 +1066,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *               approach and creep, see rollcon_contact_get_sensitivity; NaN where there are
  *               none, such as by friction at 0), tractions (3 for each node of the frame, on body
  *               1), and the statistics iterations, fallbacks, residual_normal,
- *               residual_tangential, nodes_contact, contact_area, max_pressure, friction_power;
- *               NULL: none
+ *               residual_tangential, nodes_contact, contact_area, max_pressure, friction_power,
+ *               friction_power_balance; NULL: none
  *   capacity    numbers for each case at results; at least those of the columns; 0 with columns
  *               only asks for the need
  *   results     [n_cases][capacity], out; a row for each case, the columns side by side; what is
@@ -1070,9 +1075,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   n_results   out, may be NULL; numbers for each case; set after ROLLCON_ERR_CAPACITY too
  *   status      [n_cases], out, may be NULL; as rollcon_contact_solve would return
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
- *   ROLLCON_ERR_UNSUPPORTED.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH,
+ *   ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,
     const char *parameters, int64_t n_cases, const double *values, const char *columns,

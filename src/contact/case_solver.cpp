@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/power.hpp"
 #include "contact/solve_many.hpp"
 #include "contact/state.hpp"
 
@@ -215,6 +216,8 @@ double CaseSolver::number(CaseNumber which) {
     case CaseNumber::max_pressure:
       return std::max(0.0,
                       -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
+    case CaseNumber::friction_power_balance:
+      return power_put_in(s);
     case CaseNumber::friction_power:
       break;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "contact/few_nodes.hpp"
 #include "contact/host_interrupt.hpp"
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/outcome_text.hpp"
@@ -118,6 +119,15 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.timings.linear += linear.seconds;
 }
 
+// What the caller of a solve that is not plain success should know, as warnings.
+void tell_caveats(const SolverState& s, Status status, const Context& context) {
+  const bool coarse = status == Status::coarse;
+  if (coarse) context.log(LogLevel::warning, "%s", describe_few_nodes(s).c_str());
+  if (status == Status::not_converged || status == Status::rim_contact ||
+      (coarse && nodes_at_rim(s) > 0))
+    context.log(LogLevel::warning, "%s", describe_outcome(s).c_str());
+}
+
 }  // namespace
 
 void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
@@ -159,6 +169,7 @@ Status status_of(const SolverState& s) {
     case Outcome::converged:
       break;
   }
+  if (too_few_nodes(s)) return Status::coarse;
   return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
 }
 
@@ -280,8 +291,7 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
-  if (status == Status::not_converged || status == Status::rim_contact)
-    context_->log(LogLevel::warning, "%s", describe_outcome(s).c_str());
+  tell_caveats(s, status, *context_);
   return status;
 }
 

@@ -73,8 +73,8 @@ class Contact {
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok,
-  /// or the first that fits of cancelled, not_converged (or failed), rim_contact, no_contact. The
-  /// scene stays, and so does the last solution unless something was set since.
+  /// or the first that fits of cancelled, not_converged (or failed), coarse, rim_contact,
+  /// no_contact. The scene stays, and so does the last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
   /// Forgets warm start, solution and history; keeps the scene and the caches that still fit.
   void reset();

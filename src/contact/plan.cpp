@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "contact/few_nodes.hpp"
 #include "contact/geometry.hpp"
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/outcome_text.hpp"
@@ -105,6 +106,25 @@ void describe_reach(std::string& text, const SolverState& s) {
     line(text, "reach: all %lld nodes (%s)", all, s.reach.why_not);
 }
 
+// How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
+void describe_contact(std::string& text, const SolverState& s) {
+  if (s.outcome != Outcome::converged) return;
+  if (too_few_nodes(s)) {
+    text += describe_few_nodes(s) + '\n';
+    return;
+  }
+  const auto& normal = s.iterate.lambda[2];
+  const auto touching = std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; });
+  line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours",
+       static_cast<long long>(touching), static_cast<long long>(nodes_inside(s)));
+  const ErrorEstimate& e = s.error_estimate;
+  if (e.known)
+    line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%",
+         100 * e.normal, 100 * e.tangential);
+  else
+    line(text, "discretisation: error not estimated (statistic error_estimate)");
+}
+
 // What of the last preparation was there already.
 void describe_reuse(std::string& text, const SolverState& s) {
   const Work &now = s.work, &before = s.work_before;
@@ -192,6 +212,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
          static_cast<long long>(op.nodes), static_cast<long long>(op.rows),
          static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
+  describe_contact(text, s);
   describe_reuse(text, s);
   line(text, "result: %s", describe_outcome(s).c_str());
   line(text, "last solve: %lld linear system(s), %lld factorisation(s), %lld Krylov iteration(s)",

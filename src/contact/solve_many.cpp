@@ -307,7 +307,7 @@ void ManyCases::run(SolverState& scene, const Options& options, int threads) {
 }
 
 Status ManyCases::finish() {
-  bool stopped = false, missed = false, rim = false, open = false;
+  bool stopped = false, missed = false, coarse = false, rim = false, open = false;
   for (std::int64_t i = 0; i < list_.cases; ++i) {
     const std::int64_t from = order_.solved_as[static_cast<std::size_t>(i)];
     const Status status = status_[static_cast<std::size_t>(from)];
@@ -315,6 +315,7 @@ Status ManyCases::finish() {
     if (from != i && width_ > 0) std::copy_n(row(from), width_, row(i));
     stopped = stopped || status == Status::cancelled;
     missed = missed || status == Status::not_converged || static_cast<std::int32_t>(status) < 0;
+    coarse = coarse || status == Status::coarse;
     rim = rim || status == Status::rim_contact;
     open = open || status == Status::no_contact;
   }
@@ -322,6 +323,7 @@ Status ManyCases::finish() {
             [](const Failure& a, const Failure& b) { return a.number < b.number; });
   if (stopped) return Status::cancelled;
   if (missed) return Status::not_converged;
+  if (coarse) return Status::coarse;
   return rim ? Status::rim_contact : open ? Status::no_contact : Status::ok;
 }
 
@@ -367,9 +369,9 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
                          {"creep", {.kind = Kind::creep, .width = 3}},
                          {"derivatives", {.kind = Kind::derivatives, .width = 10 * parameters}},
                          {"tractions", {.kind = Kind::tractions, .width = 3 * nodes}}};
-  static constexpr std::array<const char*, 8> numbers{
-      "iterations",    "fallbacks",    "residual_normal", "residual_tangential",
-      "nodes_contact", "contact_area", "max_pressure",    "friction_power"};
+  static constexpr std::array<const char*, 9> numbers{
+      "iterations",   "fallbacks",    "residual_normal", "residual_tangential",   "nodes_contact",
+      "contact_area", "max_pressure", "friction_power",  "friction_power_balance"};
   const auto is = [&](const char* other) {
     return std::strlen(other) == length && std::memcmp(other, name, length) == 0;
   };

@@ -18,6 +18,7 @@ enum class CaseNumber {
   contact_area,
   max_pressure,
   friction_power,
+  friction_power_balance,
 };
 
 /// Neighbouring numbers in the row of a case, in the axes.

@@ -80,6 +80,7 @@ struct SolverState {
   } step_key;
   /// Scales of the problem are those of estimate_scales(), not of set_scales().
   bool scales_estimated = false;
+  mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()
   bool images_known = false;  ///< of the solution, at all nodes, slip included
 
   // The last solve.

@@ -6,7 +6,9 @@
 
 #include "contact/condition.hpp"
 #include "contact/contact.hpp"
+#include "contact/few_nodes.hpp"
 #include "contact/geometry.hpp"
+#include "contact/power.hpp"
 #include "contact/state.hpp"
 #include "linalg/blas_threads.hpp"
 
@@ -93,6 +95,7 @@ constexpr Statistic table[] = {
     {"error_estimate_tractions", [](SolverState& s) { return find_error_estimate(s).tractions; }},
     {"nodes_contact",
      [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
+    {"nodes_inside", [](SolverState& s) { return number(nodes_inside(s)); }},
     {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
     {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
     {"nodes_rim",
@@ -118,6 +121,7 @@ constexpr Statistic table[] = {
                 (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
        });
      }},
+    {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }},
     {"max_pressure",
      [](SolverState& s) {
        return std::max(0.0,

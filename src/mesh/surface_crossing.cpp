@@ -123,7 +123,7 @@ void check_crossing(const SurfaceMesh& mesh) {
                      std::max(a.element, b.element) + base);
     }
   crossing.fail_if_any("the surface runs through itself: elements without a common node cross",
-                       "surface");
+                       "surface", mesh.index_base);
 }
 
 }  // namespace rollcon

@@ -64,8 +64,9 @@ std::vector<std::size_t> in_order(std::size_t n) {
   return at;
 }
 
-constexpr const char* names = "iterations friction_power max_pressure contact_area nodes_contact";
-constexpr std::size_t name_count = 5;
+constexpr const char* names =
+    "iterations friction_power max_pressure contact_area nodes_contact friction_power_balance";
+constexpr std::size_t name_count = 6;
 
 }  // namespace
 
@@ -182,7 +183,8 @@ TEST_F(solve_many, results_are_those_of_single_solves) {
       }
       worst = std::max(worst, std::abs(t.approach[i] / approach - 1));
       for (const auto& [k, name] : {std::pair{1, "friction_power"}, std::pair{2, "max_pressure"},
-                                    std::pair{3, "contact_area"}, std::pair{4, "nodes_contact"}}) {
+                                    std::pair{3, "contact_area"}, std::pair{4, "nodes_contact"},
+                                    std::pair{5, "friction_power_balance"}}) {
         ASSERT_EQ(rollcon_contact_get_stat(contact, name, &number), 0);
         worst = std::max(
             worst, std::abs(t.statistics[name_count * i + static_cast<std::size_t>(k)] - number) /
@@ -305,6 +307,8 @@ TEST_F(solve_many, lists_may_be_empty_and_cases_open) {
             ROLLCON_OK);
   EXPECT_NEAR(force[5], -load, 1e-8 * load);
   EXPECT_EQ(forces({ROLLCON_NORMAL}, 1, {4 * load}, force), ROLLCON_RIM_CONTACT);
+  // A contact of a few nodes goes before all that are only cut off or open.
+  EXPECT_EQ(forces({ROLLCON_NORMAL}, 4, {load, 0, 4 * load, 1e-3 * load}, force), ROLLCON_COARSE);
 }
 
 TEST_F(solve_many, the_contact_keeps_scene_and_solution) {

@@ -97,6 +97,20 @@ TEST_F(solve, contact_at_the_rim_is_reported) {
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_RIM_CONTACT);
 }
 
+TEST_F(solve, a_contact_of_a_few_nodes_is_coarse) {
+  set_scene();
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-4),
+            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_COARSE);
+  double touching = 0, inside = -1, estimate = 0;
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "nodes_contact", &touching), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "nodes_inside", &inside), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_stat(contact, "error_estimate", &estimate), ROLLCON_OK);
+  EXPECT_GE(touching, 1);
+  EXPECT_EQ(inside, 0);
+  EXPECT_EQ(estimate, 1);
+}
+
 TEST_F(solve, too_few_iterations_are_reported_and_the_iterate_kept) {
   set_scene();
   ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 1), ROLLCON_OK);

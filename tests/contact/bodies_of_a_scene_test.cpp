@@ -161,8 +161,8 @@ struct SphereOnPlane {
     contact.scene.prescribe(3, 1, 0.02);
     contact.scene.set_creep(-1.2e-3, 4e-4, 3e-4);
   }
-  std::array<double, 3> force() {
-    EXPECT_EQ(contact.solve(), Status::ok);
+  std::array<double, 3> force(Status status = Status::ok) {
+    EXPECT_EQ(contact.solve(), status);
     std::array<double, 3> f{};
     contact.resultant(InAxes::global, f.data(), nullptr);
     return f;
@@ -219,7 +219,7 @@ TEST(gap_from_geometry, a_rigid_sphere_given_as_a_mesh) {
   EXPECT_NE(on_sphere.contact.plan().find("faces of body 2"), std::string::npos);
   // A gap that is given wins.
   on_plane.contact.scene.set_gap_quadratic(1, 1, 0);
-  std::array<double, 3> less = on_plane.force();
+  std::array<double, 3> less = on_plane.force(Status::coarse);
   EXPECT_LT(std::abs(less[2]), 0.2 * std::abs(expected[2]));
 }
 

@@ -222,7 +222,7 @@ TEST(newton, a_far_start_is_not_held_against_the_load) {
     standard_scene(pair, 12);
     Scene& scene = pair.contact->scene;
     scene.prescribe(3, 2, 3);
-    ASSERT_EQ(pair.contact->solve(), Status::ok);
+    ASSERT_EQ(pair.contact->solve(), Status::coarse);
     scene.prescribe(3, 2, 300);
     scene.prescribe(4, 2, moment);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
@@ -265,7 +265,7 @@ TEST(newton, loads_that_the_first_nodes_cannot_carry_are_found_from_the_approach
   pair.friction(0.3);
   scene.set_creep(1e-3, 0, 0);
   scene.prescribe(3, 2, 0.1);
-  ASSERT_EQ(pair.contact->solve(), Status::ok);
+  ASSERT_EQ(pair.contact->solve(), Status::coarse);
   std::printf("%g nodes carry it, %g fallbacks, worst law residual %.1e (bound 1e-8)\n",
               pair.contact->stat("nodes_contact"), pair.contact->stat("fallbacks"),
               pair.worst_law());

@@ -39,7 +39,8 @@ Counts solve(double cx, double cy, const Gap& gap, bool reach) {
   s.set_creep(-2e-3, 5e-4, 0);
   s.options.set_text("operators", "dense");
   s.options.set_int("reach", reach);
-  EXPECT_EQ(pair.contact->solve(), Status::ok);
+  const Status status = pair.contact->solve();
+  EXPECT_TRUE(status == Status::ok || status == Status::coarse) << "summits are a few nodes each";
   return {pair.contact->stat("rows_assembled"), pair.contact->stat("nodes_returned"),
           pair.tractions()};
 }

@@ -167,7 +167,8 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
   require(all_finite(force.values()), with + "a force is not finite");
   require(all_finite(moment.values()), with + "a moment is not finite");
   require(all_finite(motion.values()), with + "a motion is not finite");
-  if (status != ROLLCON_OK && status != ROLLCON_RIM_CONTACT) return status;
+  if (status != ROLLCON_OK && status != ROLLCON_RIM_CONTACT && status != ROLLCON_COARSE)
+    return status;
   // Nodes of no element may have any gap and slip.
   std::vector<std::int32_t> state(static_cast<std::size_t>(nodes));
   rollcon_contact_get_status(contact, nodes, state.data());
@@ -208,7 +209,8 @@ void require_usable(World& world, rollcon_contact* contact, int recipe) {
   require(status[0] == status[1], "given the same scene, a used contact ends with status " +
                                       std::to_string(status[0]) + ", a fresh one with " +
                                       std::to_string(status[1]));
-  if (status[0] != ROLLCON_OK && status[0] != ROLLCON_RIM_CONTACT) return;
+  if (status[0] != ROLLCON_OK && status[0] != ROLLCON_RIM_CONTACT && status[0] != ROLLCON_COARSE)
+    return;
   const double scale = std::hypot(force[1][0], force[1][1], force[1][2]);
   for (int c = 0; c < 3; ++c)
     require(std::abs(force[0][c] - force[1][c]) <= 1e-7 * scale,

@@ -206,7 +206,7 @@ Scene random_body_scene(std::uint32_t seed) {
   int whose = meshed(first) ? 1 : 2;
   if (meshed(first) && meshed(second) && d.chance(0.5)) whose = 2;
   const double room = laid ? 1 : 1.2;
-  scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_NO_CONTACT};
+  scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_NO_CONTACT};
   scene.body1 =
       draw_body(d, first, seed, unit * (whose == 1 ? 1 : room), young, !laid && whose == 1, scene);
   scene.body2 = draw_body(d, second, seed + 1, unit * (whose == 2 ? 1 : room), young * ratio,

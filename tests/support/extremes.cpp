@@ -101,7 +101,8 @@ void give_scene(scenes::RollingPair& pair, const Scene& scene) {
 }
 
 bool Ending::solved() const {
-  return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_NO_CONTACT;
+  return status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE ||
+         status == ROLLCON_NO_CONTACT;
 }
 
 Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition,

@@ -199,7 +199,7 @@ Scene random_scene(std::uint32_t seed) {
   const double mu = *std::max_element(g.friction.begin(), g.friction.end());
   scene.group = std::string("random: ") + (twins ? "like bodies" : "unlike bodies") +
                 (mu < 0.8 ? ", mu < 0.8" : ", mu 1 to 10");
-  scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_NO_CONTACT};
+  scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_NO_CONTACT};
   if (g.by_force[0] || g.by_force[1] || g.by_force[3]) scene.right.push_back(ROLLCON_ERR_LOAD);
   return scene;
 }

@@ -15,6 +15,7 @@ NOT_CONVERGED = 1
 NO_CONTACT = 2
 CANCELLED = 3
 RIM_CONTACT = 4
+COARSE = 5
 ERR_ARGUMENT = -1
 ERR_HANDLE = -2
 ERR_NONFINITE = -3
@@ -125,6 +126,7 @@ STATUS_NAMES = {
     2: "NO_CONTACT",
     3: "CANCELLED",
     4: "RIM_CONTACT",
+    5: "COARSE",
     -1: "ERR_ARGUMENT",
     -2: "ERR_HANDLE",
     -3: "ERR_NONFINITE",
@@ -276,8 +278,8 @@ FUNCTIONS = {
 # Names of the values of enumerations, with and without what all of them begin with.
 ENUMERATORS = {
     "status": {
-        "ok": 0, "not_converged": 1, "no_contact": 2, "cancelled": 3, "rim_contact": 4,
-        "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh": -4, "err_state":
+        "ok": 0, "not_converged": 1, "no_contact": 2, "cancelled": 3, "rim_contact": 4, "coarse":
+        5, "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh": -4, "err_state":
         -5, "err_option": -6, "err_capacity": -7, "err_singular": -8, "err_memory": -9,
         "err_unsupported": -10, "err_busy": -11, "err_load": -12, "err_io": -13, "err_internal":
         -99

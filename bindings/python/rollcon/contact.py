@@ -116,7 +116,7 @@ class Contact(Settings, ContactPlain, Handle):
         self._callbacks["progress"] = wrapped
 
     def solve(self):
-        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT."""
+        """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE."""
         self._raised.clear()
         status = call(lib.rollcon_contact_solve, self._handle)
         if self._raised:

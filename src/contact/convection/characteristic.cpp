@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "contact/convection.hpp"
+#include "mesh/dual_cells.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/plane_quadrature.hpp"
 #include "mesh/topology.hpp"
@@ -10,7 +11,40 @@
 namespace rollcon {
 namespace {
 
-// Spacing along the flow (t1): dual-cell area over half the extent of the neighbours across it.
+bool quadratic_quad(ElementType type) {
+  return type == ElementType::quad8 || type == ElementType::quad9;
+}
+
+// Area of the frame that a node stands for: its dual cell. In quadratic quadrilaterals the parts
+// that equally spaced nodes have (corner 1/16, midside 1/8, centre 1/4): the dual cells of their
+// linear cells differ by 2.5 between midside nodes and corners, and so would the steps. Two thirds
+// of them: tractions that are quadratic between the nodes want steps that much shorter (measured:
+// 0.4 of the spacing halves the error of friction forces on quad8 and quad9 against 0.6).
+std::vector<double> area_of_nodes(const Frame& frame) {
+  const auto type = [&](std::int64_t e) { return frame.mesh.type[static_cast<std::size_t>(e)]; };
+  if (std::none_of(frame.mesh.type.begin(), frame.mesh.type.end(), quadratic_quad))
+    return projected_cell_area(frame);
+  const LinearCells all = split_elements(frame.mesh);
+  LinearCells others;
+  for (std::int64_t c = 0; c < all.size(); ++c) {
+    const auto e = all.element[static_cast<std::size_t>(c)];
+    if (quadratic_quad(type(e))) continue;
+    others.node.insert(others.node.end(), all[c].begin(), all[c].end());
+    others.start.push_back(static_cast<std::int64_t>(others.node.size()));
+    others.element.push_back(e);
+  }
+  std::vector<double> area = build_dual_cells(others, frame.x, frame.y).area;
+  constexpr double shorter = 2.0 / 3;
+  constexpr int degree = 3;  // Jacobian of quadratic elements
+  integrate_projection(frame, degree, [&](auto nodes, const Shape&, double, double, double part) {
+    if (nodes.size() < 8) return;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      area[static_cast<std::size_t>(nodes[i])] += shorter * part / (i < 4 ? 16 : i < 8 ? 8 : 4);
+  });
+  return area;
+}
+
+// Spacing along the flow (t1): area over half the extent of the neighbours across it.
 std::vector<double> spacing_along_flow(const Frame& frame) {
   const auto n = static_cast<std::size_t>(frame.nodes());
   std::vector<double> low(frame.y), high(frame.y), spacing(n);
@@ -28,7 +62,7 @@ std::vector<double> spacing_along_flow(const Frame& frame) {
       high[i] = std::max(high[i], frame.y[i] + half * (y_high - frame.y[i]));
     }
   }
-  const std::vector<double> area = projected_cell_area(frame);
+  const std::vector<double> area = area_of_nodes(frame);
   for (std::size_t i = 0; i < n; ++i) {
     const double side = std::sqrt(area[i]);
     const double across = 0.5 * (high[i] - low[i]);

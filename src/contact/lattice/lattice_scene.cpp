@@ -74,9 +74,9 @@ void choose_table(SolverState& s, bool wanted) {
   if (s.problem.op.normal && !s.problem.op.field) forget_rows(s);
 }
 
-LatticeScene scene_of(const SolverState& s, std::function<bool()> cancelled) {
-  const auto make = [&s](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    prepare_convection(frame, Scheme::characteristic, s.characteristic_step, op);
+LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
+  const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
+    prepare_convection(frame, scheme, s.characteristic_step, op);
     fill_operators(s, lattice, op);
   };
   return {s.frame, *s.lattice, make, std::move(cancelled)};
@@ -125,18 +125,20 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   if (!s.problem.op.field) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
-  const LatticeScene scene = scene_of(s, [&] { return monitor.cancelled(); });
+  const LatticeScene scene =
+      scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
   start_from_coarser(s.problem, scene, s.frictionless, start_tolerance, s.iterate);
 }
 
-bool solve_on_coarser_lattice(const SolverState& s, double tolerance, Iterate& iterate) {
+bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings,
+                              Iterate& iterate) {
   Problem p = s.problem;
   p.by_force = {};
   p.value = s.iterate.motion;
   iterate.resize(p.nodes);
   iterate.motion = s.iterate.motion;
-  return start_from_coarser(p, scene_of(s, [] { return false; }), s.frictionless, tolerance,
-                            iterate);
+  return solve_on_coarser(p, scene_of(s, *s.scheme, [] { return false; }), s.frictionless,
+                          tolerance, halvings, iterate);
 }
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {

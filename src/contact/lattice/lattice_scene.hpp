@@ -18,9 +18,10 @@ bool fill_from_table(SolverState& state);
 /// A cold iterate under operators applied by FFT starts from coarser lattices.
 void start_on_lattice(SolverState& state, const Monitor& monitor);
 
-/// The solution's problem with its motions given, on the lattice of twice the spacing; tractions
-/// interpolated. False: there is none.
-bool solve_on_coarser_lattice(const SolverState& state, double tolerance, Iterate& iterate);
+/// The solution's problem with its motions given, by the same scheme on the lattice of 2^halvings
+/// times the spacing; tractions interpolated. False: there is none.
+bool solve_on_coarser_lattice(const SolverState& state, double tolerance, int halvings,
+                              Iterate& iterate);
 
 /// Displacements u[3 * k + c] at all nodes under the solution's tractions by the compliance of one
 /// body, with FFT. False: it is not a half-space's.

@@ -12,6 +12,8 @@ namespace {
 // Below this many nodes along a side a lattice is solved from nothing.
 constexpr std::int64_t coarsest = 12;
 constexpr std::int64_t coarse_iterations = 60;
+// Nodes along a side of the coarsest lattice that says something about a finer one.
+constexpr std::int64_t coarsest_compared = 7;
 
 /// Every second node and the cells between them; on an even number of nodes the last one has no
 /// coarse neighbour.
@@ -104,11 +106,20 @@ class Quiet final : public Monitor {
   const std::function<bool()>& cancelled_;
 };
 
-}  // namespace
+bool solve(Problem& problem, const LatticeScene& scene, bool frictionless, double tolerance,
+           Iterate& iterate) {
+  Newton newton;
+  Quiet quiet(scene.cancelled);
+  const NewtonReport report =
+      newton.solve(problem, iterate, frictionless, tolerance, coarse_iterations, quiet);
+  return report.outcome == Outcome::converged;
+}
 
-bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
-                        double tolerance, Iterate& iterate) {
-  if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
+/// Tractions and motions for a lattice from what `find` makes of the problem on the next coarser
+/// one. False: it found nothing.
+template <class Find>
+bool take_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                       Iterate& iterate, Find find) {
   const Coarser coarser = coarsen(scene.frame, scene.lattice);
   if (!coarser.lattice.has_inner_node()) return false;
   Problem p = coarser_problem(problem, scene, coarser, frictionless);
@@ -116,12 +127,7 @@ bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool 
   start.resize(p.nodes);
   start.motion = iterate.motion;
   const LatticeScene next{coarser.frame, coarser.lattice, scene.make_operators, scene.cancelled};
-  start_from_coarser(p, next, frictionless, start_tolerance, start);
-  Newton newton;
-  Quiet quiet(scene.cancelled);
-  const NewtonReport report =
-      newton.solve(p, start, frictionless, tolerance, coarse_iterations, quiet);
-  if (report.outcome != Outcome::converged) return false;
+  if (!find(p, next, start)) return false;
   for (int c = 0; c < 3; ++c)
     interpolate(coarser.lattice, start.lambda[c], scene.lattice, iterate.lambda[c]);
   for (std::size_t k = 0; k < at(problem.nodes); ++k) {
@@ -135,6 +141,31 @@ bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool 
   iterate.motion = start.motion;
   iterate.invalidate();
   return true;
+}
+
+}  // namespace
+
+bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                        double tolerance, Iterate& iterate) {
+  if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
+  return take_from_coarser(problem, scene, frictionless, iterate,
+                           [&](Problem& p, const LatticeScene& next, Iterate& start) {
+                             start_from_coarser(p, next, frictionless, start_tolerance, start);
+                             return solve(p, next, frictionless, tolerance, start);
+                           });
+}
+
+bool solve_on_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                      double tolerance, int halvings, Iterate& iterate) {
+  if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest_compared) return false;
+  return take_from_coarser(problem, scene, frictionless, iterate,
+                           [&](Problem& p, const LatticeScene& next, Iterate& start) {
+                             if (halvings > 1)
+                               return solve_on_coarser(p, next, frictionless, tolerance,
+                                                       halvings - 1, start);
+                             start_from_coarser(p, next, frictionless, start_tolerance, start);
+                             return solve(p, next, frictionless, tolerance, start);
+                           });
 }
 
 }  // namespace rollcon

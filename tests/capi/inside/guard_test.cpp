@@ -25,7 +25,7 @@ TEST(guard, every_status_thrown_inside_comes_out_with_its_text) {
 
 TEST(guard, positive_statuses_pass_without_a_text) {
   for (const Status status : {Status::ok, Status::not_converged, Status::no_contact,
-                              Status::cancelled, Status::rim_contact}) {
+                              Status::cancelled, Status::rim_contact, Status::coarse}) {
     Context context;
     EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { return status; }),
               static_cast<std::int32_t>(status));

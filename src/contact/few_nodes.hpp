@@ -1,0 +1,21 @@
+#pragma once
+/// Whether enough nodes touch for a solution to mean anything (docs/theory.md, section 8).
+
+#include <cstdint>
+#include <string>
+
+namespace rollcon {
+
+struct SolverState;
+
+/// Nodes in contact without an open node in any of their elements: the contact's extent is known to
+/// one element, so that all others are its edge.
+std::int64_t nodes_inside(const SolverState& state);
+
+/// The contact has no inside, or with friction not enough of it.
+bool too_few_nodes(const SolverState& state);
+
+/// How many touch, what that means and what to do about it.
+std::string describe_few_nodes(const SolverState& state);
+
+}  // namespace rollcon

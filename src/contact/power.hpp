@@ -1,0 +1,11 @@
+#pragma once
+/// Power that friction takes, from the balance of work (docs/theory.md, section 8).
+
+namespace rollcon {
+
+struct SolverState;
+
+/// What forces, spin moment and the slope of the gap put in, force times speed. Needs no slip.
+double power_put_in(const SolverState& state);
+
+}  // namespace rollcon
