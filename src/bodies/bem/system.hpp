@@ -3,6 +3,7 @@
 /// factorised once, condensed to the surface nodes that contact needs. docs/theory.md, section 9.
 
 #include "bodies/bem/boundary_integrals.hpp"
+#include "bodies/bem/lifted_surface.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/body_mesh.hpp"
 #include "bodies/response_cache.hpp"
@@ -58,12 +59,12 @@ class System final : public ResponseCache {
   void check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
                      std::span<const std::int64_t> face);
   std::vector<double> given_tractions() const;
-  std::vector<std::int32_t> columns_of_faces(std::span<const std::int64_t> face,
-                                             const SurfaceOutline& outline) const;
+  LiftedColumns columns_of_faces(std::span<const std::int64_t> face,
+                                 const SurfaceOutline& outline) const;
   /// Unit tractions, whose single-layer rows `integrals` gives: unknowns x (3 columns).
   std::vector<double> right_sides(const BoundaryIntegrals& integrals,
-                                  const std::vector<std::int32_t>& g_column, std::int64_t columns,
-                                  bool on_the_mesh, int threads) const;
+                                  const LiftedColumns& g_columns, bool on_the_mesh,
+                                  int threads) const;
   /// Solves for them, tractions on faces of `surface`, and keeps some rows.
   void condense(std::vector<double> b, const SurfaceMesh& surface,
                 std::span<const std::int64_t> face, SurfaceRows& rows, int threads);
@@ -73,7 +74,8 @@ class System final : public ResponseCache {
   const TractionNodes& fans_;
   double shear_ = 1, poisson_ = 0;
   BodyOptions options_;
-  BoundaryIntegrals integrals_;
+  LiftedSurface lifted_;
+  BoundaryIntegrals integrals_;  ///< over lifted_
   Unknowns unknowns_;
   std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
   double reach_ = 0;              ///< half the diagonal of the body's box
