@@ -7,6 +7,7 @@
 #include "bodies/archive.hpp"
 #include "bodies/equal_bodies.hpp"
 #include "bodies/mesh_models.hpp"
+#include "linalg/blas_kernels.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "support/input_checks.hpp"
 
@@ -128,6 +129,9 @@ void Body::log_preparation() const {
         "%s body: the reactions of its supports miss its loads by %.2g %%, and its "
         "displacements may be off by as much: refine its mesh, above all where it is thin",
         model, 100 * s.imbalance);
+  if (kind_ == BodyKind::bem && !shared_ && !loaded())
+    if (const std::string slow = slow_factorization(blas_kernels(), s.unknowns); !slow.empty())
+      context_->log(LogLevel::warning, "%s body: %s", model, slow.c_str());
   constexpr double most = 0.5;
   if (!shared_ && model_->thin.part > most)
     context_->log(LogLevel::warning,
