@@ -91,12 +91,10 @@ Resultant System::support_reaction() const {
   return resultant(support);
 }
 
-double System::note_imbalance(const Resultant& sum, const Vec3& centre, double force) {
+double System::imbalance(const Resultant& sum, const Vec3& centre, double force) const {
   const double moment = length(sum.moment - cross(centre, sum.force));
   const double arm = std::clamp(length(centre - held_at_), 0.5 * reach_, reach_);
-  const double imbalance = std::max(length(sum.force), moment / arm) / force;
-  statistics_.imbalance = std::max(statistics_.imbalance, imbalance);
-  return imbalance;
+  return std::max(length(sum.force), moment / arm) / force;
 }
 
 void System::note_own_imbalance(std::span<const double> load) {
@@ -106,7 +104,8 @@ void System::note_own_imbalance(std::span<const double> load) {
     force += length(part);
     first = first + length(part) * x;
   });
-  if (force > 0) note_imbalance(resultant(own_traction_), (1 / force) * first, force);
+  if (force > 0)
+    imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
 }
 
 void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
@@ -141,18 +140,20 @@ void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surf
     load[c] = area;
     all.force = all.force + load;
     all.moment = all.moment + cross(centre, load);
-    note_imbalance(all, centre, area);
+    double& along = imbalances_.along[c];
+    along = std::max(along, imbalance(all, centre, area));
     under_pressure.force = under_pressure.force + pressed[c] * all.force;
     under_pressure.moment = under_pressure.moment + pressed[c] * all.moment;
   }
-  const double imbalance = note_imbalance(under_pressure, centre, area);
-  if (imbalance <= most_imbalance) return;
+  const double missed = imbalance(under_pressure, centre, area);
+  imbalances_.pressure = std::max(imbalances_.pressure, missed);
+  if (missed <= most_imbalance) return;
   fail(
       Status::err_mesh,
       "the mesh of the boundary-element body cannot show how it bears a pressure on the frame: the "
       "reactions of its supports miss that by %.3g %%; allowed: %g %%; where the body is thin, "
       "take quadratic elements no longer than it is thick, or finite elements",
-      100 * imbalance, 100 * most_imbalance);
+      100 * missed, 100 * most_imbalance);
 }
 
 }  // namespace rollcon::bem

@@ -188,6 +188,11 @@ void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
 }
 
+Imbalances System::imbalances() const {
+  const std::lock_guard lock(mutex_);
+  return imbalances_;
+}
+
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   BodyStatistics s = statistics_;
@@ -196,6 +201,8 @@ BodyStatistics System::statistics() const {
   if (const auto equations = equations_.lock())
     s.bytes += equations->dense.capacity() * sizeof(double);
   s.nonzeros = s.unknowns * s.unknowns;
+  const Imbalances& i = imbalances_;
+  s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, i.loads});
   count_kept(s);
   return s;
 }
