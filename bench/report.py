@@ -6,6 +6,8 @@ usage: report.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
 Writes the half-space part of DOCS_DIR/accuracy.md and DOCS_DIR/images/accuracy_*.png (gnuplot).
 """
 
+import ctypes
+import ctypes.util
 import json
 import os
 import platform
@@ -263,7 +265,21 @@ def linear_solver(records, docs):
             + f"\n![LU and GMRES]({image})\n")
 
 
+def blas_kernels():
+    """OpenBLAS's name for the kernels it picks here: some are several times as slow as others."""
+    try:
+        name = ctypes.CDLL(ctypes.util.find_library("openblas")).openblas_get_corename
+    except (OSError, AttributeError, TypeError):
+        return ""
+    name.restype = ctypes.c_char_p
+    return f" (OpenBLAS's kernels for {name().decode()})"
+
+
 def processor():
+    return processor_name() + blas_kernels()
+
+
+def processor_name():
     try:
         with open("/proc/cpuinfo", encoding="utf-8") as info:
             for line in info:

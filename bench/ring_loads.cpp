@@ -26,6 +26,7 @@ struct LoadCase {
 };
 constexpr LoadCase load_cases[] = {{Load::normal, 0.3, "pressure"},
                                    {Load::tangential, 0.3, "shear"},
+                                   {Load::axial, 0.3, "axial"},
                                    {Load::normal, 0.49, "pressure"}};
 
 struct Solved {
@@ -92,7 +93,7 @@ Solved press(scenes::MeshedBody shape, const LoadCase& load, int threads) {
   }
   answer.find_mean();
   Solved solved;
-  solved.first = answer.at(0, 0)[load.load == Load::normal ? 2 : 0];
+  solved.first = answer.at(0, 0)[load.load == Load::normal ? 2 : load.load == Load::axial ? 1 : 0];
   const auto errors = loaded_ring::listed_errors(answer, load.load, load.poisson);
   solved.listed = errors.size();
   for (const auto& [what, error] : errors)
@@ -231,10 +232,11 @@ void run(Runner& runner, const char* case_name, const std::vector<Maker>& meshes
 }  // namespace
 
 std::vector<Case> ring_load_cases() {
-  return {{"ring_loads", "a ring under pressure and shear on a patch: boundary elements",
-           [](Runner& r) { run(r, "ring_loads", boundary_element_meshes(r.quick)); }},
-          {"fem_ring_loads", "the same by finite elements",
-           [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }}};
+  return {
+      {"ring_loads", "a ring under pressure, shear and axial load on a patch: boundary elements",
+       [](Runner& r) { run(r, "ring_loads", boundary_element_meshes(r.quick)); }},
+      {"fem_ring_loads", "the same by finite elements",
+       [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }}};
 }
 
 }  // namespace rollcon::bench

@@ -6,7 +6,9 @@
 
 #include "bodies/archive.hpp"
 #include "bodies/equal_bodies.hpp"
+#include "bodies/imbalance.hpp"
 #include "bodies/mesh_models.hpp"
+#include "linalg/blas_kernels.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "support/input_checks.hpp"
 
@@ -121,13 +123,12 @@ void Body::log_preparation() const {
                   "displacements are left; slender or tiny elements, long thin bodies and very "
                   "unequal moduli do that",
                   model, s.condition, worst);
-  constexpr double notable = 0.1;
-  if (s.imbalance > notable)
-    context_->log(
-        LogLevel::warning,
-        "%s body: the reactions of its supports miss its loads by %.2g %%, and its "
-        "displacements may be off by as much: refine its mesh, above all where it is thin",
-        model, 100 * s.imbalance);
+  if (const std::string missed = imbalances_of(response()).notable(); !missed.empty())
+    context_->log(LogLevel::warning, "%s body: the reactions of its supports miss %s: %s", model,
+                  missed.c_str(), imbalance_remedy);
+  if (kind_ == BodyKind::bem && !shared_ && !loaded())
+    if (const std::string slow = slow_factorization(blas_kernels(), s.unknowns); !slow.empty())
+      context_->log(LogLevel::warning, "%s body: %s", model, slow.c_str());
   constexpr double most = 0.5;
   if (!shared_ && model_->thin.part > most)
     context_->log(LogLevel::warning,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bodies/imbalance.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {
@@ -60,6 +61,19 @@ constexpr Statistic statistics[] = {
     {"peak_bytes", [](const BodyStatistics& s) { return number(s.peak_bytes); }},
 };
 
+/// Which loads make up "imbalance".
+struct Missed {
+  const char* name;
+  double (*value)(const Imbalances&);
+};
+constexpr Missed missed_loads[] = {
+    {"imbalance_x", [](const Imbalances& i) { return i.along[0]; }},
+    {"imbalance_y", [](const Imbalances& i) { return i.along[1]; }},
+    {"imbalance_z", [](const Imbalances& i) { return i.along[2]; }},
+    {"imbalance_pressure", [](const Imbalances& i) { return i.pressure; }},
+    {"imbalance_loads", [](const Imbalances& i) { return i.loads; }},
+};
+
 }  // namespace
 
 void body_displacements(const Body& body, std::int64_t capacity, double* u) {
@@ -90,6 +104,11 @@ double body_statistic(const Body& body, const char* name) {
       require_prepared(body);
       return (body.*origin.is)() ? 1 : 0;
     }
+  for (const Missed& missed : missed_loads)
+    if (std::strcmp(missed.name, name) == 0) {
+      require_prepared(body);
+      return missed.value(imbalances_of(body.response()));
+    }
   const auto* found = std::find_if(std::begin(statistics), std::end(statistics),
                                    [&](const Statistic& s) { return !std::strcmp(s.name, name); });
   if (found == std::end(statistics)) {
@@ -103,12 +122,16 @@ double body_statistic(const Body& body, const char* name) {
 }
 
 std::int64_t body_statistic_count() {
-  return static_cast<std::int64_t>(std::size(statistics) + std::size(origins));
+  return static_cast<std::int64_t>(std::size(statistics) + std::size(missed_loads) +
+                                   std::size(origins));
 }
 
 const char* body_statistic_name(std::int64_t i) {
-  const auto k = static_cast<std::size_t>(i);
-  return k < std::size(statistics) ? statistics[k].name : origins[k - std::size(statistics)].name;
+  auto k = static_cast<std::size_t>(i);
+  if (k < std::size(statistics)) return statistics[k].name;
+  k -= std::size(statistics);
+  if (k < std::size(missed_loads)) return missed_loads[k].name;
+  return origins[k - std::size(missed_loads)].name;
 }
 
 }  // namespace rollcon

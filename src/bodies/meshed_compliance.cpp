@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/imbalance.hpp"
 #include "bodies/meshed_compliance_class.hpp"
 #include "bodies/thinness.hpp"
 #include "mesh/shape.hpp"
@@ -113,13 +114,9 @@ void MeshedCompliance::require_response() const {
       }
     }
   }
-  constexpr double notable = 0.1;
-  if (const double imbalance = body.statistics().imbalance; imbalance > notable)
-    body_.context().log(LogLevel::warning,
-                        "body %d: the reactions of its supports miss its loads by %.2g %%, and its "
-                        "displacements may be off by as much: refine its mesh, above all where it "
-                        "is thin",
-                        which_ + 1, 100 * imbalance);
+  if (const std::string missed = imbalances_of(&body).notable(); !missed.empty())
+    body_.context().log(LogLevel::warning, "body %d: the reactions of its supports miss %s: %s",
+                        which_ + 1, missed.c_str(), imbalance_remedy);
   constexpr double shallow = 1.9;
   if (depth_ < shallow && !on_body_.matches() && !by_shape_functions())
     body_.context().log(LogLevel::warning,

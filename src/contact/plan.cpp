@@ -11,6 +11,7 @@
 #include "contact/lattice/lattice_scene.hpp"
 #include "contact/outcome_text.hpp"
 #include "contact/state.hpp"
+#include "linalg/blas_kernels.hpp"
 
 namespace rollcon {
 namespace {
@@ -32,6 +33,12 @@ const char* where_prepared(const Body& body) {
   return body.shared() ? "; shared with an equal body of this context" : "";
 }
 
+/// Of boundary elements, whose factors are dense.
+std::string slow_factors(const Body& body) {
+  if (body.kind() != BodyKind::bem || !body.response()) return {};
+  return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
+}
+
 void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
                      const Body& body2) {
   int number = 1;
@@ -40,7 +47,7 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
     if (body->rigid())
       line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
            body->meshed() ? " surface of its own" : ", no mesh");
-    else if (body->meshed())
+    else if (body->meshed()) {
       line(
           text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number,
           fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
@@ -48,6 +55,9 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
           fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str()
               : "",
           where_prepared(*body));
+      if (const std::string slow = slow_factors(*body); !slow.empty())
+        line(text, "body %d: %s", number, slow.c_str());
+    }
     ++number;
   }
   if (body1.response() && body1.same_as(body2))

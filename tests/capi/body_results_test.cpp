@@ -146,7 +146,7 @@ TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
   set_mesh(body);
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
   for (rollcon_body* b : {body, sphere, plane}) ASSERT_EQ(rollcon_body_prepare(b), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_stat_count(), 19);
+  ASSERT_EQ(rollcon_body_stat_count(), 24);
   for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
     char name[32];
     double value = -1;

@@ -159,19 +159,26 @@ double theory(double thickness) {
 // mesh cannot bend as the body does, displacements are too small by any factor, and the balance
 // shows it.
 TEST(stability_bodies, thin_boundary_elements_bend_rightly_or_are_refused) {
-  for (const ElementType type : {ElementType::quad8, ElementType::tri6}) {
+  struct Good {
+    ElementType type;
+    double bound, imbalance;
+  };
+  for (const auto& [type, bound, imbalance] :
+       {Good{ElementType::quad8, 0.01, 0.01}, Good{ElementType::tri6, 0.01, 0.01},
+        Good{ElementType::quad4, 0.05, 0.1}, Good{ElementType::tri3, 0.06, 0.2}}) {
     statics::StaticBody good = cantilever(0.1, 12, type);
     good.solve();
     expect_below(surfaces::name_of(type) + " as long as the body is thick, tip",
-                 std::abs(tip(good) / theory(0.1) - 1), 0.01);
-    expect_below("  imbalance of reactions", good.body().response()->statistics().imbalance, 0.01);
+                 std::abs(tip(good) / theory(0.1) - 1), bound);
+    expect_below("  imbalance of reactions", good.body().response()->statistics().imbalance,
+                 imbalance);
   }
   struct Case {
     double thickness;
     ElementType type;
   };
   for (const auto& [thickness, type] :
-       {Case{0.1, ElementType::quad4}, Case{0.01, ElementType::quad8},
+       {Case{0.05, ElementType::quad4}, Case{0.01, ElementType::quad8},
         Case{0.01, ElementType::tri3}, Case{0.001, ElementType::quad8},
         Case{0.001, ElementType::tri6}}) {
     statics::StaticBody bad = cantilever(thickness, 6, type);

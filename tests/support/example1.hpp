@@ -20,6 +20,9 @@ inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson))
 inline const double hertz_a = std::sqrt(4 * (load / width) * (radius / 2) * 2 *
                                         (1 - poisson * poisson) / (std::acos(-1.0) * young));
 inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
+/// At mid-plane of these rings, whose sides are free: quadratic boundary elements of 1400 to 1800
+/// nodes (quad9, tri6, quad8) agree on it to 0.05 %.
+inline constexpr double fine_p0 = 106.7;
 inline const double carter_creepage =
     -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
 

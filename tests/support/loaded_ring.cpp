@@ -31,7 +31,21 @@ constexpr Row rows[] = {
      's',
      {.0754808, .0673031, .0558447, .0755530, .0733572, .0726928, .0729445}},
     {Load::tangential, 0.3, 'n', {none, .0045039, .0040242, none, none, none, none}},
-    {Load::normal, 0.49, 'n', {.0440806, .0372047, .0275117, .0453897, none, .0541693, .0443127}}};
+    {Load::normal, 0.49, 'n', {.0440806, .0372047, .0275117, .0453897, none, .0541693, .0443127}},
+    {Load::axial, 0.3, 'y', {.6098606, .5963578, .5748597, .6144048, .6305889, .6316913, .6120320}},
+    {Load::axial, 0.3, 'n', {none, none, none, .0701777, .1630673, .1735673, none}}};
+
+/// How a load is called, the component along it, and the largest displacement it is listed with.
+struct LoadFacts {
+  const char* name;
+  char component;
+  double scale;
+};
+LoadFacts facts_of(Load kind) {
+  if (kind == Load::normal) return {"normal", 'n', .0474826};
+  if (kind == Load::tangential) return {"tangential", 's', .0754808};
+  return {"axial", 'y', .6098606};
+}
 constexpr const char* point_names[] = {"(0,0)",   "(1,0)", "(2,0)", "(0,2)",
                                        "(0,3.9)", "(0,4)", "mean"};
 constexpr std::pair<double, double> points[] = {{0, 0}, {1, 0}, {2, 0}, {0, 2}, {0, 3.9}, {0, 4}};
@@ -83,6 +97,7 @@ std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh) {
 }
 
 Vec3 traction(Load kind, const Vec3& x) {
+  if (kind == Load::axial) return {0, load, 0};
   return load * (kind == Load::normal ? -1.0 * outward(x) : around(x));
 }
 
@@ -142,17 +157,17 @@ void Answer::find_mean() {
 
 std::vector<ListedError> listed_errors(const Answer& a, Load kind, double poisson) {
   std::vector<ListedError> errors;
+  const LoadFacts facts = facts_of(kind);
   for (const Row& row : rows) {
     if (row.load != kind || row.poisson != poisson) continue;
     for (std::size_t p = 0; p < 7; ++p) {
       if (row.value[p] == none || (p < 6 && !a.has_line(points[p].first))) continue;
       const double value =
           component(p < 6 ? a.at(points[p].first, points[p].second) : a.mean, row.component);
-      const bool main = row.component == (kind == Load::normal ? 'n' : 's');
-      const double scale = main ? row.value[p] : kind == Load::normal ? .0474826 : .0754808;
-      errors.push_back({(kind == Load::normal ? "normal" : "tangential") +
-                            std::string(" load, nu ") + std::to_string(poisson).substr(0, 4) +
-                            ": u_" + row.component + " at " + point_names[p],
+      const double scale = row.component == facts.component ? row.value[p] : facts.scale;
+      errors.push_back({facts.name + std::string(" load, nu ") +
+                            std::to_string(poisson).substr(0, 4) + ": u_" + row.component + " at " +
+                            point_names[p],
                         (value - row.value[p]) / scale});
     }
   }

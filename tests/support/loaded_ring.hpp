@@ -12,7 +12,7 @@ namespace rollcon::statics::loaded_ring {
 
 inline constexpr double young = 1e4, inner = 25, outer = 50, side = 4, load = 100;
 
-enum class Load { normal, tangential };
+enum class Load { normal, tangential, axial };
 
 /// Half of the circumference and half of the width, between planes of (anti)symmetry; the hub is
 /// tag 5.

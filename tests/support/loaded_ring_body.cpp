@@ -5,7 +5,9 @@
 namespace rollcon::statics::loaded_ring {
 
 void hold_quarter(StaticBody& body, Load kind) {
-  body.hold_tags({5}).hold_tags({1, 2}, kind == Load::normal ? 1 : 6).hold_tags({3}, 2).solve();
+  constexpr std::int32_t x = 1, y = 2, z = 4;
+  body.hold_tags({5}).hold_tags({1, 2}, kind == Load::tangential ? y | z : x);
+  body.hold_tags({3}, kind == Load::axial ? x | z : y).solve();
 }
 
 Answer loaded(StaticBody& body, Load kind) {

@@ -122,41 +122,45 @@ void System::place(const double* h, const double* g, const std::vector<std::int3
 void System::assemble(int threads, double* matrix, std::vector<double>& own_load) {
   const SurfaceMesh& surface = mesh_.surface;
   const std::vector<double> given = given_tractions();
-  std::int32_t g_columns = 0;
-  const std::vector<std::int32_t> column_of_fan = needed_fans(given, g_columns);
+  std::int32_t own_columns = 0;
+  const std::vector<std::int32_t> column_of_fan = needed_fans(given, own_columns);
   std::vector<std::int32_t> g_column(fans_.of.size());
   for (std::size_t k = 0; k < g_column.size(); ++k) g_column[k] = column_of_fan[at(fans_.of[k])];
+  const LiftedColumns g_columns = lift_columns(surface, lifted_, g_column, own_columns);
 
   const std::int64_t n = unknowns_.columns;
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
   for_packs(
       points, threads,
       [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
-        h.resize(at(surface.nodes()) * 9 * lanes);
-        g.resize(at(g_columns) * 9 * lanes);
-        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_column.data(),
-                        g_columns, g_columns > 0 ? g.data() : nullptr);
+        h.resize(at(lifted_.mesh.nodes()) * 9 * lanes);
+        g.resize(at(g_columns.size()) * 9 * lanes);
+        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_columns.of.data(),
+                        g_columns.size(), g_columns.size() > 0 ? g.data() : nullptr);
+        fold_displacements(lifted_, h.data());
+        fold_tractions(g_columns, g.data());
         place(h.data(), g.data(), column_of_fan, given,
               {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
       });
 }
 
 std::vector<double> System::right_sides(const BoundaryIntegrals& integrals,
-                                        const std::vector<std::int32_t>& g_column,
-                                        std::int64_t columns, bool on_the_mesh, int threads) const {
-  const std::int64_t n = unknowns_.columns;
+                                        const LiftedColumns& g_columns, bool on_the_mesh,
+                                        int threads) const {
+  const std::int64_t n = unknowns_.columns, columns = g_columns.own;
   std::vector<double> b(at(n * 3 * columns), 0.0);
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
   for_packs(
       points, threads,
       [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
-        g.resize(at(columns) * 9 * lanes);
+        g.resize(at(g_columns.size()) * 9 * lanes);
         CollocationPoint pack[lanes];
         for (std::int64_t p = 0; p < count; ++p) {
           pack[p] = unknowns_.point[at(first + p)];
           if (!on_the_mesh) pack[p].node = pack[p].element = -1;
         }
-        integrals.rows({pack, at(count)}, nullptr, g_column.data(), columns, g.data());
+        integrals.rows({pack, at(count)}, nullptr, g_columns.of.data(), g_columns.size(), g.data());
+        fold_tractions(g_columns, g.data());
         const std::int32_t* row = unknowns_.row.data() + 3 * first;
         for (std::int64_t k = 0; k < 3 * columns; ++k)
           for (std::int64_t i = 0; i < 3; ++i)
@@ -167,8 +171,8 @@ std::vector<double> System::right_sides(const BoundaryIntegrals& integrals,
   return b;
 }
 
-std::vector<std::int32_t> System::columns_of_faces(std::span<const std::int64_t> face,
-                                                   const SurfaceOutline& outline) const {
+LiftedColumns System::columns_of_faces(std::span<const std::int64_t> face,
+                                       const SurfaceOutline& outline) const {
   std::vector<std::int32_t> column_of_node(at(surface_.nodes()), -1);
   for (std::size_t k = 0; k < outline.column.size(); ++k)
     column_of_node[at(outline.column[k])] = static_cast<std::int32_t>(k);
@@ -176,7 +180,8 @@ std::vector<std::int32_t> System::columns_of_faces(std::span<const std::int64_t>
   for (const std::int64_t e : face)
     for (std::int64_t k = surface_.offset[at(e)]; k < surface_.offset[at(e) + 1]; ++k)
       g_column[at(k)] = column_of_node[at(surface_.connectivity[at(k)])];
-  return g_column;
+  return lift_columns(surface_, lifted_, g_column,
+                      static_cast<std::int64_t>(outline.column.size()));
 }
 
 }  // namespace rollcon::bem

@@ -20,9 +20,10 @@ namespace {
 /// where they are loaded miss 0.78, plates that hardly bend 0.84 and more.
 constexpr double most_imbalance = 0.8;
 
-/// Calls add(weight times area, position, shape) at the points of a rule on an element.
+/// Calls add(weight times area, position, shape) at the points of a rule on an element, with its
+/// own shape functions; geometry: the elements as the equations see them.
 template <class Add>
-void for_points(const SurfaceMesh& surface, std::int64_t e, Add add) {
+void for_points(const SurfaceMesh& surface, const SurfaceMesh& geometry, std::int64_t e, Add add) {
   // Exact for plane elements; on curved ones the Jacobian is not a polynomial.
   constexpr int degree = 9;
   static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
@@ -31,14 +32,14 @@ void for_points(const SurfaceMesh& surface, std::int64_t e, Add add) {
   Shape shape;
   for (std::size_t q = 0; q < rule.size(); ++q) {
     evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-    const SurfaceFrame here = evaluate_surface(surface, e, rule.xi[q], rule.eta[q]);
+    const SurfaceFrame here = evaluate_surface(geometry, e, rule.xi[q], rule.eta[q]);
     add(rule.w[q] * length(here.normal), here.x, shape);
   }
 }
 
 /// Calls add(force, position) at the points of all elements with tractions.
 template <class Add>
-void for_forces(const SurfaceMesh& surface, const TractionNodes& fans,
+void for_forces(const SurfaceMesh& surface, const SurfaceMesh& geometry, const TractionNodes& fans,
                 std::span<const double> traction, Add add) {
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
     const std::span fan(fans.of.data() + surface.offset[at(e)], surface.element(e).size());
@@ -47,7 +48,7 @@ void for_forces(const SurfaceMesh& surface, const TractionNodes& fans,
       return std::any_of(own.begin(), own.end(), [](double t) { return t != 0; });
     });
     if (!loaded) continue;
-    for_points(surface, e, [&](double area, const Vec3& x, const Shape& shape) {
+    for_points(surface, geometry, e, [&](double area, const Vec3& x, const Shape& shape) {
       Vec3 t{0, 0, 0};
       for (std::size_t k = 0; k < fan.size(); ++k)
         for (std::size_t c = 0; c < 3; ++c) t[c] += shape.value[k] * traction[3 * at(fan[k]) + c];
@@ -72,7 +73,7 @@ void System::add_reactions(const double* b, std::vector<double>& traction) const
 
 Resultant System::resultant(std::span<const double> traction) const {
   Resultant sum;
-  for_forces(surface_, fans_, traction, [&](const Vec3& force, const Vec3& x) {
+  for_forces(surface_, lifted_.mesh, fans_, traction, [&](const Vec3& force, const Vec3& x) {
     sum.force = sum.force + force;
     sum.moment = sum.moment + cross(x, force);
   });
@@ -90,31 +91,31 @@ Resultant System::support_reaction() const {
   return resultant(support);
 }
 
-double System::note_imbalance(const Resultant& sum, const Vec3& centre, double force) {
+double System::imbalance(const Resultant& sum, const Vec3& centre, double force) const {
   const double moment = length(sum.moment - cross(centre, sum.force));
   const double arm = std::clamp(length(centre - held_at_), 0.5 * reach_, reach_);
-  const double imbalance = std::max(length(sum.force), moment / arm) / force;
-  statistics_.imbalance = std::max(statistics_.imbalance, imbalance);
-  return imbalance;
+  return std::max(length(sum.force), moment / arm) / force;
 }
 
 void System::note_own_imbalance(std::span<const double> load) {
   double force = 0;
   Vec3 first{0, 0, 0};
-  for_forces(surface_, fans_, load, [&](const Vec3& part, const Vec3& x) {
+  for_forces(surface_, lifted_.mesh, fans_, load, [&](const Vec3& part, const Vec3& x) {
     force += length(part);
     first = first + length(part) * x;
   });
-  if (force > 0) note_imbalance(resultant(own_traction_), (1 / force) * first, force);
+  if (force > 0)
+    imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
 }
 
 void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
                            std::span<const std::int64_t> face) {
+  const SurfaceMesh& geometry = &surface == &surface_ ? lifted_.mesh : surface;
   double area = 0;
   Vec3 first{0, 0, 0}, normal{0, 0, 0};
   for (const std::int64_t e : face) {
     double of_element = 0;
-    for_points(surface, e, [&](double part, const Vec3& x, const Shape&) {
+    for_points(surface, geometry, e, [&](double part, const Vec3& x, const Shape&) {
       of_element += part;
       first = first + part * x;
     });
@@ -139,18 +140,20 @@ void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surf
     load[c] = area;
     all.force = all.force + load;
     all.moment = all.moment + cross(centre, load);
-    note_imbalance(all, centre, area);
+    double& along = imbalances_.along[c];
+    along = std::max(along, imbalance(all, centre, area));
     under_pressure.force = under_pressure.force + pressed[c] * all.force;
     under_pressure.moment = under_pressure.moment + pressed[c] * all.moment;
   }
-  const double imbalance = note_imbalance(under_pressure, centre, area);
-  if (imbalance <= most_imbalance) return;
+  const double missed = imbalance(under_pressure, centre, area);
+  imbalances_.pressure = std::max(imbalances_.pressure, missed);
+  if (missed <= most_imbalance) return;
   fail(
       Status::err_mesh,
       "the mesh of the boundary-element body cannot show how it bears a pressure on the frame: the "
       "reactions of its supports miss that by %.3g %%; allowed: %g %%; where the body is thin, "
       "take quadratic elements no longer than it is thick, or finite elements",
-      100 * imbalance, 100 * most_imbalance);
+      100 * missed, 100 * most_imbalance);
 }
 
 }  // namespace rollcon::bem

@@ -54,14 +54,12 @@ void System::write_loads(const std::vector<double>& b, SurfaceLoads& loads) cons
 }
 
 void System::load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) {
-  write_loads(right_sides(integrals_, columns_of_faces(face, loads),
-                          static_cast<std::int64_t>(loads.column.size()), true, threads),
-              loads);
+  write_loads(right_sides(integrals_, columns_of_faces(face, loads), true, threads), loads);
 }
 
 void System::load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) {
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  write_loads(right_sides(integrals, layer.connectivity, layer.nodes(), false, threads), loads);
+  write_loads(right_sides(integrals, columns_of_layer(layer), false, threads), loads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
 }
 

@@ -18,6 +18,7 @@ std::uint64_t System::numbering() const {
   add(unknowns_.traction);
   add(unknowns_.row);
   add(fans_.of);
+  add(lifted_.mesh.connectivity);
   // By places on elements to six digits: positions differ in the last bit between compilers.
   for (const CollocationPoint& point : unknowns_.point) {
     add(std::array{point.node, point.element});

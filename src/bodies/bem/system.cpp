@@ -57,9 +57,12 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       shear_(young / (2 * (1 + poisson))),
       poisson_(poisson),
       options_(options),
-      integrals_(mesh.surface, poisson, options.accuracy),
+      lifted_(lift(mesh, options.edge_angle)),
+      integrals_(lifted_.mesh, poisson, options.accuracy),
       unknowns_(choose_unknowns(mesh, fans)) {
   require_matrix(unknowns_.columns);
+  for (CollocationPoint& p : unknowns_.point)
+    if (p.element >= 0) p.x = evaluate_surface(lifted_.mesh, p.element, p.xi, p.eta).x;
   fan_size_.assign(at(fans.size()), 0);
   for (std::int64_t e = 0; e < mesh.surface.elements(); ++e) {
     const double size = element_diameter(mesh.surface, e);
@@ -101,7 +104,7 @@ void System::factorize(int threads) {
   statistics_.condition = matrix_.condition();
   statistics_.peak_bytes =
       std::max(statistics_.peak_bytes,
-               matrix_.bytes() + at(threads) * (at(mesh_.surface.nodes()) + at(fans_.size())) * 9 *
+               matrix_.bytes() + at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) * 9 *
                                      lanes * sizeof(double));
   if (!regular || !(matrix_.condition() < worst_condition)) {
     matrix_.release();
@@ -170,9 +173,8 @@ void System::condense(std::vector<double> b, const SurfaceMesh& surface,
 void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
   if (!matrix_.factored()) factorize(threads);
   const Stopwatch watch(statistics_.seconds_condense);
-  condense(right_sides(integrals_, columns_of_faces(face, rows),
-                       static_cast<std::int64_t>(rows.column.size()), true, threads),
-           surface_, face, rows, threads);
+  condense(right_sides(integrals_, columns_of_faces(face, rows), true, threads), surface_, face,
+           rows, threads);
 }
 
 void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
@@ -181,9 +183,14 @@ void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
   const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
   std::vector<std::int64_t> all(layer.type.size());
   std::iota(all.begin(), all.end(), std::int64_t{0});
-  condense(right_sides(integrals, layer.connectivity, layer.nodes(), false, threads), layer, all,
-           rows, threads);
+  condense(right_sides(integrals, columns_of_layer(layer), false, threads), layer, all, rows,
+           threads);
   statistics_.kernel_evaluations += integrals.kernel_evaluations();
+}
+
+Imbalances System::imbalances() const {
+  const std::lock_guard lock(mutex_);
+  return imbalances_;
 }
 
 BodyStatistics System::statistics() const {
@@ -194,6 +201,8 @@ BodyStatistics System::statistics() const {
   if (const auto equations = equations_.lock())
     s.bytes += equations->dense.capacity() * sizeof(double);
   s.nonzeros = s.unknowns * s.unknowns;
+  const Imbalances& i = imbalances_;
+  s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, i.loads});
   count_kept(s);
   return s;
 }

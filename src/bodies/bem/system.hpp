@@ -3,15 +3,17 @@
 /// factorised once, condensed to the surface nodes that contact needs. docs/theory.md, section 9.
 
 #include "bodies/bem/boundary_integrals.hpp"
+#include "bodies/bem/lifted_surface.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/body_mesh.hpp"
+#include "bodies/imbalance.hpp"
 #include "bodies/response_cache.hpp"
 #include "linalg/factored_matrix.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::bem {
 
-class System final : public ResponseCache {
+class System final : public ResponseCache, public MayMissLoads {
  public:
   /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own:
   /// then the first use does. The mesh (checked, held) and fans must outlive it. saved: takes
@@ -23,6 +25,7 @@ class System final : public ResponseCache {
   std::span<const double> own_traction() const override { return own_traction_; }
   Resultant support_reaction() const override;
   BodyStatistics statistics() const override;
+  Imbalances imbalances() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
   void save(SectionWriter& file) const override;
@@ -49,8 +52,8 @@ class System final : public ResponseCache {
   /// Of tractions on the whole surface, by traction node and component.
   Resultant resultant(std::span<const double> traction) const;
   /// How far loads and reactions are from a balance, beside a force and its moment about what is
-  /// held; centre: where it acts. The largest is noted.
-  double note_imbalance(const Resultant& sum, const Vec3& centre, double force);
+  /// held; centre: where it acts.
+  double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
   void note_own_imbalance(std::span<const double> load);
   /// Of uniform tractions on faces of `surface`, all of whose nodes have columns in b, right sides
   /// after elimination; err_mesh where a pressure gets no answer that can be trusted. (No load may
@@ -58,12 +61,12 @@ class System final : public ResponseCache {
   void check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
                      std::span<const std::int64_t> face);
   std::vector<double> given_tractions() const;
-  std::vector<std::int32_t> columns_of_faces(std::span<const std::int64_t> face,
-                                             const SurfaceOutline& outline) const;
+  LiftedColumns columns_of_faces(std::span<const std::int64_t> face,
+                                 const SurfaceOutline& outline) const;
   /// Unit tractions, whose single-layer rows `integrals` gives: unknowns x (3 columns).
   std::vector<double> right_sides(const BoundaryIntegrals& integrals,
-                                  const std::vector<std::int32_t>& g_column, std::int64_t columns,
-                                  bool on_the_mesh, int threads) const;
+                                  const LiftedColumns& g_columns, bool on_the_mesh,
+                                  int threads) const;
   /// Solves for them, tractions on faces of `surface`, and keeps some rows.
   void condense(std::vector<double> b, const SurfaceMesh& surface,
                 std::span<const std::int64_t> face, SurfaceRows& rows, int threads);
@@ -73,7 +76,8 @@ class System final : public ResponseCache {
   const TractionNodes& fans_;
   double shear_ = 1, poisson_ = 0;
   BodyOptions options_;
-  BoundaryIntegrals integrals_;
+  LiftedSurface lifted_;
+  BoundaryIntegrals integrals_;  ///< over lifted_
   Unknowns unknowns_;
   std::vector<double> fan_size_;  ///< local element size: scales unknown tractions
   double reach_ = 0;              ///< half the diagonal of the body's box
@@ -84,7 +88,8 @@ class System final : public ResponseCache {
   std::vector<double> own_displacement_, own_traction_;
   bool own_solved_ = false;
 
-  BodyStatistics statistics_;  ///< mutex_ guards it, and matrix_ after construction
+  Imbalances imbalances_;
+  BodyStatistics statistics_;  ///< mutex_ guards both, and matrix_ after construction
 };
 
 }  // namespace rollcon::bem

@@ -26,7 +26,7 @@ struct Case {
   Part part;
   ElementType type;
   loaded_ring::Quarter elements;
-  double bound;
+  double bound, axial;  ///< axial: of the load that bends the ring out of its plane
 };
 
 SurfaceMesh ring_mesh(const Case& c) {
@@ -63,7 +63,7 @@ void expect_listed(const Case& c, const SurfaceMesh& mesh, Load kind, double poi
     expect_error(surfaces::name_of(c.type) +
                      (c.part == Part::whole ? " ring, " : " quarter ring, ") +
                      std::to_string(mesh.nodes()) + " nodes, " + what,
-                 error, c.bound);
+                 error, kind == Load::axial ? c.axial : c.bound);
 }
 
 class PatchLoad : public ::testing::TestWithParam<Case> {};
@@ -74,19 +74,20 @@ TEST_P(PatchLoad, moves_the_ring_as_listed) {
   expect_listed(c, mesh, Load::normal, 0.3);
   expect_listed(c, mesh, Load::tangential, 0.3);
   expect_listed(c, mesh, Load::normal, 0.49);
+  expect_listed(c, mesh, Load::axial, 0.3);
 }
 
 // Bounds: 2 % (linear) and 0.5 % (quadratic) as asked of meshes that fit 4000 nodes; coarser ones
 // as measured. Wholes of 2816 nodes (quad4) and 3456 (quad8), too long for here: 0.7 % and 0.4 %.
 INSTANTIATE_TEST_SUITE_P(
     Ring, PatchLoad,
-    ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018},
-                      Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085},
-                      Case{Part::quarter, ElementType::tri3, {6, 20, 3, 12}, 0.02},
-                      Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02},
-                      Case{Part::quarter, ElementType::tri6, {2, 8, 3, 6}, 0.0075},
-                      Case{Part::quarter, ElementType::quad8, {4, 10, 3, 8}, 0.005},
-                      Case{Part::quarter, ElementType::quad9, {2, 8, 3, 6}, 0.0075}),
+    ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.01},
+                      Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085, 0.03},
+                      Case{Part::quarter, ElementType::tri3, {6, 20, 3, 12}, 0.02, 0.02},
+                      Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02, 0.02},
+                      Case{Part::quarter, ElementType::tri6, {2, 8, 3, 6}, 0.0075, 0.012},
+                      Case{Part::quarter, ElementType::quad8, {4, 10, 3, 8}, 0.005, 0.012},
+                      Case{Part::quarter, ElementType::quad9, {2, 8, 3, 6}, 0.0075, 0.012}),
     [](const auto& param) {
       return surfaces::name_of(param.param.type) +
              (param.param.part == Part::whole ? "_whole" : "_quarter");
@@ -118,7 +119,9 @@ TEST(RingLoads, by_faces_by_a_layer_and_by_tag_agree) {
           std::max(by_layer, length(faces.u[k] - Vec3{u[3 * k], u[3 * k + 1], u[3 * k + 2]}));
       by_tag = std::max(by_tag, length(faces.u[k] - body.displacement(faces.node[k])));
     }
-    expect_error(surfaces::name_of(type) + " ring, layer against faces", by_layer / size, 1e-6);
+    // A layer of linear elements lies a little below faces that are curved through their nodes.
+    expect_error(surfaces::name_of(type) + " ring, layer against faces", by_layer / size,
+                 is_quadratic(type) ? 1e-6 : 5e-4);
     expect_error(surfaces::name_of(type) + " ring, tag against faces", by_tag / size, 1e-6);
   }
 }

@@ -41,6 +41,7 @@ struct Walls {
   double (*error)(ElementType, int, double);
   int coarse;
   double linear_bound[2], quadratic_bound[2];  ///< coarse, fine
+  double linear_order;
 };
 
 class ThickWalls : public ::testing::TestWithParam<ElementType> {};
@@ -49,15 +50,16 @@ TEST_P(ThickWalls, converge_to_lame) {
   const ElementType type = GetParam();
   const bool quadratic = is_quadratic(type);
   const double sphere_fine = type == ElementType::tri6 ? 8e-3 : 4e-3;
-  const Walls cases[] = {{"sphere", sphere_error, 2, {0.15, 0.045}, {0.045, sphere_fine}},
-                         {"cylinder", cylinder_error, 1, {0.065, 0.015}, {4e-3, 6e-4}}};
+  const Walls cases[] = {// Linear elements on so coarse a sphere are better by chance.
+                         {"sphere", sphere_error, 2, {0.02, 0.0085}, {0.045, sphere_fine}, 0.9},
+                         {"cylinder", cylinder_error, 1, {0.04, 0.0075}, {4e-3, 6e-4}, 1.7}};
   for (const Walls& w : cases) {
     const std::string what = surfaces::name_of(type) + " thick " + w.name;
     const int coarse = quadratic ? w.coarse : 2 * w.coarse;
     const double e1 = w.error(type, coarse, 0.3), e2 = w.error(type, 2 * coarse, 0.3);
     expect_error(what + ", coarse", e1, quadratic ? w.quadratic_bound[0] : w.linear_bound[0]);
     expect_error(what + ", fine", e2, quadratic ? w.quadratic_bound[1] : w.linear_bound[1]);
-    expect_order(what, observed_order(e1, e2, 2, 1), quadratic ? 2.2 : 1.7);
+    expect_order(what, observed_order(e1, e2, 2, 1), quadratic ? 2.2 : w.linear_order);
   }
 }
 
