@@ -37,9 +37,16 @@ endif()
 list(TRANSFORM ROLLCON_EXTERNALS PREPEND rollcon:: OUTPUT_VARIABLE _externals)
 
 # The C boundary carries debug information in a developer's build: the ABI dump is made from it.
-if(ROLLCON_TESTS AND NOT ROLLCON_UNITY STREQUAL "ALL")
-  file(GLOB_RECURSE _capi CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/src/capi/*.cpp")
-  set_source_files_properties(${_capi} PROPERTIES COMPILE_OPTIONS -g SKIP_PRECOMPILE_HEADERS ON)
+if(ROLLCON_TESTS AND NOT ROLLCON_SANITIZE)
+  set(_capi ${ROLLCON_SOURCES})
+  list(FILTER _capi INCLUDE REGEX "/src/capi/")
+  list(REMOVE_ITEM ROLLCON_SOURCES ${_capi})
+  if(ROLLCON_UNITY STREQUAL "ALL")
+    rollcon_unity(_capi 1)
+  endif()
+  set_property(SOURCE ${_capi} APPEND PROPERTY COMPILE_OPTIONS -g)
+  set_property(SOURCE ${_capi} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  target_sources(rollcon_objects PRIVATE ${_capi})
 endif()
 
 # Kernels for one instruction set.

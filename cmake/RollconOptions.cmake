@@ -33,7 +33,8 @@ set(ROLLCON_UNITY OFF CACHE STRING "Sources compiled in groups (with Python 3): 
 option(ROLLCON_FUZZ "Build programs of libFuzzer (Clang, with ROLLCON_SANITIZE)" OFF)
 set(ROLLCON_SANITIZE "" CACHE STRING "Sanitizers: address;undefined or thread")
 option(ROLLCON_SANITIZE_TESTS "Compile with the sanitizers not only the library" ON)
-set(ROLLCON_TEST_TIMEOUT 120 CACHE STRING "Seconds that one test may take")
+set(ROLLCON_TEST_PROCESSOR 120 CACHE STRING "Seconds of processors that one test may take")
+set(ROLLCON_TEST_TIMEOUT 7200 CACHE STRING "Seconds that a program of tests may take, whatever it waits for")
 
 if(NOT ROLLCON_SHARED AND NOT ROLLCON_STATIC)
   message(FATAL_ERROR "ROLLCON_SHARED and ROLLCON_STATIC are both OFF: nothing to build")

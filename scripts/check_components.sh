@@ -1,18 +1,12 @@
 #!/usr/bin/env bash
 # The library without components: each build links and contains nothing of what it leaves out, says so
-# by rollcon_has_feature, and passes the public tests.
-#
-#   check_components.sh <build folder>  quick: the libraries alone, most of them in a folder in which
-#                                       everything is built already, and with its public tests as they
-#                                       are; leaves the folder configured with everything
-#   check_components.sh                 each build in a folder of its own, with all of its tests
+# by rollcon_has_feature, and passes the quick tests. Each build has a folder of its own.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
-built=${1:-}
 
 all=(FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW)
-# Name and components of each build. In a quick run all with OpenMP share their objects.
+# Name and components of each build.
 builds=(
   "everything: FEM BEM PROCEDURES VTU OPENMP CHOLMOD UMFPACK FFTW"
   "without the GPL: BEM PROCEDURES VTU OPENMP"
@@ -79,57 +73,24 @@ print(ctypes.CDLL(sys.argv[1]).rollcon_has_feature(sys.argv[2].encode()))" "$lib
   say "$(stat -c %s "$work/stripped") bytes stripped; links $(tr '\n' ' ' <"$work/needed")"
 }
 
-restore() {  # the folder of a quick run, with everything again
-  [ -n "$built" ] || return 0
-  local flags
-  mapfile -t flags < <(options "${all[@]}")
-  cmake -B "$built" "${flags[@]}" >/dev/null
-  cmake --build "$built" -j "$jobs" --target rollcon_shared >/dev/null
-}
-
 work=$(mktemp -d)
-trap 'rm -rf "$work"; restore' EXIT
+trap 'rm -rf "$work"' EXIT
 for build in "${builds[@]}"; do
   name=${build%%:*}
   read -r -a components <<<"${build#*:}"
   folder=$root/build/components/${name// /-}
-  targets=()
-  extra=(-DROLLCON_WERROR=ON)
-  if [ -n "$built" ]; then
-    [ "$name" != "no OpenMP" ] || continue
-    targets=(--target rollcon_shared)
-    if [ "$name" = "half-spaces alone" ]; then
-      # What it contains does not depend on how well it is optimised. In a folder of its own, whose
-      # settings a full run must not find.
-      folder+=-quick
-      extra+=(-DROLLCON_TESTS=OFF -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF
-        "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -DNDEBUG" -DROLLCON_PRECOMPILE=ALL -DROLLCON_UNITY=ALL)
-    else
-      folder=$(realpath "$built")
-      extra=()
-    fi
-  fi
   mapfile -t flags < <(options "${components[@]}")
   start=$SECONDS
-  cmake --preset release -B "$folder" "${flags[@]}" "${extra[@]}" >"$work/log" 2>&1 || {
+  cmake --preset quick -B "$folder" "${flags[@]}" >"$work/log" 2>&1 || {
     cat "$work/log"
     fail "$name: configure"
   }
-  cmake --build "$folder" -j "$jobs" "${targets[@]}" >"$work/log" 2>&1 || {
+  cmake --build "$folder" -j "$jobs" >"$work/log" 2>&1 || {
     tail -50 "$work/log"
     fail "$name: build"
   }
   say "$name"
   check_library "$folder/librollcon.so" "${components[@]}"
-  if [ -z "$built" ]; then
-    ctest --test-dir "$folder" -j "$jobs" -LE abi --output-on-failure -Q || fail "$name: tests"
-  elif [ "$name" != everything ]; then
-    LD_LIBRARY_PATH=$folder "$built/tests/test_capi" --gtest_brief=1 \
-      '--gtest_filter=-procedure*:time_loop*:*thread*:*memory*' >"$work/log" 2>&1 || {
-      grep -v -A1 Skipped "$work/log" | tail -50
-      fail "$name: public tests"
-    }
-    tail -3 "$work/log"
-  fi
+  ctest --test-dir "$folder" -j "$jobs" -LE '^(abi|long|nightly)$' --output-on-failure -Q || fail "$name: tests"
   say "$((SECONDS - start)) s"
 done

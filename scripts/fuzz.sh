@@ -3,25 +3,20 @@
 # address and undefined-behaviour sanitizers and runs them one after the other, on one core.
 # fuzz.sh [seconds in all] [target ...], default 600 and calls mesh saved. What is found goes to
 # build/fuzz/found; inputs that reach something new to build/fuzz/corpus, and with
-# fuzz.sh merge [target ...] the least number of them to tests/fuzz/corpus.
-# fuzz.sh ci tries a fixed number of inputs from a fixed seed, the targets side by side and without the
-# undefined-behaviour sanitizer, which half of the build's time would go to.
+# fuzz.sh merge [target ...] the least number of them to tests/fuzz/corpus, which all builds of the tests
+# replay.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 seconds=${1:-600}
 shift || true
-sanitizers="address;undefined"
-[ "$seconds" != ci ] || sanitizers=address
 [ $# -gt 0 ] || set -- calls mesh saved
 
 folder=${ROLLCON_FUZZ_BUILD:-$root/build/fuzz}
 mkdir -p "$folder"
-# Otherwise ccache keeps nothing that was compiled with a precompiled header.
-export CCACHE_SLOPPINESS=pch_defines,time_macros
 cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_C_COMPILER=clang \
-  -DCMAKE_CXX_COMPILER=clang++ "-DROLLCON_SANITIZE=$sanitizers" -DROLLCON_FUZZ=ON -DROLLCON_PRECOMPILE=ALL \
+  -DCMAKE_CXX_COMPILER=clang++ "-DROLLCON_SANITIZE=address;undefined" -DROLLCON_FUZZ=ON -DROLLCON_PRECOMPILE=ALL \
   -DROLLCON_UNITY=ALL -DROLLCON_FORTRAN=OFF -DROLLCON_EXAMPLES=OFF >"$folder.log" 2>&1 || {
   cat "$folder.log"
   fail "configure"
@@ -70,26 +65,12 @@ search() {
 }
 
 found=0
-if [ "$seconds" = ci ]; then
-  # Inputs are counted, not seconds, so that all machines try the same ones; a slow one stops earlier.
-  declare -A inputs=([calls]=1500 [mesh]=2500 [saved]=4000) searches=()
-  for target in "$@"; do
-    rm -rf "$folder/ci/$target"
-    search "$target" "$folder/ci/$target" -runs="${inputs[$target]}" -seed=1 -timeout=300 \
-      -max_total_time=240 &
-    searches[$target]=$!
+for target in "$@"; do
+  end=$(($(date +%s) + seconds / $#))
+  # It ends at the first failure: so again, until the time is over.
+  while left=$((end - $(date +%s))) && [ "$left" -gt 0 ]; do
+    search "$target" "$folder/corpus/$target" -max_total_time="$left" && break
+    found=$((found + 1))
   done
-  for target in "$@"; do
-    wait "${searches[$target]}" || found=$((found + 1))
-  done
-else
-  for target in "$@"; do
-    end=$(($(date +%s) + seconds / $#))
-    # It ends at the first failure: so again, until the time is over.
-    while left=$((end - $(date +%s))) && [ "$left" -gt 0 ]; do
-      search "$target" "$folder/corpus/$target" -max_total_time="$left" && break
-      found=$((found + 1))
-    done
-  done
-fi
+done
 [ "$found" -eq 0 ] || fail "$found failures; the inputs are in $folder/found"

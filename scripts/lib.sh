@@ -3,6 +3,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 jobs=$(nproc)
 # The system's interpreter is the one with the system's numpy; another may come first on the path.
 python=/usr/bin/python3
+# One record of CTest for each stage that ran tests.
+results=$root/build/results
 
 say() { printf '== %s\n' "$*"; }
 fail() {
@@ -10,6 +12,30 @@ fail() {
   exit 1
 }
 
+configure() {  # configure PRESET [OPTION...]
+  local log
+  log=$(mktemp)
+  cmake --preset "$@" >"$log" 2>&1 || {
+    cat "$log"
+    fail "configure"
+  }
+  grep -A6 -E '^-- rollcon [0-9]' "$log" || true
+  rm -f "$log"
+}
+
+run_tests() {  # run_tests NAME PRESET [OPTION OF CTEST...]: the last line says how many passed
+  local name=$1 preset=$2 status=0
+  shift 2
+  mkdir -p "$results"
+  rm -f "$results/$name.xml"
+  ctest --preset "$preset" -j "$jobs" --progress --test-output-size-passed 100000 \
+    --output-junit "$results/$name.xml" "$@" || status=$?
+  "$python" "$root/scripts/count_tests.py" "$results/$name.xml" || status=1
+  return "$status"
+}
+
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  # Otherwise it keeps nothing that was compiled with a precompiled header.
+  export CCACHE_SLOPPINESS=pch_defines,time_macros
 fi

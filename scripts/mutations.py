@@ -3,6 +3,8 @@
 
     mutations.py --work DIR [--sample 170] [--seed 1] [--log FILE]    make mutants, run the tests
     mutations.py --work DIR --again [--only ID...]                    survivors, or these, again
+                 --tests all                                          nightly tests as well
+                 --least 95                                           fails where fewer per cent are noticed
     mutations.py --report FILE [--equivalent docs/testing.md]         the table of a log
     mutations.py --list                                               all mutants, one per line
     mutations.py --self-test                                          of the operators, in a second
@@ -81,7 +83,7 @@ def prepare(work, jobs):
                     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF", "-DROLLCON_STATIC=ON",
                     "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
-                    "-DCMAKE_GTEST_DISCOVER_TESTS_DISCOVERY_MODE=PRE_TEST", f"-DCMAKE_EXE_LINKER_FLAGS={linker}",
+                    f"-DCMAKE_EXE_LINKER_FLAGS={linker}",
                     f"-DCMAKE_SHARED_LINKER_FLAGS={linker} -Wl,-Bsymbolic-functions"],
                    check=True, stdout=subprocess.DEVNULL)
     built = compile_all(work, jobs)
@@ -160,6 +162,12 @@ def nearness(source, test):
     return len((words(source) & words(test)) - {source.parts[0], "test"})
 
 
+def for_every_change(times):
+    """Without the suites that run at night alone (tests/CMakeLists.txt)."""
+    return {program: [(t, name) for t, name in tests if "_nightly." not in name and "_nightly/" not in name]
+            for program, tests in times.items()}
+
+
 def stages_of(file, times, suites, noticing):
     """[(program, tests, seconds)]: tests whose names are near the file's, those that noticed mutants
     of it or of its room before, then all, quick ones of near programs first. No test twice."""
@@ -231,6 +239,8 @@ def run(options):
     mutants = all_mutants(work / "tree")
     prepare(work, options.jobs)
     times, suites = baseline(work), suites_of(work / "tree")
+    if options.tests != "all":
+        times = for_every_change(times)
     if options.prepare:
         return
     known = {m.id: (group, m) for group, files in mutants.items() for ms in files.values() for m in ms}
@@ -258,7 +268,7 @@ def run(options):
         with log.open("a") as out:
             out.write(json.dumps(record) + "\n")
         print(f"{record['result']:9} {record['seconds']:6.0f} s {mutant.id}", flush=True)
-    report(log, options.equivalent)
+    return report(log, options.equivalent, options.least)
 
 
 def records(log):
@@ -274,7 +284,7 @@ def equivalents(document):
             for found in re.findall(r"`(src/[^`]+:\d+:\d+:[^`]+)`", equivalent)}
 
 
-def report(log, document):
+def report(log, document, least=0.0):
     latest = {record["id"]: record for record in records(log)}
     same = equivalents(document)
     table = collections.defaultdict(collections.Counter)
@@ -294,6 +304,11 @@ def report(log, document):
     for record in sorted(latest.values(), key=lambda r: r["id"]):
         if record["result"] == "survived" and record["id"] not in same:
             print(f"survived {record['id']}: {record['old']!r} -> {record['new']!r}")
+    c = table["in all"]
+    if 100 * c["noticed"] < least * (c["noticed"] + c["survived"]):
+        print(f"fewer than {least:g} per cent are noticed")
+        return 1
+    return 0
 
 
 def main():
@@ -314,6 +329,10 @@ def main():
                         help="of the time without a mutant, then tests take far longer")
     parser.add_argument("--again", action="store_true", help="those that survived by the log")
     parser.add_argument("--only", nargs="+", metavar="ID")
+    parser.add_argument("--tests", choices=["change", "all"], default="change",
+                        help="those that run for every change, or nightly ones as well")
+    parser.add_argument("--least", type=float, default=0.0, metavar="PER CENT",
+                        help="fail where fewer of those that could be are noticed")
     parser.add_argument("--report", type=pathlib.Path, metavar="FILE")
     parser.add_argument("--equivalent", type=pathlib.Path, metavar="DOCUMENT")
     parser.add_argument("--list", action="store_true")
@@ -322,7 +341,7 @@ def main():
     if options.self_test:
         return self_test(ROOT)
     if options.report:
-        return report(options.report, options.equivalent)
+        return report(options.report, options.equivalent, options.least)
     if options.list:
         for files in all_mutants(ROOT).values():
             for found in files.values():

@@ -1,23 +1,29 @@
 #!/usr/bin/env python3
-"""clang-tidy over every source of src/, in the groups in which a build with ROLLCON_UNITY compiles them.
+"""clang-tidy over the sources of src/, joined into groups as builds with ROLLCON_UNITY join them.
 
-    tidy.py BUILD [JOBS] [--deep]
+    tidy.py BUILD [JOBS] [--changed BASE] [--deep]
 
 It walks the headers of the C++ library once for a group instead of once for a source. What it says
 of a joined source is printed with the name and line of the part. Sources that the build leaves out
-are joined here. Fails with any finding, and where something does not compile. With --deep the analyzer
-follows paths as far as it ever does, which takes two and a half times as long.
+are looked at as well. With --changed only those that differ from this commit or include something that
+does, and each changed file must compile by itself. Fails with any finding, and where something does not
+compile. With --deep the analyzer follows paths as far as it ever does, which takes two and a half times
+as long.
 """
+import argparse
 import concurrent.futures
 import json
 import os
 import pathlib
 import re
+import shlex
 import subprocess
 import sys
 
 # The analyzer leaves a function after so many states; its own limit is 225000. Calls are followed as ever.
 STATES = 40000
+# Sources in a group, about.
+GROUP = 36
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "cmake"))
@@ -31,15 +37,45 @@ def parts_of(file):
             if (match := re.match(r'#line 1 "(.*)"$', line))]
 
 
-def with_the_rest(commands, folder):
-    """Commands for what no command compiles yet, in the manner of the first."""
-    done = {part for command in commands for _, part in parts_of(pathlib.Path(command["file"]))}
-    done |= {command["file"] for command in commands}
-    rest = sorted({str(path) for path in (ROOT / "src").rglob("*.cpp")} - done)
-    first = commands[0]
-    more = [{**first, "file": file, "command": first["command"].replace(first["file"], file)}
-            for file in unity.write_joined(folder, "rest", 1, rest, [ROOT / "src"])]
-    return commands + more
+def changed_files(base):
+    """What differs from a commit, new files included."""
+    git = ["git", "-C", str(ROOT)]
+    names = subprocess.check_output([*git, "diff", "--name-only", base], text=True)
+    names += subprocess.check_output([*git, "ls-files", "--others", "--exclude-standard"], text=True)
+    return {str(ROOT / name) for name in names.splitlines()}
+
+
+def affected(sources, changed):
+    """Those that changed or see a header that did."""
+    headers = unity.Headers([ROOT / "src"])
+    return [source for source in sources
+            if source in changed or changed & unity.Source(source, headers).headers]
+
+
+def commands_for(commands, sources, folder, jobs):
+    """A command for each of the sources that the build compiles alone, and for groups of the others."""
+    alone = {command["file"]: command for command in commands}
+    loose = [source for source in sources if source not in alone]
+    first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
+    number = min(len(loose), max(jobs, -(-len(loose) // GROUP)))
+    joined = unity.write_joined(folder, "joined", number, loose, [ROOT / "src"]) if loose else []
+    joined = [{**first, "file": file, "command": first["command"].replace(first["file"], file)}
+              for file in sorted(joined, key=os.path.getsize, reverse=True)]
+    return joined + [alone[source] for source in sources if source in alone]
+
+
+def compiles_alone(command, file):
+    """What the compiler says of a source or header by itself, without anything included before."""
+    words = shlex.split(command["command"])
+    kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word)]
+    for option in ("-isystem", "-include"):
+        kept += [part for at, word in enumerate(words)
+                 if word == option and "cmake_pch" not in words[at + 1] for part in (word, words[at + 1])]
+    # A header is no main file.
+    once = ["-Wno-pragma-once-outside-header", "-Wno-unused-function", "-Wno-unused-const-variable"]
+    result = subprocess.run([words[0], *kept, *once, "-fsyntax-only", "-x", "c++", file], cwd=command["directory"],
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    return result.returncode, result.stdout
 
 
 def in_parts(output, parts):
@@ -49,33 +85,37 @@ def in_parts(output, parts):
         start, name = max((start, name) for start, name in parts if start <= line)
         return f"{name}:{line - start + 1}"
     if parts:
-        joined = r"^\S*/(?:unity|rest)_\d+\.cpp:(\d+)(?=:)"
+        joined = r"^\S*/joined_\d+\.cpp:(\d+)(?=:)"
         output = re.sub(joined, lambda m: part(m) if int(m.group(1)) >= parts[0][0] else m.group(),
                         output, flags=re.M)
     return output
 
 
 def main():
-    options = [argument for argument in sys.argv[1:] if argument != "--deep"]
-    if not options:
-        sys.exit(__doc__)
-    build = pathlib.Path(options[0]).resolve()
-    jobs = int(options[1]) if len(options) > 1 else os.cpu_count()
-    limit = [] if "--deep" in sys.argv else [
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("jobs", type=int, nargs="?", default=os.cpu_count())
+    parser.add_argument("--changed", metavar="BASE")
+    parser.add_argument("--deep", action="store_true")
+    options = parser.parse_args()
+    build = options.build.resolve()
+    limit = [] if options.deep else [
         f"--extra-arg={word}" for word in ("-Xclang", "-analyzer-config", "-Xclang", f"max-nodes={STATES}")]
-    # Joins again what was edited since.
-    subprocess.run(["cmake", build], check=True, stdout=subprocess.DEVNULL)
     commands = json.loads((build / "compile_commands.json").read_text())
     commands = [command for command in commands
                 if re.search(r"rollcon_objects\.dir/\S+\.cpp\.o", command["command"])]
-    joined = sorted((command for command in commands if parts_of(pathlib.Path(command["file"]))),
-                    key=lambda command: -os.path.getsize(command["file"]))
-    if not joined:
+    if not any(parts_of(pathlib.Path(command["file"])) for command in commands):
         sys.exit(f"tidy.py: {build} was not configured with ROLLCON_UNITY")
+    sources = sorted(str(path) for path in (ROOT / "src").rglob("*.cpp"))
+    changed = set()
+    if options.changed:
+        changed = changed_files(options.changed)
+        sources = affected(sources, changed)
     folder = build / "tidy"
     folder.mkdir(exist_ok=True)
-    commands = with_the_rest(joined + [c for c in commands if c not in joined], folder)
-    (folder / "compile_commands.json").write_text(json.dumps(commands, indent=1))
+    runs = commands_for(commands, sources, folder, options.jobs)
+    (folder / "compile_commands.json").write_text(json.dumps(runs, indent=1))
 
     def check(command):
         result = subprocess.run(["clang-tidy", f"--config-file={ROOT}/.clang-tidy", "-p", folder, "--quiet",
@@ -84,15 +124,20 @@ def main():
         parts = parts_of(pathlib.Path(command["file"]))
         return result.returncode, in_parts(result.stdout, parts)
 
+    by_itself = {command["file"]: command for command in commands}
+    files = sorted(file for file in changed if re.search(r"/src/.*\.[ch]pp$", file) and os.path.exists(file))
+    first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
     failed = 0
-    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        for status, output in pool.map(check, commands):
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        outcomes = [*pool.map(lambda file: compiles_alone(by_itself.get(file, first), file), files),
+                    *pool.map(check, runs)]
+        for status, output in outcomes:
             finding = re.search(r": (?:warning|error):", output)
             if status or finding:
                 failed += 1
                 print(output, flush=True)
-    checked = sum(max(1, len(parts_of(pathlib.Path(command["file"])))) for command in commands)
-    print(f"clang-tidy: {checked} sources in {len(commands)} runs, {failed} with findings")
+    print(f"clang-tidy: {len(sources)} sources in {len(runs)} runs, {len(files)} changed files by themselves, "
+          f"{failed} with findings")
     return 1 if failed else 0
 
 

@@ -32,30 +32,29 @@ if [ -z "$build" ]; then
 fi
 
 # Per room: a filter of GoogleTest without what takes minutes there and runs the same code as its
-# neighbours.
+# neighbours: long tests (tests/CMakeLists.txt), and these.
 filter() {
+  local more=
   case $1 in
   # Valgrind has its own operator new, knows no floating-point traps and no flushed subnormals, and
   # takes address space for itself.
-  support) echo '-QuietFloatingPoint.*:HostFloatingPoint.*:MemoryLimit.*' ;;
-  capi) echo '-MemoryLimits.*:floating_point.*:allocation*:body_save.damaged_files_*:'\
-      'fem_tags_and_frames.going_back_*:procedure_statuses.*:procedures.*:solve_many.published_*:'\
-      'solve_many.several_contacts_*:time_loop.every_step_*' ;;
+  support) more='QuietFloatingPoint.*:HostFloatingPoint.*:MemoryLimit.*' ;;
+  capi) more='MemoryLimits.*:floating_point.*:allocation*:body_save.damaged_files_*:'\
+'fem_tags_and_frames.going_back_*:procedure_statuses.*:procedures.*:time_loop.every_step_*' ;;
   # Valgrind computes long double with the digits of double, too few for the first of these.
-  bodies) echo '-LatticeKernel.EqualsThe*:*halfspace_compliance.*:halfspace_constants.rigid_*:*SameBody.*:'\
-      '*refinement*:*OffFrame*:*RigidMotion.*:*RingLoads.*:*RingMaterials.*:*PatchBending.*:*PatchLoad.*:'\
-      '*PatchMaterials.*:*ThickWalls*:*Cantilever*:*five_thousand_nodes*:Expanded.*bod*:Expanded.by_shape_*:'\
-      'BoundaryRows.single_layer_*:*BodyModels.reciprocity*:*BodyModels.written_out*:*positive_definite*:'\
-      '*exact_integrals*:*RuleSelection*:*as_the_mesh_refines*:*error_of_the_integrals*:*units*:'\
-      '*every_input_counts*:ForgedFiles.of_boundary*:*KelvinRules*:*loads_superpose*:*well_conditioned*' ;;
-  contact) echo '-Lattice.WorkAndMemory*:monolithic_system.*:reach.brings_back_*:'\
-      'sensitivity.costs_*:*setter_of_a_meshed_scene*:tilted_plane.*' ;;
-  mesh) echo '-*Converge*:*Thousand*:*ManyNodes*:VolumeCheck.DoesNotCompareAllNodes' ;;
-  linalg) echo '-sparse_factor.both_methods_agree_*:sparse_factor.a_body_in_the_air_*:'\
-      'sparse_factor.too_large_*:sparse_factor.*threads*:sparse_factor.springs_on_a_grid_*:'\
-      'FactoredMatrix.condition_is_estimated_*:FactoredMatrix.nothing_that_is_not_finite_*' ;;
-  *) echo '*' ;;
+  bodies) more='LatticeKernel.EqualsThe*:*halfspace_compliance.*:halfspace_constants.rigid_*:*refinement*:'\
+'*OffFrame*:*RigidMotion.*:*PatchBending.*:*PatchLoad.*:*PatchMaterials.*:*ThickWalls*:*Cantilever*:'\
+'Expanded.*bod*:Expanded.by_shape_*:BoundaryRows.single_layer_*:*BodyModels.reciprocity*:'\
+'*BodyModels.written_out*:*positive_definite*:*exact_integrals*:*RuleSelection*:*as_the_mesh_refines*:'\
+'*error_of_the_integrals*:*units*:*every_input_counts*:ForgedFiles.of_boundary*:*KelvinRules*:'\
+'*loads_superpose*:*well_conditioned*' ;;
+  contact) more='monolithic_system.*:sensitivity.costs_*:*setter_of_a_meshed_scene*:tilted_plane.*' ;;
+  mesh) more='*Converge*:*ManyNodes*:VolumeCheck.DoesNotCompareAllNodes' ;;
+  linalg) more='sparse_factor.both_methods_agree_*:sparse_factor.a_body_in_the_air_*:'\
+'sparse_factor.too_large_*:sparse_factor.*threads*:sparse_factor.springs_on_a_grid_*:'\
+'FactoredMatrix.condition_is_estimated_*:FactoredMatrix.nothing_that_is_not_finite_*' ;;
   esac
+  echo "-*_long.*:*_long/*:*_nightly.*:*_nightly/*:$more"
 }
 
 # Valgrind knows no AVX-512: its processor says so, and OpenBLAS and rollcon take AVX2. OpenBLAS is
@@ -73,7 +72,7 @@ for room in "${rooms[@]}"; do
   (cd "$build/tests" && valgrind --error-exitcode=99 --leak-check=full \
     --show-leak-kinds=definite,indirect,possible --errors-for-leak-kinds=definite,indirect,possible \
     --num-callers=30 --suppressions="$root/tests/valgrind.supp" --log-file="$log" \
-    "./test_$room" --gtest_filter="$(filter "$room" | tr -d ' ')" >"$logs/$room.out" 2>&1)
+    "./test_$room" --gtest_filter="$(filter "$room")" >"$logs/$room.out" 2>&1)
   status=$?
   set -e
   tests=$(sed -n 's/^\[==========\] \([0-9]*\) tests\{0,1\} .* ran.*/\1/p' "$logs/$room.out")

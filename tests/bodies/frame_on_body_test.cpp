@@ -128,7 +128,7 @@ TEST(frame_on_body, nodes_as_near_as_rounded_coordinates_are_one) {
   }
 }
 
-TEST(frame_on_body, five_thousand_nodes_on_twenty_thousand_faces) {
+TEST(frame_on_body_long, five_thousand_nodes_on_twenty_thousand_faces) {
   using Clock = std::chrono::steady_clock;
   for (const ElementType type : {ElementType::quad4, ElementType::quad8}) {
     auto body = rigid_body(std::make_shared<Context>(), sphere_cap(type, 142, 0.5, 3, 0, true));

@@ -39,8 +39,9 @@ class procedure_statuses : public ProcedureScene {
     }
   }
 };
+using procedure_statuses_long = procedure_statuses;
 
-TEST_F(procedure_statuses, cancelled_then_solved) {
+TEST_F(procedure_statuses_long, cancelled_then_solved) {
   const Results reference = standard();
   Stopper stopper;
   for (const Procedure& p : all_procedures())
@@ -106,7 +107,7 @@ TEST_F(procedure_statuses, coarse_linear_solutions_do_not_pass_for_converged) {
   EXPECT_GT(solved, 100);
 }
 
-TEST_F(procedure_statuses, bodies_apart_and_no_load) {
+TEST_F(procedure_statuses_long, bodies_apart_and_no_load) {
   for (const bool force : {false, true})
     for (const Procedure& p : all_procedures()) {
       SCOPED_TRACE(p.name());

@@ -52,6 +52,7 @@ class procedures : public ProcedureScene {
     return value;
   }
 };
+using procedures_long = procedures;
 
 TEST_F(procedures, combinations_without_sense_are_refused_with_the_reason) {
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
@@ -145,7 +146,7 @@ TEST_F(procedures, parameters_do_not_change_the_answer) {
     }
 }
 
-TEST_F(procedures, give_the_results_of_the_standard_one) {
+TEST_F(procedures_long, give_the_results_of_the_standard_one) {
   for (const bool force : {false, true}) {
     if (force) {
       by_force(ROLLCON_NORMAL, 280);
@@ -201,7 +202,7 @@ TEST_F(procedures, switching_warm_and_cold_changes_nothing) {
   EXPECT_LE(worst, 1e-6);
 }
 
-TEST_F(procedures, changed_creepages_start_from_the_last_solution) {
+TEST_F(procedures_long, changed_creepages_start_from_the_last_solution) {
   const double creep[2][3] = {{-8e-4, 4e-4, 2e-4}, {-1.1e-3, 3e-4, 1e-4}};
   Results reference[2];
   for (int i = 0; i < 2; ++i) {
@@ -225,7 +226,7 @@ TEST_F(procedures, changed_creepages_start_from_the_last_solution) {
   std::printf("warm re-solves: tractions differ by %.1e (bound 1e-6)\n", worst);
 }
 
-TEST_F(procedures, units_do_not_matter) {
+TEST_F(procedures_long, units_do_not_matter) {
   // The same scene in metres and pascals beside millimetres and megapascals.
   rollcon_body* ball = nullptr;
   rollcon_contact* metric = nullptr;

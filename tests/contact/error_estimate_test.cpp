@@ -176,7 +176,7 @@ TEST(error_estimate, falls_with_the_mesh) {
     }
 }
 
-TEST(error_estimate, of_every_kind_of_element) {
+TEST(error_estimate_long, of_every_kind_of_element) {
   for (const ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
                                  ElementType::quad8, ElementType::quad9})
     for (const char* scheme : schemes) {

@@ -149,7 +149,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // Rolling cases (a) and (b), alike and unlike: Newton's iterations and the applications of the
 // operators hardly grow with the lattice, the bytes of a node not at all.
-TEST(Lattice, WorkAndMemoryGrowWithTheNodes) {
+TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   for (const Case& c :
        {Case{.name = "a"}, Case{.name = "b", .spin = steady_rolling::spin},
@@ -256,7 +256,7 @@ TEST(Lattice, DisplacementsOfEachBodyAreThoseOfIntegrals) {
 }
 
 // Fx of the next finer lattices tells the error, which the estimate finds to a factor of a few.
-TEST(Lattice, ErrorEstimatesFollowTheErrors) {
+TEST(Lattice_long, ErrorEstimatesFollowTheErrors) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   const Case c{.name = "a"};
   const auto solve = [&](int n) {

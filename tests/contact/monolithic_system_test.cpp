@@ -58,7 +58,7 @@ constexpr Model pairs[][2] = {{Model::fem, Model::rigid},     {Model::fem, Model
                               {Model::bem, Model::bem},       {Model::fem, Model::bem},
                               {Model::fem, Model::halfspace}, {Model::halfspace, Model::bem}};
 
-TEST(monolithic_system, finite_and_boundary_elements) {
+TEST(monolithic_system_long, finite_and_boundary_elements) {
   for (const auto& models : pairs)
     for (const Scheme scheme : schemes) {
       const Case c = meshed({.model = {models[0], models[1]}}, scheme, {true, true});
@@ -66,7 +66,7 @@ TEST(monolithic_system, finite_and_boundary_elements) {
     }
 }
 
-TEST(monolithic_system, curved_and_laid_frames) {
+TEST(monolithic_system_long, curved_and_laid_frames) {
   for (const auto& models : {pairs[1], pairs[3]})
     for (const bool own : {false, true})
       for (const Scheme scheme : schemes) {
@@ -131,7 +131,7 @@ double gmres_error(Case& c, Preconditioner preconditioner, StepCounters& counter
   return worst;
 }
 
-TEST(monolithic_system, gmres_with_every_preconditioner) {
+TEST(monolithic_system_long, gmres_with_every_preconditioner) {
   for (const int form : {0, 1, 2})
     for (const Case& standard :
          {halfspaces(8, 0.3, -2, Scheme::godunov, {true, true}),

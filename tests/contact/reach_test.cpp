@@ -119,7 +119,7 @@ TEST(reach, small_changes_assemble_nothing) {
   EXPECT_EQ(two.stat("compliance_assemblies"), kernels);
 }
 
-TEST(reach, brings_back_what_the_guess_left_out) {
+TEST(reach_long, brings_back_what_the_guess_left_out) {
   using Gap = double (*)(double, double);
   const std::pair<const char*, Gap> gaps[] = {
       {"flat with a step", [](double x, double y) { return std::hypot(x, y) < 1.2 ? 0.0 : 0.006; }},

@@ -8,8 +8,10 @@ import sys
 
 def output(program):
     command = [sys.executable, program] if program.endswith(".py") else [program]
-    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-    return [line.rstrip() for line in text.splitlines()]
+    result = subprocess.run(command, capture_output=True, text=True, check=False)
+    if result.returncode:
+        sys.exit(f"{program}: status {result.returncode}\n{result.stdout}{result.stderr}")
+    return [line.rstrip() for line in result.stdout.splitlines()]
 
 
 def main():

@@ -320,7 +320,7 @@ Vec3 bent(bool sphere, const Vec3& p) {
   return {f * p[0], f * p[1], r * std::cos(h) - r};
 }
 
-TEST(SurfaceCoupling, CurvedBodiesConverge) {
+TEST(SurfaceCoupling_long, CurvedBodiesConverge) {
   constexpr double w = 1.6;
   for (const bool sphere : {false, true})
     for (const ElementType below : all_types)
@@ -406,7 +406,7 @@ TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
     }
 }
 
-TEST(SurfaceCoupling, ThousandsOfElements) {
+TEST(SurfaceCoupling_long, ThousandsOfElements) {
   for (const ElementType below : {ElementType::quad4, ElementType::quad8})
     for (const ElementType above : {ElementType::tri3, ElementType::quad8})
       for (const double fraction : {0.0, 0.2}) {

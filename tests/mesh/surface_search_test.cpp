@@ -468,7 +468,7 @@ TEST(SurfaceSearch, ThreadsAgree) {
   for (std::size_t k = 1; k < 4; ++k) EXPECT_EQ(answer[k], answer[0]);
 }
 
-TEST(SurfaceSearch, AHundredThousandElements) {
+TEST(SurfaceSearch_long, AHundredThousandElements) {
   // Time per query grows with the logarithm of the size: a search through all would take a
   // hundredfold.
   using Clock = std::chrono::steady_clock;

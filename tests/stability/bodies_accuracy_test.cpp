@@ -87,7 +87,7 @@ TEST(stability_bodies, tend_to_incompressible_and_to_rigid_limits) {
   }
 }
 
-TEST(stability_bodies, units_change_neither_answers_nor_iterations) {
+TEST(stability_bodies_long, units_change_neither_answers_nor_iterations) {
   // Lengths in m, mm, um, inch; moduli to go with them.
   constexpr double lengths[] = {1e-3, 1, 1e3, 1 / 25.4}, moduli[] = {1e6, 1, 1e-3, 145.0377377};
   for (const Model model : {Model::fem, Model::bem}) {
@@ -125,7 +125,7 @@ double driven(Model model, int n, int deep, laws::Scheme scheme) {
 }
 
 // Between its nodes a half-space is far softer than a thin layer: twice this force came of it.
-TEST(stability_bodies, thin_layers_of_boundary_elements_roll_like_finite_ones) {
+TEST(stability_bodies_long, thin_layers_of_boundary_elements_roll_like_finite_ones) {
   const double fine = driven(Model::fem, 24, 4, laws::Scheme::least_squares);
   for (const laws::Scheme scheme : {laws::Scheme::least_squares, laws::Scheme::characteristic})
     expect_below(std::string("layer of 1/50, ") + extremes::name_of(scheme),

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "support/extreme_bodies.hpp"
+#include "support/first_seed.hpp"
 
 namespace rollcon {
 namespace {
@@ -27,7 +28,7 @@ bool right(const Scene& scene, std::int32_t status) {
   return std::count(scene.right.begin(), scene.right.end(), status) > 0;
 }
 
-TEST(stability_bodies, named_scenes_keep_the_laws) {
+TEST(stability_bodies_long, named_scenes_keep_the_laws) {
   double worst = 0, iterations = 0;
   int solved = 0;
   for (const Scene& scene : extremes::named_body_scenes()) {
@@ -47,11 +48,11 @@ TEST(stability_bodies, named_scenes_keep_the_laws) {
 }
 
 // The bench runs more of them.
-TEST(stability_bodies, random_scenes_end_solved_or_with_the_right_status) {
-  constexpr std::uint32_t scenes = 150;
+/// At most so many may end without convergence.
+void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
   std::map<std::int32_t, int> ended;
   double worst = 0;
-  for (std::uint32_t seed = 1; seed <= scenes; ++seed) {
+  for (std::uint32_t seed = first; seed < first + scenes; ++seed) {
     const Scene scene = extremes::random_body_scene(seed);
     const Ending e = run(scene);
     ++ended[e.status];
@@ -64,7 +65,15 @@ TEST(stability_bodies, random_scenes_end_solved_or_with_the_right_status) {
   }
   for (const auto& [status, count] : ended) std::printf("status %d: %d\n", status, count);
   std::printf("worst law %.1e (bound %.0e)\n", worst, law_bound);
-  EXPECT_LE(ended[ROLLCON_NOT_CONVERGED], static_cast<int>(scenes) / 75);
+  EXPECT_LE(ended[ROLLCON_NOT_CONVERGED], most);
+}
+
+TEST(stability_bodies, random_scenes_end_solved_or_with_the_right_status) {
+  expect_right_ends(extremes::first_seed() + 135, 15, 0);
+}
+
+TEST(stability_bodies_long, random_scenes_end_solved_or_with_the_right_status) {
+  expect_right_ends(extremes::first_seed(), 135, 2);
 }
 
 }  // namespace

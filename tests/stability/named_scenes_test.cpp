@@ -37,7 +37,7 @@ void expect_right(const Scene& scene, const Ending& e, const char* start) {
       << full_name(scene) << ", " << start << ": " << e.law.worst_name();
 }
 
-TEST(stability, named_scenes_keep_the_laws) {
+TEST(stability_long, named_scenes_keep_the_laws) {
   struct Row {
     int scenes = 0, refused = 0, warm = 0;
     double law = 0, difference = 0, iterations = 0;
@@ -80,7 +80,7 @@ TEST(stability, named_scenes_keep_the_laws) {
   std::printf("bounds: laws %.0e, warm against cold %.0e\n", law_bound, warm_bound);
 }
 
-TEST(stability, units_change_neither_answers_nor_iterations) {
+TEST(stability_long, units_change_neither_answers_nor_iterations) {
   constexpr double bound = 1e-9;
   std::map<std::string, Ending> first;
   double worst = 0;

@@ -117,18 +117,20 @@ TEST_P(AnyPair, rolls_like_half_spaces_and_in_any_pose) {
   expect_error(name + "turned and shifted, traction", traction, 1e-7);
 }
 
+constexpr auto kinds_name = [](const auto& param) {
+  std::string name = std::string(param.param.body1) + "_on_" + param.param.body2;
+  for (char& c : name)
+    if (c == '-') c = '_';
+  return name;
+};
+
 INSTANTIATE_TEST_SUITE_P(Bodies, AnyPair,
-                         ::testing::Values(Kinds{"FEM", "rigid"}, Kinds{"FEM", "half-space"},
-                                           Kinds{"FEM", "BEM"}, Kinds{"FEM", "FEM"},
-                                           Kinds{"BEM", "FEM"}, Kinds{"BEM", "half-space"},
+                         ::testing::Values(Kinds{"FEM", "rigid"}, Kinds{"BEM", "FEM"}), kinds_name);
+INSTANTIATE_TEST_SUITE_P(Bodies_long, AnyPair,
+                         ::testing::Values(Kinds{"FEM", "half-space"}, Kinds{"FEM", "BEM"},
+                                           Kinds{"FEM", "FEM"}, Kinds{"BEM", "half-space"},
                                            Kinds{"half-space", "FEM"}, Kinds{"rigid", "FEM"}),
-                         [](const auto& param) {
-                           std::string name =
-                               std::string(param.param.body1) + "_on_" + param.param.body2;
-                           for (char& c : name)
-                             if (c == '-') c = '_';
-                           return name;
-                         });
+                         kinds_name);
 
 }  // namespace
 }  // namespace rollcon::validation

@@ -51,8 +51,8 @@ TEST_P(BentallJohnson, creepage_at_given_force) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Schemes, BentallJohnson,
-                         testing::Values("godunov", "least_squares", "characteristic"));
+INSTANTIATE_TEST_SUITE_P(Schemes, BentallJohnson, testing::Values("characteristic"));
+INSTANTIATE_TEST_SUITE_P(Schemes_long, BentallJohnson, testing::Values("godunov", "least_squares"));
 
 TEST(BentallJohnsonFreeRolling, vanishing_friction_by_creepage) {
   const double theory =

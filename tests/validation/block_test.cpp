@@ -74,7 +74,7 @@ TEST(Block, becomes_a_half_space_as_it_grows) {
   }
 }
 
-TEST(Block, meets_the_half_space_as_its_mesh_is_refined) {
+TEST(Block_long, meets_the_half_space_as_its_mesh_is_refined) {
   double last = 0;
   for (const int n : {8, 12}) {
     auto pair = block(40, n, 7, ElementType::quad4);

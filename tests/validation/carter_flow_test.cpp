@@ -145,7 +145,7 @@ TEST(CarterFlow, at_30_degrees_to_a_grid) {
   }
 }
 
-TEST(CarterFlow, on_unstructured_triangles) {
+TEST(CarterFlow_long, on_unstructured_triangles) {
   for (const char* scheme : schemes) {
     double error[2];
     const int across[2] = {10, 20};

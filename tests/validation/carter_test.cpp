@@ -49,7 +49,7 @@ TEST(Carter, aligned_50_nodes_across_with_the_edge_on_a_node) {
   }
 }
 
-TEST(Carter, uniform_nodes_converge_with_first_order) {
+TEST(Carter_long, uniform_nodes_converge_with_first_order) {
   const Result coarse = roll(strip_nodes(20), 20), fine = roll(strip_nodes(80), 20);
   for (int i = 0; i < 3; ++i) {
     const std::string name = schemes[i];
@@ -63,7 +63,7 @@ TEST(Carter, uniform_nodes_converge_with_first_order) {
   }
 }
 
-TEST(Carter, nodes_graded_to_the_edge_converge_faster) {
+TEST(Carter_long, nodes_graded_to_the_edge_converge_faster) {
   const Result coarse = roll(graded_nodes(20), 40), fine = roll(graded_nodes(40), 40);
   for (int i = 0; i < 3; ++i) {
     const std::string name = schemes[i];
@@ -85,7 +85,7 @@ TEST(Carter, nodes_graded_to_the_edge_converge_faster) {
   }
 }
 
-TEST(Carter, the_strip_is_long_enough) {
+TEST(Carter_long, the_strip_is_long_enough) {
   double force[3];
   for (int i = 0; i < 3; ++i) force[i] = roll(graded_nodes(24), 5.0 * (1 << i)).errors[2].force;
   report("F/(mu P), half length  5 a", force[0]);

@@ -126,7 +126,7 @@ scenes::MeshedBody pin(int around, int deep) {
   return body;
 }
 
-TEST(ConformalFits, a_pin_in_a_plate) {
+TEST(ConformalFits_long, a_pin_in_a_plate) {
   // Hertz's p0 under the same load is 5, 15 and 30 % less.
   for (const double angle : {20 * degree, 35 * degree, 50 * degree}) {
     const Persson persson(angle);

@@ -65,7 +65,7 @@ TEST(HertzCircle, tri6_grid_24_nodes_across) {
   expect_hertz("tri6", grid(ElementType::tri6, 12));
 }
 
-TEST(HertzCircle, frames_of_the_paper) {
+TEST(HertzCircle_long, frames_of_the_paper) {
   expect_hertz("673 quad4",
                frames::o_grid(ElementType::quad4, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
   expect_hertz("1985 quad8",
@@ -85,7 +85,7 @@ TEST(HertzCircle, approach_at_given_force) {
   expect_error("approach at given force", relative(s.approach, exact.approach), 3e-3);
 }
 
-TEST(HertzCircle, force_converges) {
+TEST(HertzCircle_long, force_converges) {
   const Solution coarse = press(grid(ElementType::quad4, 12), false);
   const Solution fine = press(grid(ElementType::quad4, 48), false);
   const double e1 = relative(-coarse.force[2], exact.load);
@@ -96,7 +96,7 @@ TEST(HertzCircle, force_converges) {
   expect_order("force, quad4 grid", observed_order(e1, e2, 4, 1), 1.0);
 }
 
-TEST(HertzCircle, force_converges_on_graded_rings) {
+TEST(HertzCircle_long, force_converges_on_graded_rings) {
   double error[2];
   for (int i = 0; i < 2; ++i) {
     const auto radii = frames::contact_radii(exact.a, 6 << i, 1.25 * exact.a);

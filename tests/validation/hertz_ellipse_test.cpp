@@ -40,8 +40,9 @@ TEST_P(HertzEllipse, peak_pressure_axes_and_force) {
   expect_error(std::string(name) + "semi-axis b (fit)", relative(fit.b, exact.b), 1e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(AxisRatio, HertzEllipse,
-                         testing::Values(0.02, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 50.0));
+INSTANTIATE_TEST_SUITE_P(AxisRatio, HertzEllipse, testing::Values(0.02, 0.5, 10.0));
+INSTANTIATE_TEST_SUITE_P(AxisRatio_long, HertzEllipse,
+                         testing::Values(0.1, 0.2, 1.0, 2.0, 5.0, 50.0));
 
 TEST(HertzClosedForm, matches_published_vectors) {
   struct Row {

@@ -88,18 +88,24 @@ TEST_P(RandomProcedures, reach_the_standard_tractions) {
 // leave that creepage undetermined: the method circles between full slip and full stick.
 const std::vector<Failing> all_sliding{{.jacobian = "simplified"}, {.jacobian = "reduced"}};
 
+constexpr auto drawn_name = [](const auto& param) { return param.param.name(); };
+
+INSTANTIATE_TEST_SUITE_P(HalfSpaces, RandomProcedures,
+                         ::testing::Values(Scene{Kind::identical, false, 1},
+                                           Scene{Kind::dissimilar, true, 10},
+                                           Scene{Kind::on_rigid, false, 5}),
+                         drawn_name);
 INSTANTIATE_TEST_SUITE_P(
-    HalfSpaces, RandomProcedures,
-    ::testing::Values(Scene{Kind::identical, false, 1}, Scene{Kind::identical, false, 7},
-                      Scene{Kind::identical, false, 13}, Scene{Kind::identical, true, 2},
-                      Scene{Kind::identical, true, 8}, Scene{Kind::dissimilar, false, 3},
-                      Scene{Kind::dissimilar, false, 9}, Scene{Kind::dissimilar, false, 15},
-                      Scene{Kind::dissimilar, true, 10}, Scene{Kind::dissimilar, true, 16},
-                      Scene{Kind::on_rigid, false, 5}, Scene{Kind::on_rigid, false, 11},
-                      Scene{Kind::on_rigid, false, 17}, Scene{Kind::on_rigid, true, 6},
-                      Scene{Kind::on_rigid, true, 12}, Scene{Kind::on_rigid, true, 18},
+    HalfSpaces_long, RandomProcedures,
+    ::testing::Values(Scene{Kind::identical, false, 7}, Scene{Kind::identical, false, 13},
+                      Scene{Kind::identical, true, 2}, Scene{Kind::identical, true, 8},
+                      Scene{Kind::dissimilar, false, 3}, Scene{Kind::dissimilar, false, 9},
+                      Scene{Kind::dissimilar, false, 15}, Scene{Kind::dissimilar, true, 16},
+                      Scene{Kind::on_rigid, false, 11}, Scene{Kind::on_rigid, false, 17},
+                      Scene{Kind::on_rigid, true, 6}, Scene{Kind::on_rigid, true, 12},
+                      Scene{Kind::on_rigid, true, 18},
                       Scene{Kind::on_rigid, true, 9, 3, all_sliding}),
-    [](const auto& param) { return param.param.name(); });
+    drawn_name);
 
 }  // namespace
 }  // namespace rollcon::validation

@@ -68,7 +68,7 @@ TEST(Rings, gap_of_the_paper) {
 
 // Twins cancel what pressure does to the slip; finite on boundary elements leave the difference of
 // their errors, a few per cent of strains three times as large as the creepage.
-TEST(Rings, by_finite_and_by_boundary_elements) {
+TEST(Rings_long, by_finite_and_by_boundary_elements) {
   for (const int parts : {8, 12}) {
     const auto fem = example1::ring_body(example1::fem_ring(parts), VolumeType::hex8);
     const auto bem = example1::ring_body(example1::bem_ring(parts), ElementType::quad4);
@@ -96,7 +96,7 @@ TEST(Rings, by_finite_and_by_boundary_elements) {
   }
 }
 
-TEST(Rings, quadratic_elements_agree) {
+TEST(Rings_long, quadratic_elements_agree) {
   surfaces::Ring shape = example1::paper_ring();
   shape.around = 24, shape.zone_around = 6, shape.across = 6, shape.deep = 2;
   auto pair = example1::pair(shape, ElementType::quad8, "characteristic");

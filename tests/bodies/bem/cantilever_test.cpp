@@ -50,7 +50,12 @@ TEST_P(Cantilever, pulled_at_its_end) {
                is_quadratic(type) ? 6e-3 : 2e-2);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, Cantilever, ::testing::ValuesIn(surfaces::all_types),
+INSTANTIATE_TEST_SUITE_P(Bodies, Cantilever,
+                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+                         [](const auto& param) { return surfaces::name_of(param.param); });
+INSTANTIATE_TEST_SUITE_P(Bodies_long, Cantilever,
+                         ::testing::Values(ElementType::tri3, ElementType::quad8,
+                                           ElementType::quad9),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 
 // Clamped flat, uniform end traction, nu = 0.3: Timoshenko's beam but for the root, whose clamped

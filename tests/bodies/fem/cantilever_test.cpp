@@ -49,7 +49,12 @@ TEST_P(FemCantilever, its_root_carries_the_load) {
                length(reaction.moment + cross(at, force)) / length(cross(at, force)), 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, FemCantilever, ::testing::ValuesIn(volumes::all_types),
+INSTANTIATE_TEST_SUITE_P(Bodies, FemCantilever,
+                         ::testing::Values(VolumeType::hex8, VolumeType::tet10),
+                         [](const auto& param) { return volumes::name_of(param.param); });
+INSTANTIATE_TEST_SUITE_P(Bodies_long, FemCantilever,
+                         ::testing::Values(VolumeType::tet4, VolumeType::wedge6,
+                                           VolumeType::wedge15, VolumeType::hex20),
                          [](const auto& param) { return volumes::name_of(param.param); });
 
 // Clamped flat, uniform end traction, nu = 0.3: Timoshenko's beam but for the root, whose clamped

@@ -157,7 +157,7 @@ TEST(halfspace_compliance, instruction_sets_agree) {
   halfspace::force_instruction_set(InstructionSet::avx512);
 }
 
-TEST(halfspace_compliance, mixed_elements_meet_the_tolerance_in_every_row) {
+TEST(halfspace_compliance_long, mixed_elements_meet_the_tolerance_in_every_row) {
   const Frame frame = mixed_frame();
   const Observers at(frame);
   const auto n = static_cast<std::size_t>(frame.nodes());

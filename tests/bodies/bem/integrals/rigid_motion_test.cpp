@@ -80,7 +80,12 @@ TEST_P(RigidMotionRows, at_points_inside_elements_and_on_their_edges) {
   check("points of the sphere", GetParam(), rigid_residual(sphere, points, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(types, RigidMotionRows, ::testing::ValuesIn(surfaces::all_types),
+INSTANTIATE_TEST_SUITE_P(types, RigidMotionRows,
+                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+                         [](const auto& info) { return surfaces::name_of(info.param); });
+INSTANTIATE_TEST_SUITE_P(types_long, RigidMotionRows,
+                         ::testing::Values(ElementType::tri3, ElementType::quad8,
+                                           ElementType::quad9),
                          [](const auto& info) { return surfaces::name_of(info.param); });
 
 TEST(RigidMotionRows, mixed_elements) {

@@ -177,8 +177,11 @@ TEST_P(KelvinRules, far_field) {
 }
 
 INSTANTIATE_TEST_SUITE_P(types, KelvinRules,
-                         ::testing::Values(ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                           ElementType::quad8, ElementType::quad9),
+                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+                         [](const auto& info) { return std::to_string(node_count(info.param)); });
+INSTANTIATE_TEST_SUITE_P(types_long, KelvinRules,
+                         ::testing::Values(ElementType::tri3, ElementType::quad8,
+                                           ElementType::quad9),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 
 }  // namespace
