@@ -113,56 +113,26 @@ class Lifting {
     return fans_.of[at(surface_.offset[at(e)] + local)];
   }
 
-  /// Elements around an end of the edge that are joined smoothly to element e.
-  std::vector<std::int64_t> elements_at(std::int64_t e, std::int32_t end) const {
-    std::vector<std::int64_t> joined;
-    const std::int32_t fan = fan_of(e, end);
-    for (std::int64_t k = start_[at(end)]; k < start_[at(end) + 1]; ++k)
-      if (fan_of(around_[at(k)], end) == fan) joined.push_back(around_[at(k)]);
-    return joined;
-  }
-
-  /// Those at both ends of an edge of e, and `further` rings around them.
-  std::vector<std::int64_t> elements_near(std::int64_t e, std::int32_t from, std::int32_t to,
-                                          int further) const {
-    std::vector<std::int64_t> near = elements_at(e, from);
-    const auto add = [&](const std::vector<std::int64_t>& more) {
-      near.insert(near.end(), more.begin(), more.end());
-    };
-    const auto sort = [&] {
-      std::sort(near.begin(), near.end());
-      near.erase(std::unique(near.begin(), near.end()), near.end());
-    };
-    add(elements_at(e, to));
-    sort();
-    for (int ring = 0; ring < further; ++ring) {
-      for (const std::int64_t own : std::vector(near))
-        for (const std::int32_t k : surface_.element(own)) add(elements_at(own, k));
-      sort();
+  /// Nodes of the elements that share an end of the edge and are joined smoothly to element e.
+  /// (Further ones were tried where these do not tell, at corners of triangles: worse.)
+  std::vector<std::int32_t> nodes_near(std::int64_t e, std::int32_t from, std::int32_t to) const {
+    std::vector<std::int32_t> near;
+    for (const std::int32_t end : {from, to}) {
+      const std::int32_t fan = fan_of(e, end);
+      for (std::int64_t k = start_[at(end)]; k < start_[at(end) + 1]; ++k) {
+        const std::int64_t other = around_[at(k)];
+        if (fan_of(other, end) != fan) continue;
+        const auto nodes = surface_.element(other);
+        near.insert(near.end(), nodes.begin(), nodes.end());
+      }
     }
+    std::sort(near.begin(), near.end());
+    near.erase(std::unique(near.begin(), near.end()), near.end());
     return near;
   }
 
-  std::vector<std::int32_t> nodes_of(const std::vector<std::int64_t>& elements) const {
-    std::vector<std::int32_t> all;
-    for (const std::int64_t e : elements) {
-      const auto nodes = surface_.element(e);
-      all.insert(all.end(), nodes.begin(), nodes.end());
-    }
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-  }
-
   std::map<std::int32_t, double> by_face(std::int64_t e, std::int32_t from, std::int32_t to) const {
-    auto weights = by_nodes(nodes_of(elements_near(e, from, to, 0)), e, from, to);
-    // At corners of triangles a face has too few.
-    if (weights.empty()) weights = by_nodes(nodes_of(elements_near(e, from, to, 1)), e, from, to);
-    return weights;
-  }
-
-  std::map<std::int32_t, double> by_nodes(const std::vector<std::int32_t>& near, std::int64_t e,
-                                          std::int32_t from, std::int32_t to) const {
+    const std::vector<std::int32_t> near = nodes_near(e, from, to);
     const Vec3 normal =
         normalized(fans_.normal[at(fan_of(e, from))] + fans_.normal[at(fan_of(e, to))]);
     const Vec3 edge = place(to) - place(from), middle = 0.5 * (place(from) + place(to));

