@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "bench.hpp"
-#include "mesh/surface_search.hpp"
+#include "geometry/surface_search.hpp"
 #include "support/example1.hpp"
 #include "support/example2.hpp"
 #include "support/example3.hpp"

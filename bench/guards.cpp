@@ -11,8 +11,8 @@
 #include <numeric>
 
 #include "bench.hpp"
-#include "contact/few_nodes.hpp"
-#include "contact/state.hpp"
+#include "contact/results/few_nodes.hpp"
+#include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/surface_check.hpp"

@@ -9,10 +9,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "bodies/halfspace/element.hpp"
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/halfspace/kernels.hpp"
+#include "quadrature/element.hpp"
 
 namespace rollcon {
 namespace {

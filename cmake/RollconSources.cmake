@@ -34,7 +34,8 @@ endmacro()
 list(FILTER ROLLCON_SOURCES EXCLUDE REGEX "_absent\\.cpp$")
 
 rollcon_belongs("bodies/fem/" FEM)
-rollcon_belongs("mesh/(volume_|surface_coupling|coupled_element|plane_chart|convex_polygon)" FEM)
+rollcon_belongs("mesh/volume_" FEM)
+rollcon_belongs("geometry/(surface_coupling|coupled_element|plane_chart|convex_polygon)" FEM)
 rollcon_stands_for(bodies/fem_absent.cpp FEM)
 rollcon_stands_for(mesh/volume_absent.cpp FEM)
 rollcon_stands_for(mesh/volume_shape_absent.cpp FEM)
@@ -43,11 +44,11 @@ rollcon_belongs("bodies/bem/" BEM)
 rollcon_stands_for(bodies/bem_absent.cpp BEM)
 
 # What both kinds of elastic bodies with a mesh share; rigid ones need none of it.
-rollcon_belongs("bodies/(meshed_|remainder_|response_cache|saved_responses|supports|frame_on_body)" FEM BEM)
+rollcon_belongs("bodies/(meshed_|remainder_|frame_on_body|model/(response_cache|saved_responses|supports))" FEM BEM)
 rollcon_stands_for(bodies/meshed_absent.cpp FEM BEM)
 
-rollcon_belongs("contact/procedures/(condensed|estimated|gnmls|held|monolithic|run)" PROCEDURES)
-rollcon_stands_for(contact/procedures_absent.cpp PROCEDURES)
+rollcon_belongs("procedures/" PROCEDURES)
+rollcon_stands_for(procedures/procedures_absent.cpp PROCEDURES)
 
 rollcon_belongs("linalg/sparse_" CHOLMOD UMFPACK)
 rollcon_belongs("linalg/sparse_(order_)?cholmod" CHOLMOD)

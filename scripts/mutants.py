@@ -6,14 +6,15 @@ import re
 # tests include are not, as each of their mutants would cost half a build.
 GROUPS = [
     ("friction and Newton", 50, [
-        "contact/friction/*", "contact/free_system.cpp", "contact/reduced_system.cpp",
-        "contact/newton*.cpp", "contact/problem.cpp", "contact/sensitivity.cpp",
-        "contact/total_sliding.cpp", "contact/reach.cpp", "contact/split_factors.cpp"]),
+        "contact/laws/*", "contact/linear/free_system.cpp", "contact/linear/reduced_system.cpp",
+        "contact/newton/*.cpp", "contact/newton/strategies/*.cpp",
+        "contact/problem/problem.cpp", "contact/results/sensitivity.cpp",
+        "contact/prepare/reach.cpp", "contact/linear/split_factors.cpp"]),
     ("contact geometry", 20, [
-        "contact/geometry.cpp", "contact/moments.cpp", "contact/gap_between_nodes.cpp",
-        "contact/derive.cpp", "contact/operators.cpp", "contact/traction_space.cpp"]),
-    ("convection", 12, ["contact/convection/*"]),
-    ("regular frames", 22, ["contact/lattice/*"]),
+        "contact/scene/geometry.cpp", "contact/problem/moments.cpp", "contact/prepare/gap_between_nodes.cpp",
+        "contact/results/derive.cpp", "contact/operators/operators.cpp", "contact/operators/traction_space.cpp"]),
+    ("convection", 12, ["contact/operators/convection/*"]),
+    ("regular frames", 22, ["contact/operators/lattice/*"]),
     ("half-space", 26, ["bodies/halfspace/*"]),
     ("boundary elements", 26, [
         "bodies/bem/assembly.cpp", "bodies/bem/boundary_integrals.cpp", "bodies/bem/element_geometry.cpp",
@@ -25,7 +26,7 @@ GROUPS = [
         "bodies/fem/felt_tractions.cpp"]),
     ("bodies", 12, [
         "bodies/meshed_*.cpp", "bodies/remainder_compliance.cpp", "bodies/sum_compliance.cpp",
-        "bodies/supports.cpp", "bodies/frame_on_body.cpp", "bodies/contact_surface.cpp",
+        "bodies/model/supports.cpp", "bodies/frame_on_body.cpp", "bodies/contact_surface.cpp",
         "bodies/pair.cpp"]),
     ("shape functions and rules", 16, [
         "mesh/shape.cpp", "mesh/volume_shape.cpp", "mesh/quadrature.cpp", "mesh/volume_quadrature.cpp",

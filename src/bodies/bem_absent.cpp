@@ -1,6 +1,6 @@
 /// In place of boundary-element bodies, in a build without them.
 
-#include "bodies/mesh_models.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "support/error.hpp"
 
 namespace rollcon::bem {

@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "bodies/archive.hpp"
 #include "bodies/equal_bodies.hpp"
 #include "bodies/imbalance.hpp"
-#include "bodies/mesh_models.hpp"
+#include "bodies/model/archive.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_kernels.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "support/input_checks.hpp"

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include "bodies/archive.hpp"
 #include "bodies/body_model.hpp"
 #include "bodies/body_options.hpp"
+#include "bodies/model/archive.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/error.hpp"
 #include "support/input_checks.hpp"

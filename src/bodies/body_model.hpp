@@ -6,10 +6,10 @@
 #include <memory>
 #include <utility>
 
-#include "bodies/body_mesh.hpp"
-#include "bodies/surface_response.hpp"
+#include "bodies/model/body_mesh.hpp"
+#include "bodies/model/surface_response.hpp"
 #include "bodies/thinness.hpp"
-#include "mesh/surface_search.hpp"
+#include "geometry/surface_search.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon {

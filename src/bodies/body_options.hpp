@@ -1,7 +1,7 @@
 #pragma once
 /// Settings of a body by name.
 
-#include "bodies/body_mesh.hpp"
+#include "bodies/model/body_mesh.hpp"
 #include "support/setting_table.hpp"
 
 namespace rollcon {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bodies/body_model.hpp"
-#include "bodies/mesh_models.hpp"
-#include "bodies/supports.hpp"
+#include "bodies/model/mesh_models.hpp"
+#include "bodies/model/supports.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "bodies/body.hpp"
+#include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
-#include "mesh/pose.hpp"
 
 namespace rollcon {
 

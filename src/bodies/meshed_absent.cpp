@@ -2,7 +2,7 @@
 /// elements. Not reached: there is no such body. Rigid bodies with a mesh need none of it.
 
 #include "bodies/meshed_compliance.hpp"
-#include "bodies/supports.hpp"
+#include "bodies/model/supports.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {

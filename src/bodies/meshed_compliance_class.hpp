@@ -12,9 +12,9 @@
 
 #include "bodies/frame_on_body.hpp"
 #include "bodies/meshed_compliance.hpp"
-#include "bodies/surface_response.hpp"
+#include "bodies/model/surface_response.hpp"
+#include "geometry/surface_search.hpp"
 #include "mesh/shape.hpp"
-#include "mesh/surface_search.hpp"
 
 namespace rollcon {
 

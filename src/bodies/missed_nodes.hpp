@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bodies/body.hpp"
+#include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
-#include "mesh/pose.hpp"
 #include "mesh/surface_geometry.hpp"
 
 namespace rollcon {

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "bodies/compliance.hpp"
 #include "bodies/contact_surface.hpp"
+#include "bodies/model/compliance.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {

@@ -5,9 +5,9 @@
 
 #include <memory>
 
-#include "bodies/compliance.hpp"
 #include "bodies/contact_surface.hpp"
-#include "bodies/surface_response.hpp"
+#include "bodies/model/compliance.hpp"
+#include "bodies/model/surface_response.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {

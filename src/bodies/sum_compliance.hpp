@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "bodies/compliance.hpp"
+#include "bodies/model/compliance.hpp"
 
 namespace rollcon {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/surface_search.hpp"
 #include "mesh/shape.hpp"
 #include "mesh/surface_geometry.hpp"
-#include "mesh/surface_search.hpp"
 
 namespace rollcon {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "bodies/body_mesh.hpp"
+#include "bodies/model/body_mesh.hpp"
 
 namespace rollcon {
 

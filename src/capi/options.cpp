@@ -1,6 +1,6 @@
 /// Solver settings by name, and their table.
 
-#include "contact/options.hpp"
+#include "contact/scene/options.hpp"
 
 #include "bodies/body_options.hpp"
 #include "capi/guard.hpp"

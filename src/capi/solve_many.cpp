@@ -1,6 +1,6 @@
 /// Lists of load cases.
 
-#include "contact/solve_many.hpp"
+#include "contact/cases/solve_many.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,15 +4,15 @@
 #include <cmath>
 #include <string>
 
-#include "contact/few_nodes.hpp"
-#include "contact/host_interrupt.hpp"
-#include "contact/lattice/lattice_scene.hpp"
-#include "contact/outcome_text.hpp"
-#include "contact/procedures/run.hpp"
-#include "contact/reach.hpp"
-#include "contact/state.hpp"
+#include "contact/prepare/lattice_scene.hpp"
+#include "contact/prepare/reach.hpp"
+#include "contact/results/few_nodes.hpp"
+#include "contact/results/outcome_text.hpp"
+#include "contact/scene/host_interrupt.hpp"
+#include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
+#include "procedures/run.hpp"
 #include "support/clock.hpp"
 
 namespace rollcon {

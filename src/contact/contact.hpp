@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bodies/body.hpp"
-#include "contact/scene.hpp"
+#include "contact/scene/scene.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -48,9 +48,9 @@ enum class Parameter : std::int32_t {
 };
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
-struct CaseList;     // contact/solve_many.hpp
-struct CaseResults;  // contact/solve_many.hpp
-struct SolverState;  // solution, caches and workspaces; contact/state.hpp
+struct CaseList;     // contact/cases/solve_many.hpp
+struct CaseResults;  // contact/cases/solve_many.hpp
+struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
 
 class Contact {
  public:

@@ -1,7 +1,7 @@
 // Pairs of bodies with their unknowns written out: the same displacements as condensed, from
 // matrices that are assembled once, and nothing factorised on the way.
 
-#include "bodies/expanded_compliance.hpp"
+#include "bodies/model/expanded_compliance.hpp"
 
 #include <gtest/gtest.h>
 

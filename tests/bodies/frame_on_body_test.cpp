@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "contact/body_geometry.hpp"
-#include "contact/scene.hpp"
+#include "contact/scene/scene.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {

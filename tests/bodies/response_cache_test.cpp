@@ -1,7 +1,7 @@
 // Responses that a body keeps: found again without work, bounded in bytes, the least recently used
 // ones dropped.
 
-#include "bodies/response_cache.hpp"
+#include "bodies/model/response_cache.hpp"
 
 #include <gtest/gtest.h>
 

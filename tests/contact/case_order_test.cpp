@@ -1,6 +1,6 @@
 /// The order in which lists of cases are solved.
 
-#include "contact/case_order.hpp"
+#include "contact/cases/case_order.hpp"
 
 #include <gtest/gtest.h>
 

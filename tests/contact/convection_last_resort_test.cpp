@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "contact/convection.hpp"
+#include "contact/operators/convection/convection.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {

@@ -1,4 +1,4 @@
-#include "contact/convection.hpp"
+#include "contact/operators/convection/convection.hpp"
 
 #include <gtest/gtest.h>
 

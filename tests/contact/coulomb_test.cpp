@@ -1,6 +1,6 @@
 /// Coulomb's projection and its derivative against finite differences.
 
-#include "contact/friction/coulomb.hpp"
+#include "contact/laws/coulomb.hpp"
 
 #include <gtest/gtest.h>
 

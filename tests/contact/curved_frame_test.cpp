@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/problem.hpp"
+#include "contact/problem/problem.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
 

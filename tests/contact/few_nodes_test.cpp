@@ -1,12 +1,12 @@
 /// Contacts of too few nodes are not called success: status, warnings, plan and estimates say so,
 /// and contacts of enough nodes hear nothing of it.
 
-#include "contact/few_nodes.hpp"
+#include "contact/results/few_nodes.hpp"
 
 #include <algorithm>
 
 #include "contact/scene_fixture.hpp"
-#include "contact/state.hpp"
+#include "contact/solution.hpp"
 #include "support/closed_forms.hpp"
 
 namespace rollcon {

@@ -1,6 +1,6 @@
 /// Newton's systems without the tractions that sliding gives.
 
-#include "contact/free_system.hpp"
+#include "contact/linear/free_system.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <cstdio>
 #include <random>
 
-#include "contact/condition.hpp"
-#include "contact/linear_solver.hpp"
+#include "contact/linear/linear_solver.hpp"
+#include "contact/results/condition.hpp"
 #include "linalg/lu.hpp"
 
 namespace rollcon {

@@ -1,6 +1,6 @@
 // Which loads friction can carry: a convex set, told by its extent in every direction of motion.
 
-#include "contact/friction_limit.hpp"
+#include "contact/newton/friction_limit.hpp"
 
 #include <gtest/gtest.h>
 

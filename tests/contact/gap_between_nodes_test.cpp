@@ -1,7 +1,7 @@
 // The gap between the nodes against sums over rectangles, for quadrilaterals and for triangles that
 // make the same rectangles.
 
-#include "contact/gap_between_nodes.hpp"
+#include "contact/prepare/gap_between_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/state.hpp"
+#include "contact/solution.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {

@@ -1,6 +1,6 @@
 /// Normals and gaps from the surfaces of bodies, against closed forms of spheres and planes.
 
-#include "contact/geometry.hpp"
+#include "contact/scene/geometry.hpp"
 
 #include <gtest/gtest.h>
 

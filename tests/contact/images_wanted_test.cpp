@@ -7,7 +7,7 @@
 #include <array>
 #include <memory>
 
-#include "contact/problem.hpp"
+#include "contact/problem/problem.hpp"
 
 namespace rollcon {
 namespace {

@@ -7,9 +7,9 @@
 #include <cstdio>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/newton.hpp"
+#include "contact/cases/solve_many.hpp"
+#include "contact/newton/newton.hpp"
 #include "contact/scene_fixture.hpp"
-#include "contact/solve_many.hpp"
 
 namespace rollcon {
 namespace {

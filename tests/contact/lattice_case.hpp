@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/operators.hpp"
+#include "contact/operators/operators.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {

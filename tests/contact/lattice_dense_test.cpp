@@ -1,4 +1,4 @@
-#include "contact/lattice/lattice_dense.hpp"
+#include "contact/operators/lattice/lattice_dense.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "contact/lattice/lattice_operator.hpp"
+#include "contact/operators/lattice/lattice_operator.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "bodies/compliance.hpp"
-#include "contact/procedures/step_system.hpp"
+#include "bodies/model/compliance.hpp"
 #include "mesh/frame.hpp"
+#include "procedures/step_system.hpp"
 
 namespace rollcon::monolithic_test {
 

@@ -1,7 +1,7 @@
 #include "bodies/body.hpp"
 #include "bodies/pair.hpp"
-#include "contact/geometry.hpp"
 #include "contact/monolithic_case.hpp"
+#include "contact/scene/geometry.hpp"
 #include "support/frames.hpp"
 #include "support/static_solution.hpp"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "contact/monolithic_case.hpp"
-#include "contact/procedures/monolithic.hpp"
+#include "procedures/monolithic.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {

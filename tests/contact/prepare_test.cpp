@@ -11,7 +11,7 @@
 #include "build_info.hpp"
 #include "contact/body_geometry.hpp"
 #include "contact/scene_fixture.hpp"
-#include "contact/state.hpp"
+#include "contact/solution.hpp"
 
 namespace rollcon {
 namespace {

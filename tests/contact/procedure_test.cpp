@@ -1,6 +1,6 @@
 /// Solution procedures from options, and the adaptive tolerance of their linear systems.
 
-#include "contact/procedures/procedure.hpp"
+#include "contact/scene/procedure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "contact/lattice/spectrum_product.hpp"
+#include "contact/operators/lattice/spectrum_product.hpp"
 
 #include <gtest/gtest.h>
 

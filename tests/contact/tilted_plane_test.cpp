@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/newton.hpp"
+#include "contact/newton/newton.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {

@@ -1,6 +1,6 @@
 // Spaces of fewer tractions: what is spread, gathered and picked, node by node.
 
-#include "contact/traction_space.hpp"
+#include "contact/operators/traction_space.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/traction_space.hpp"
+#include "contact/operators/traction_space.hpp"
 #include "support/frames.hpp"
 #include "support/graded_disc.hpp"
 #include "validation/report.hpp"

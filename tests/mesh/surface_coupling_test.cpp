@@ -1,7 +1,7 @@
 /// From tractions on one mesh to loads on another: patch test, force and moment, curved bodies,
 /// layers that match, are finer, coarser or larger than the faces under them.
 
-#include "mesh/surface_coupling.hpp"
+#include "geometry/surface_coupling.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/surface_search.hpp"
 #include "mesh/corner_elements.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
-#include "mesh/surface_search.hpp"
 #include "support/frames.hpp"
 #include "support/surface_meshes.hpp"
 #include "validation/report.hpp"

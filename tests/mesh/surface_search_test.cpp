@@ -1,7 +1,7 @@
 /// Points on surfaces: against closed forms, against a sweep over all elements, through edges and
 /// nodes, near and far.
 
-#include "mesh/surface_search.hpp"
+#include "geometry/surface_search.hpp"
 
 #include <gtest/gtest.h>
 

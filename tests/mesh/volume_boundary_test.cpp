@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "geometry/surface_search.hpp"
 #include "mesh/surface_check.hpp"
-#include "mesh/surface_search.hpp"
 #include "mesh/traction_nodes.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/error.hpp"

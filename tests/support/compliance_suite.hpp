@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "bodies/compliance.hpp"
+#include "bodies/model/compliance.hpp"
+#include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
-#include "mesh/pose.hpp"
 
 namespace rollcon {
 

@@ -1,9 +1,9 @@
 #pragma once
 /// What the choice of a rule needs to know of an element or a part of one.
 
-#include "bodies/halfspace/cell.hpp"
-#include "bodies/halfspace/element.hpp"
 #include "mesh/surface_mesh.hpp"
+#include "quadrature/cell.hpp"
+#include "quadrature/element.hpp"
 
 namespace rollcon::bem {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bodies/body_mesh.hpp"
+#include "bodies/model/body_mesh.hpp"
 
 namespace rollcon::bem {
 

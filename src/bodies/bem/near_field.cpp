@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "bodies/bem/polar.hpp"
-#include "bodies/halfspace/rules.hpp"
+#include "quadrature/rules.hpp"
 
 namespace rollcon::bem {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/halfspace/rules.hpp"
+#include "quadrature/rules.hpp"
 
 namespace rollcon::bem {
 namespace {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bodies/bem/rule_selection.hpp"
-#include "bodies/halfspace/rules.hpp"
 #include "mesh/shape.hpp"
+#include "quadrature/rules.hpp"
 
 namespace rollcon::bem {
 namespace {

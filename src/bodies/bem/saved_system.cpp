@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
-#include "bodies/archive.hpp"
 #include "bodies/bem/system.hpp"
+#include "bodies/model/archive.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::bem {

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "bodies/mesh_models.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"

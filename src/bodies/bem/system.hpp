@@ -5,9 +5,9 @@
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/lifted_surface.hpp"
 #include "bodies/bem/unknowns.hpp"
-#include "bodies/body_mesh.hpp"
 #include "bodies/imbalance.hpp"
-#include "bodies/response_cache.hpp"
+#include "bodies/model/body_mesh.hpp"
+#include "bodies/model/response_cache.hpp"
 #include "linalg/factored_matrix.hpp"
 #include "mesh/traction_nodes.hpp"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "bodies/bem/boundary_integrals.hpp"
-#include "bodies/body_mesh.hpp"
+#include "bodies/model/body_mesh.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::bem {

@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "bodies/body_mesh.hpp"
 #include "bodies/fem/element_stiffness.hpp"
+#include "bodies/model/body_mesh.hpp"
 #include "linalg/sparse_factor.hpp"
 
 namespace rollcon::fem {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "bodies/expanded_compliance.hpp"
+#include "bodies/model/expanded_compliance.hpp"
 #include "linalg/sparse_factor.hpp"
 
 namespace rollcon::fem {

@@ -10,9 +10,9 @@
 #include <span>
 #include <vector>
 
+#include "geometry/surface_coupling.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/sparse_factor.hpp"
-#include "mesh/surface_coupling.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::fem {

@@ -7,8 +7,8 @@
 
 #include "bodies/fem/felt_tractions.hpp"
 #include "bodies/fem/system.hpp"
+#include "geometry/surface_search.hpp"
 #include "mesh/surface_geometry.hpp"
-#include "mesh/surface_search.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
 

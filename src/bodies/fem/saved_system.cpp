@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "bodies/archive.hpp"
 #include "bodies/fem/system.hpp"
+#include "bodies/model/archive.hpp"
 #include "linalg/condensed_factor.hpp"
 #include "support/index.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "bodies/fem/equations.hpp"
-#include "bodies/mesh_models.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/surface_geometry.hpp"

@@ -6,12 +6,12 @@
 #include <map>
 #include <string>
 
-#include "bodies/body_mesh.hpp"
 #include "bodies/fem/assembly.hpp"
 #include "bodies/fem/felt_tractions.hpp"
-#include "bodies/response_cache.hpp"
+#include "bodies/model/body_mesh.hpp"
+#include "bodies/model/response_cache.hpp"
+#include "geometry/surface_coupling.hpp"
 #include "linalg/sparse_factor.hpp"
-#include "mesh/surface_coupling.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon::fem {

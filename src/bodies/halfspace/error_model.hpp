@@ -12,7 +12,7 @@
 #include <cmath>
 #include <complex>
 
-#include "bodies/halfspace/cell.hpp"
+#include "quadrature/cell.hpp"
 
 namespace rollcon::halfspace {
 

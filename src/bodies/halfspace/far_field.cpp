@@ -5,8 +5,8 @@
 #include <cstddef>
 
 #include "bodies/halfspace/error_model.hpp"
-#include "bodies/halfspace/rules.hpp"
 #include "mesh/shape.hpp"
+#include "quadrature/rules.hpp"
 
 namespace rollcon::halfspace {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "bodies/halfspace/element.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "mesh/quadrature.hpp"
+#include "quadrature/element.hpp"
 
 namespace rollcon::halfspace {
 

@@ -11,7 +11,7 @@
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "bodies/halfspace/near_field.hpp"
-#include "bodies/halfspace/rules.hpp"
+#include "quadrature/rules.hpp"
 #include "support/parallel.hpp"
 
 namespace rollcon {

@@ -12,7 +12,7 @@
 
 #include <memory>
 
-#include "bodies/compliance.hpp"
+#include "bodies/model/compliance.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "bodies/halfspace/kernels.hpp"
-#include "bodies/halfspace/pack.hpp"
-#include "bodies/halfspace/pack_shape.hpp"
+#include "quadrature/pack.hpp"
+#include "quadrature/pack_shape.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bodies/halfspace/lattice_far.hpp"
-#include "bodies/halfspace/pack.hpp"
+#include "quadrature/pack.hpp"
 
 namespace {
 

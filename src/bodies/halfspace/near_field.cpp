@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "bodies/halfspace/cell.hpp"
 #include "bodies/halfspace/error_model.hpp"
-#include "bodies/halfspace/rules.hpp"
 #include "mesh/shape.hpp"
+#include "quadrature/cell.hpp"
+#include "quadrature/rules.hpp"
 
 namespace rollcon::halfspace {
 namespace {

@@ -12,8 +12,8 @@
 
 #include <cstdint>
 
-#include "bodies/halfspace/element.hpp"
 #include "bodies/halfspace/kernels.hpp"
+#include "quadrature/element.hpp"
 
 namespace rollcon::halfspace {
 

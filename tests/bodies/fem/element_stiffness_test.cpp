@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bodies/fem/element_cases.hpp"
-#include "bodies/mesh_models.hpp"
+#include "bodies/model/mesh_models.hpp"
 #include "linalg/lapack.hpp"
 #include "validation/report.hpp"
 

@@ -1,7 +1,7 @@
 // The half-space compliance as the contact sees it: block against apply, threads, instruction sets,
 // what is computed and what is not.
 
-#include "bodies/compliance.hpp"
+#include "bodies/model/compliance.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// What a scene counts as a change, and what its axes are.
 
-#include "contact/scene.hpp"
+#include "contact/scene/scene.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,172 @@
+#include "bodies/model/body_mesh.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+using FaceOfNodes = std::map<std::vector<std::int32_t>, std::size_t>;
+
+std::vector<std::int32_t> sorted(std::vector<std::int32_t> nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+void tag_by_side(const FaceNaming& naming, const std::vector<BoundaryFace>& origin,
+                 SurfaceMesh& surface) {
+  const auto before = [](const BoundaryFace& a, const BoundaryFace& b) {
+    return a.element != b.element ? a.element < b.element : a.side < b.side;
+  };
+  for (const BoundaryFace& face : naming.face) {
+    const auto found = std::lower_bound(origin.begin(), origin.end(), face, before);
+    if (found == origin.end() || before(face, *found))
+      fail(Status::err_mesh,
+           "face %d of element %lld (both counting from %d), which was given tag %d, is not on the "
+           "body's boundary",
+           face.side + surface.index_base,
+           static_cast<long long>(face.element) + surface.index_base, surface.index_base,
+           naming.tag);
+    surface.tag[static_cast<std::size_t>(found - origin.begin())] = naming.tag;
+  }
+}
+
+void tag_by_elements(const FaceNaming& naming, const FaceOfNodes& face_of_nodes,
+                     SurfaceMesh& surface) {
+  const auto width = static_cast<std::size_t>(node_count(naming.type));
+  for (std::size_t first = 0; first < naming.connectivity.size(); first += width) {
+    const auto from = naming.connectivity.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto found =
+        face_of_nodes.find(sorted({from, from + static_cast<std::ptrdiff_t>(width)}));
+    if (found == face_of_nodes.end()) {
+      std::string nodes;
+      for (std::size_t k = 0; k < width; ++k)
+        nodes += (k ? ", " : "") +
+                 std::to_string(from[static_cast<std::ptrdiff_t>(k)] + surface.index_base);
+      fail(
+          Status::err_mesh,
+          "surface element %zu with tag %d (counting from %d), of nodes %s, is not a boundary face "
+          "of the body's volume elements",
+          first / width + static_cast<std::size_t>(surface.index_base), naming.tag,
+          surface.index_base, nodes.c_str());
+    }
+    surface.tag[found->second] = naming.tag;
+  }
+}
+
+}  // namespace
+
+void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface) {
+  std::vector<std::uint8_t> named(static_cast<std::size_t>(surface.nodes()), 0);
+  for (const std::int32_t k : naming.nodes) named[static_cast<std::size_t>(k)] = 1;
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const auto nodes = surface.element(e);
+    if (std::all_of(nodes.begin(), nodes.end(),
+                    [&](std::int32_t k) { return named[static_cast<std::size_t>(k)] != 0; }))
+      surface.tag[static_cast<std::size_t>(e)] = naming.tag;
+  }
+}
+
+void update_boundary(BodyMesh& mesh) {
+  if (mesh.boundary_current || mesh.volume.elements() == 0) return;
+  std::vector<BoundaryFace> origin = boundary_faces(mesh.volume);
+  SurfaceMesh surface = boundary_surface(mesh.volume, origin);
+  surface.index_base = mesh.surface.index_base;
+  FaceOfNodes face_of_nodes;
+  const bool by_elements =
+      std::any_of(mesh.naming.begin(), mesh.naming.end(),
+                  [](const FaceNaming& naming) { return !naming.connectivity.empty(); });
+  for (std::int64_t e = 0; by_elements && e < surface.elements(); ++e) {
+    const auto nodes = surface.element(e);
+    face_of_nodes.emplace(sorted({nodes.begin(), nodes.end()}), static_cast<std::size_t>(e));
+  }
+  surface.node.swap(mesh.surface.node);
+  try {
+    for (const FaceNaming& naming : mesh.naming) {
+      if (!naming.face.empty()) tag_by_side(naming, origin, surface);
+      if (!naming.nodes.empty()) tag_by_nodes(naming, surface);
+      if (!naming.connectivity.empty()) tag_by_elements(naming, face_of_nodes, surface);
+    }
+  } catch (...) {
+    surface.node.swap(mesh.surface.node);
+    throw;
+  }
+  std::swap(mesh.surface, surface);
+  std::swap(mesh.origin, origin);
+  mesh.boundary_current = true;
+}
+
+std::string face_name(const BodyMesh& mesh, std::int64_t element) {
+  const std::int32_t base = mesh.surface.index_base;
+  if (mesh.origin.empty())
+    return "element " + std::to_string(element + base) + " (counting from " + std::to_string(base) +
+           ")";
+  const BoundaryFace& face = mesh.origin[static_cast<std::size_t>(element)];
+  return "face " + std::to_string(face.side + base) + " of element " +
+         std::to_string(face.element + base) + " (both counting from " + std::to_string(base) + ")";
+}
+
+namespace {
+
+std::vector<std::uint8_t> touched_nodes(const SurfaceMesh& surface,
+                                        const std::vector<std::int64_t>& element) {
+  std::vector<std::uint8_t> touched(static_cast<std::size_t>(surface.nodes()), 0);
+  for (const std::int64_t e : element)
+    for (const std::int32_t k : surface.element(e)) touched[static_cast<std::size_t>(k)] = 1;
+  return touched;
+}
+
+std::vector<std::int32_t> marked(const std::vector<std::uint8_t>& wanted) {
+  std::vector<std::int32_t> node;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (wanted[k]) node.push_back(static_cast<std::int32_t>(k));
+  return node;
+}
+
+}  // namespace
+
+std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface,
+                                   const std::vector<std::int64_t>& element) {
+  return marked(touched_nodes(surface, element));
+}
+
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
+                                       const std::vector<std::int64_t>& element) {
+  const std::vector<std::uint8_t> touched = touched_nodes(surface, element);
+  std::vector<std::uint8_t> wanted(touched.size(), 0);
+  for (std::int64_t e = 0; e < surface.elements(); ++e) {
+    const auto nodes = surface.element(e);
+    if (std::any_of(nodes.begin(), nodes.end(),
+                    [&](std::int32_t k) { return touched[static_cast<std::size_t>(k)] != 0; }))
+      for (const std::int32_t k : nodes) wanted[static_cast<std::size_t>(k)] = 1;
+  }
+  return marked(wanted);
+}
+
+std::vector<std::uint8_t> held_elements(const BodyMesh& mesh) {
+  std::vector<std::uint8_t> held(static_cast<std::size_t>(mesh.surface.elements()), 7);
+  for (std::size_t e = 0; e < held.size(); ++e)
+    for (const std::int32_t k : mesh.surface.element(static_cast<std::int64_t>(e)))
+      held[e] &= mesh.held[static_cast<std::size_t>(k)];
+  return held;
+}
+
+std::vector<std::int64_t> contact_elements(const BodyMesh& mesh) {
+  constexpr std::uint8_t all_components = 7;
+  const std::set<std::int32_t> wanted(mesh.contact_tag.begin(), mesh.contact_tag.end());
+  std::set<std::int32_t> loaded;
+  for (const FaceLoad& load : mesh.load) loaded.insert(load.tag);
+  const std::vector<std::uint8_t> held = held_elements(mesh);
+  std::vector<std::int64_t> element;
+  for (std::size_t e = 0; e < held.size(); ++e) {
+    const std::int32_t tag = mesh.surface.tag[e];
+    const bool chosen = wanted.empty() ? held[e] != all_components && loaded.count(tag) == 0
+                                       : wanted.count(tag) != 0;
+    if (chosen) element.push_back(static_cast<std::int64_t>(e));
+  }
+  return element;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,106 @@
+#pragma once
+/// An elastic body with a mesh: its equations, and how its surface answers loads. Boundary-element
+/// and finite-element bodies implement it; everything above sees this face of them.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "bodies/model/expanded_compliance.hpp"
+#include "linalg/dense.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace rollcon {
+
+/// Whose tractions and displacements a frame's are, all in the body's axes.
+struct SurfaceOutline {
+  std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
+  std::vector<std::int32_t> row;     ///< node of the body of each displacement row
+
+  /// Finite elements under a layer feel, instead of its tractions, smoother ones on the body's own
+  /// faces: component by component, seen.row(i) of the tractions of all columns at
+  /// seen_node[i] of the faces seen_face. Empty: felt as they are.
+  std::vector<std::int64_t> seen_face;
+  std::vector<std::int32_t> seen_node;
+  RowMatrix<double> seen;
+  double young = 0, poisson = 0;  ///< of most of these faces
+};
+
+/// Displacements of some surface nodes under unit nodal tractions.
+struct SurfaceRows : SurfaceOutline {
+  RowMatrix<double> u;  ///< (3 * row.size()) x (3 * column.size())
+};
+
+/// The same before the body's unknowns are eliminated: right sides of its equations, and which
+/// unknowns the displacements are.
+struct SurfaceLoads : SurfaceOutline {
+  SparseColumns load;                 ///< unknowns x (3 * column.size())
+  std::vector<std::int64_t> unknown;  ///< of (row, component): [3 * r + c]; -1: held
+};
+
+/// Moment about the origin of the body's axes.
+struct Resultant {
+  Vec3 force{0, 0, 0}, moment{0, 0, 0};
+};
+
+struct BodyStatistics {
+  std::int64_t unknowns = 0, assemblies = 0, factorizations = 0, condensations = 0;
+  std::int64_t kernel_evaluations = 0;
+  std::int64_t condensed = 0;  ///< finite elements: unknowns left after condensation
+  std::int64_t nonzeros = 0;   ///< of the factors; dense: unknowns squared
+  double condition = 0;        ///< estimate, of the scaled matrix
+  double imbalance = 0;        ///< boundary elements: largest, of supports' reactions to loads
+  double seconds_assembly = 0, seconds_order = 0, seconds_factor = 0, seconds_condense = 0;
+  std::int64_t responses_kept = 0, responses_dropped = 0;  ///< to sets of faces and layers
+  std::size_t bytes = 0, peak_bytes = 0;
+};
+
+class SectionReader;
+class SectionWriter;
+
+/// Safe for several threads.
+class SurfaceResponse {
+ public:
+  virtual ~SurfaceResponse() = default;
+  /// Tractions on faces of the body (elements, ascending), interpolated by the faces' own shape
+  /// functions and zero elsewhere. Rows: the nodes of the faces and of all elements that touch
+  /// them. Kept, up to option cache_bytes: asking again for the same faces costs nothing.
+  virtual std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
+                                                   int threads) = 0;
+  /// Tractions on a mesh of its own that lies on the body's surface (in the body's coordinates).
+  /// Kept likewise.
+  virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
+                                                   std::span<const std::int32_t> row,
+                                                   int threads) = 0;
+  /// Right sides for the tractions that faces() and layer() take, with their rows. The body
+  /// factorises and condenses nothing for them. Shared as long as anyone holds them.
+  virtual std::shared_ptr<const SurfaceLoads> loads_of_faces(std::span<const std::int64_t> face,
+                                                             int threads) = 0;
+  virtual std::shared_ptr<const SurfaceLoads> loads_of_layer(const SurfaceMesh& layer,
+                                                             std::span<const std::int32_t> row,
+                                                             int threads) = 0;
+  /// The matrix to these right sides, assembled once: shared like them, and kept by the body
+  /// itself until it is factorised (unless option keep_factors is 0).
+  virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
+  /// Displacement of every node under the body's own loads and given displacements, u[3 * node +
+  /// c]; empty when there are none.
+  virtual std::span<const double> own_displacement() const = 0;
+  /// Boundary elements: tractions that go with it, by traction node of the body (see
+  /// TractionNodes), t[3 * k + c]: what was given, and the reactions of the supports. Empty when
+  /// own_displacement is.
+  virtual std::span<const double> own_traction() const { return {}; }
+  /// What the supports exert on the body then.
+  virtual Resultant support_reaction() const = 0;
+  virtual BodyStatistics statistics() const = 0;
+
+  /// Unknowns for whose loads nothing needs to be assembled or factorised any more.
+  virtual std::int64_t solvable() const = 0;
+  /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be
+  /// found again from the mesh without factorising is left out.
+  virtual void save(SectionWriter& file) const = 0;
+  /// Adds what section "kept" has and is not kept yet.
+  virtual void add_kept(SectionReader& file) = 0;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,242 @@
+#include "contact/cases/case_solver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "contact/cases/solve_many.hpp"
+#include "contact/results/power.hpp"
+#include "contact/solution.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+/// Everything but the dense rows, which the copy shows.
+Problem share(Problem& from) {
+  RowMatrix<double> rows[3][3];
+  const auto exchange = [&] {
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) std::swap(rows[r][c], from.op.block[r][c]);
+  };
+  exchange();
+  struct Restore {
+    decltype(exchange)& back;
+    ~Restore() { back(); }
+  };
+  Problem copy;
+  {
+    const Restore at_end{exchange};
+    copy = from;
+  }
+  for (int r = 0; r < 3; ++r)
+    for (int c = 0; c < 3; ++c) copy.op.block[r][c].share(from.op.block[r][c]);
+  if (copy.op.field) copy.op.field = copy.op.field->clone();
+  return copy;
+}
+
+std::unique_ptr<SolverState> share(SolverState& from) {
+  auto to = std::make_unique<SolverState>();
+  to->frame = from.frame;
+  to->frame_source = from.frame_source;
+  to->pair = from.pair;
+  to->mesh_revision = from.mesh_revision;
+  to->axes_revision = from.axes_revision;
+  to->pose_revision = from.pose_revision;
+  to->compliance = from.compliance;
+  to->accuracy = from.accuracy;
+  to->scheme = from.scheme;
+  to->characteristic_step = from.characteristic_step;
+  to->normal_scale = from.normal_scale;
+  to->tangential_scale = from.tangential_scale;
+  to->frictionless = from.frictionless;
+  to->inflow_masked = from.inflow_masked;
+  to->offset_known = from.offset_known;
+  to->offset_depth = from.offset_depth;
+  for (int c = 0; c < 2; ++c) to->offset_slip[c] = from.offset_slip[c];
+  to->lattice = from.lattice;
+  to->no_lattice = from.no_lattice;
+  to->lattice_known = from.lattice_known;
+  to->table = from.table;
+  to->problem = share(from.problem);
+  to->reach = from.reach;
+  to->reach.fixed = true;
+  to->reach.known = false;
+  to->scales_estimated = from.scales_estimated;
+  to->procedure = from.procedure;
+  to->speed = from.speed;
+  to->iterate.resize(to->problem.nodes);
+  return to;
+}
+
+}  // namespace
+
+bool can_share(const SolverState& state) {
+  return state.procedure.standard();
+}
+
+CaseSolver::CaseSolver(SolverState& scene, const Options& options)
+    : options_(options),
+      state_(share(scene)),
+      friction_(scene.problem.mu),
+      scale_(scene.problem.rt),
+      value_(scene.problem.value),
+      frictionless_(scene.frictionless) {}
+
+CaseSolver::~CaseSolver() = default;
+
+void CaseSolver::begin_chain() {
+  state_->newton = Newton{};
+  state_->step_system.reset();
+  warm_ = false;
+}
+
+// Fallbacks change scales, friction and loads for a while.
+void CaseSolver::recover() {
+  begin_chain();
+  state_->problem.rt = scale_;
+  state_->problem.mu = friction_;
+  state_->problem.value = value_;
+  factor_ = 1;
+}
+
+void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* value) {
+  SolverState& s = *state_;
+  for (std::size_t j = 0; j < parameter.size(); ++j) {
+    const double v = value[j] + 0.0;  // no negative zero
+    if (parameter[j] != Parameter::friction) {
+      const auto m = static_cast<std::size_t>(parameter[j]) - 1;
+      s.problem.value[m] = v;
+      if (m == approach) s.problem.prescribe_normal(s.problem.by_force[m], v);
+      continue;
+    }
+    if (v != factor_)
+      for (std::size_t k = 0; k < friction_.size(); ++k) s.problem.mu[k] = v * friction_[k];
+    factor_ = v;
+  }
+  const bool frictionless = frictionless_ || !(factor_ > 0);
+  if (frictionless && !s.frictionless) {
+    for (int c = 0; c < 2; ++c)
+      std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
+    s.iterate.invalidate();
+  }
+  s.frictionless = frictionless;
+}
+
+Status CaseSolver::solve(std::span<const Parameter> parameter, const double* value,
+                         Monitor& monitor) {
+  SolverState& s = *state_;
+  s.derived = s.laws_checked = s.images_known = false;
+  s.sensitivities.forget();
+  s.reach.doubtful = false;
+  if (!warm_ || options_.warm_start == 0) s.iterate.clear();
+  warm_ = false;
+  prescribe(parameter, value);
+  if (s.frictionless) refuse_tangential_loads(s.problem);
+  refuse_overflow(s);
+  solve_prepared(s, options_, monitor);
+  s.outcome = s.report.outcome;
+  warm_ = s.outcome == Outcome::converged;
+  return status_of(s);
+}
+
+bool CaseSolver::out_of_reach() const {
+  return state_->reach.doubtful;
+}
+
+void CaseSolver::resultant(double* force, double* moment) const {
+  Vec3 f, m;
+  sum_tractions(state_->problem, state_->frame, state_->iterate.lambda, f, m);
+  if (force) std::copy(f.begin(), f.end(), force);
+  if (moment) std::copy(m.begin(), m.end(), moment);
+}
+
+void CaseSolver::motion(double* depth, double* creep) const {
+  const auto& m = state_->iterate.motion;
+  if (depth) *depth = state_->problem.approach_of(m);
+  if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
+}
+
+void CaseSolver::tractions(double* t) const {
+  const auto& lambda = state_->iterate.lambda;
+  for (std::size_t k = 0; k < lambda[0].size(); ++k) {
+    t[3 * k] = lambda[0][k];
+    t[3 * k + 1] = lambda[1][k];
+    t[3 * k + 2] = std::min(lambda[2][k], 0.0);
+  }
+}
+
+void CaseSolver::derivatives(std::span<const Parameter> parameter, const double* value, double* d) {
+  SolverState& s = *state_;
+  std::fill_n(d, 10 * parameter.size(), none);
+  if (s.outcome != Outcome::converged && s.outcome != Outcome::no_contact) return;
+  for (std::size_t j = 0; j < parameter.size(); ++j, d += 10) {
+    double unit = 1;  // per relative change of the coefficients, so far
+    if (parameter[j] == Parameter::friction && !frictionless_) unit = value[j];
+    if (unit == 0) continue;  // one-sided: not in the system of a frictionless solution
+    try {
+      if (s.procedure.monolithic) require_operators(s, options_);
+      const Rates& r = find_rates(s, parameter[j]);
+      std::copy(r.force.begin(), r.force.end(), d);
+      std::copy(r.moment.begin(), r.moment.end(), d + 3);
+      d[6] = r.motion[approach];
+      d[7] = r.motion[xi1], d[8] = r.motion[xi2], d[9] = r.motion[spin];
+      for (int i = 0; i < 10; ++i) d[i] /= unit;
+    } catch (const Error& error) {
+      if (error.status() != Status::err_state && error.status() != Status::err_singular) throw;
+    }
+  }
+}
+
+double CaseSolver::number(CaseNumber which) {
+  SolverState& s = *state_;
+  const NewtonReport& report = s.report;
+  const auto sum_in_contact = [&](auto term) {
+    double sum = 0;
+    for (std::size_t k = 0; k < s.problem.gap.size(); ++k)
+      if (s.iterate.lambda[2][k] < 0) sum += term(k);
+    return sum;
+  };
+  switch (which) {
+    case CaseNumber::iterations:
+      return static_cast<double>(report.normal_iterations + report.tangential_iterations +
+                                 report.full_iterations);
+    case CaseNumber::fallbacks:
+      return static_cast<double>(report.fallbacks);
+    case CaseNumber::residual_normal:
+      return report.residual_normal;
+    case CaseNumber::residual_tangential:
+      return report.residual_tangential;
+    case CaseNumber::nodes_contact:
+      return sum_in_contact([](std::size_t) { return 1.0; });
+    case CaseNumber::contact_area:
+      return sum_in_contact([&](std::size_t k) { return s.problem.cell_area[k]; });
+    case CaseNumber::max_pressure:
+      return std::max(0.0,
+                      -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
+    case CaseNumber::friction_power_balance:
+      return power_put_in(s);
+    case CaseNumber::friction_power:
+      break;
+  }
+  if (s.frictionless) return 0;
+  if (!s.problem.op.tangential && !s.images_known) require_operators(s, options_);
+  return sum_in_contact([&](std::size_t k) {
+    const auto i = static_cast<std::int64_t>(k);
+    const auto& it = s.iterate;
+    s.iterate.update_slip(s.problem, i);
+    const double s1 = s.problem.rigid_slip1(i, it.motion) + it.image[0][k];
+    const double s2 = s.problem.rigid_slip2(i, it.motion) + it.image[1][k];
+    return -s.problem.cell_area[k] * s.speed * (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
+  });
+}
+
+std::size_t CaseSolver::bytes() const {
+  const SolverState& s = *state_;
+  return s.newton.bytes() + s.problem.op.bytes() +
+         static_cast<std::size_t>(s.problem.nodes) * sizeof(double) * 30;
+}
+
+}  // namespace rollcon

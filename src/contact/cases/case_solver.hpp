@@ -1,0 +1,66 @@
+#pragma once
+/// Load cases of one prepared scene, solved by several threads side by side. Each has a solver
+/// state of its own, but operators, compliance and bodies are the scene's, read only.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "contact/cases/solve_many.hpp"
+#include "contact/contact.hpp"
+#include "contact/newton/newton.hpp"
+#include "contact/scene/options.hpp"
+
+namespace rollcon {
+
+struct SolverState;
+
+/// Whether a state can serve several threads at once: not with the systems of published procedures.
+bool can_share(const SolverState& state);
+
+class CaseSolver {
+ public:
+  /// `scene` must be prepared, and outlive this object unchanged.
+  CaseSolver(SolverState& scene, const Options& options);
+  ~CaseSolver();
+
+  /// The next case starts cold, whatever was solved before.
+  void begin_chain();
+  /// After an exception out of solve(): as begin_chain(), and the problem is the scene's again.
+  void recover();
+  /// Solves one case, starting from the last one of the chain if that converged. parameter: what
+  /// value[i] is of. Returns its status >= 0; throws Error.
+  Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor);
+  /// After solve() the case turned out to reach nodes whose rows nobody assembled: it has no
+  /// result.
+  bool out_of_reach() const;
+
+  // Of the last case.
+  void resultant(double* force, double* moment) const;
+  void motion(double* approach, double* creep) const;
+  void tractions(double* t) const;
+  /// Derivatives of force, moment, approach and creepages by each parameter's value, 10 each; NaN
+  /// where there are none.
+  void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
+  double number(CaseNumber which);
+
+  /// What this solver holds beyond what it shares.
+  std::size_t bytes() const;
+  const SolverState& state() const { return *state_; }
+
+ private:
+  void prescribe(std::span<const Parameter> parameter, const double* value);
+
+  const Options& options_;
+  std::unique_ptr<SolverState> state_;
+  std::vector<double> friction_, scale_;  ///< mu and rt as the scene has them
+  std::array<double, 4> value_{};         ///< likewise
+  double factor_ = 1;                     ///< on the friction, now
+  bool frictionless_ = false;             ///< the scene
+  bool warm_ = false;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,158 @@
+#include "contact/estimate/error_variant.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solution.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+// Estimates need two digits. An iteration that ends in a cycle of a few nodes has found the forces.
+constexpr double tolerance = 1e-6;
+constexpr double good_enough = 1e-2;
+constexpr std::int64_t max_iterations = 60;
+
+struct Silent final : Monitor {
+  bool step(const StepRecord&) override { return false; }
+};
+
+// A node that a plane of symmetry holds along a tangent gets a little compliance of its own there.
+void loosen_held_tangents(ContactOperators& op) {
+  constexpr double rounding = 1e-12, looseness = 1e-6;
+  const std::int64_t n = op.nodes;
+  const auto norm = [&](int r, std::int64_t k) {
+    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
+  };
+  double largest = 0;
+  for (std::int64_t k = 0; k < n; ++k) largest = std::max({largest, norm(0, k), norm(1, k)});
+  for (std::int64_t k = 0; k < n; ++k)
+    for (int r = 0; r < 2; ++r)
+      if (norm(r, k) <= rounding * largest) op.block[r][r].row(k)[k] = looseness * largest;
+}
+
+}  // namespace
+
+void Variant::take_problem(const SolverState& s) {
+  const Problem& from = s.problem;
+  Problem& p = problem_;
+  p.nodes = space_->frame.nodes();
+  p.used.assign(at(p.nodes), 1);
+  p.length = from.length;
+  p.stiffness = from.stiffness;
+  p.weight = gather(*space_, from.weight);
+  p.moment_x = gather(*space_, from.moment_x);
+  p.moment_y = gather(*space_, from.moment_y);
+  p.moment_z = gather(*space_, from.moment_z);
+  p.cell_area = gather(*space_, from.cell_area);
+  p.gap = pick(*space_, from.gap);
+  p.mu = pick(*space_, from.mu);
+  p.slip1 = pick(*space_, from.slip1);
+  p.slip2 = pick(*space_, from.slip2);
+  if (!from.turn.empty())
+    for (const std::int32_t k : space_->node) p.turn.push_back(from.turn[at(k)]);
+  compliance_ = compliance_of(*s.compliance, *space_);
+  newton_ = std::make_unique<Newton>();
+  iterate_.resize(p.nodes);
+  iterate_.motion = s.iterate.motion;
+}
+
+// Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step
+// upstream.
+void Variant::move_given_slip(const SolverState& s) {
+  Problem& p = problem_;
+  if (p.slip1.empty()) return;
+  const SparseRows d = least_squares(s.frame, 1, 0);
+  const std::vector<double>& there = s.problem.op.upstream;
+  const auto derivative = [&](const std::vector<double>& field, std::size_t k) {
+    double sum = 0;
+    for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j)
+      sum += d.value[j] * field[at(d.column[j])];
+    return sum;
+  };
+  for (std::size_t i = 0; i < p.slip1.size(); ++i) {
+    const std::size_t k = at(space_->node[i]);
+    const double further = 0.5 * (p.op.upstream[i] - (there.empty() ? 0 : there[k]));
+    p.slip1[i] -= further * derivative(s.problem.slip1, k);
+    p.slip2[i] -= further * derivative(s.problem.slip2, k);
+  }
+}
+
+void Variant::assemble(const SolverState& s, bool tangential) {
+  frictionless_ = !tangential;
+  ContactOperators& op = problem_.op;
+  // Under a monolithic solve there are no rows to take.
+  if (s.problem.op.normal) take_normal_rows(s.problem.op, *space_, op);
+  assemble_operators(space_->frame, *compliance_, tangential, op);
+  if (tangential) {
+    loosen_held_tangents(op);
+    move_given_slip(s);
+  }
+  set_scales(problem_, 1, 1);
+}
+
+Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) {
+  Variant v;
+  v.space_ = std::make_unique<TractionSpace>(loaded_space(s.frame, s.iterate.lambda[2]));
+  v.take_problem(s);
+  if (tangential) {
+    ContactOperators whole;
+    prepare_convection(s.frame, Scheme::characteristic, step, whole);
+    ContactOperators& op = v.problem_.op;
+    op.upstream = pick(*v.space_, whole.upstream);
+    op.upstream_path = pick(*v.space_, whole.upstream_path);
+    op.slip_x = pick(*v.space_, whole.slip_x);
+    op.slip_y = pick(*v.space_, whole.slip_y);
+  }
+  v.assemble(s, tangential);
+  for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = pick(*v.space_, s.iterate.lambda[c]);
+  if (!tangential) {
+    std::fill(v.iterate_.lambda[0].begin(), v.iterate_.lambda[0].end(), 0.0);
+    std::fill(v.iterate_.lambda[1].begin(), v.iterate_.lambda[1].end(), 0.0);
+  }
+  v.iterate_.invalidate();
+  return v;
+}
+
+Variant Variant::coarse(const SolverState& s, double step) {
+  Variant v;
+  v.space_ = std::make_unique<TractionSpace>(coarse_space(s.frame));
+  v.take_problem(s);
+  if (!s.frictionless)
+    prepare_convection(v.space_->frame, Scheme::characteristic, step, v.problem_.op);
+  v.assemble(s, !s.frictionless);
+  return v;
+}
+
+bool Variant::solve(const SolverState& s, bool given_load) {
+  Problem& p = problem_;
+  p.value = s.iterate.motion;
+  p.by_force = {};
+  p.by_force[approach] = given_load;
+  if (given_load) p.value[approach] = s.problem.value[approach];
+  Silent silent;
+  const NewtonReport report =
+      newton_->solve(p, iterate_, frictionless_, tolerance, max_iterations, silent);
+  for (std::size_t c = 0; c < 3; ++c) traction_[c] = spread(*space_, iterate_.lambda[c]);
+  return report.outcome == Outcome::converged || report.outcome == Outcome::no_contact ||
+         std::max(report.residual_normal, report.residual_tangential) < good_enough;
+}
+
+bool Variant::pressure_rate(std::vector<double>& rate) {
+  Problem& p = problem_;
+  p.by_force[approach] = false;
+  newton_->operators_changed();
+  ReducedSystem& system = newton_->linearise(p, iterate_, Part::normal);
+  const std::size_t active = at(system.active());
+  std::vector<double> gap(active), none(active, 0.0), b, x;
+  for (std::size_t a = 0; a < active; ++a) gap[a] = -p.closing(at(system.nodes()[a]));
+  system.rate_side(gap, none, none, none, none, {}, b);
+  if (!newton_->linear.solve(system, p.nodes, b, good_enough, x)) return false;
+  std::vector<double> own(at(p.nodes), 0.0);
+  for (std::size_t a = 0; a < active; ++a) own[at(system.nodes()[a])] = x[a];
+  rate = spread(*space_, own);
+  return true;
+}
+
+}  // namespace rollcon

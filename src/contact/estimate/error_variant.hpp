@@ -1,0 +1,46 @@
+#pragma once
+/// The contact of a solution once more, discretised otherwise: what error estimates compare with.
+
+#include <memory>
+#include <vector>
+
+#include "contact/newton/newton.hpp"
+#include "contact/operators/traction_space.hpp"
+
+namespace rollcon {
+
+struct SolverState;
+
+class Variant {
+ public:
+  /// The solution's nodes in contact alone, tangential rows by the characteristic scheme.
+  /// tangential: false leaves these out.
+  static Variant same_nodes(const SolverState& state, bool tangential, double step);
+  /// About a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
+  static Variant coarse(const SolverState& state, double step);
+
+  /// Solves with the motions of the solution; with its normal load instead of the approach if
+  /// given_load. False: nothing useful was found.
+  bool solve(const SolverState& state, bool given_load);
+  /// Tractions at the nodes of the solution's frame.
+  const std::vector<double> (&tractions() const)[3] { return traction_; }
+  /// Of a solved variant: rate of these pressures with the approach, tangential tractions held.
+  bool pressure_rate(std::vector<double>& rate);
+  const TractionSpace& space() const { return *space_; }
+  const Iterate& iterate() const { return iterate_; }
+
+ private:
+  void take_problem(const SolverState& state);
+  void assemble(const SolverState& state, bool tangential);
+  void move_given_slip(const SolverState& state);
+
+  std::unique_ptr<TractionSpace> space_;  // in one place: the compliance refers to it
+  std::unique_ptr<Compliance> compliance_;
+  std::unique_ptr<Newton> newton_;
+  bool frictionless_ = false;
+  Problem problem_;
+  Iterate iterate_;
+  std::vector<double> traction_[3];
+};
+
+}  // namespace rollcon

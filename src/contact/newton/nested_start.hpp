@@ -1,0 +1,32 @@
+#pragma once
+/// Cold starts on lattices: the problem is solved on lattices of twice the spacing first.
+
+#include <functional>
+
+#include "contact/newton/newton.hpp"
+#include "mesh/lattice.hpp"
+
+namespace rollcon {
+
+/// What a coarser problem is made of beside the finer one.
+struct LatticeScene {
+  const Frame& frame;
+  const Lattice& lattice;
+  /// Rows of the problem on another lattice; slip_x and slip_y of `op` come with them.
+  std::function<void(const Frame&, const Lattice&, ContactOperators& op)> make_operators;
+  std::function<bool()> cancelled;
+};
+
+/// Fills tractions and motions of a cold iterate from solutions on coarser lattices, the next one
+/// solved to `tolerance`. False, and nothing changed, where there is none, or where one was not
+/// found.
+bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                        double tolerance, Iterate& iterate);
+constexpr double start_tolerance = 1e-3;
+
+/// The same from the solution on the lattice of 2^halvings times the spacing alone. False where
+/// that has fewer nodes along a side than an estimate can use, or where it was not found.
+bool solve_on_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+                      double tolerance, int halvings, Iterate& iterate);
+
+}  // namespace rollcon

@@ -1,0 +1,102 @@
+#include "contact/newton/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+// The bodies cut at half the approach, where a smooth Hertzian contact has its edge.
+struct Cut {
+  double low = INFINITY;  ///< least gap, as an approach
+  double half = 0;        ///< half the approach beyond it
+  double p0 = 0;
+};
+
+double gap_at(const Problem& p, std::size_t k) {
+  return p.gap[k] / p.closing(k);
+}
+
+// An unknown approach is taken from Hertz's formula for a circle of the same overlap.
+Cut cut(const Problem& p, double given_approach) {
+  Cut c;
+  double high = -INFINITY;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    if (!p.used[k]) continue;
+    c.low = std::min(c.low, gap_at(p, k));
+    high = std::max(high, gap_at(p, k));
+  }
+  if (!(c.low <= high)) return c;
+  const auto overlap = [&](double depth) {
+    double area = 0;
+    for (std::size_t k = 0; k < at(p.nodes); ++k)
+      if (p.used[k] && gap_at(p, k) < c.low + depth) area += p.cell_area[k];
+    return area;
+  };
+  // Half approach d, contact area A = pi a^2: p0 = 2 E* (2 d) / (pi a), F = 2/3 p0 A.
+  const auto peak = [&](double half, double area) {
+    return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
+  };
+  c.half = 0.5 * (given_approach - c.low);
+  if (p.by_force[approach]) {
+    const double load = p.value[approach];
+    const auto carried = [&](double depth) {
+      const double area = overlap(depth);
+      return 2.0 / 3.0 * peak(depth, area) * area;
+    };
+    double a = 0, b = std::max(high - c.low, 1e-12 * std::abs(high));
+    if (!(b > 0)) b = load / (p.stiffness * p.length);
+    // Gaps of nodes that are never to touch may be of any size: not by halves from there.
+    while (load > 0 && b > 0 && carried(b / 1024) >= load) b /= 1024;
+    for (int i = 0; i < 200 && carried(b) < load; ++i) a = b, b *= 2;
+    for (int i = 0; i < 400 && b - a > 1e-6 * b; ++i) {
+      const double middle = 0.5 * (a + b);
+      (carried(middle) < load ? a : b) = middle;
+    }
+    c.half = b;
+  }
+  if (c.half > 0) c.p0 = peak(c.half, overlap(c.half));
+  return c;
+}
+
+}  // namespace
+
+GuessedContact guess_contact(const Problem& p) {
+  const Cut c = cut(p, p.value[approach]);
+  return {c.low, c.half};
+}
+
+void guess_approach(const Problem& p, std::array<double, 4>& motion) {
+  if (!p.by_force[approach]) return;
+  const Cut c = cut(p, motion[approach]);
+  if (c.low < INFINITY) motion[approach] = c.low + 2 * c.half;
+}
+
+// The overlap gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact for a paraboloid.
+void guess_start(const Problem& p, Iterate& it) {
+  const Cut c = cut(p, it.motion[approach]);
+  if (!(c.low < INFINITY)) return;
+  if (p.by_force[approach]) it.motion[approach] = c.low + 2 * c.half;
+  if (!(c.half > 0)) return;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    const double depth = p.used[k] ? 1 - (gap_at(p, k) - c.low) / c.half : 0;
+    it.lambda[2][k] = depth > 0 ? -c.p0 * std::sqrt(depth) : 0.0;
+  }
+  it.invalidate();
+}
+
+void start_cold(const Problem& p, Iterate& it) {
+  it.clear();
+  for (std::size_t m = 0; m < 4; ++m)
+    if (!p.by_force[m]) it.motion[m] = p.value[m];
+  if (!p.by_force[approach]) return;
+  double low = INFINITY;
+  for (std::size_t k = 0; k < p.gap.size(); ++k)
+    if (p.used[k]) low = std::min(low, gap_at(p, k));
+  if (std::isfinite(low)) it.motion[approach] = low;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,25 @@
+#pragma once
+/// Where iterations begin.
+
+#include <array>
+#include <vector>
+
+#include "contact/problem/problem.hpp"
+
+namespace rollcon {
+
+/// A cold start: pressures (and the approach, where the normal load is given) as of a Hertzian
+/// contact of the bodies cut at half the approach.
+void guess_start(const Problem& problem, Iterate& iterate);
+/// The contact that such a start takes: nodes whose gap, as an approach, is below low + half.
+struct GuessedContact {
+  double low = 0;   ///< least gap; infinite: no node can carry traction
+  double half = 0;  ///< half the approach beyond it
+};
+GuessedContact guess_contact(const Problem& problem);
+/// The approach alone.
+void guess_approach(const Problem& problem, std::array<double, 4>& motion);
+/// Zero tractions; unknown motions start from zero, but bodies that carry no load just touch.
+void start_cold(const Problem& problem, Iterate& iterate);
+
+}  // namespace rollcon

@@ -1,0 +1,195 @@
+#include "contact/operators/lattice/lattice_operator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "contact/operators/lattice/convolution.hpp"
+#include "contact/operators/lattice/cut_hats.hpp"
+#include "contact/operators/lattice/lattice_preconditioner.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+
+struct LatticeOperator::Shared {
+  Lattice lattice;
+  HalfspaceConstants c;
+  double delta;
+  SparseRows convection;
+  Convolution convolution;
+  CutHats cut;
+  double entry[3][3] = {}, norm[2] = {};
+
+  Shared(Lattice&& grid, HalfspaceConstants constants, double step, SparseRows&& rows)
+      : lattice(std::move(grid)),
+        c(constants),
+        delta(step),
+        convection(std::move(rows)),
+        convolution(lattice, LatticeEntries(lattice, c, delta), hat_pieces(lattice).front()),
+        cut(lattice, c, delta) {
+    measure();
+  }
+  void measure();
+};
+
+struct LatticeOperator::Workspace {
+  Convolution::Workspace convolution;
+  CutHats::Workspace cut;
+  std::vector<double> displacement[2];  ///< at all nodes, upwind schemes only
+
+  explicit Workspace(const Shared& shared) : convolution(shared.convolution) {
+    if (shared.delta == 0)
+      for (auto& w : displacement) w.resize(static_cast<std::size_t>(shared.lattice.frame_nodes()));
+  }
+  std::size_t bytes() const {
+    return convolution.bytes() + (cut ? cut->bytes() : 0) +
+           (displacement[0].size() + displacement[1].size()) * sizeof(double);
+  }
+};
+
+namespace {
+
+/// A node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes
+/// this far off.
+struct Term {
+  std::int64_t i, j;
+  double factor;
+};
+
+/// The place with all cells that is nearest to the middle.
+std::int64_t inner_place(const Lattice& lattice) {
+  const std::int64_t nx = lattice.nx;
+  std::int64_t best = -1, least = 0;
+  for (std::int64_t at = 0; at < nx * lattice.ny; ++at) {
+    if (lattice.cells[static_cast<std::size_t>(at)] != Lattice::all) continue;
+    const std::int64_t i = at % nx - nx / 2, j = at / nx - lattice.ny / 2, far = i * i + j * j;
+    if (best < 0 || far < least) best = at, least = far;
+  }
+  return best;
+}
+
+std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& convection) {
+  const std::int64_t nx = lattice.nx, middle = inner_place(lattice);
+  std::vector<std::int64_t> place(static_cast<std::size_t>(lattice.frame_nodes()), -1);
+  for (std::size_t at = 0; at < lattice.node.size(); ++at)
+    if (lattice.node[at] >= 0)
+      place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
+  const auto row = static_cast<std::size_t>(lattice.node[static_cast<std::size_t>(middle)]);
+  std::vector<Term> terms;
+  for (auto k = static_cast<std::size_t>(convection.start[row]);
+       k < static_cast<std::size_t>(convection.start[row + 1]); ++k) {
+    const std::int64_t at = place[static_cast<std::size_t>(convection.column[k])];
+    terms.push_back({at % nx - middle % nx, at / nx - middle / nx, convection.value[k]});
+  }
+  return terms;
+}
+
+}  // namespace
+
+/// Own entries and norms of the row of a node in the middle.
+void LatticeOperator::Shared::measure() {
+  const std::vector<Term> terms =
+      delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
+  std::int64_t margin = 0;
+  for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
+  const LatticeEntries entries(lattice, c, delta, Hat::whole, Hat::whole, margin);
+  // Entries at the offsets of all nodes from the middle one, and the margin around them.
+  const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1),
+                     low_y = lattice.ny / 2 - (lattice.ny - 1);
+  const std::int64_t width = lattice.nx + 2 * margin, height = lattice.ny + 2 * margin;
+  std::vector<double> ring[3][3];
+  double sum[2] = {};
+  const std::int64_t lines = 2 * margin + 1;  // kept at a time
+  for (int r = 0; r < 2; ++r)
+    for (int k = 0; k < 3; ++k) ring[r][k].resize(static_cast<std::size_t>(width * lines));
+  LatticeEntries::Workspace w;
+  for (std::int64_t line = 0; line < height; ++line) {
+    double* entry_row[3][3] = {};
+    for (int r = 0; r < 2; ++r)
+      for (int k = 0; k < 3; ++k) entry_row[r][k] = ring[r][k].data() + (line % lines) * width;
+    entries.row(low_y - margin + line, low_x - margin, width, entry_row, w);
+    if (line < 2 * margin) continue;
+    const std::int64_t j = low_y + line - 2 * margin;  // the line with its margins now there
+    for (std::int64_t i = low_x; i < low_x + lattice.nx; ++i)
+      for (int r = 0; r < 2; ++r)
+        for (int k = 0; k < 3; ++k) {
+          double value = 0;
+          for (const Term& t : terms) {
+            const std::int64_t at = (line - margin + t.j) % lines;
+            value += t.factor *
+                     ring[r][k][static_cast<std::size_t>(at * width + i + t.i - low_x + margin)];
+          }
+          if (k < 2) sum[r] += value * value;
+          if (i == 0 && j == 0) entry[r][k] = value;
+        }
+  }
+  for (int r = 0; r < 2; ++r) norm[r] = std::sqrt(sum[r]);
+  double* normal_row[3][3] = {};
+  for (int k = 0; k < 3; ++k) normal_row[2][k] = &entry[2][k];
+  entries.row(0, 0, 1, normal_row, w);
+}
+
+LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta,
+                                 SparseRows convection) {
+  if (!lattice.has_inner_node())
+    fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node",
+         static_cast<long long>(lattice.nx), static_cast<long long>(lattice.ny));
+  shared_ = std::make_shared<Shared>(std::move(lattice), c, delta, std::move(convection));
+  work_ = std::make_unique<Workspace>(*shared_);
+}
+
+LatticeOperator::LatticeOperator(std::shared_ptr<Shared> shared)
+    : shared_(std::move(shared)), work_(std::make_unique<Workspace>(*shared_)) {}
+
+LatticeOperator::~LatticeOperator() = default;
+
+std::unique_ptr<FieldOperator> LatticeOperator::clone() const {
+  return std::unique_ptr<LatticeOperator>(new LatticeOperator(shared_));
+}
+
+void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&image)[3]) {
+  ++applications_;
+  double* target[3] = {image[0], image[1], image[2]};
+  const bool upwind = shared_->delta == 0;
+  for (int r = 0; r < 2; ++r)
+    if (upwind && image[r] != nullptr) target[r] = work_->displacement[r].data();
+  shared_->convolution.apply(lambda, target, work_->convolution);
+  shared_->cut.add(lambda, target, work_->cut);
+  for (double* values : target)
+    if (values != nullptr)
+      for (const std::int32_t k : shared_->lattice.loose) values[k] = 0;
+  if (!upwind) return;
+  const SparseRows& rows = shared_->convection;
+  for (int r = 0; r < 2; ++r) {
+    if (image[r] == nullptr) continue;
+    for (std::size_t k = 0; k + 1 < rows.start.size(); ++k) {
+      double sum = 0;
+      for (auto m = static_cast<std::size_t>(rows.start[k]);
+           m < static_cast<std::size_t>(rows.start[k + 1]); ++m)
+        sum += rows.value[m] * target[r][rows.column[m]];
+      image[r][k] = sum;
+    }
+  }
+}
+
+double LatticeOperator::entry(int r, int c) const {
+  return shared_->entry[r][c];
+}
+double LatticeOperator::row_norm(int r) const {
+  return shared_->norm[r];
+}
+bool LatticeOperator::couples() const {
+  return shared_->c.ck != 0;
+}
+std::unique_ptr<FieldPreconditioner> LatticeOperator::make_preconditioner() const {
+  return make_lattice_preconditioner(shared_->lattice, shared_->c);
+}
+
+std::size_t LatticeOperator::bytes() const {
+  const SparseRows& rows = shared_->convection;
+  return shared_->convolution.bytes() + shared_->cut.bytes() + work_->bytes() +
+         shared_->lattice.node.size() * (sizeof(std::int32_t) + 1) +
+         rows.value.size() * (sizeof(double) + sizeof(std::int32_t));
+}
+
+}  // namespace rollcon

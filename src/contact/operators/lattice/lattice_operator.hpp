@@ -1,0 +1,42 @@
+#pragma once
+/// A contact's operators on a lattice above half-spaces: applied in n log n time and O(n) memory by
+/// convolution, exact to rounding. docs/theory.md, section 3.
+
+#include <memory>
+
+#include "bodies/halfspace/halfspace.hpp"
+#include "contact/operators/convection/convection.hpp"
+#include "contact/operators/field_operator.hpp"
+#include "mesh/lattice.hpp"
+
+namespace rollcon {
+
+class LatticeOperator final : public FieldOperator {
+ public:
+  /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes).
+  /// delta = 0: `convection` holds the rows of an upwind scheme. The lattice needs an inner
+  /// node. Throws Error(err_unsupported) in a build without FFTW.
+  LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection);
+  ~LatticeOperator() override;
+
+  void apply(const double* const (&lambda)[3], double* const (&image)[3]) override;
+  double entry(int r, int c) const override;
+  double row_norm(int r) const override;
+  bool couples() const override;
+  /// Shares everything but the workspace.
+  std::unique_ptr<FieldOperator> clone() const override;
+  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override;
+  std::size_t bytes() const override;
+  std::int64_t applications() const override { return applications_; }
+
+ private:
+  struct Shared;
+  struct Workspace;
+  explicit LatticeOperator(std::shared_ptr<Shared> shared);
+
+  std::shared_ptr<Shared> shared_;
+  std::unique_ptr<Workspace> work_;
+  std::int64_t applications_ = 0;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,263 @@
+#include "contact/operators/lattice/lattice_preconditioner.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "contact/linear/reduced_system.hpp"
+#include "linalg/lu.hpp"
+#include "linalg/plane_fft.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr int most_borders = 4;
+// The kernel of A^-1 falls off like 1/r^3: a narrow margin keeps the periods apart.
+constexpr std::int64_t margin(std::int64_t n) {
+  return n + n / 10 + 2;
+}
+
+class LatticePreconditioner final : public FieldPreconditioner {
+ public:
+  LatticePreconditioner(const Lattice& lattice, HalfspaceConstants c)
+      : lattice_(lattice),
+        fft_(lattice.nx, lattice.ny, margin(lattice.nx), margin(lattice.ny)),
+        place_(static_cast<std::size_t>(lattice.frame_nodes()), -1) {
+    for (std::size_t k = 0; k < lattice.node.size(); ++k)
+      if (lattice.node[k] >= 0) place_[at(lattice.node[k])] = static_cast<std::int32_t>(k);
+    make_symbols(c);
+  }
+
+  void take(const ReducedSystem& system) override;
+  void apply(const double* x, double* y) override;
+  std::size_t bytes() const override {
+    std::size_t sum = fft_.bytes() + spectrum_[0].bytes() + spectrum_[1].bytes();
+    for (const auto& s : symbol_) sum += s.capacity() * sizeof(float);
+    for (const auto& g : grid_) sum += g.capacity() * sizeof(float);
+    return sum + masked_.capacity() * sizeof(float) + place_.capacity() * sizeof(std::int32_t) +
+           (inverse_.capacity() + columns_.capacity() + work_.capacity()) * sizeof(double);
+  }
+
+ private:
+  void make_symbols(HalfspaceConstants c);
+  void apply_rows(const double* x, double* y);
+  void tangential_rows(const double* x, double* y);
+  void normal_rows(const double* x, double* y);
+  void sum_along_flow(std::vector<float>& s) const;
+
+  Lattice lattice_;
+  PlaneFft fft_;
+  std::vector<std::int32_t> place_;           ///< frame node -> place on the lattice
+  std::array<std::vector<float>, 4> symbol_;  ///< of A^-1: 11, 12, 22 and normal
+  std::array<std::vector<float>, 2> grid_;
+  std::vector<float> masked_;
+  AlignedArray<std::complex<float>> spectrum_[2];
+
+  const ReducedSystem* system_ = nullptr;
+  std::vector<std::uint8_t> stick_;  ///< by active node
+  std::vector<double> inverse_;      ///< of sliding nodes' own 2 x 2, by active node
+  std::vector<double> columns_, work_;
+  Lu<double> schur_;
+  int borders_ = 0;
+  double softness_ = 1;  ///< cn
+};
+
+void LatticePreconditioner::make_symbols(HalfspaceConstants c) {
+  const std::int64_t mx = fft_.period_x(), my = fft_.period_y();
+  for (auto& s : symbol_) s.assign(at(fft_.waves_x() * fft_.stride()), 0.0f);
+  const double lx = static_cast<double>(lattice_.nx) * lattice_.dx;
+  const double ly = static_cast<double>(lattice_.ny) * lattice_.dy;
+  const double least = 1 / std::max(lx, ly);  // of a mean traction on a finite patch
+  // In units of 1 / (cn dx), as single precision has a narrow range; with the unit of the
+  // transform back.
+  softness_ = c.cn;
+  const double unit = lattice_.dx / (2 * std::numbers::pi) / static_cast<double>(mx * my);
+  for (std::int64_t i = 0; i < fft_.waves_x(); ++i)
+    for (std::int64_t j = 0; j < my; ++j) {
+      const double kx =
+          2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
+      const double ky = 2 * std::numbers::pi * static_cast<double>(j <= my / 2 ? j : j - my) /
+                        (static_cast<double>(my) * lattice_.dy);
+      // In the axes of the frame.
+      const double k1 = kx * lattice_.ex - ky * lattice_.ey;
+      const double k2 = kx * lattice_.ey + ky * lattice_.ex;
+      const double k = std::hypot(k1, k2), wave = std::max(k, least) * unit;
+      const double along = wave, across = wave * c.cn / (c.cn + c.cv);
+      const double e1 = k > 0 ? k1 / k : 1, e2 = k > 0 ? k2 / k : 0;
+      const std::size_t s = at(i * fft_.stride() + j);
+      symbol_[0][s] = static_cast<float>(k > 0 ? along * e1 * e1 + across * e2 * e2 : along);
+      symbol_[1][s] = static_cast<float>(k > 0 ? (along - across) * e1 * e2 : 0);
+      symbol_[2][s] = static_cast<float>(k > 0 ? along * e2 * e2 + across * e1 * e1 : along);
+      symbol_[3][s] = static_cast<float>(along);
+    }
+  for (auto& g : grid_) g.resize(lattice_.node.size());
+  masked_.resize(lattice_.node.size());
+  for (auto& s : spectrum_) s = fft_.make_spectrum();
+}
+
+void LatticePreconditioner::take(const ReducedSystem& system) {
+  system_ = &system;
+  const std::int64_t na = system.active();
+  stick_.assign(at(na), 0);
+  inverse_.assign(at(4 * na), 0.0);
+  if (system.part() != Part::normal)
+    for (std::int64_t a = 0; a < na; ++a) {
+      const TangentialLaw& law = system.law(a);
+      stick_[at(a)] = !law.sliding;
+      if (!law.sliding) continue;
+      double block[3][3];
+      system.pair_block(a, block);
+      const double det = block[0][0] * block[1][1] - block[0][1] * block[1][0];
+      double* inverse = inverse_.data() + 4 * a;
+      inverse[0] = block[1][1] / det, inverse[1] = -block[0][1] / det;
+      inverse[2] = -block[1][0] / det, inverse[3] = block[0][0] / det;
+    }
+  // Borders by their Schur complement: [A b; c 0].
+  borders_ = system.borders();
+  const std::int64_t rows = system.components() * na;
+  work_.resize(at(rows));
+  columns_.resize(at(borders_ * rows));
+  for (int k = 0; k < borders_; ++k) {
+    system.border_column(k, work_.data());
+    apply_rows(work_.data(), columns_.data() + k * rows);
+  }
+  if (borders_ == 0) return;
+  double* s = schur_.prepare(borders_);
+  for (int i = 0; i < borders_; ++i)
+    for (int j = 0; j < borders_; ++j)
+      s[i * borders_ + j] = system.border_product(i, columns_.data() + j * rows);
+  if (!schur_.factor()) borders_ = 0;
+}
+
+void LatticePreconditioner::apply(const double* x, double* y) {
+  const std::int64_t rows = system_->components() * system_->active();
+  apply_rows(x, y);
+  const int all = system_->borders();
+  if (borders_ == 0) {
+    std::copy(x + rows, x + rows + all, y + rows);
+    return;
+  }
+  double motion[most_borders];
+  for (int k = 0; k < borders_; ++k) motion[k] = system_->border_product(k, y) - x[rows + k];
+  schur_.solve(motion);
+  for (int k = 0; k < borders_; ++k) {
+    y[rows + k] = motion[k];
+    const double* column = columns_.data() + k * rows;
+    for (std::int64_t i = 0; i < rows; ++i) y[i] -= motion[k] * column[i];
+  }
+}
+
+void LatticePreconditioner::apply_rows(const double* x, double* y) {
+  // The normal tractions first: sliding nodes follow them.
+  if (system_->part() != Part::tangential) normal_rows(x, y);
+  if (system_->part() != Part::normal) tangential_rows(x, y);
+}
+
+void LatticePreconditioner::normal_rows(const double* x, double* y) {
+  const std::int64_t na = system_->active(), first = (system_->components() - 1) * na;
+  const auto nodes = system_->nodes();
+  std::vector<float>& grid = grid_[0];
+  std::fill(grid.begin(), grid.end(), 0.0f);
+  double largest = 0;
+  for (std::int64_t a = 0; a < na; ++a) largest = std::max(largest, std::abs(x[first + a]));
+  const double unit = largest > 0 ? 1 / largest : 0;
+  for (std::int64_t a = 0; a < na; ++a)
+    grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[first + a]);
+  fft_.forward(grid.data(), spectrum_[0].data());
+  std::complex<float>* wave = spectrum_[0].data();
+  for (std::size_t s = 0; s < symbol_[3].size(); ++s) wave[s] *= symbol_[3][s];
+  fft_.backward(spectrum_[0].data(), grid.data());
+  for (std::int64_t a = 0; a < na; ++a)
+    y[first + a] = largest / (softness_ * lattice_.dx * system_->normal_scale(a)) *
+                   static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
+}
+
+// w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units
+// of dx.
+void LatticePreconditioner::sum_along_flow(std::vector<float>& s) const {
+  const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
+  // Upstream is +t1 = ex along the first axis, -ey along the second.
+  const double ux = lattice_.ex, uy = -lattice_.ey;
+  const auto cx = static_cast<float>(std::abs(ux));
+  const auto cy = static_cast<float>(std::abs(uy) * lattice_.dx / lattice_.dy);
+  const float unit = 1 / (cx + cy);
+  const bool slanted = cy > 1e-6f * cx;
+  for (std::int64_t b = 0; b < ny; ++b) {
+    const std::int64_t j = uy > 0 ? ny - 1 - b : b;
+    const std::int64_t up = b == 0 || !slanted ? -1 : (uy > 0 ? j + 1 : j - 1);
+    float ahead = 0;
+    for (std::int64_t a = 0; a < nx; ++a) {
+      const std::int64_t i = ux > 0 ? nx - 1 - a : a;
+      float& w = s[at(j * nx + i)];
+      const float beside = up < 0 ? 0 : s[at(up * nx + i)];
+      w = unit * (w + cx * ahead + cy * beside);
+      ahead = w;
+    }
+  }
+}
+
+void LatticePreconditioner::tangential_rows(const double* x, double* y) {
+  const std::int64_t na = system_->active();
+  const auto nodes = system_->nodes();
+  const bool full = system_->part() == Part::full;
+  double largest = 0;
+  for (std::int64_t a = 0; a < na; ++a)
+    if (stick_[at(a)]) largest = std::max({largest, std::abs(x[a]), std::abs(x[na + a])});
+  const double unit = largest > 0 ? 1 / largest : 0;
+  for (std::size_t c = 0; c < 2; ++c) {
+    std::vector<float>& grid = grid_[c];
+    std::fill(grid.begin(), grid.end(), 0.0f);
+    for (std::int64_t a = 0; a < na; ++a)
+      if (stick_[at(a)])
+        grid[at(place_[at(nodes[at(a)])])] =
+            static_cast<float>(unit * x[static_cast<std::int64_t>(c) * na + a]);
+  }
+  if (largest > 0) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      sum_along_flow(grid_[c]);
+      std::vector<float>& mask = masked_;
+      std::fill(mask.begin(), mask.end(), 0.0f);
+      for (std::int64_t a = 0; a < na; ++a)
+        if (stick_[at(a)]) {
+          const std::size_t k = at(place_[at(nodes[at(a)])]);
+          mask[k] = grid_[c][k];
+        }
+      fft_.forward(mask.data(), spectrum_[c].data());
+    }
+    std::complex<float>*first = spectrum_[0].data(), *second = spectrum_[1].data();
+    for (std::size_t s = 0; s < symbol_[0].size(); ++s) {
+      const std::complex<float> u1 = first[s], u2 = second[s];
+      first[s] = symbol_[0][s] * u1 + symbol_[1][s] * u2;
+      second[s] = symbol_[1][s] * u1 + symbol_[2][s] * u2;
+    }
+    for (std::size_t c = 0; c < 2; ++c) fft_.backward(spectrum_[c].data(), grid_[c].data());
+  }
+  for (std::int64_t a = 0; a < na; ++a) {
+    if (stick_[at(a)]) {
+      const std::size_t k = at(place_[at(nodes[at(a)])]);
+      const double scale = largest / (softness_ * system_->slip_scale(a));
+      y[a] = scale * static_cast<double>(grid_[0][k]);
+      y[na + a] = scale * static_cast<double>(grid_[1][k]);
+      continue;
+    }
+    const TangentialLaw& law = system_->law(a);
+    const double ln = full ? y[2 * na + a] : 0;
+    const double r1 = x[a] - law.own[0][2] * ln, r2 = x[na + a] - law.own[1][2] * ln;
+    const double* inverse = inverse_.data() + 4 * a;
+    y[a] = inverse[0] * r1 + inverse[1] * r2;
+    y[na + a] = inverse[2] * r1 + inverse[3] * r2;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice,
+                                                                 HalfspaceConstants constants) {
+  return std::make_unique<LatticePreconditioner>(lattice, constants);
+}
+
+}  // namespace rollcon

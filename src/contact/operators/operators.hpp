@@ -1,0 +1,69 @@
+#pragma once
+/// The discrete operators of one contact: dense, computed once per bodies, frame and scheme, reused
+/// for every load, creepage and friction.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bodies/model/compliance.hpp"
+#include "contact/operators/convection/convection.hpp"
+#include "contact/operators/field_operator.hpp"
+#include "linalg/dense.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+enum class Scheme { godunov, least_squares, characteristic };
+
+/// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row
+/// r = 2 is the normal displacement (A lambda)_n. Columns c: traction components t1, t2, n.
+/// Blocks that vanish or are not needed are empty. On a curved frame derivatives are taken along
+/// the surface: those in the projection times t1 . (rolling direction).
+struct ContactOperators {
+  std::int64_t nodes = 0;
+  bool coupled = false;
+  bool coupling_vanished = false;           ///< assembled and found to be zero to rounding
+  bool normal = false, tangential = false;  ///< which rows are assembled
+  /// n by n; rows of nodes that are not there hold nothing.
+  RowMatrix<double> block[3][3];
+  std::vector<std::uint8_t> there;  ///< nodes whose rows are assembled; empty: all that ever were
+  std::int64_t rows = 0;            ///< number of those nodes
+  /// Instead of blocks, which are then empty: the same rows applied without being formed.
+  std::shared_ptr<FieldOperator> field;
+  SparseRows convection;  ///< empty for the characteristic scheme
+  /// Characteristic scheme: distance to the upstream point, in the projection and (curved frames;
+  /// else empty) along the surface.
+  std::vector<double> upstream, upstream_path;
+  std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
+
+  double path(std::size_t k) const {
+    return upstream_path.empty() ? upstream[k] : upstream_path[k];
+  }
+  bool has_row(std::size_t k) const { return there.empty() || there[k] != 0; }
+  std::size_t bytes() const;
+};
+
+/// Decides the scheme's stencil and where rigid slip is taken. step: upstream distance over the
+/// local spacing along the flow, characteristic scheme only.
+void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op);
+
+/// Slip per unit speed, D w, of displacements w at all nodes: w[3 * k + c], and for the
+/// characteristic scheme those at the upstream points. Tangential components.
+void convect(const ContactOperators& op, const double* w, const double* ahead,
+             std::vector<double> (&slip)[2]);
+
+/// Throws Error(err_memory) where this process cannot have these blocks, of which `rows` rows will
+/// be written, beside those that are there.
+void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3],
+                             std::int64_t rows);
+
+/// Assembles the rows asked for that are not there yet, of nodes with wanted[k] != 0 (empty: of
+/// all) and of those that have rows already. Coupling blocks that turn out to be zero (two bodies
+/// that mirror each other) are dropped. docs/theory.md, sections 3 and 5.
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
+                        ContactOperators& op, std::span<const std::uint8_t> wanted = {});
+
+}  // namespace rollcon

@@ -1,0 +1,206 @@
+#include "contact/prepare/lattice_scene.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "contact/newton/nested_start.hpp"
+#include "contact/operators/lattice/lattice_dense.hpp"
+#include "contact/operators/lattice/lattice_operator.hpp"
+#include "linalg/fft.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+// From so many nodes on FFT takes less time, one cold solve and one warm taken together
+// (docs/speed.md): cold ones gain from the first node on, warm ones lose where few nodes touch.
+constexpr std::int64_t fft_from = 400;
+
+// Why a table of one node's influence does not tell those of all; empty: it does.
+std::string obstacle_to_table(const SolverState& s) {
+  HalfspaceConstants c;
+  if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
+  if (!s.lattice) return "the frame is not a regular grid of quad4 elements: " + s.no_lattice;
+  if (!s.lattice->has_inner_node()) return "the grid has no inner node";
+  return {};
+}
+
+// Why operators cannot be applied by FFT; empty: they can.
+std::string obstacle_to_fft(const SolverState& s) {
+  if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
+  if (std::string reason = obstacle_to_table(s); !reason.empty()) return reason;
+  if (s.procedure.monolithic) return "system is monolithic";
+  if (!s.procedure.standard()) return "jacobian is not 'exact'";
+  if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
+  return {};
+}
+
+// op: stencils of the scheme, whose rows are taken over.
+void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
+  HalfspaceConstants c;
+  s.compliance->halfspace(c);
+  const double delta =
+      op.upstream.empty() ? 0 : s.characteristic_step * lattice.spacing_along_flow();
+  op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection);
+  op.nodes = lattice.frame_nodes();
+  op.coupled = op.field->couples();
+  op.normal = true;
+  op.tangential = !s.frictionless;
+}
+
+// Rows of another kind are of no use any more.
+void forget_rows(SolverState& s) {
+  ContactOperators& op = s.problem.op;
+  for (auto& row : op.block)
+    for (auto& block : row) block.release();
+  op.normal = op.tangential = op.coupling_vanished = false;
+  op.there.clear();
+  op.rows = 0;
+  s.newton.operators_changed();
+  s.step_system.reset();
+}
+
+void release_field(SolverState& s) {
+  if (!s.problem.op.field) return;
+  s.problem.op.field.reset();
+  forget_rows(s);
+}
+
+void choose_table(SolverState& s, bool wanted) {
+  if (s.table == wanted) return;
+  s.table = wanted;
+  if (s.problem.op.normal && !s.problem.op.field) forget_rows(s);
+}
+
+LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
+  const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
+    prepare_convection(frame, scheme, s.characteristic_step, op);
+    fill_operators(s, lattice, op);
+  };
+  return {s.frame, *s.lattice, make, std::move(cancelled)};
+}
+
+}  // namespace
+
+void build_lattice_operators(SolverState& s, const Options& options) {
+  if (!s.lattice_known) {
+    s.lattice = find_lattice(s.frame, &s.no_lattice);
+    s.lattice_known = true;
+  }
+  const std::string no_fft = obstacle_to_fft(s), no_table = obstacle_to_table(s);
+  const bool any = options.operators == "auto";
+  const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
+  if (const std::string reason = ask_fft ? no_fft : ask_table ? no_table : ""; !reason.empty())
+    fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
+         reason.c_str());
+  const bool fft = no_fft.empty() && (ask_fft || (any && s.frame.nodes() >= fft_from));
+  choose_table(s, !fft && no_table.empty() && (any || ask_table));
+  if (!fft) return release_field(s);
+  ContactOperators& op = s.problem.op;
+  if (op.field && (op.tangential || s.frictionless)) return;
+  const Stopwatch watch(s.timings.compliance);
+  forget_rows(s);
+  op.rows = s.frame.nodes();
+  fill_operators(s, *s.lattice, op);
+  s.iterate.invalidate();
+  s.normal_scale = 0;  // scales follow the operators
+}
+
+bool fill_from_table(SolverState& s) {
+  if (!s.table) return false;
+  HalfspaceConstants c;
+  s.compliance->halfspace(c);
+  ContactOperators& op = s.problem.op;
+  fill_lattice_operators(*s.lattice, c, !s.frictionless || op.tangential, op);
+  op.normal = true;
+  op.tangential = op.tangential || !s.frictionless;
+  op.rows = op.nodes;
+  op.there.clear();
+  return true;
+}
+
+void start_on_lattice(SolverState& s, const Monitor& monitor) {
+  if (!s.problem.op.field) return;
+  const std::vector<double>& pressure = s.iterate.lambda[2];
+  if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
+  const LatticeScene scene =
+      scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
+  start_from_coarser(s.problem, scene, s.frictionless, start_tolerance, s.iterate);
+}
+
+bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings,
+                              Iterate& iterate) {
+  Problem p = s.problem;
+  p.by_force = {};
+  p.value = s.iterate.motion;
+  iterate.resize(p.nodes);
+  iterate.motion = s.iterate.motion;
+  return solve_on_coarser(p, scene_of(s, *s.scheme, [] { return false; }), s.frictionless,
+                          tolerance, halvings, iterate);
+}
+
+bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
+  HalfspaceConstants c;
+  if (!body.halfspace(c) || !s.lattice->loose.empty()) return false;
+  const std::size_t n = s.frame.x.size();
+  SparseRows same;  // rows of an upwind scheme that leave displacements as they are
+  for (std::size_t k = 0; k <= n; ++k) same.start.push_back(static_cast<std::int64_t>(k));
+  for (std::size_t k = 0; k < n; ++k) same.column.push_back(static_cast<std::int32_t>(k));
+  same.value.assign(n, 1.0);
+  LatticeOperator displacements(*s.lattice, c, 0, std::move(same));
+  std::vector<double> part[3];
+  for (auto& v : part) v.resize(n);
+  const auto& l = s.iterate.lambda;
+  displacements.apply({l[0].data(), l[1].data(), l[2].data()},
+                      {part[0].data(), part[1].data(), part[2].data()});
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; i < 3; ++i) u[3 * k + i] = part[i][k];
+  return true;
+}
+
+namespace {
+
+// What makes the grid differ from a full one with all nodes on their places.
+std::string describe_flaws(const SolverState& s) {
+  const Lattice& l = *s.lattice;
+  char text[120];
+  std::string all;
+  const auto missing = (l.nx - 1) * (l.ny - 1) - s.frame.elements();
+  if (missing > 0) {
+    std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing",
+                  static_cast<long long>(missing));
+    all += text;
+  }
+  if (l.misfit > 1e-9) {
+    std::snprintf(text, sizeof text, "; nodes taken as on its places, up to %.1g of a spacing off",
+                  l.misfit);
+    all += text;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string describe_lattice(const SolverState& s) {
+  if (s.table)
+    return "operators: rows of a regular grid, copied from a table of one node's influence: no "
+           "integrals" +
+           describe_flaws(s);
+  HalfspaceConstants c;
+  if (!s.problem.op.field && s.compliance->halfspace(c) && !s.lattice)
+    return "operators: dense, by integrals; not a regular grid: " + s.no_lattice;
+  if (!s.problem.op.field) return {};
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
+      "matrices; %.1f MB, applied %lld time(s)",
+      static_cast<long long>(s.lattice->nx), static_cast<long long>(s.lattice->ny),
+      static_cast<double>(s.problem.op.field->bytes()) / 1e6,
+      static_cast<long long>(s.problem.op.field->applications()));
+  return text + describe_flaws(s);
+}
+
+}  // namespace rollcon

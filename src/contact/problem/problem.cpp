@@ -1,0 +1,232 @@
+#include "contact/problem/problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/problem/moments.hpp"
+
+namespace rollcon {
+
+void Iterate::resize(std::int64_t n) {
+  const auto size = static_cast<std::size_t>(n);
+  for (int c = 0; c < 3; ++c) {
+    lambda[c].assign(size, 0.0);
+    image[c].assign(size, 0.0);
+  }
+  slip_valid.assign(size, 1);
+  gap_valid.assign(size, 1);
+  motion = {};
+}
+
+void Iterate::clear() {
+  resize(static_cast<std::int64_t>(lambda[0].size()));
+}
+
+void Iterate::clear_tractions() {
+  const auto kept = motion;
+  clear();
+  motion = kept;
+}
+
+void Iterate::invalidate() {
+  std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{0});
+  std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{0});
+}
+
+// With coupling the tractions are transformed once for all rows.
+void Iterate::update_field(const Problem& problem, bool slip, bool gap) {
+  const bool all = problem.op.coupled && problem.op.tangential;
+  const double* const from[3] = {lambda[0].data(), lambda[1].data(), lambda[2].data()};
+  double* const to[3] = {slip || all ? image[0].data() : nullptr,
+                         slip || all ? image[1].data() : nullptr,
+                         gap || all ? image[2].data() : nullptr};
+  problem.op.field->apply(from, to);
+  if (slip || all) std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{1});
+  if (gap || all) std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{1});
+}
+
+void Iterate::update_slip(const Problem& problem, std::int64_t i) {
+  const auto k = static_cast<std::size_t>(i);
+  if (slip_valid[k]) return;
+  if (problem.op.field) return update_field(problem, true, false);
+  for (int r = 0; r < 2; ++r) {
+    double sum = 0;
+    for (int c = 0; c < 3; ++c)
+      if (!problem.op.block[r][c].empty())
+        sum += dot(problem.op.block[r][c].row(i), lambda[c].data(), problem.nodes);
+    image[r][k] = sum;
+  }
+  slip_valid[k] = 1;
+}
+
+void Iterate::update_gap(const Problem& problem, std::int64_t i) {
+  const auto k = static_cast<std::size_t>(i);
+  if (gap_valid[k]) return;
+  if (problem.op.field) return update_field(problem, false, true);
+  double sum = 0;
+  for (int c = 0; c < 3; ++c)
+    if (!problem.op.block[2][c].empty())
+      sum += dot(problem.op.block[2][c].row(i), lambda[c].data(), problem.nodes);
+  image[2][k] = sum;
+  gap_valid[k] = 1;
+}
+
+std::vector<double> Problem::undeformed_gaps() const {
+  std::vector<double> undeformed = gap;
+  for (std::size_t k = 0; k < gap.size(); ++k) undeformed[k] += closing(k) * datum;
+  return undeformed;
+}
+
+std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
+  std::array<double, 2> axes{0, 0};
+  switch (m) {
+    case xi1:
+      axes = {1, 0};
+      break;
+    case xi2:
+      axes = {0, 1};
+      break;
+    case spin:
+      axes = {-op.slip_y[k], op.slip_x[k]};
+      break;
+    default:
+      return axes;
+  }
+  if (turn.empty()) return axes;
+  const Turn& t = turn[k];
+  return {t[0][0] * axes[0] + t[0][1] * axes[1], t[1][0] * axes[0] + t[1][1] * axes[1]};
+}
+
+std::array<double, 3> Problem::load_row(int m, std::size_t k) const {
+  std::array<double, 3> axes{0, 0, 0};
+  switch (m) {
+    case xi1:
+      axes[0] = weight[k];
+      break;
+    case xi2:
+      axes[1] = weight[k];
+      break;
+    case approach:
+      axes[2] = -weight[k];
+      break;
+    default:
+      axes[0] = -moment_y[k];
+      axes[1] = moment_x[k];
+  }
+  if (turn.empty()) return axes;
+  std::array<double, 3> row{};
+  for (std::size_t c = 0; c < 3; ++c)
+    row[c] = turn[k][c][0] * axes[0] + turn[k][c][1] * axes[1] + turn[k][c][2] * axes[2];
+  return row;
+}
+
+double load_of_pressures(const Problem& p, int motion, const std::vector<double>& normal) {
+  double sum = 0;
+  for (std::size_t k = 0; k < p.turn.size(); ++k) sum += p.load_row(motion, k)[2] * normal[k];
+  return sum;
+}
+
+void take_frame(Problem& p, const Frame& frame) {
+  p.nodes = frame.nodes();
+  p.weight = frame.weight;
+  p.cell_area = frame.cell_area;
+  p.used = frame.used;
+  p.length = std::sqrt(frame.area);
+  moment_weights(frame, p.moment_x, p.moment_y, p.moment_z);
+  const Axes& axes = frame.axes;
+  const auto in_axes = [&](const Vec3& v) {
+    return std::array{dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
+  };
+  p.turn.clear();
+  for (std::size_t k = 0; k < frame.n.size(); ++k)
+    p.turn.push_back({in_axes(frame.t1[k]), in_axes(frame.t2[k]), in_axes(frame.n[k])});
+}
+
+LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&lambda)[3]) {
+  LoadSum sum;
+  for (std::size_t k = 0; k < p.turn.size(); ++k) {
+    const std::array<double, 3> row = p.load_row(motion, k);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double term = row[c] * lambda[c][k];
+      sum.value += term;
+      sum.magnitude += std::abs(term);
+    }
+  }
+  if (!p.turn.empty()) return sum;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    double term = 0;
+    switch (motion) {
+      case xi1:
+        term = p.weight[k] * lambda[0][k];
+        break;
+      case xi2:
+        term = p.weight[k] * lambda[1][k];
+        break;
+      case approach:
+        term = -p.weight[k] * lambda[2][k];
+        break;
+      default:
+        term = p.moment_x[k] * lambda[1][k] - p.moment_y[k] * lambda[0][k];
+    }
+    sum.value += term;
+    sum.magnitude += std::abs(term);
+  }
+  return sum;
+}
+
+void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3],
+                   Vec3& force, Vec3& moment) {
+  force = moment = {};
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    Vec3 t{lambda[0][k], lambda[1][k], lambda[2][k]};
+    if (!p.turn.empty()) {
+      t = {};
+      for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t c = 0; c < 3; ++c) t[j] += lambda[c][k] * p.turn[k][c][j];
+    }
+    const double height = p.turn.empty() ? p.weight[k] * frame.z[k] : p.moment_z[k];
+    const Vec3 m = cross({p.moment_x[k], p.moment_y[k], height}, t);
+    for (std::size_t j = 0; j < 3; ++j) force[j] += p.weight[k] * t[j], moment[j] += m[j];
+  }
+}
+
+void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
+  const std::int64_t n = problem.nodes;
+  const auto size = static_cast<std::size_t>(n);
+  if (const FieldOperator* field = problem.op.field.get()) {
+    problem.rn.assign(size, normal_factor / std::abs(field->entry(2, 2)));
+    problem.rt.assign(size, 0.0);
+    if (!problem.op.tangential) return;
+    const double norm = std::max(field->row_norm(0), field->row_norm(1));
+    problem.rt.assign(size, tangential_factor / norm);
+    return;
+  }
+  problem.rn.assign(size, 0.0);
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!problem.used[k]) continue;
+    problem.rn[k] = normal_factor / std::abs(problem.op.block[2][2].row(i)[i]);
+  }
+  problem.rt.assign(size, 0.0);
+  if (!problem.op.tangential) return;
+  double mean = 0;
+  std::int64_t counted = 0;
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (!problem.used[k]) continue;
+    double norm = 0;
+    for (int r = 0; r < 2; ++r)
+      norm = std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n),
+                                       norm2(problem.op.block[r][1].row(i), n)));
+    if (norm > 0) {
+      problem.rt[k] = tangential_factor / norm;
+      mean += problem.rt[k];
+      ++counted;
+    }
+  }
+  mean = counted > 0 ? mean / static_cast<double>(counted) : 1;
+  for (std::size_t k = 0; k < size; ++k)
+    if (problem.used[k] && problem.rt[k] == 0) problem.rt[k] = mean;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,128 @@
+#pragma once
+/// The discrete contact problem in the form that Newton's iteration sees: affine relations between
+/// tractions, gap and slip, laws per node, and loads. Slip is per unit rolling speed throughout.
+///
+///   kn = gap - approach n - (A lambda)_n
+///   s  = rigid slip + D (A lambda)_t,   rigid slip = (xi1 - phi y, xi2 + phi x) + given field
+///
+/// On a curved frame tractions, slip and gap belong to the local triads of the nodes, motions and
+/// loads to the axes: n is then the cosine between both normals (1 on a flat frame), the creepages
+/// are projected on the local tangent plane, and the load rows are the same columns transposed
+/// times the nodes' weights.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "contact/operators/operators.hpp"
+
+namespace rollcon {
+
+/// Local triad of a node in the axes: [i][j] = local direction i times axis j (t1, t2, n).
+using Turn = std::array<std::array<double, 3>, 3>;
+
+/// Indices of motions and of their conjugate loads (Direction minus one).
+enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3 };
+
+struct Problem {
+  std::int64_t nodes = 0;
+  ContactOperators op;
+  std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
+  std::vector<Turn> turn;      ///< empty: the frame is flat
+  /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem
+  /// and its iterates count from the datum: where it is the least of those that touch, the overlap
+  /// under the smallest load keeps its digits.
+  std::vector<double> gap;
+  double datum = 0;
+  double prescribed_approach = 0;
+  /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
+  /// does not depend on any traction: material enters the frame unstressed.
+  std::vector<double> mu;
+  /// Slip over speed that no motion and no traction changes: given field, displacements given
+  /// elsewhere. Empty: none.
+  std::vector<double> slip1, slip2;
+  std::vector<double> weight;              ///< integral of N_i: force from tractions
+  std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
+  std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
+  std::vector<std::uint8_t> used;          ///< nodes within reach that may carry traction
+  std::array<bool, 4> by_force{};          ///< motion unknown, conjugate load given
+  std::array<double, 4> value{};           ///< load (on body 1) where by force, else motion
+  double length = 1;                       ///< of the frame; scales spin
+  double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
+  std::vector<double> cell_area;
+
+  double rigid_slip1(std::int64_t i, const std::array<double, 4>& m) const {
+    return motion_slip(0, i, m) + (slip1.empty() ? 0 : slip1[static_cast<std::size_t>(i)]);
+  }
+  double rigid_slip2(std::int64_t i, const std::array<double, 4>& m) const {
+    return motion_slip(1, i, m) + (slip2.empty() ? 0 : slip2[static_cast<std::size_t>(i)]);
+  }
+  /// The part of component c that motions cause.
+  double motion_slip(std::size_t c, std::int64_t i, const std::array<double, 4>& m) const {
+    const auto k = static_cast<std::size_t>(i);
+    const double along = m[xi1] - m[spin] * op.slip_y[k], across = m[xi2] + m[spin] * op.slip_x[k];
+    if (turn.empty()) return c == 0 ? along : across;
+    return turn[k][c][0] * along + turn[k][c][1] * across;
+  }
+  /// Gap lost per unit of approach.
+  double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
+  double rigid_gap(std::size_t k, double depth) const { return gap[k] - closing(k) * depth; }
+  /// What is prescribed in the normal direction: a load, or an approach from no approach on.
+  void prescribe_normal(bool force, double v) {
+    by_force[approach] = force;
+    prescribed_approach = v;
+    value[approach] = force ? v : v - datum;
+  }
+  /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
+  double approach_of(const std::array<double, 4>& motion) const {
+    return by_force[approach] ? motion[approach] + datum : prescribed_approach;
+  }
+  /// Gaps at no approach.
+  std::vector<double> undeformed_gaps() const;
+  /// Slip of node k per unit of a motion (zero for the approach).
+  std::array<double, 2> slip_column(int motion, std::size_t k) const;
+  /// Load on body 1 (see LoadSum) per unit of the node's tractions.
+  std::array<double, 3> load_row(int motion, std::size_t k) const;
+};
+
+/// What depends on the frame alone: weights, moments, areas, local triads.
+void take_frame(Problem& problem, const Frame& frame);
+
+/// An iterate: tractions by component, the operator rows applied to them, and the motions.
+struct Iterate {
+  std::vector<double> lambda[3];         ///< t1, t2, n
+  std::vector<double> image[3];          ///< D (A lambda)_t1, D (A lambda)_t2, (A lambda)_n
+  std::vector<std::uint8_t> slip_valid;  ///< image[0], image[1] up to date at this node
+  std::vector<std::uint8_t> gap_valid;   ///< image[2] up to date at this node
+  std::array<double, 4> motion{};
+
+  void resize(std::int64_t n);
+  void clear();
+  void invalidate();
+  /// Zero tractions, motions kept.
+  void clear_tractions();
+  /// Computes the wanted image rows of one node from the tractions.
+  void update_slip(const Problem& problem, std::int64_t i);
+  void update_gap(const Problem& problem, std::int64_t i);
+  /// Computes wanted image rows of all nodes at once; for operators that are not formed.
+  void update_field(const Problem& problem, bool slip, bool gap);
+};
+
+/// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum
+/// of its terms' magnitudes.
+struct LoadSum {
+  double value = 0, magnitude = 0;
+};
+LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
+/// The part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
+double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
+
+/// Force on body 1 and its moment about the origin, in the axes, of tractions at the nodes.
+void sum_tractions(const Problem& problem, const Frame& frame,
+                   const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment);
+
+/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows)
+/// (docs/theory.md, section 2). A node whose rows vanish gets the mean of the others.
+void set_scales(Problem& problem, double normal_factor, double tangential_factor);
+
+}  // namespace rollcon

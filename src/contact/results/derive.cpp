@@ -1,0 +1,215 @@
+/// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status
+/// per node, and the residuals of the laws.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solution.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+// Displacement difference u1 - u2 at points, straight from the integrals.
+std::vector<double> displacements(SolverState& s, const std::vector<double>& x,
+                                  const std::vector<double>& y) {
+  const std::size_t n = at(s.problem.nodes);
+  std::vector<double> t(3 * n), u(3 * x.size());
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
+  ++s.work.applications;
+  s.compliance->apply({x, y}, t.data(), u.data());
+  return u;
+}
+
+// D (A lambda)_t per unit speed at every node, from displacements.
+void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
+  const ContactOperators& op = s.problem.op;
+  std::vector<double> ahead;
+  if (!op.upstream.empty()) {
+    std::vector<double> x = s.frame.x;
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += op.upstream[k];
+    ahead = displacements(s, x, s.frame.y);
+  }
+  convect(op, u.data(), ahead.data(), image);
+}
+
+// Normal displacement and slip per unit speed at every node, not by the rows that the solver used;
+// on large lattices by its convolutions, applied afresh: integrals take a time of n^2 there.
+void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
+  constexpr std::size_t large = 4096;
+  const std::size_t n = at(s.problem.nodes);
+  normal.resize(n);
+  if (s.problem.op.field && n > large) {
+    for (auto& v : slip) v.resize(n);
+    const auto& l = s.iterate.lambda;
+    s.problem.op.field->apply({l[0].data(), l[1].data(), l[2].data()},
+                              {slip[0].data(), slip[1].data(), normal.data()});
+    return;
+  }
+  const std::vector<double> u = displacements(s, s.frame.x, s.frame.y);
+  convect(s, u, slip);
+  for (std::size_t k = 0; k < n; ++k) normal[k] = u[3 * k + 2];
+}
+
+// Displacements and slip at nodes whose rows are not there, straight from the integrals; others
+// get nothing of use.
+struct Outside {
+  std::vector<double> normal, slip[2];
+};
+
+Outside outside_reach(SolverState& s) {
+  const ContactOperators& op = s.problem.op;
+  const std::size_t n = at(s.problem.nodes);
+  std::vector<std::uint8_t> needed(n, 0);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (op.has_row(k)) continue;
+    needed[k] = 1;
+    for (std::size_t j = op.upstream.empty() ? at(op.convection.start[k]) : 0;
+         op.upstream.empty() && j < at(op.convection.start[k + 1]); ++j)
+      needed[at(op.convection.column[j])] = 1;
+  }
+  std::vector<double> x, y;
+  for (std::size_t k = 0; k < n; ++k)
+    if (needed[k]) x.push_back(s.frame.x[k]), y.push_back(s.frame.y[k]);
+  const auto at_nodes = [&](const std::vector<double>& found) {
+    std::vector<double> u(3 * n, 0.0);
+    for (std::size_t k = 0, p = 0; k < n; ++k)
+      if (needed[k])
+        std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(3 * p++), 3, &u[3 * k]);
+    return u;
+  };
+  const std::vector<double> u = at_nodes(displacements(s, x, y));
+  std::vector<double> ahead;
+  if (!op.upstream.empty()) {
+    for (std::size_t k = 0, p = 0; k < n; ++k)
+      if (needed[k]) x[p++] += op.upstream[k];
+    ahead = at_nodes(displacements(s, x, y));
+  }
+  Outside out;
+  convect(op, u.data(), ahead.data(), out.slip);
+  out.normal.resize(n);
+  for (std::size_t k = 0; k < n; ++k) out.normal[k] = u[3 * k + 2];
+  return out;
+}
+
+}  // namespace
+
+void derive_fields(SolverState& s) {
+  if (s.derived) return;
+  ++s.work.fields;
+  const Problem& p = s.problem;
+  Iterate& it = s.iterate;
+  const std::size_t n = at(p.nodes);
+  s.gap.assign(n, 0.0);
+  s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
+  std::vector<double> image[2];
+  const bool known = p.op.tangential || p.op.field || s.images_known;
+  if (!known) convect(s, displacements(s, s.frame.x, s.frame.y), image);
+  for (auto& v : s.slip) v.assign(n, 0.0);
+  const Outside outside = s.reach.on ? outside_reach(s) : Outside{};
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::int64_t>(k);
+    if (s.reach.on && !p.op.has_row(k)) {
+      if (!s.frame.used[k]) s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
+      s.gap[k] = p.rigid_gap(k, it.motion[approach]) - outside.normal[k];
+      if (!s.frame.used[k]) continue;
+      s.slip[0][k] = s.speed * (p.rigid_slip1(i, it.motion) + outside.slip[0][k]);
+      s.slip[1][k] = s.speed * (p.rigid_slip2(i, it.motion) + outside.slip[1][k]);
+      continue;
+    }
+    if (!p.used[k]) {
+      s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
+      it.update_gap(p, i);
+      s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
+      continue;
+    }
+    it.update_gap(p, i);
+    if (known) it.update_slip(p, i);
+    const double w1 = known ? it.image[0][k] : image[0][k];
+    const double w2 = known ? it.image[1][k] : image[1][k];
+    const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
+    s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
+    s.slip[0][k] = s.speed * s1;
+    s.slip[1][k] = s.speed * s2;
+    if (!(it.lambda[2][k] < 0)) continue;
+    bool sliding = true;
+    if (!s.frictionless) {
+      const double bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * s.gap[k]);
+      sliding =
+          !(std::hypot(it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2) < bound);
+    }
+    s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
+  }
+  s.derived = true;
+}
+
+void check_laws(SolverState& s) {
+  if (s.laws_checked) return;
+  ++s.work.laws;
+  derive_fields(s);
+  const Problem& p = s.problem;
+  const Iterate& it = s.iterate;
+  const std::size_t n = at(p.nodes);
+  std::vector<double> un, w[2];
+  recompute(s, un, w);
+
+  double pressure = 0, depth = 0, bound_max = 0, speed_max = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    pressure = std::max(pressure, std::abs(it.lambda[2][k]));
+    depth = std::max(depth, std::abs(un[k]));
+    bound_max = std::max(bound_max, p.mu[k] * std::abs(it.lambda[2][k]));
+  }
+  std::vector<double> s1(n), s2(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!s.frame.used[k]) continue;
+    const auto i = static_cast<std::int64_t>(k);
+    const double c1 = p.rigid_slip1(i, it.motion), c2 = p.rigid_slip2(i, it.motion);
+    s1[k] = c1 + w[0][k];
+    s2[k] = c2 + w[1][k];
+    if (it.lambda[2][k] < 0)
+      speed_max = std::max({speed_max, std::hypot(c1, c2), std::hypot(w[0][k], w[1][k])});
+  }
+  // Slip is small when it is small against the slip velocities that occur, or when it would change
+  // the traction by little of the friction bound (zero creepage has no velocity to compare with).
+  const auto relative = [&](double speed, std::size_t k) {
+    return std::min(speed / speed_max, p.rt[k] / s.tangential_scale * speed / bound_max);
+  };
+  double normal = 0, friction = 0, slip = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!s.frame.used[k]) continue;
+    const double ln = it.lambda[2][k];
+    const double kn = p.rigid_gap(k, it.motion[approach]) - un[k];
+    if (pressure > 0) normal = std::max(normal, ln / pressure);
+    if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
+    const double tangential = std::hypot(it.lambda[0][k], it.lambda[1][k]);
+    const double bound = p.mu[k] * std::max(-ln, 0.0);
+    const bool sliding = s.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
+    if (bound_max > 0) {
+      // A sliding node is at the bound, no other one is beyond it.
+      const double excess = tangential - bound;
+      friction = std::max(friction, (sliding ? std::abs(excess) : excess) / bound_max);
+    }
+    if (s.frictionless || !(ln < 0) || !(speed_max > 0) || !(bound > 0)) continue;
+    const double speed = std::hypot(s1[k], s2[k]);
+    if (!sliding) {
+      slip = std::max(slip, relative(speed, k));
+    } else if (tangential > 0) {  // slip component across and along the traction
+      const double e1 = it.lambda[0][k] / tangential, e2 = it.lambda[1][k] / tangential;
+      slip = std::max(slip, relative(std::abs(s1[k] * e2 - s2[k] * e1), k));
+      slip = std::max(slip, relative(s1[k] * e1 + s2[k] * e2, k));
+    }
+  }
+  double equilibrium = 0;
+  for (int m = 0; m < 4; ++m) {
+    if (!p.by_force[at(m)]) continue;
+    const LoadSum sum = load_on_body1(p, m, it.lambda);
+    const double scale = std::max(sum.magnitude, std::abs(p.value[at(m)]));
+    if (scale > 0)
+      equilibrium = std::max(equilibrium, std::abs(sum.value - p.value[at(m)]) / scale);
+  }
+  s.laws = {normal, friction, slip, equilibrium};
+  s.laws_checked = true;
+}
+
+}  // namespace rollcon

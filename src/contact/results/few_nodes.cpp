@@ -1,0 +1,87 @@
+#include "contact/results/few_nodes.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "contact/solution.hpp"
+
+namespace rollcon {
+namespace {
+
+// Measured over grids and triangles that see Hertzian contacts of ratios 0.1 to 10 through 1 to 300
+// nodes: without a node inside forces are off by up to 135 %, pressures by up to 200 %; from one on
+// the normal force is within 6 %, from five on nine of ten friction forces are within 17 %.
+constexpr std::int64_t least_inside = 1, least_inside_with_friction = 5;
+
+std::int64_t least(const SolverState& s) {
+  return s.frictionless ? least_inside : least_inside_with_friction;
+}
+
+constexpr std::uint8_t touching = 1, edge = 2;
+
+// Of an element where some nodes touch and some are open, all are at the edge.
+template <std::size_t count>
+void mark_edge(std::uint8_t* state, const std::int32_t* node) {
+  int all = touching, any = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    all &= state[node[i]];
+    any |= state[node[i]];
+  }
+  if (all == (any & touching)) return;
+  for (std::size_t i = 0; i < count; ++i) state[node[i]] |= edge;
+}
+
+}  // namespace
+
+std::int64_t nodes_inside(const SolverState& s) {
+  const SurfaceMesh& mesh = s.frame.mesh;
+  const std::vector<double>& normal = s.iterate.lambda[2];
+  std::vector<std::uint8_t>& node = s.edge_of_contact;
+  node.resize(normal.size());
+  for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 ? touching : 0;
+  // Bytes may alias anything: what the loop reads is in locals.
+  std::uint8_t* const state = node.data();
+  const ElementType* const type = mesh.type.data();
+  const std::int32_t* n = mesh.connectivity.data();
+  for (std::size_t e = 0, elements = mesh.type.size(); e < elements; ++e) {
+    switch (type[e]) {
+      case ElementType::tri3:
+        mark_edge<3>(state, n);
+        break;
+      case ElementType::quad4:
+        mark_edge<4>(state, n);
+        break;
+      case ElementType::tri6:
+        mark_edge<6>(state, n);
+        break;
+      case ElementType::quad8:
+        mark_edge<8>(state, n);
+        break;
+      case ElementType::quad9:
+        mark_edge<9>(state, n);
+    }
+    n += node_count(type[e]);
+  }
+  return std::count(node.begin(), node.end(), touching);
+}
+
+bool too_few_nodes(const SolverState& s) {
+  return nodes_inside(s) < least(s);
+}
+
+std::string describe_few_nodes(const SolverState& s) {
+  const std::vector<double>& normal = s.iterate.lambda[2];
+  char text[400];
+  std::snprintf(
+      text, sizeof text,
+      "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
+      "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
+      "frame and may be off by half and more; take a finer frame where the bodies touch",
+      static_cast<long long>(
+          std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
+      static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
+      s.problem.approach_of(s.iterate.motion));
+  return text;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,108 @@
+#include "contact/results/outcome_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+namespace rollcon {
+namespace {
+
+/// Contact at the rim has three causes that the caller can tell apart only by what is said here.
+const char* cause_of_rim_contact(const SolverState& s) {
+  const std::vector<double> gap = s.problem.undeformed_gaps();
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double least_inside = none, most_inside = -none, least_rim = none, most_rim = -none;
+  bool all_around = true;
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    if (!s.frame.used[k]) continue;
+    const bool rim = s.frame.rim[k] != 0;
+    double& least = rim ? least_rim : least_inside;
+    double& most = rim ? most_rim : most_inside;
+    least = std::min(least, gap[k]);
+    most = std::max(most, gap[k]);
+    all_around = all_around && (!rim || s.iterate.lambda[2][k] < 0);
+  }
+  if (least_rim < least_inside && most_inside > most_rim)
+    return "the gap is least at the rim and greatest inside: a gap is positive where the bodies "
+           "are "
+           "apart, has it the wrong sign?";
+  if (all_around)
+    return "all of the rim is in contact: enlarge the frame, unless its coordinates, the gap, the "
+           "loads and Young's modulus are not all in the same units";
+  return "enlarge the frame";
+}
+
+template <class... Args>
+std::string text_of(const char* format, Args... args) {
+  char text[512];
+  std::snprintf(text, sizeof text, format, args...);
+  return text;
+}
+
+std::string share_text(double share) {
+  if (!(share < 1e6)) return "infinite";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", share);
+  return text;
+}
+
+std::string times(double share) {
+  if (!(share < 1e6)) return "beyond";
+  return share < 1.00005 ? "all of" : share_text(share) + " times";
+}
+
+std::string not_converged(const SolverState& s) {
+  const NewtonReport& r = s.report;
+  const std::vector<double>& mu = s.problem.mu;
+  const bool strong = !mu.empty() && *std::max_element(mu.begin(), mu.end()) >= 1;
+  return text_of(
+      "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, %.1e "
+      "tangential, %.1e of the loads%s; the best iterate is kept",
+      static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
+      static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential,
+      r.residual_load,
+      s.problem.op.coupled && strong
+          ? " (with friction of 1 and more between unlike bodies there may be several solutions or "
+            "none)"
+          : "");
+}
+
+}  // namespace
+
+std::string describe_beyond_friction(const FrictionShare& share) {
+  const std::string all = times(share.sliding);
+  if (!share.by_moment)
+    return "the prescribed tangential force is " + all +
+           " what friction can carry (|Ft| must be less than mu Fn)";
+  if (!share.by_force)
+    return "the prescribed spin moment is " + all +
+           " what friction can carry (that of all nodes sliding around the origin)";
+  return "the prescribed tangential force and spin moment together are " + all +
+         " what friction can carry (alone the force is " + share_text(share.force) +
+         " of it, the moment " + share_text(share.moment) + ")";
+}
+
+std::string describe_outcome(const SolverState& s) {
+  switch (s.outcome) {
+    case Outcome::not_converged:
+      return not_converged(s);
+    case Outcome::cancelled:
+      return "cancelled; the best iterate is kept";
+    case Outcome::no_contact:
+      return "the bodies do not touch";
+    case Outcome::no_solution:
+      return describe_beyond_friction(s.report.share) + ": there is no steady solution";
+    case Outcome::converged:
+      break;
+  }
+  if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
+    return text_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
+                   static_cast<long long>(rim), s.problem.approach_of(s.iterate.motion),
+                   cause_of_rim_contact(s));
+  return text_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
+                 s.report.residual_tangential);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,16 @@
+#pragma once
+/// How a solve ended, in words: for the plan and the log.
+
+#include <string>
+
+#include "contact/solution.hpp"
+
+namespace rollcon {
+
+/// "not converged after ...", "contact reaches the rim ...", "converged ...".
+std::string describe_outcome(const SolverState& s);
+
+/// Which of the prescribed loads friction cannot carry, and by how much.
+std::string describe_beyond_friction(const FrictionShare& share);
+
+}  // namespace rollcon

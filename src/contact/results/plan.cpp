@@ -1,0 +1,235 @@
+/// The plan as text: one line for each thing that the scene did not need, and what was used.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <numbers>
+
+#include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/few_nodes.hpp"
+#include "contact/results/outcome_text.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solution.hpp"
+#include "linalg/blas_kernels.hpp"
+
+namespace rollcon {
+namespace {
+
+void line(std::string& text, const char* format, ...) __attribute__((format(printf, 2, 3)));
+
+void line(std::string& text, const char* format, ...) {
+  char buffer[768];
+  std::va_list args;
+  va_start(args, format);
+  std::vsnprintf(buffer, sizeof buffer, format, args);
+  va_end(args);
+  text += buffer;
+  text += '\n';
+}
+
+const char* where_prepared(const Body& body) {
+  if (body.loaded()) return "; from a file: not assembled, not factorised";
+  return body.shared() ? "; shared with an equal body of this context" : "";
+}
+
+/// Of boundary elements, whose factors are dense.
+std::string slow_factors(const Body& body) {
+  if (body.kind() != BodyKind::bem || !body.response()) return {};
+  return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
+}
+
+void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
+                     const Body& body2) {
+  int number = 1;
+  for (const Body* body : {&body1, &body2}) {
+    const bool fem = body->kind() == BodyKind::fem;
+    if (body->rigid())
+      line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
+           body->meshed() ? " surface of its own" : ", no mesh");
+    else if (body->meshed()) {
+      line(
+          text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number,
+          fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
+          static_cast<long long>(body->size().second), fem ? "volume" : "surface",
+          fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str()
+              : "",
+          where_prepared(*body));
+      if (const std::string slow = slow_factors(*body); !slow.empty())
+        line(text, "body %d: %s", number, slow.c_str());
+    }
+    ++number;
+  }
+  if (body1.response() && body1.same_as(body2))
+    line(text, "body 2 equals body 1: no second assembly, no second factorisation");
+  if (body1.kind() != BodyKind::fem && body2.kind() != BodyKind::fem && s.procedure.standard())
+    line(text, "no finite-element body: no sparse matrix, no call of a sparse factorisation");
+  if (body1.kind() == BodyKind::halfspace && body2.kind() == BodyKind::halfspace)
+    line(text, "both half-spaces: one compliance with summed constants");
+  const std::string lattice = describe_lattice(s);
+  if (!lattice.empty()) text += lattice + '\n';
+  const std::string compliance = s.compliance->description();
+  if (!compliance.empty()) text += compliance + '\n';
+}
+
+void describe_frame(std::string& text, const SolverState& s, const Scene& scene, bool meshed) {
+  if (s.frame_source.body >= 0)
+    line(text, "frame: the %lld faces of body %d with tag %d",
+         static_cast<long long>(s.frame.elements()), s.frame_source.body + 1, s.frame_source.tag);
+  if (s.frame.curved()) {
+    double cosine = 1;
+    for (const Vec3& n : s.frame.n) cosine = std::min(cosine, dot(n, s.frame.axes.n));
+    line(text, "frame: curved, local axes at every node, normals up to %.2g degrees off",
+         std::acos(cosine) * 180 / std::numbers::pi);
+  } else {
+    line(text, "frame: flat, one triad for all nodes");
+  }
+  if (meshed)
+    line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
+  if (const InitialOverlap overlap = initial_overlap(s.frame, s.problem.undeformed_gaps());
+      overlap.nodes > 0)
+    line(text,
+         "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
+         static_cast<long long>(overlap.nodes), overlap.depth);
+  if (!s.offset_depth.empty())
+    line(text, "loads and given displacements of the bodies: added to gap and slip");
+}
+
+void describe_procedure(std::string& text, const SolverState& s, const Options& o) {
+  if (s.procedure.monolithic)
+    line(text, "system: monolithic, %lld unknowns, %lld nonzeros; nothing condensed",
+         static_cast<long long>(s.system_unknowns), static_cast<long long>(s.system_nonzeros));
+  else
+    line(text, "system: condensed, %lld unknowns", static_cast<long long>(s.system_unknowns));
+  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s",
+       o.jacobian.c_str(), o.linear_solver.c_str());
+}
+
+void describe_reach(std::string& text, const SolverState& s) {
+  const auto all = static_cast<long long>(s.problem.nodes);
+  if (s.reach.on)
+    line(text,
+         "reach: %lld of %lld nodes are out of it (a bound proves them open): no rows of the "
+         "operators, no part in the iteration",
+         all - static_cast<long long>(s.reach.nodes), all);
+  else if (s.reach.why_not)
+    line(text, "reach: all %lld nodes (%s)", all, s.reach.why_not);
+}
+
+// How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
+void describe_contact(std::string& text, const SolverState& s) {
+  if (s.outcome != Outcome::converged) return;
+  if (too_few_nodes(s)) {
+    text += describe_few_nodes(s) + '\n';
+    return;
+  }
+  const auto& normal = s.iterate.lambda[2];
+  const auto touching = std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; });
+  line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours",
+       static_cast<long long>(touching), static_cast<long long>(nodes_inside(s)));
+  const ErrorEstimate& e = s.error_estimate;
+  if (e.known)
+    line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%",
+         100 * e.normal, 100 * e.tangential);
+  else
+    line(text, "discretisation: error not estimated (statistic error_estimate)");
+}
+
+// What of the last preparation was there already.
+void describe_reuse(std::string& text, const SolverState& s) {
+  const Work &now = s.work, &before = s.work_before;
+  std::string kept, made;
+  const auto tell = [&](bool again, const char* what) {
+    std::string& list = again ? made : kept;
+    list += (list.empty() ? "" : ", ") + std::string(what);
+  };
+  if (s.pair.body[0]->response() || s.pair.body[1]->response())
+    tell(now.bodies != before.bodies, "bodies");
+  tell(now.frames != before.frames, "frame");
+  tell(now.gaps != before.gaps, "gap");
+  tell(now.compliances != before.compliances, "compliance");
+  tell(now.stencils != before.stencils, "convective stencils");
+  tell(s.assemblies != s.assemblies_before, "operators");
+  if (made.empty())
+    line(text, "nothing is new since the solve before: no assembly, no preparation");
+  else if (!kept.empty())
+    line(text, "as before, not made again: %s", kept.c_str());
+  if (!made.empty()) line(text, "made for this solve: %s", made.c_str());
+}
+
+void describe_results(std::string& text, const SolverState& s) {
+  std::string missing;
+  const auto tell = [&](bool known, const char* what) {
+    if (!known) missing += (missing.empty() ? "" : ", ") + std::string(what);
+  };
+  tell(s.derived, "gap, slip and state of the nodes");
+  tell(s.laws_checked, "residuals of the laws");
+  tell(s.work.displacements > s.work_before.displacements, "displacements of the bodies");
+  tell(s.error_estimate.known, "error estimate");
+  tell(std::any_of(s.sensitivities.known.begin(), s.sensitivities.known.end(),
+                   [](bool known) { return known; }),
+       "sensitivities");
+  if (!missing.empty()) line(text, "not computed, as nobody asked: %s", missing.c_str());
+}
+
+}  // namespace
+
+std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
+                          const Body& body2) {
+  std::string text;
+  const ContactOperators& op = s.problem.op;
+  describe_bodies(text, s, body1, body2);
+  describe_frame(text, s, scene, body1.meshed() || body2.meshed());
+  if (s.frictionless) {
+    line(text, "friction is zero: no tangential unknowns%s",
+         op.tangential ? ""
+                       : ", no convective operator assembled, no tangential column of the "
+                         "compliance");
+  } else if (!s.procedure.standard()) {
+    line(text, "the published iteration solves for all unknowns at once, coupled or not");
+  } else if (!op.coupled && s.frame.curved() && s.problem.by_force[approach]) {
+    line(text,
+         "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
+         "solved together");
+  } else if (op.coupling_vanished) {
+    line(text,
+         "coupling blocks vanish (the bodies mirror each other): normal problem first, alone");
+  } else if (!op.coupled) {
+    line(text, "(1-2nu)/G equal on both sides: normal problem first, alone; no coupling blocks");
+  } else {
+    line(text, "normal and tangential problems coupled: solved together");
+  }
+  if (s.report.sliding_steps > 0)
+    line(text,
+         "total sliding given (no node can stick): no stick test, no tangential system; %lld "
+         "step(s) of explicit tractions",
+         static_cast<long long>(s.report.sliding_steps));
+  if (op.tangential || s.procedure.monolithic)
+    line(text, "convective scheme: %s",
+         *s.scheme == Scheme::godunov         ? "godunov"
+         : *s.scheme == Scheme::least_squares ? "least_squares"
+                                              : "characteristic");
+  for (int m = 0; m < 4; ++m)
+    if (s.problem.by_force[static_cast<std::size_t>(m)]) {
+      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",
+                                              "approach", "spin"};
+      line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
+    }
+  if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
+  describe_reach(text, s);
+  if (op.normal && !op.field)
+    line(text,
+         "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
+         static_cast<long long>(op.nodes), static_cast<long long>(op.rows),
+         static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
+  describe_contact(text, s);
+  describe_reuse(text, s);
+  line(text, "result: %s", describe_outcome(s).c_str());
+  line(text, "last solve: %lld linear system(s), %lld factorisation(s), %lld Krylov iteration(s)",
+       static_cast<long long>(s.right_sides), static_cast<long long>(s.factorizations),
+       static_cast<long long>(s.linear_iterations));
+  describe_results(text, s);
+  return text;
+}
+
+}  // namespace rollcon

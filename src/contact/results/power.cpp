@@ -1,0 +1,92 @@
+#include "contact/results/power.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/solution.hpp"
+#include "mesh/quadrature.hpp"
+#include "mesh/shape.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+// Integral over one element of f times the derivative of g along x, both by its shape functions.
+double integral_of_slope(const Frame& frame, std::span<const std::int32_t> node, ElementType type,
+                         const PlaneRule& rule, const double* f, const double* g) {
+  double sum = 0;
+  Shape shape;
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
+    double value = 0, g_xi = 0, g_eta = 0, y_xi = 0, y_eta = 0;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const double y = frame.y[at(node[i])];
+      value += shape.value[i] * f[i];
+      g_xi += shape.d_xi[i] * g[i];
+      g_eta += shape.d_eta[i] * g[i];
+      y_xi += shape.d_xi[i] * y;
+      y_eta += shape.d_eta[i] * y;
+    }
+    sum += rule.w[q] * value * (g_xi * y_eta - g_eta * y_xi);  // the Jacobian cancels
+  }
+  return sum;
+}
+
+// Integral of the normal traction times the slope of the rigid gap along the rolling direction.
+double work_of_pressures(const SolverState& s) {
+  // A gap so much greater than those that pressures close marks a node that is never to touch.
+  constexpr double never = 100;
+  constexpr int degree = 4;
+  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
+  const Problem& p = s.problem;
+  const std::vector<double>& normal = s.iterate.lambda[2];
+  const double depth = s.iterate.motion[approach];
+  double greatest = 0;
+  for (std::size_t k = 0; k < normal.size(); ++k)
+    if (normal[k] < 0) greatest = std::max(greatest, std::abs(p.rigid_gap(k, depth)));
+  double sum = 0;
+  double f[max_element_nodes], g[max_element_nodes];
+  for (std::int64_t e = 0; e < s.frame.elements(); ++e) {
+    const auto node = s.frame.mesh.element(e);
+    bool loaded = false, sound = true;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      const std::size_t k = at(node[i]);
+      f[i] = std::min(normal[k], 0.0);
+      loaded = loaded || f[i] < 0;
+    }
+    if (!loaded) continue;
+    for (std::size_t i = 0; i < node.size(); ++i) {
+      g[i] = p.rigid_gap(at(node[i]), depth);
+      sound = sound && std::abs(g[i]) <= never * greatest;
+    }
+    if (!sound) continue;
+    const ElementType type = s.frame.mesh.type[at(e)];
+    sum +=
+        integral_of_slope(s.frame, node, type, corner_count(type) == 3 ? triangle : square, f, g);
+  }
+  return sum;
+}
+
+}  // namespace
+
+// Carried along a surface that is the same everywhere, tractions change no elastic energy: what
+// their tangential and normal parts do on the elastic displacements adds up to nothing. Along the
+// contact the normal displacement is the rigid gap.
+double power_put_in(const SolverState& s) {
+  if (s.frictionless) return 0;
+  const Problem& p = s.problem;
+  const Iterate& it = s.iterate;
+  double work = work_of_pressures(s);
+  for (std::size_t k = 0; k < it.lambda[2].size(); ++k) {
+    if (!(it.lambda[2][k] < 0)) continue;
+    const double t1 = it.lambda[0][k], t2 = it.lambda[1][k];
+    for (const int m : {xi1, xi2, spin}) {
+      const auto row = p.load_row(m, k);
+      work += it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
+    }
+    if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
+  }
+  return -s.speed * work;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,260 @@
+/// Results of the last solve, copied out to the caller.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact.hpp"
+#include "contact/prepare/lattice_scene.hpp"
+#include "contact/solution.hpp"
+#include "io/vtu.hpp"
+#include "linalg/blas_threads.hpp"
+
+namespace rollcon {
+namespace {
+
+void require_solution(const SolverState& s, const Scene& scene) {
+  if (!s.solved || s.mesh_revision != scene.revision.mesh)
+    fail(Status::err_state,
+         "there is no solution: call rollcon_contact_solve first (inputs that "
+         "change the frame, or a failed solve, discard the last one)");
+}
+
+// Vector from local directions to global coordinates.
+Vec3 to_global(const Triad& a, double v1, double v2, double vn) {
+  Vec3 g;
+  for (std::size_t c = 0; c < 3; ++c) g[c] = v1 * a.t1[c] + v2 * a.t2[c] + vn * a.n[c];
+  return g;
+}
+
+void put(const Triad& local, InAxes in, double v1, double v2, double vn, double* out) {
+  const Vec3 v = in == InAxes::global ? to_global(local, v1, v2, vn) : Vec3{v1, v2, vn};
+  std::copy(v.begin(), v.end(), out);
+}
+
+Triad triad_of(const Axes& axes) {
+  return {axes.t1, axes.t2, axes.n};
+}
+
+void require_capacity(std::int64_t capacity, std::int64_t needed, const char* unit) {
+  if (capacity < needed)
+    fail(Status::err_capacity, "capacity is %lld but %lld %s are needed",
+         static_cast<long long>(capacity), static_cast<long long>(needed), unit);
+}
+
+}  // namespace
+
+void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
+  require_solution(*state_, scene);
+  const Iterate& it = state_->iterate;
+  require_capacity(capacity, state_->problem.nodes, "nodes");
+  for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
+    put(state_->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k],
+        std::min(it.lambda[2][k], 0.0),
+        t + 3 * k);  // within the tolerance a node about to open may pull
+}
+
+std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  const std::int64_t n = s.problem.nodes;
+  const Iterate& it = s.iterate;
+  const auto tangential_components = axes == InAxes::local ? 2 : 3;
+  std::int64_t components = 1;
+  switch (field) {
+    case Field::point:
+    case Field::traction:
+    case Field::displacement1:
+    case Field::displacement2:
+      components = 3;
+      break;
+    case Field::slip:
+    case Field::rigid_slip:
+      components = tangential_components;
+      break;
+    default:
+      break;
+  }
+  const std::int64_t needed = components * n;
+  if (capacity == 0 && v == nullptr) return needed;
+  require_capacity(capacity, needed, "doubles");
+  const Problem& p = s.problem;
+  const bool derived =
+      field == Field::gap || field == Field::slip || field == Field::friction_power;
+  if (derived) derive_fields(s);
+  if (field == Field::displacement1 || field == Field::displacement2) {
+    std::vector<double> xy(static_cast<std::size_t>(2 * n));
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
+      xy[2 * k] = s.frame.x[k];
+      xy[2 * k + 1] = s.frame.y[k];
+    }
+    displacements_at(field == Field::displacement1 ? 1 : 2, n, xy.data(), v);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
+      put(s.frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+    return needed;
+  }
+  const auto offset = [&](std::size_t c, std::size_t k) {
+    return s.offset_slip[c].empty() ? 0 : s.offset_slip[c][k];
+  };
+  for (std::int64_t i = 0; i < n; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    double* out = v + components * i;
+    const auto pair = [&](double v1, double v2) {
+      if (components == 3)
+        put(s.frame.triad(k), axes, v1, v2, 0, out);
+      else
+        out[0] = v1, out[1] = v2;
+    };
+    switch (field) {
+      case Field::point:
+        if (axes == InAxes::local)
+          out[0] = s.frame.x[k], out[1] = s.frame.y[k], out[2] = s.frame.z[k];
+        else
+          std::copy(s.frame.mesh.node[k].begin(), s.frame.mesh.node[k].end(), out);
+        break;
+      case Field::traction:
+        put(s.frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
+        break;
+      case Field::gap:
+        *out = s.gap[k];
+        break;
+      case Field::slip:
+        pair(s.slip[0][k], s.slip[1][k]);
+        break;
+      case Field::rigid_slip:
+        pair(s.speed * (p.rigid_slip1(i, it.motion) - offset(0, k)),
+             s.speed * (p.rigid_slip2(i, it.motion) - offset(1, k)));
+        break;
+      case Field::area:
+        *out = p.cell_area[k];
+        break;
+      case Field::weight:
+        *out = p.weight[k];
+        break;
+      case Field::friction:
+        *out = p.mu[k];
+        break;
+      case Field::pressure:
+        *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;
+        break;
+      case Field::friction_power:
+        *out = -(it.lambda[0][k] * s.slip[0][k] + it.lambda[1][k] * s.slip[1][k]);
+        break;
+      default:
+        break;
+    }
+  }
+  return needed;
+}
+
+void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
+  require_solution(*state_, scene);
+  require_capacity(capacity, state_->problem.nodes, "nodes");
+  derive_fields(*state_);
+  std::copy(state_->status.begin(), state_->status.end(), status);
+}
+
+void Contact::resultant(InAxes axes, double* force, double* moment) const {
+  require_solution(*state_, scene);
+  Vec3 f, m;
+  sum_tractions(state_->problem, state_->frame, state_->iterate.lambda, f, m);
+  const Triad local = triad_of(state_->frame.axes);
+  if (force) put(local, axes, f[0], f[1], f[2], force);
+  if (moment) put(local, axes, m[0], m[1], m[2], moment);
+}
+
+void Contact::motion(double* depth, double* creep) const {
+  require_solution(*state_, scene);
+  const auto& m = state_->iterate.motion;
+  if (depth) *depth = state_->problem.approach_of(m);
+  if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
+}
+
+void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth,
+                          double* creep) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
+    fail(Status::err_state,
+         "the last solve did not converge: only a converged solution has derivatives");
+  const BlasThreads blas(context_->threads());
+  require_operators(s, scene.options);
+  const Rates& r = find_rates(s, parameter);
+  if (force) std::copy(r.force.begin(), r.force.end(), force);
+  if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
+  if (depth) *depth = r.motion[approach];
+  if (creep) creep[0] = r.motion[xi1], creep[1] = r.motion[xi2], creep[2] = r.motion[spin];
+}
+
+void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy,
+                               double* u) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  const Body& which = body == 1 ? *body1_ : *body2_;
+  const auto points = static_cast<std::size_t>(n);
+  std::fill(u, u + 3 * points, 0.0);
+  if (which.rigid()) return;
+  auto& compliance = s.body_compliance[body - 1];
+  if (!compliance)
+    compliance = make_body_compliance(s.frame, s.pair, body - 1, s.accuracy, context_->threads());
+  compliance->set_threads(context_->threads());
+  std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.problem.nodes));
+  for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
+  for (std::size_t k = 0; k < t.size() / 3; ++k)
+    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
+  ++s.work.displacements;
+  ++s.work.applications;
+  const bool at_nodes = s.problem.op.field && x == s.frame.x && y == s.frame.y;
+  if (!at_nodes || !displacements_on_lattice(s, *compliance, u))
+    compliance->apply({x, y}, t.data(), u);
+  std::vector<double> own(3 * points);
+  if (compliance->offset({x, y}, own.data()))
+    for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
+  // A lambda is u1 - u2: the second body's part carries the opposite sign.
+  if (body == 2)
+    for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
+}
+
+std::span<const double> Contact::error_function() const {
+  return state_->merit;
+}
+
+std::span<const double> Contact::history() const {
+  return state_->history;
+}
+
+std::string Contact::plan() const {
+  require_solution(*state_, scene);
+  return describe_plan(*state_, scene, *body1_, *body2_);
+}
+
+void Contact::write(const char* path) const {
+  require_solution(*state_, scene);
+  const auto n = static_cast<std::size_t>(state_->problem.nodes);
+  struct Column {
+    const char* name;
+    Field field;
+    int components;
+  };
+  static constexpr Column columns[] = {{"traction", Field::traction, 3},
+                                       {"pressure", Field::pressure, 1},
+                                       {"gap", Field::gap, 1},
+                                       {"slip_velocity", Field::slip, 3},
+                                       {"displacement1", Field::displacement1, 3},
+                                       {"displacement2", Field::displacement2, 3},
+                                       {"friction_power", Field::friction_power, 1},
+                                       {"area", Field::area, 1}};
+  std::vector<std::vector<double>> values;
+  std::vector<PointArray> arrays;
+  values.reserve(std::size(columns) + 1);
+  for (const Column& c : columns) {
+    values.emplace_back(n * static_cast<std::size_t>(c.components));
+    field(c.field, InAxes::global, static_cast<std::int64_t>(values.back().size()),
+          values.back().data());
+    arrays.push_back({c.name, c.components, values.back().data(), nullptr});
+  }
+  derive_fields(*state_);
+  arrays.push_back({"status", 1, nullptr, state_->status.data()});
+  write_vtu(path, state_->frame.mesh, arrays);
+}
+
+}  // namespace rollcon

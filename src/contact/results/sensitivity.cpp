@@ -1,0 +1,135 @@
+#include "contact/results/sensitivity.hpp"
+
+#include <algorithm>
+
+#include "contact/solution.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr int no_motion = -1;
+
+// Motion whose prescribed value, or whose load's, the parameter is.
+int motion_of(Parameter parameter) {
+  return parameter == Parameter::friction ? no_motion : static_cast<int>(parameter) - 1;
+}
+
+// What the parameter does to the part's equations while the unknowns stay. The rate of pressures
+// that the part holds given is in w.lambda[2] already.
+void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter parameter) {
+  const Problem& p = s.problem;
+  Sensitivities& w = s.sensitivities;
+  const std::size_t na = at(system.active());
+  for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]})
+    v->assign(na, 0.0);
+  const int m = motion_of(parameter);
+  const bool given = m != no_motion && !p.by_force[static_cast<std::size_t>(m)];
+  for (std::size_t a = 0; a < na; ++a) {
+    const auto k = static_cast<std::size_t>(system.nodes()[a]);
+    if (given && m == approach) w.gap[a] = -p.closing(k);
+    if (system.part() == Part::normal) continue;
+    // mu p e grows by mu e (p dmu/mu + dp); own[i][2] is mu e_i.
+    const double pressure = (parameter == Parameter::friction ? -s.iterate.lambda[2][k] : 0) -
+                            (system.part() == Part::tangential ? w.lambda[2][k] : 0);
+    const TangentialLaw& law = system.law(static_cast<std::int64_t>(a));
+    for (std::size_t c = 0; c < 2; ++c) w.bound[c][a] = law.own[c][2] * pressure;
+    if (!given) continue;
+    const std::array<double, 2> column = p.slip_column(m, k);
+    for (std::size_t c = 0; c < 2; ++c) w.slip[c][a] = column[c];
+  }
+  std::array<double, 4> load{};
+  if (m != no_motion && !given) load[static_cast<std::size_t>(m)] = 1;
+  if (system.part() == Part::tangential)
+    for (const int t : {xi1, xi2, spin})
+      load[static_cast<std::size_t>(t)] -= load_of_pressures(p, t, w.lambda[2]);
+  system.rate_side(w.gap, w.slip[0], w.slip[1], w.bound[0], w.bound[1], load, w.b);
+}
+
+void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
+  Sensitivities& w = s.sensitivities;
+  ReducedSystem& system = s.newton.linearise(s.problem, s.iterate, part);
+  fill_right_side(s, system, parameter);
+  // Nothing slides, or nothing is there that the parameter acts on.
+  if (std::all_of(w.b.begin(), w.b.end(), [](double v) { return v == 0; })) return;
+  ++w.right_sides;
+  if (!s.newton.linear.solve_exactly(system, w.b, w.x))
+    fail(Status::err_singular,
+         "the linearised equations are singular: the solution does not change smoothly with what "
+         "is prescribed (a load at the limit of friction, for instance)");
+  const std::size_t na = at(system.active());
+  for (int r = 0; r < system.components(); ++r)
+    for (std::size_t a = 0; a < na; ++a)
+      w.lambda[system.component(r)][static_cast<std::size_t>(system.nodes()[a])] =
+          w.x[static_cast<std::size_t>(r) * na + a];
+  for (int m = 0; m < 4; ++m) {
+    const bool own = m == approach ? part != Part::tangential : part != Part::normal;
+    if (own && s.problem.by_force[static_cast<std::size_t>(m)])
+      rates.motion[static_cast<std::size_t>(m)] = system.motion(s.problem, m, w.x.data());
+  }
+}
+
+void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
+  const Problem& p = s.problem;
+  Sensitivities& w = s.sensitivities;
+  rates = {};
+  const int m = motion_of(parameter);
+  const bool given = m != no_motion && !p.by_force[static_cast<std::size_t>(m)];
+  if (given) rates.motion[static_cast<std::size_t>(m)] = 1;
+  if (s.outcome == Outcome::no_contact) return;
+  const bool tangential_load = m != no_motion && m != approach && !given;
+  if (s.frictionless && tangential_load)
+    fail(Status::err_state,
+         "direction %d is prescribed by force but the friction coefficient is 0 at every node: "
+         "nothing can carry a change of that force",
+         m + 1);
+  w.reserve(at(p.nodes));
+  for (auto& v : w.lambda) v.assign(at(p.nodes), 0.0);
+  const Part goal = Newton::goal(p, s.frictionless);
+  if (goal == Part::full) {
+    solve_part(s, Part::full, parameter, rates);
+  } else {
+    if (m == approach) solve_part(s, Part::normal, parameter, rates);
+    if (goal == Part::tangential) solve_part(s, Part::tangential, parameter, rates);
+  }
+  sum_tractions(p, s.frame, w.lambda, rates.force, rates.moment);
+}
+
+}  // namespace
+
+void Sensitivities::forget() {
+  known.fill(false);
+  right_sides = factorizations = linear_iterations = 0;
+  seconds = 0;
+}
+
+// As a time loop changes the number of nodes in contact, nothing is allocated.
+void Sensitivities::reserve(std::size_t nodes) {
+  for (std::vector<double>* v : {&gap, &slip[0], &slip[1], &bound[0], &bound[1]}) v->reserve(nodes);
+  b.reserve(3 * nodes + 4);
+  x.reserve(3 * nodes + 4);
+}
+
+const Rates& find_rates(SolverState& s, Parameter parameter) {
+  Sensitivities& w = s.sensitivities;
+  const auto which = static_cast<std::size_t>(parameter) - 1;
+  if (w.known[which]) return w.rates[which];
+  const Stopwatch watch(w.seconds);
+  LinearSolver& linear = s.newton.linear;
+  const std::int64_t factors = linear.factorizations, iterations = linear.iterations;
+  try {
+    solve_rates(s, parameter, w.rates[which]);
+  } catch (...) {
+    s.newton.operators_changed();  // what was gathered may be half done
+    throw;
+  }
+  w.factorizations += linear.factorizations - factors;
+  w.linear_iterations += linear.iterations - iterations;
+  s.peak_bytes = std::max(s.peak_bytes, s.bytes());
+  w.known[which] = true;
+  return w.rates[which];
+}
+
+}  // namespace rollcon

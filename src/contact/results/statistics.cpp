@@ -1,0 +1,205 @@
+/// Statistics of the last solve by name.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "contact/contact.hpp"
+#include "contact/results/condition.hpp"
+#include "contact/results/few_nodes.hpp"
+#include "contact/results/power.hpp"
+#include "contact/scene/geometry.hpp"
+#include "contact/solution.hpp"
+#include "linalg/blas_threads.hpp"
+
+namespace rollcon {
+namespace {
+
+struct Statistic {
+  const char* name;
+  double (*value)(SolverState&);
+};
+
+double count_status(SolverState& s, NodeStatus wanted) {
+  derive_fields(s);
+  return static_cast<double>(
+      std::count(s.status.begin(), s.status.end(), static_cast<std::int32_t>(wanted)));
+}
+
+template <class Term>
+double sum_in_contact(SolverState& s, Term term) {
+  double sum = 0;
+  for (std::size_t k = 0; k < s.problem.gap.size(); ++k)
+    if (s.iterate.lambda[2][k] < 0) sum += term(k);
+  return sum;
+}
+
+double law(SolverState& s, std::size_t which) {
+  check_laws(s);
+  return s.laws[which];
+}
+
+double number(std::int64_t v) {
+  return static_cast<double>(v);
+}
+
+// Nodes whose state would change if their augmented traction moved by 1e-6 of the largest.
+double near_change(SolverState& s) {
+  derive_fields(s);
+  const Problem& p = s.problem;
+  const Iterate& it = s.iterate;
+  double pressure = 0, bound = 0;
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    pressure = std::max(pressure, -it.lambda[2][k]);
+    bound = std::max(bound, -p.mu[k] * it.lambda[2][k]);
+  }
+  double count = 0;
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    if (!p.used[k]) continue;
+    const double augmented = it.lambda[2][k] + p.rn[k] * s.gap[k];
+    bool near = std::abs(augmented) < 1e-6 * pressure;
+    if (!near && augmented < 0 && !s.frictionless) {
+      const double a1 = it.lambda[0][k] - p.rt[k] * s.slip[0][k] / s.speed;
+      const double a2 = it.lambda[1][k] - p.rt[k] * s.slip[1][k] / s.speed;
+      near = std::abs(std::hypot(a1, a2) + p.mu[k] * augmented) < 1e-6 * bound;
+    }
+    count += near;
+  }
+  return count;
+}
+
+constexpr Statistic table[] = {
+    {"iterations",
+     [](SolverState& s) {
+       return number(s.report.normal_iterations + s.report.tangential_iterations +
+                     s.report.full_iterations);
+     }},
+    {"normal_iterations", [](SolverState& s) { return number(s.report.normal_iterations); }},
+    {"tangential_iterations",
+     [](SolverState& s) { return number(s.report.tangential_iterations); }},
+    {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
+    {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }},
+    {"predictions", [](SolverState& s) { return number(s.report.predictions); }},
+    {"linear_iterations", [](SolverState& s) { return number(s.linear_iterations); }},
+    {"factorizations", [](SolverState& s) { return number(s.factorizations); }},
+    {"residual_normal", [](SolverState& s) { return s.report.residual_normal; }},
+    {"residual_tangential", [](SolverState& s) { return s.report.residual_tangential; }},
+    {"condition", [](SolverState& s) { return find_condition(s); }},
+    {"law_normal", [](SolverState& s) { return law(s, 0); }},
+    {"law_friction", [](SolverState& s) { return law(s, 1); }},
+    {"law_slip", [](SolverState& s) { return law(s, 2); }},
+    {"law_equilibrium", [](SolverState& s) { return law(s, 3); }},
+    {"error_estimate", [](SolverState& s) { return find_error_estimate(s).worst(); }},
+    {"error_estimate_normal", [](SolverState& s) { return find_error_estimate(s).normal; }},
+    {"error_estimate_tangential", [](SolverState& s) { return find_error_estimate(s).tangential; }},
+    {"error_estimate_tractions", [](SolverState& s) { return find_error_estimate(s).tractions; }},
+    {"nodes_contact",
+     [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
+    {"nodes_inside", [](SolverState& s) { return number(nodes_inside(s)); }},
+    {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
+    {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
+    {"nodes_rim",
+     [](SolverState& s) {
+       return sum_in_contact(s, [&](std::size_t k) { return s.frame.rim[k] ? 1.0 : 0.0; });
+     }},
+    {"nodes_near_change", near_change},
+    {"nodes_overlap",
+     [](SolverState& s) {
+       return number(initial_overlap(s.frame, s.problem.undeformed_gaps()).nodes);
+     }},
+    {"overlap_depth",
+     [](SolverState& s) { return initial_overlap(s.frame, s.problem.undeformed_gaps()).depth; }},
+    {"contact_area",
+     [](SolverState& s) {
+       return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; });
+     }},
+    {"friction_power",
+     [](SolverState& s) {
+       derive_fields(s);
+       return sum_in_contact(s, [&](std::size_t k) {
+         return -s.problem.cell_area[k] *
+                (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
+       });
+     }},
+    {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }},
+    {"max_pressure",
+     [](SolverState& s) {
+       return std::max(0.0,
+                       -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
+     }},
+    {"seconds_compliance", [](SolverState& s) { return s.timings.compliance; }},
+    {"seconds_convection", [](SolverState& s) { return s.timings.convection; }},
+    {"seconds_newton", [](SolverState& s) { return s.timings.newton; }},
+    {"seconds_linear", [](SolverState& s) { return s.timings.linear; }},
+    {"seconds_total", [](SolverState& s) { return s.timings.total; }},
+    {"seconds_sensitivity", [](SolverState& s) { return s.sensitivities.seconds; }},
+    {"sensitivity_right_sides", [](SolverState& s) { return number(s.sensitivities.right_sides); }},
+    {"sensitivity_factorizations",
+     [](SolverState& s) { return number(s.sensitivities.factorizations); }},
+    {"sensitivity_linear_iterations",
+     [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
+    {"seconds_error_estimate", [](SolverState& s) { return s.error_estimate.seconds; }},
+    {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
+    {"kernel_evaluations",
+     [](SolverState& s) {
+       return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0;
+     }},
+    {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
+    {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
+    {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
+    {"rows_assembled", [](SolverState& s) { return number(s.problem.op.rows); }},
+    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.problem.op.bytes()); }},
+    {"operator_applications",
+     [](SolverState& s) {
+       const auto& field = s.problem.op.field;
+       return number(s.work.applications + (field ? field->applications() : 0));
+     }},
+    {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
+    {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
+    {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},
+    {"sliding_steps", [](SolverState& s) { return number(s.report.sliding_steps); }},
+    {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
+    {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},
+    {"compliance_builds", [](SolverState& s) { return number(s.work.compliances); }},
+    {"stencil_builds", [](SolverState& s) { return number(s.work.stencils); }},
+    {"gap_builds", [](SolverState& s) { return number(s.work.gaps); }},
+    {"friction_builds", [](SolverState& s) { return number(s.work.frictions); }},
+    {"slip_builds", [](SolverState& s) { return number(s.work.slips); }},
+    {"scale_builds", [](SolverState& s) { return number(s.work.scales); }},
+    {"fields_derived", [](SolverState& s) { return number(s.work.fields); }},
+    {"laws_checked", [](SolverState& s) { return number(s.work.laws); }},
+    {"displacement_fields", [](SolverState& s) { return number(s.work.displacements); }},
+    {"error_estimates", [](SolverState& s) { return number(s.work.estimates); }},
+    {"unknowns",
+     [](SolverState& s) {
+       const double components = s.frictionless ? 1 : 3;
+       return components * sum_in_contact(s, [](std::size_t) { return 1.0; }) +
+              number(std::count(s.problem.by_force.begin(), s.problem.by_force.end(), true));
+     }},
+};
+
+}  // namespace
+
+std::int64_t Contact::stat_count() {
+  return static_cast<std::int64_t>(std::size(table));
+}
+
+const char* Contact::stat_name(std::int64_t i) {
+  if (i < 0 || i >= stat_count())
+    fail(Status::err_argument, "statistic %lld is outside [0, %lld]", static_cast<long long>(i),
+         static_cast<long long>(stat_count() - 1));
+  return table[i].name;
+}
+
+double Contact::stat(const char* name) const {
+  for (const Statistic& s : table)
+    if (std::strcmp(s.name, name) == 0) {
+      if (!state_->solved || state_->mesh_revision != scene.revision.mesh)
+        fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
+      const BlasThreads blas(context_->threads());
+      return s.value(*state_);
+    }
+  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,112 @@
+#include "contact/scene/procedure.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "build_info.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+template <class Value>
+struct Named {
+  const char* name;
+  Value value;
+};
+
+template <class Value, std::size_t count>
+Value find(const Named<Value> (&names)[count], const std::string& name) {
+  for (const Named<Value>& known : names)
+    if (name == known.name) return known.value;
+  return names[0].value;
+}
+
+constexpr Named<Jacobian> jacobians[] = {{"exact", Jacobian::exact},
+                                         {"b_derivative", Jacobian::b_derivative},
+                                         {"simplified", Jacobian::simplified},
+                                         {"reduced", Jacobian::reduced}};
+// The estimate by (90) is that by (92) without extrapolation, and needs no parameter.
+constexpr Named<SlipEstimate> estimates[] = {{"jacobi", SlipEstimate::jacobi},
+                                             {"pseudo_temporal", SlipEstimate::pseudo_temporal},
+                                             {"extrapolation", SlipEstimate::extrapolation}};
+constexpr Named<LinearMethod> methods[] = {{"auto", LinearMethod::automatic},
+                                           {"lu", LinearMethod::lu},
+                                           {"gmres", LinearMethod::gmres},
+                                           {"gmres_adaptive", LinearMethod::gmres_adaptive}};
+constexpr Named<Preconditioner> preconditioners[] = {{"auto", Preconditioner::automatic},
+                                                     {"none", Preconditioner::none},
+                                                     {"diagonal", Preconditioner::diagonal},
+                                                     {"bodies", Preconditioner::bodies},
+                                                     {"kept_lu", Preconditioner::kept_lu}};
+constexpr Named<LineSearch> searches[] = {
+    {"auto", LineSearch::automatic}, {"armijo", LineSearch::armijo}, {"off", LineSearch::off}};
+
+bool iterative(LinearMethod method) {
+  return method == LinearMethod::gmres || method == LinearMethod::gmres_adaptive;
+}
+
+}  // namespace
+
+Procedure choose_procedure(const Options& o) {
+  Procedure p;
+  p.monolithic = o.system == "monolithic";
+  p.jacobian = find(jacobians, o.jacobian);
+  p.estimate = find(estimates, o.slip_estimate);
+  p.time_step = o.slip_time_step;
+  p.extrapolation = o.slip_extrapolation;
+  p.linear = find(methods, o.linear_solver);
+  p.eta = o.linear_tolerance;
+  p.eta_max = o.linear_tolerance_max;
+  p.eta_gamma = o.linear_tolerance_gamma;
+  p.preconditioner = find(preconditioners, o.preconditioner);
+  p.line_search = find(searches, o.line_search);
+  p.shorten = o.line_search_factor;
+  p.slope = o.line_search_slope;
+
+  if (ROLLCON_BUILD_PROCEDURES == 0 && !p.standard())
+    fail(Status::err_unsupported,
+         "system is '%s' and jacobian is '%s', but this build of rollcon has no published solution "
+         "procedures (component PROCEDURES: ROLLCON_WITH_PROCEDURES is OFF); allowed: condensed "
+         "and exact",
+         o.system.c_str(), o.jacobian.c_str());
+  if (o.slip_estimate != "auto" && p.jacobian != Jacobian::reduced)
+    fail(
+        Status::err_option,
+        "slip_estimate is '%s' but jacobian is '%s': only jacobian = reduced estimates the slip of "
+        "sticking pairs, the others solve for it",
+        o.slip_estimate.c_str(), o.jacobian.c_str());
+  if (p.jacobian == Jacobian::reduced && o.convection == "characteristic")
+    fail(Status::err_option,
+         "jacobian is 'reduced' but convection is 'characteristic': the estimates (90)-(92) need a "
+         "matrix between nodes; set convection to godunov or least_squares");
+  if (p.preconditioner == Preconditioner::bodies && !p.monolithic)
+    fail(Status::err_option,
+         "preconditioner is 'bodies' but system is 'condensed', which has no unknowns of bodies");
+  if (o.preconditioner != "auto" && !iterative(p.linear))
+    fail(Status::err_option,
+         "preconditioner is '%s' but linear_solver is '%s': only gmres and gmres_adaptive have one",
+         o.preconditioner.c_str(), o.linear_solver.c_str());
+  if (p.eta > 0 && p.linear != LinearMethod::gmres)
+    fail(Status::err_option,
+         "linear_tolerance is %g but linear_solver is '%s': only gmres has a fixed tolerance",
+         p.eta, o.linear_solver.c_str());
+  if (p.line_search != LineSearch::automatic && p.standard())
+    fail(Status::err_option,
+         "line_search is '%s' but jacobian is 'exact' and system 'condensed', which have a search "
+         "of "
+         "their own: choose jacobian = b_derivative, simplified or reduced, or system = monolithic",
+         o.line_search.c_str());
+  return p;
+}
+
+double adaptive_tolerance(const Procedure& p, double merit, double last_merit, double eta) {
+  constexpr double threshold = 0.1;  // below it the safeguard rests
+  if (!(eta > 0)) return p.eta_max;
+  double next = last_merit > 0 ? p.eta_gamma * merit / last_merit : p.eta_max;
+  const double safeguard = p.eta_gamma * eta * eta;
+  if (safeguard > threshold) next = std::max(next, safeguard);
+  return std::min(p.eta_max, next);
+}
+
+}  // namespace rollcon

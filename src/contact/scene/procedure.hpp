@@ -1,0 +1,38 @@
+#pragma once
+/// Which solution procedure the options ask for: rollcon's own iteration, or one of those of
+/// Rodriguez-Tembleque & Abascal (2010), section 11. docs/procedures.md compares them.
+
+#include "contact/scene/linear_method.hpp"
+#include "contact/scene/options.hpp"
+
+namespace rollcon {
+
+enum class Jacobian { exact, b_derivative, simplified, reduced };
+enum class SlipEstimate { jacobi, pseudo_temporal, extrapolation };
+enum class LineSearch { automatic, armijo, off };
+
+struct Procedure {
+  bool monolithic = false;
+  Jacobian jacobian = Jacobian::exact;
+  SlipEstimate estimate = SlipEstimate::jacobi;
+  double time_step = 1, extrapolation = 1.2;
+  LinearMethod linear = LinearMethod::automatic;
+  double eta = 0;  ///< 0: chosen by the iteration
+  double eta_max = 0.01, eta_gamma = 0.3;
+  Preconditioner preconditioner = Preconditioner::automatic;
+  LineSearch line_search = LineSearch::automatic;
+  double shorten = 0.5, slope = 1e-4;
+
+  /// rollcon's own iteration on the condensed system (newton.hpp), the standard.
+  bool standard() const { return !monolithic && jacobian == Jacobian::exact; }
+};
+
+/// Throws err_option for combinations that make no sense, with the reason, and err_unsupported for
+/// a published procedure in a build without them.
+Procedure choose_procedure(const Options& options);
+
+/// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the
+/// last iterate (half the squared norm of the residual), eta: the last tolerance.
+double adaptive_tolerance(const Procedure& procedure, double merit, double last_merit, double eta);
+
+}  // namespace rollcon

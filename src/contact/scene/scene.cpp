@@ -1,0 +1,166 @@
+#include "contact/scene/scene.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+
+namespace {
+
+/// Takes n values over; false if they were there already. Allocates only for a new length.
+bool replace(std::vector<double>& held, std::int64_t n, const double* value) {
+  const auto size = static_cast<std::size_t>(n);
+  if (held.size() == size && std::equal(value, value + n, held.begin())) return false;
+  held.reserve(size);
+  held.assign(value, value + n);
+  return true;
+}
+
+bool replace(double& held, double value) {
+  if (held == value) return false;
+  held = value;
+  return true;
+}
+
+bool replace(Load& held, Load value) {
+  if (held.how == value.how && held.value == value.value) return false;
+  held = value;
+  return true;
+}
+
+}  // namespace
+
+void Scene::require_frame_size(std::int64_t n, const char* what) const {
+  require_count(n, "n");
+  if (mesh_.nodes() == 0)
+    fail(Status::err_state,
+         "the frame has no nodes: call rollcon_contact_set_frame_nodes before %s", what);
+  if (n != mesh_.nodes())
+    fail(Status::err_argument, "n is %lld; the frame has %lld nodes", static_cast<long long>(n),
+         static_cast<long long>(mesh_.nodes()));
+}
+
+void Scene::set_gap(std::int64_t n, const double* gap) {
+  require_frame_size(n, "the gap");
+  require_pointer(gap, "gap");
+  require_finite(n, 1, gap, "gap", mesh_.index_base);
+  if (!replace(gap_, n, gap) && gap_given_) return;
+  gap_given_ = true;
+  quadratic_given_ = false;
+  ++revision.gap;
+}
+
+void Scene::set_gap_quadratic(double a, double b, double c) {
+  require_finite(a, "a");
+  require_finite(b, "b");
+  require_finite(c, "c");
+  const std::array<double, 3> form{a, b, c};
+  if (quadratic_given_ && quadratic_ == form) return;
+  quadratic_ = form;
+  quadratic_given_ = true;
+  gap_given_ = false;
+  ++revision.gap;
+}
+
+double Scene::gap(std::int64_t k, double x, double y) const {
+  if (gap_given_) return gap_[static_cast<std::size_t>(k)];
+  const auto [a, b, c] = quadratic_;
+  return a * x * x + b * y * y + c * x * y;
+}
+
+void Scene::set_speed(double speed) {
+  require_finite(speed, "speed");
+  if (!(speed > 0)) fail(Status::err_argument, "speed is %g; allowed: > 0", speed);
+  if (replace(speed_, speed)) ++revision.kinematics;
+}
+
+void Scene::set_creep(double longitudinal, double lateral, double spin) {
+  require_finite(longitudinal, "longitudinal");
+  require_finite(lateral, "lateral");
+  require_finite(spin, "spin");
+  bool changed = false;
+  for (const auto& [direction, value] :
+       {std::pair{Direction::longitudinal, longitudinal}, std::pair{Direction::lateral, lateral},
+        std::pair{Direction::spin, spin}})
+    changed |= replace(load_[static_cast<std::size_t>(direction) - 1], {How::by_motion, value});
+  if (changed) ++revision.load;
+}
+
+void Scene::set_creep_field(std::int64_t n, const double* slip) {
+  if (n == 0) {
+    if (!creep_field_.empty()) ++revision.kinematics;
+    creep_field_.clear();
+    return;
+  }
+  require_frame_size(n, "the creep field");
+  require_pointer(slip, "slip");
+  require_finite(n, 2, slip, "slip", mesh_.index_base);
+  if (replace(creep_field_, 2 * n, slip)) ++revision.kinematics;
+}
+
+void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
+  if (direction < 1 || direction > 4)
+    fail(Status::err_argument,
+         "direction is %d; allowed: 1 (longitudinal), 2 (lateral), 3 (normal), 4 (spin)",
+         direction);
+  if (how != static_cast<std::int32_t>(How::by_motion) &&
+      how != static_cast<std::int32_t>(How::by_force))
+    fail(Status::err_argument, "how is %d; allowed: 1 (by motion), 2 (by force)", how);
+  require_finite(value, "value");
+  const Load load{static_cast<How>(how), value};
+  if (direction == static_cast<std::int32_t>(Direction::normal) && load.how == How::by_force &&
+      value < 0)
+    fail(Status::err_argument, "the normal load is %g; allowed: 0 or more (compression)", value);
+  if (replace(load_[static_cast<std::size_t>(direction) - 1], load)) ++revision.load;
+}
+
+void Scene::set_friction(const char* law, std::int32_t n, const double* parameters) {
+  require_pointer(law, "law");
+  require_count(n, "n");
+  if (std::strcmp(law, "coulomb") != 0)
+    fail(Status::err_argument, "law is '%.64s'; allowed: 'coulomb'", law);
+  if (n != 1) fail(Status::err_argument, "n is %d; 'coulomb' has 1 parameter: mu", n);
+  require_pointer(parameters, "parameters");
+  const double mu = parameters[0];
+  require_finite(mu, "mu");
+  if (mu < 0) fail(Status::err_argument, "mu is %g; allowed: 0 or more", mu);
+  if (!replace(friction_, mu) && friction_given_) return;
+  friction_given_ = true;
+  ++revision.friction;
+}
+
+void Scene::set_friction_field(std::int64_t n, const double* mu) {
+  if (n == 0) {
+    if (!friction_field_.empty()) ++revision.friction;
+    friction_field_.clear();
+    return;
+  }
+  require_frame_size(n, "the friction field");
+  require_pointer(mu, "mu");
+  require_finite(n, 1, mu, "mu", mesh_.index_base);
+  for (std::int64_t i = 0; i < n; ++i) {
+    if (mu[i] < 0)
+      fail(Status::err_argument, "mu of node %lld (counting from %d) is %g; allowed: 0 or more",
+           static_cast<long long>(i) + mesh_.index_base, mesh_.index_base, mu[i]);
+  }
+  if (replace(friction_field_, n, mu)) ++revision.friction;
+}
+
+void Scene::require_complete(bool body_meshed) const {
+  if (mesh_.nodes() == 0)
+    fail(Status::err_state,
+         "the frame has no nodes: rollcon_contact_set_frame_nodes or "
+         "rollcon_contact_frame_from_body");
+  if (mesh_.elements() == 0)
+    fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
+  if (!has_gap() && !body_meshed)
+    fail(Status::err_state,
+         "no gap was given and no body has a mesh to compute it from: rollcon_contact_set_gap or "
+         "rollcon_contact_set_gap_quadratic");
+  if (!friction_given_ && friction_field_.empty())
+    fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
+}
+
+}  // namespace rollcon

@@ -1,0 +1,111 @@
+#pragma once
+/// Everything a caller gave for one contact, checked on the way in. The solver only reads it.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "contact/scene/options.hpp"
+#include "geometry/pose.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4 };
+enum class How : std::int32_t { by_motion = 1, by_force = 2 };
+
+/// One direction's loading. value: force (or spin moment) on body 1 when by force - except for the
+/// normal direction, where it is the compressive load >= 0 - else approach, creepage or spin.
+struct Load {
+  How how = How::by_motion;
+  double value = 0;
+};
+
+/// Revision counters tell the solver what changed since it last looked. Setting equal values again
+/// counts nothing. kinematics: speed and creep field; load: what is prescribed, creepages included.
+/// mesh: nodes and elements of the frame; a frame that moves with its body counts as pose alone.
+struct Revisions {
+  std::int64_t mesh = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
+  std::array<std::int64_t, 2> pose{};
+  bool operator==(const Revisions&) const = default;
+};
+
+/// Where a frame that was taken from a body comes from.
+struct FrameSource {
+  int body = -1;  ///< 0 or 1; -1: the caller's own mesh
+  std::int32_t tag = 0;
+  std::vector<std::int64_t> element;  ///< the body's, of each frame element
+  std::vector<std::int32_t> node;     ///< the body's, of each frame node
+  std::vector<Vec3> place;            ///< frame nodes in the body's coordinates
+};
+
+/// Setters throw Error and then leave everything as it was. Those of a time loop (all but frame
+/// nodes and elements) allocate nothing once their arrays have the frame's size.
+class Scene {
+ public:
+  /// index_base: how messages count before elements tell the caller's way.
+  explicit Scene(std::int32_t index_base = 0);
+
+  /// Forgets elements, gap array and fields.
+  void set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
+                       std::int64_t component_stride);
+  void add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
+                          std::int32_t index_base, std::int32_t tag);
+  /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order;
+  /// those of body 2 are turned over. They follow the body's pose. Forgets what set_frame_nodes
+  /// forgets.
+  void set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag);
+  /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
+  void set_pose(std::int32_t which, const double* rotation, const double* translation);
+  void set_axes(const double* origin, const double* rolling, const double* normal);
+  void set_gap(std::int64_t n, const double* gap);  ///< replaces a quadratic gap, and the reverse
+  void set_gap_quadratic(double a, double b, double c);
+  void set_speed(double speed);
+  void set_creep(double longitudinal, double lateral, double spin);
+  /// Rigid slip velocity at each node, (c1, c2) pairs in the axes; added to creepages and spin.
+  void set_creep_field(std::int64_t n, const double* slip);
+  void prescribe(std::int32_t direction, std::int32_t how, double value);
+  void set_friction(const char* law, std::int32_t n, const double* parameters);
+  void set_friction_field(std::int64_t n, const double* mu);
+
+  const SurfaceMesh& mesh() const { return mesh_; }
+  const FrameSource& frame_source() const { return frame_source_; }
+  const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
+  const Axes& axes() const { return axes_; }
+  double speed() const { return speed_; }
+  const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
+  const std::vector<double>& creep_field() const { return creep_field_; }
+  bool has_gap() const { return gap_given_ || quadratic_given_; }
+  /// Gap of node k at local coordinates (x, y); needs has_gap().
+  double gap(std::int64_t k, double x, double y) const;
+  double friction(std::int64_t k) const {
+    return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
+  }
+  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh),
+  /// friction. (Arrays always fit the frame: their length is checked when they are set, and new
+  /// nodes forget them.)
+  void require_complete(bool body_meshed = false) const;
+
+  Options options;
+  Revisions revision;
+
+ private:
+  void require_frame_size(std::int64_t n, const char* what) const;
+  void replace_frame(SurfaceMesh mesh, FrameSource source);
+
+  SurfaceMesh mesh_;
+  FrameSource frame_source_;
+  std::array<Pose, 2> pose_{};
+  Axes axes_;
+  bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;
+  std::vector<double> gap_;
+  std::array<double, 3> quadratic_{0, 0, 0};
+  double speed_ = 1;
+  std::array<Load, 4> load_{};
+  std::vector<double> creep_field_;
+  double friction_ = 0;
+  std::vector<double> friction_field_;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,103 @@
+/// What a scene takes from its bodies: where they stand, and frames made of their faces.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/scene/scene.hpp"
+#include "mesh/turned_over.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+namespace {
+
+double determinant(const std::array<Vec3, 3>& r) {
+  return dot(r[0], cross(r[1], r[2]));
+}
+
+/// The rotation next to a matrix that is one but for rounding: Newton's iteration for the polar
+/// decomposition, R <- (R + R^-T) / 2.
+std::array<Vec3, 3> nearest_rotation(std::array<Vec3, 3> r) {
+  for (int i = 0; i < 3; ++i) {
+    const double scale = 1 / determinant(r);
+    const std::array<Vec3, 3> cofactor{cross(r[1], r[2]), cross(r[2], r[0]), cross(r[0], r[1])};
+    for (std::size_t k = 0; k < 3; ++k) r[k] = 0.5 * (r[k] + scale * cofactor[k]);
+  }
+  return r;
+}
+
+}  // namespace
+
+void Scene::set_pose(std::int32_t which, const double* rotation, const double* translation) {
+  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
+  require_pointer(rotation, "rotation");
+  for (int i = 0; i < 9; ++i)
+    if (!std::isfinite(rotation[i]))
+      fail(Status::err_nonfinite, "entry (%d, %d) of rotation (counting from 0) is %g", i / 3,
+           i % 3, rotation[i]);
+  require_finite_vector(translation, "translation");
+  Pose pose;
+  for (std::size_t i = 0; i < 3; ++i)
+    pose.rotation[i] = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2]};
+  pose.translation = {translation[0], translation[1], translation[2]};
+  constexpr double tolerance = 1e-6;
+  double off = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      off = std::max(off, std::abs(dot(pose.rotation[i], pose.rotation[j]) - (i == j ? 1 : 0)));
+  if (!(off <= tolerance))
+    fail(Status::err_argument,
+         "rotation is not orthonormal: its rows' products are off by %.3g; allowed: %g", off,
+         tolerance);
+  const double sign = determinant(pose.rotation);
+  if (!(std::abs(sign - 1) <= tolerance))
+    fail(Status::err_argument, "rotation has determinant %.7g; allowed: 1 (no reflection)", sign);
+  pose.rotation = nearest_rotation(pose.rotation);
+
+  const int body = which - 1;
+  Pose& held = pose_[static_cast<std::size_t>(body)];
+  if (held == pose) return;
+  held = pose;
+  ++revision.pose[static_cast<std::size_t>(body)];
+  if (frame_source_.body != body) return;
+  for (std::size_t k = 0; k < mesh_.node.size(); ++k)
+    mesh_.node[k] = pose.place(frame_source_.place[k]);
+}
+
+void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag) {
+  FrameSource source;
+  source.body = which;
+  source.tag = tag;
+  SurfaceMesh mesh;
+  mesh.index_base = body.index_base;
+  mesh.offset.push_back(0);
+  std::vector<std::int32_t> number(static_cast<std::size_t>(body.nodes()), -1);
+  for (std::int64_t e = 0; e < body.elements(); ++e) {
+    if (body.tag[static_cast<std::size_t>(e)] != tag) continue;
+    source.element.push_back(e);
+    for (const std::int32_t k : body.element(e)) number[static_cast<std::size_t>(k)] = 0;
+  }
+  if (source.element.empty())
+    fail(Status::err_argument, "tag is %d, which no face of body %d has", tag, which + 1);
+  for (std::size_t k = 0; k < number.size(); ++k) {
+    if (number[k] < 0) continue;
+    number[k] = static_cast<std::int32_t>(source.node.size());
+    source.node.push_back(static_cast<std::int32_t>(k));
+    source.place.push_back(body.node[k]);
+    mesh.node.push_back(pose_[static_cast<std::size_t>(which)].place(body.node[k]));
+  }
+  for (const std::int64_t e : source.element) {
+    const ElementType type = body.type[static_cast<std::size_t>(e)];
+    const auto nodes = body.element(e);
+    mesh.type.push_back(type);
+    mesh.tag.push_back(tag);
+    const std::span<const int> order = turned_over(type);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const std::size_t from = which == 0 ? i : static_cast<std::size_t>(order[i]);
+      mesh.connectivity.push_back(number[static_cast<std::size_t>(nodes[from])]);
+    }
+    mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+  }
+  replace_frame(std::move(mesh), std::move(source));
+}
+
+}  // namespace rollcon

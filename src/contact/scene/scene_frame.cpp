@@ -1,0 +1,88 @@
+/// Frame and axes of a scene.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "contact/scene/scene.hpp"
+#include "mesh/mesh_inputs.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+
+namespace {
+
+/// Unit vector; scaled first, so that no finite input overflows or underflows.
+Vec3 unit(const double* v, const char* name) {
+  const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+  if (largest == 0) fail(Status::err_argument, "%s is the zero vector", name);
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const Vec3 scaled{std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent),
+                    std::ldexp(v[2], -exponent)};
+  const double length = std::sqrt(dot(scaled, scaled));
+  return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
+}
+
+}  // namespace
+
+Scene::Scene(std::int32_t index_base) {
+  mesh_.index_base = index_base;
+  mesh_.offset.push_back(0);
+}
+
+void Scene::set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
+                            std::int64_t component_stride) {
+  replace_frame(mesh_of_nodes(n, x, node_stride, component_stride, mesh_.index_base), {});
+}
+
+void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
+  std::swap(mesh_, mesh);
+  std::swap(frame_source_, source);
+  ++revision.mesh;
+  if (gap_given_) ++revision.gap;
+  if (!creep_field_.empty()) ++revision.kinematics;
+  if (!friction_field_.empty()) ++revision.friction;
+  gap_given_ = false;
+  gap_.clear();
+  creep_field_.clear();
+  friction_field_.clear();
+}
+
+void Scene::add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
+                               std::int32_t index_base, std::int32_t tag) {
+  if (frame_source_.body >= 0)
+    fail(Status::err_state,
+         "the frame was taken from body %d: rollcon_contact_set_frame_nodes starts another one",
+         frame_source_.body + 1);
+  append_elements(mesh_, type, n, connectivity, index_base, tag, "frame",
+                  "rollcon_contact_set_frame_nodes");
+  if (n > 0) ++revision.mesh;
+}
+
+void Scene::set_axes(const double* origin, const double* rolling, const double* normal) {
+  require_finite_vector(origin, "origin");
+  require_finite_vector(rolling, "rolling");
+  require_finite_vector(normal, "normal");
+  Axes axes;
+  axes.origin = {origin[0], origin[1], origin[2]};
+  axes.n = unit(normal, "normal");
+  const Vec3 direction = unit(rolling, "rolling");
+  axes.t2 = cross(axes.n, direction);
+  // Below this sine the tangential part of `rolling` is mostly rounding.
+  constexpr double least_sine = 1e-8;
+  if (dot(axes.t2, axes.t2) < least_sine * least_sine)
+    fail(Status::err_argument, "rolling is parallel to normal: no direction in the tangent plane");
+  axes.t2 = unit(axes.t2.data(), "rolling");
+  const double leftover = dot(axes.t2, axes.n);  // rounding over the sine
+  for (std::size_t i = 0; i < 3; ++i) axes.t2[i] -= leftover * axes.n[i];
+  axes.t2 = unit(axes.t2.data(), "rolling");
+  axes.t1 = cross(axes.t2, axes.n);
+  if (axes.origin == axes_.origin && axes.t1 == axes_.t1 && axes.t2 == axes_.t2 &&
+      axes.n == axes_.n)
+    return;
+  axes_ = axes;
+  ++revision.axes;
+}
+
+}  // namespace rollcon

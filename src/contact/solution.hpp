@@ -1,0 +1,150 @@
+#pragma once
+/// What one contact keeps between calls: caches keyed by the scene's revisions, the solution, and
+/// statistics.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bodies/pair.hpp"
+#include "contact/contact.hpp"
+#include "contact/estimate/error_estimate.hpp"
+#include "contact/newton/newton.hpp"
+#include "contact/prepare/reach.hpp"
+#include "contact/problem/problem.hpp"
+#include "contact/results/sensitivity.hpp"
+#include "mesh/lattice.hpp"
+#include "procedures/gnmls.hpp"
+
+namespace rollcon {
+
+struct Timings {
+  double compliance = 0, convection = 0, newton = 0, linear = 0, total = 0;
+};
+
+/// Work done since the contact was made.
+struct Work {
+  std::int64_t bodies = 0;       ///< prepared by a solve of this contact
+  std::int64_t frames = 0;       ///< weights, axes, normals
+  std::int64_t compliances = 0;  ///< of the pair
+  std::int64_t stencils = 0;     ///< of the convective scheme
+  std::int64_t gaps = 0, frictions = 0, slips = 0, scales = 0;
+  std::int64_t applications = 0;  ///< of the compliance, without rows
+  std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
+};
+
+struct SolverState {
+  Work work;
+  // Built from the scene; each part remembers the revisions it was built from.
+  Frame frame;
+  FrameSource frame_source;  ///< as far as the body still has these faces
+  PairOfBodies pair;         ///< where the bodies stood
+  std::int64_t mesh_revision = -1, axes_revision = -1;
+  std::array<std::int64_t, 2> pose_revision{-1, -1};
+  std::shared_ptr<Compliance> compliance;          ///< of the pair
+  std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
+  double accuracy = 0;
+  std::optional<Scheme> scheme;
+  double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;
+  std::int64_t gap_revision = -1, kinematics_revision = -1, friction_revision = -1;
+  bool frictionless = false;
+  bool inflow_masked = false;
+  std::vector<double> field_copy;
+  SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
+  /// From displacements of the bodies without any contact traction; empty: none.
+  bool offset_known = false;
+  std::vector<double> offset_depth, offset_slip[2];
+
+  /// The frame as a regular grid, once that was looked for.
+  std::optional<Lattice> lattice;
+  std::string no_lattice;  ///< why there is none
+  bool lattice_known = false;
+  bool table = false;  ///< dense rows are copied from a table of one node's influence
+
+  Problem problem;
+  Reach reach;
+  Iterate iterate;
+  Newton newton;
+  Gnmls gnmls;
+  /// Of the published procedures; made when one is asked for, for what `step_key` says.
+  std::unique_ptr<StepSystem> step_system;
+  struct StepKey {
+    bool monolithic = false, frictionless = false;
+    std::array<bool, 4> by_force{};
+    LinearMethod linear = LinearMethod::automatic;
+    Preconditioner preconditioner = Preconditioner::automatic;
+    bool operator==(const StepKey&) const = default;
+  } step_key;
+  /// Scales of the problem are those of estimate_scales(), not of set_scales().
+  bool scales_estimated = false;
+  mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()
+  bool images_known = false;  ///< of the solution, at all nodes, slip included
+
+  // The last solve.
+  bool solved = false;
+  Revisions revision_solved;  ///< of the scene, when the last solve read it
+  std::int64_t options_solved = -1;
+  bool settled = false;  ///< caches are whole: nothing was interrupted
+  bool warm_usable = false;
+  Outcome outcome = Outcome::not_converged;
+  double speed = 1;
+  NewtonReport report;
+  Timings timings;
+  Procedure procedure;
+  std::vector<double> history;                            ///< rows of 8
+  std::vector<double> merit;                              ///< error function of each row
+  std::int64_t system_unknowns = 0, system_nonzeros = 0;  ///< of the last linear system
+  std::int64_t assemblies = 0;
+  std::int64_t assemblies_before = 0;  ///< the last solve
+  Work work_before;
+  std::size_t peak_bytes = 0;
+  std::int64_t linear_iterations = 0, factorizations = 0, right_sides = 0;  ///< of the last solve
+
+  // Computed when asked for.
+  bool derived = false;
+  std::vector<double> slip[2];  ///< slip velocity
+  std::vector<double> gap;      ///< deformed gap
+  std::vector<std::int32_t> status;
+  Sensitivities sensitivities;
+  ErrorEstimate error_estimate;
+  bool laws_checked = false;
+  std::array<double, 4> laws{};  ///< normal, friction, slip, equilibrium
+
+  std::size_t bytes() const;
+};
+
+/// Brings everything that depends on the scene up to date; only what changed is done again.
+void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
+/// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
+void require_operators(SolverState& state, const Options& options);
+/// Rows of these nodes too (wanted[k] != 0; empty: of all), for what needs them after a solve.
+void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted);
+
+/// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the
+/// linear systems do.
+void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);
+
+/// err_load if a frictionless problem prescribes what only friction can carry.
+void refuse_tangential_loads(const Problem& problem);
+/// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what
+/// double precision can calculate with.
+void refuse_overflow(const SolverState& state);
+/// Of the outcome; err_load where there is no steady solution.
+Status status_of(const SolverState& state);
+/// Nodes in contact on the rim of the frame.
+std::int64_t nodes_at_rim(const SolverState& state);
+
+/// Fills slip, gap and status of the last solution.
+void derive_fields(SolverState& state);
+
+/// Recomputes the residuals of every law from matrix-free displacements, independently of the
+/// solver's operators: complementarity, friction bound, slip direction, loads; each relative.
+void check_laws(SolverState& state);
+
+std::string describe_plan(const SolverState& state, const Scene& scene, const Body& body1,
+                          const Body& body2);
+
+}  // namespace rollcon
