@@ -80,7 +80,7 @@ void far_kernels(Runner& runner) {
   for (const ElementType type : {ElementType::tri3, ElementType::quad4, ElementType::tri6,
                                  ElementType::quad8, ElementType::quad9})
     for (const auto& [name, set] : sets) {
-      if (set > halfspace::best_instruction_set()) continue;
+      if (set > rollcon::best_instruction_set()) continue;
       Record record = record_of(runner, name, "far kernel, T and U", type);
       record.threads = 1;
       record.mesh = surfaces::name_of(type) + ", sphere seen from afar";

@@ -26,7 +26,7 @@ void near_pair(benchmark::State& state, ElementType type, double height) {
   x = x + (height / length(n)) * n;
   const bem::OnElement on{height == 0, place};
   const bem::KelvinConstants constants(0.3);
-  const bem::Kernels& kernels = bem::kelvin_kernels(halfspace::instruction_set());
+  const bem::Kernels& kernels = bem::kelvin_kernels(rollcon::instruction_set());
   bem::NearWorkspace workspace;
   bem::NearIntegrals integrals;
   for (auto _ : state) {

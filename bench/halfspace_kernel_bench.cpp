@@ -17,7 +17,7 @@
 namespace rollcon {
 namespace {
 
-using halfspace::InstructionSet;
+using rollcon::InstructionSet;
 
 /// A disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a
 /// cell.
@@ -60,7 +60,7 @@ SurfaceMesh disc(ElementType type) {
 }
 
 bool unavailable(benchmark::State& state, InstructionSet set) {
-  if (set <= halfspace::best_instruction_set()) return false;
+  if (set <= rollcon::best_instruction_set()) return false;
   state.SkipWithError("not on this processor");
   return true;
 }
@@ -72,7 +72,7 @@ void far_kernel(benchmark::State& state, InstructionSet set) {
   std::vector<std::int64_t> elements;
   for (std::int64_t e = 0; e < 64; ++e) elements.push_back(e);
   const halfspace::FarGroup group(frame, elements, ElementType::quad4,
-                                  halfspace::MapKind::straight);
+                                  quadrature::MapKind::straight);
   const auto& kernels = halfspace::kernels(set);
   const auto sources = group.sources(2);
   alignas(64) double integral[halfspace::integral_count * halfspace::max_shape_stride];

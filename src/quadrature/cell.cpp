@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 
 Vec2 Cell::centre() const {
   Vec2 sum{0, 0};
@@ -80,4 +80,4 @@ Cell whole_element(ElementType type) {
   return {4, {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}, 0};
 }
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

@@ -3,7 +3,7 @@
 
 #include "quadrature/element.hpp"
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 
 struct Vec2 {
   double x, y;
@@ -54,4 +54,4 @@ struct CellShape {
   double area, half_length;
 };
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

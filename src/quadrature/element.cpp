@@ -5,7 +5,7 @@
 
 #include "mesh/shape.hpp"
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 namespace {
 
 /// Largest distance of the midside and centre nodes from where a straight-sided element has them.
@@ -108,4 +108,4 @@ int ray_degree(ElementType type, MapKind map) {
   }
 }
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

@@ -3,10 +3,10 @@
 
 #include <cstdint>
 
-#include "bodies/halfspace/kernels.hpp"
+#include "mesh/element_type.hpp"
 #include "mesh/frame.hpp"
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 
 /// Smoothness of an element's map, which decides the polynomial degrees of the integrands.
 enum class MapKind : std::uint8_t { affine, straight, curved };
@@ -28,4 +28,4 @@ int direction_degree(ElementType type, MapKind map);
 /// Total degree along a ray from any point.
 int ray_degree(ElementType type, MapKind map);
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

@@ -3,7 +3,7 @@
 #include <array>
 #include <cstddef>
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 namespace {
 
 /// A rule by its orbits under the symmetries of the triangle: `centre` (0 or 1) weight of the
@@ -115,4 +115,4 @@ const std::vector<TriangleRule>& symmetric_triangle_rules() {
   return rules;
 }
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

@@ -6,7 +6,7 @@
 
 #include "mesh/quadrature.hpp"
 
-namespace rollcon::halfspace {
+namespace rollcon::quadrature {
 
 inline constexpr int max_line_points = 24;
 
@@ -21,4 +21,4 @@ struct TriangleRule {
 /// Fully symmetric rules with positive weights and inner points, ascending in degree.
 const std::vector<TriangleRule>& symmetric_triangle_rules();
 
-}  // namespace rollcon::halfspace
+}  // namespace rollcon::quadrature

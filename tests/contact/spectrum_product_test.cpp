@@ -10,7 +10,7 @@
 namespace rollcon {
 namespace {
 
-using halfspace::InstructionSet;
+using rollcon::InstructionSet;
 
 void expect_products(InstructionSet set, double bound) {
   const SpectrumProducts products = spectrum_products(set);
@@ -53,7 +53,7 @@ void expect_products(InstructionSet set, double bound) {
 TEST(SpectrumProduct, EqualsComplexArithmetic) {
   for (const InstructionSet set :
        {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
-    if (set > halfspace::best_instruction_set()) continue;
+    if (set > rollcon::best_instruction_set()) continue;
     expect_products(set, 1e-15);
   }
 }

@@ -55,7 +55,7 @@ struct BoundaryIntegrals::Data {
         size(mesh_size(surface)),
         tolerance(element_share * relative),
         constants(poisson),
-        kernels(kelvin_kernels(halfspace::instruction_set())),
+        kernels(kelvin_kernels(instruction_set())),
         element(geometries(surface, 1 / size)),
         far(element, tolerance * free_term) {
     constants.iso *= size;  // lengths are in units of `size`, the single layer's result is not

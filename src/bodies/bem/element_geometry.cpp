@@ -35,10 +35,10 @@ double departure(const ElementGeometry& e, bool straight) {
 
 /// How far normal vector and Jacobian are from constants; `off`: the nodes from an affine map.
 void measure_map(ElementGeometry& e, double off) {
-  e.degree = halfspace::direction_degree(e.type, MapKind::affine);
+  e.degree = quadrature::direction_degree(e.type, MapKind::affine);
   if (e.map == MapKind::affine) return;
-  e.extra = halfspace::direction_degree(e.type, e.map) - e.degree;
-  const Cell cell = halfspace::whole_element(e.type);
+  e.extra = quadrature::direction_degree(e.type, e.map) - e.degree;
+  const Cell cell = quadrature::whole_element(e.type);
   const int corners = e.corners;
   auto normal = [&e](Vec2 at) {
     Vec3 x, u, v;
@@ -134,7 +134,7 @@ ElementGeometry element_geometry(const SurfaceMesh& mesh, std::int64_t element, 
       const auto last = static_cast<std::size_t>(std::min(k, e.nodes - 1));
       e.node[j][k] = scale * mesh.node[static_cast<std::size_t>(ids[last])][j];
     }
-  e.shape = measure(e, halfspace::whole_element(e.type));
+  e.shape = measure(e, quadrature::whole_element(e.type));
   const CellShape& s = e.shape;
   if (e.corners == 4) {
     e.half[0] = 0.5 * std::max({path(s.corner[0], s.middle[0], s.corner[1]),

@@ -7,9 +7,9 @@
 
 namespace rollcon::bem {
 
-using halfspace::Cell;
-using halfspace::MapKind;
-using halfspace::Vec2;
+using quadrature::Cell;
+using quadrature::MapKind;
+using quadrature::Vec2;
 
 /// Positions on a cell: corners, edge midpoints (after the edge's first corner's index), centre.
 struct CellShape {

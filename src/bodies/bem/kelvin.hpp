@@ -7,12 +7,10 @@
 
 #include <cstdint>
 
-#include "bodies/halfspace/kernels.hpp"
 #include "mesh/element_type.hpp"
+#include "support/instruction_set.hpp"
 
 namespace rollcon::bem {
-
-using halfspace::InstructionSet;
 
 /// Collocation points of one call of far().
 inline constexpr int pack_points = 8;

@@ -10,8 +10,8 @@
 namespace rollcon::bem {
 namespace {
 
-using halfspace::line_rule;
-using halfspace::TriangleRule;
+using quadrature::line_rule;
+using quadrature::TriangleRule;
 
 constexpr int max_depth = 60;
 constexpr int too_many = 99;
@@ -40,7 +40,7 @@ class Integration {
 
   void run(const OnElement& on) {
     if (on.known) set_foot(find_foot(element_, point_, on.reference, true));
-    integrate(halfspace::whole_element(element_.type), element_.shape);
+    integrate(quadrature::whole_element(element_.type), element_.shape);
     flush();
   }
 
@@ -83,14 +83,15 @@ class Integration {
 
   void set_foot(const Foot& foot) {
     foot_ = foot;
-    foot_inside_ = foot.found &&
-                   halfspace::whole_element(element_.type).distance_outside(foot.reference) <= 1e-9;
+    foot_inside_ =
+        foot.found &&
+        quadrature::whole_element(element_.type).distance_outside(foot.reference) <= 1e-9;
   }
 
   void triangle_gauss(const Cell& cell, int degree) {
     const Vec2 a = cell.corner[1] - cell.corner[0], b = cell.corner[2] - cell.corner[0];
-    const double area = halfspace::cross(a, b);
-    for (const TriangleRule& rule : halfspace::symmetric_triangle_rules())
+    const double area = quadrature::cross(a, b);
+    for (const TriangleRule& rule : quadrature::symmetric_triangle_rules())
       if (rule.degree >= degree) {
         for (std::size_t q = 0; q < rule.points.size(); ++q)
           add(cell.corner[0] + rule.points.xi[q] * a + rule.points.eta[q] * b,
@@ -104,7 +105,7 @@ class Integration {
     const Vec2 a = 0.5 * (cell.corner[1] - cell.corner[0]);
     const Vec2 b = 0.5 * (cell.corner[3] - cell.corner[0]);
     const Vec2 c = cell.centre();
-    const double area = halfspace::cross(a, b);
+    const double area = quadrature::cross(a, b);
     for (std::size_t i = 0; i < rule1.x.size(); ++i)
       for (std::size_t j = 0; j < rule2.x.size(); ++j)
         add(c + rule1.x[i] * a + rule2.x[j] * b, area * rule1.w[i] * rule2.w[j]);
@@ -148,7 +149,7 @@ class Integration {
     const PolarRule rule = polar_rule(element_, foot_, view, tolerance_);
     const LineRule& around = line_rule(rule.angle);
     const double half = 0.5 * (view.u2 - view.u1) / rule.angle_pieces;
-    const double area = halfspace::cross(view.a, view.b);
+    const double area = quadrature::cross(view.a, view.b);
     for (int k = 0; k < rule.angle_pieces; ++k) {
       const double middle = view.u1 + (2 * k + 1) * half;
       for (std::size_t j = 0; j < around.x.size(); ++j) {

@@ -22,10 +22,10 @@ double ray_decay(double length, double height) {
 template <class Points>
 void cheapest(int& points, int& pieces, Points needed) {
   double cost = 1e300;
-  points = halfspace::max_line_points;
+  points = quadrature::max_line_points;
   for (int m = 1; m <= 24; ++m) {
     const double n = std::ceil(needed(m));
-    if (n <= halfspace::max_line_points && n * m < cost) {
+    if (n <= quadrature::max_line_points && n * m < cost) {
       cost = n * m;
       points = static_cast<int>(n);
       pieces = m;
@@ -111,7 +111,7 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
       std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
   // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular
   // at about s = 1/uneven; with a height, also singular at v = +- i pi/2.
-  const int p = halfspace::ray_degree(element.type, element.map);
+  const int p = quadrature::ray_degree(element.type, element.map);
   double least = std::floor(0.5 * p) + 1;
   if (view.uneven > 0 && target < view.uneven) {
     const double z = 2 / view.uneven - 1, rho = z + std::sqrt(z * z - 1);

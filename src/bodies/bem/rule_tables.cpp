@@ -40,7 +40,7 @@ Table tabulate(ElementType type, const PlaneRule& rule) {
 }
 
 PlaneRule product(int n1, int n2) {
-  const LineRule &a = halfspace::line_rule(n1), &b = halfspace::line_rule(n2);
+  const LineRule &a = quadrature::line_rule(n1), &b = quadrature::line_rule(n2);
   PlaneRule rule;
   for (std::size_t i = 0; i < a.x.size(); ++i)
     for (std::size_t j = 0; j < b.x.size(); ++j) {
@@ -65,7 +65,7 @@ std::vector<Table> tables_of(ElementType type) {
       tables.push_back(tabulate(type, {{1.0 / 3}, {1.0 / 3}, {0.5}}));
       continue;
     }
-    for (const auto& rule : halfspace::symmetric_triangle_rules())
+    for (const auto& rule : quadrature::symmetric_triangle_rules())
       if (rule.degree >= degree) {
         tables.push_back(tabulate(type, rule.points));
         break;

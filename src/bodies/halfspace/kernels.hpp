@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "mesh/element_type.hpp"
+#include "support/instruction_set.hpp"
 
 namespace rollcon::halfspace {
 
@@ -65,13 +66,6 @@ struct Kernels {
   void (*near)(const NearElement& element, NearPoints& points, int terms, double* integral);
 };
 
-enum class InstructionSet { baseline, avx2, avx512 };
-
 const Kernels& kernels(InstructionSet set);
-/// The best set of this processor, or the one set by force_instruction_set (for tests).
-InstructionSet instruction_set();
-/// Restricts later calls of instruction_set(); a set the processor lacks is lowered to the best.
-void force_instruction_set(InstructionSet set);
-InstructionSet best_instruction_set();
 
 }  // namespace rollcon::halfspace

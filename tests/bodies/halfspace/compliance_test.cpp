@@ -135,15 +135,15 @@ TEST(halfspace_compliance, a_row_does_not_depend_on_the_rows_beside_it) {
 }
 
 TEST(halfspace_compliance, instruction_sets_agree) {
-  using halfspace::InstructionSet;
+  using rollcon::InstructionSet;
   const Frame frame = mixed_frame();
   const Observers at(frame);
   const auto compliance = make_halfspace_compliance(frame, {1, 0.4, 0.2}, 1e-6, 1);
   const auto t = tractions(frame.nodes());
-  halfspace::force_instruction_set(InstructionSet::baseline);
+  rollcon::force_instruction_set(InstructionSet::baseline);
   const Blocks reference = blocks(*compliance, at.points());
   for (const InstructionSet set : {InstructionSet::avx2, InstructionSet::avx512}) {
-    halfspace::force_instruction_set(set);
+    rollcon::force_instruction_set(set);
     const Blocks a = blocks(*compliance, at.points());
     double error = 0;
     for (std::size_t k = 0; k < 9; ++k) error = std::max(error, difference(a[k], reference[k]));
@@ -151,10 +151,10 @@ TEST(halfspace_compliance, instruction_sets_agree) {
     compliance->apply(at.points(), t.data(), u.data());
     error = std::max(error, difference(u, product(reference, t, at.x.size())));
     std::printf("%s against baseline: %.1e (bound 1e-12)\n",
-                halfspace::kernels(halfspace::instruction_set()).name, error);
+                halfspace::kernels(rollcon::instruction_set()).name, error);
     EXPECT_LE(error, 1e-12);
   }
-  halfspace::force_instruction_set(InstructionSet::avx512);
+  rollcon::force_instruction_set(InstructionSet::avx512);
 }
 
 TEST(halfspace_compliance_long, mixed_elements_meet_the_tolerance_in_every_row) {

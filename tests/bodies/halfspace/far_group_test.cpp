@@ -15,9 +15,9 @@
 namespace rollcon {
 namespace {
 
-using halfspace::ElementShape;
 using halfspace::FarGroup;
-using halfspace::MapKind;
+using quadrature::ElementShape;
+using quadrature::MapKind;
 
 /// Rectangles of different sizes, far from the origin.
 FarGroup group_off_the_origin() {
@@ -70,7 +70,7 @@ TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
       while (expected < group.levels()) {
         const int m = 2 * (expected + 2) - 1;
         const double share =
-            halfspace::rule_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
+            quadrature::rule_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
         close_call = close_call || std::abs(share - 1) < 1e-10;
         if (share <= 1) break;
         ++expected;

@@ -30,7 +30,7 @@ Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries,
       kept_stride_(AlignedArray<Complex>::stride(kept_)),
       along_(px_),
       across_(py_),
-      products_(spectrum_products(halfspace::instruction_set())),
+      products_(spectrum_products(instruction_set())),
       kinds_(entries.kinds()) {
   for (const EntryKinds::Kind& kind : kinds_.kind) {
     mirror_.push_back(entries.mirror(kind.r, kind.c));

@@ -22,6 +22,6 @@ struct SpectrumProducts {
   void (*reversed)(const SpectrumProduct&);  ///< spectrum[count - 1 - k]
 };
 
-SpectrumProducts spectrum_products(halfspace::InstructionSet set);
+SpectrumProducts spectrum_products(InstructionSet set);
 
 }  // namespace rollcon

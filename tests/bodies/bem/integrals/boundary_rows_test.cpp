@@ -32,13 +32,13 @@ SurfaceMesh scaled(SurfaceMesh mesh, double factor) {
 class BoundaryRows : public ::testing::TestWithParam<ElementType> {};
 
 TEST_P(BoundaryRows, instruction_sets_agree) {
-  using halfspace::InstructionSet;
+  using rollcon::InstructionSet;
   const SurfaceMesh mesh = surfaces::cube_sphere(GetParam(), 2, 1);
   const System best = whole_system(mesh, 0.3, 1e-6);
   for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2}) {
-    halfspace::force_instruction_set(set);
+    rollcon::force_instruction_set(set);
     const System other = whole_system(mesh, 0.3, 1e-6);
-    halfspace::force_instruction_set(InstructionSet::avx512);
+    rollcon::force_instruction_set(InstructionSet::avx512);
     const double h = assembled_rows::difference(best.h, other.h),
                  g = assembled_rows::difference(best.g, other.g) / best.g.largest();
     std::printf("%s against the best: h %.1e, g %.1e (bound 1e-13)\n",

@@ -185,7 +185,7 @@ Integrals library(const SurfaceMesh& mesh, const Vec3& point, const bem::OnEleme
   bem::NearIntegrals found;
   bem::near_integrals(element, point, on, {tolerance_t, tolerance_u}, bem::both_layers,
                       bem::KelvinConstants(poisson),
-                      bem::kelvin_kernels(halfspace::instruction_set()), workspace, found);
+                      bem::kelvin_kernels(rollcon::instruction_set()), workspace, found);
   static constexpr int entry[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
   Integrals result;
   result.points = workspace.evaluations;
@@ -277,7 +277,7 @@ Integrals from_far_field(const SurfaceMesh& mesh, const Vec3& point, double pois
     h[k] = blocks[0][k];
     g[k] = blocks[1][k];
   }
-  const bem::Kernels& kernels = bem::kelvin_kernels(halfspace::instruction_set());
+  const bem::Kernels& kernels = bem::kelvin_kernels(rollcon::instruction_set());
   kernels.place(table, element.nodes, element.node, points);
   kernels.far(points, table, element.nodes, pack, bem::KelvinConstants(poisson), terms, h, g);
   for (std::size_t i = 0; i < 9; ++i)
