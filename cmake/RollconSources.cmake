@@ -48,7 +48,6 @@ rollcon_belongs("bodies/(meshed_|remainder_|frame_on_body|model/(response_cache|
 rollcon_stands_for(bodies/meshed_absent.cpp FEM BEM)
 
 rollcon_belongs("procedures/" PROCEDURES)
-rollcon_stands_for(procedures/procedures_absent.cpp PROCEDURES)
 
 rollcon_belongs("linalg/sparse_" CHOLMOD UMFPACK)
 rollcon_belongs("linalg/sparse_(order_)?cholmod" CHOLMOD)

@@ -2,7 +2,9 @@
 
 #include "contact/contact.hpp"
 
+#include "build_info.hpp"
 #include "capi/guard.hpp"
+#include "procedures/published.hpp"
 #include "support/input_checks.hpp"
 
 using namespace rollcon;
@@ -17,6 +19,12 @@ std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name) {
   return object->body;
 }
 
+#if ROLLCON_BUILD_PROCEDURES
+constexpr MakePublished published = make_published;
+#else
+constexpr MakePublished published = nullptr;
+#endif
+
 }  // namespace
 
 rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* body1,
@@ -29,7 +37,7 @@ rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* bo
     auto object = std::make_shared<Object>();
     object->context = parent.context;
     object->contact =
-        std::make_unique<Contact>(parent.context, std::move(first), std::move(second));
+        std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published);
     *contact = static_cast<rollcon_contact*>(
         const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
   });

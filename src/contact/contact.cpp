@@ -12,7 +12,6 @@
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
-#include "procedures/run.hpp"
 #include "support/clock.hpp"
 
 namespace rollcon {
@@ -32,7 +31,7 @@ bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
 // Records history and passes every iteration to the caller's callback.
 class Watch final : public Monitor {
  public:
-  Watch(SolverState& state, const Context& context, Contact::ProgressFunction function, void* user,
+  Watch(SolverState& state, const Context& context, ProgressFunction function, void* user,
         std::atomic<bool>& cancel, double start)
       : state_(state),
         context_(context),
@@ -82,7 +81,7 @@ class Watch final : public Monitor {
   }
   SolverState& state_;
   const Context& context_;
-  Contact::ProgressFunction function_;
+  ProgressFunction function_;
   void* user_;
   std::atomic<bool>& cancel_;
   double start_, prepared_ = 0;
@@ -131,10 +130,12 @@ void tell_caveats(const SolverState& s, Status status, const Context& context) {
 }  // namespace
 
 void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
-  if (s.procedure.standard())
+  if (s.procedure.standard()) {
     run_standard(s, options, monitor);
-  else
-    run_published(s, options, monitor);
+    return;
+  }
+  if (!s.published) s.published = s.make_published();
+  s.published->run(s, options, monitor);
 }
 
 std::int64_t nodes_at_rim(const SolverState& s) {
@@ -174,11 +175,12 @@ Status status_of(const SolverState& s) {
 }
 
 Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
-                 std::shared_ptr<Body> body2)
+                 std::shared_ptr<Body> body2, MakePublished published)
     : context_(std::move(context)),
       body1_(std::move(body1)),
       body2_(std::move(body2)),
       state_(std::make_unique<SolverState>()) {
+  state_->make_published = published;
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument,
          "body1 and body2 are both rigid: at least one body must be elastic (FEM, BEM or "
@@ -186,6 +188,12 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
 }
 
 Contact::~Contact() = default;
+
+void Contact::clear_state() {
+  const MakePublished published = state_->make_published;
+  *state_ = SolverState{};
+  state_->make_published = published;
+}
 
 void Contact::set_progress(ProgressFunction function, void* user) {
   progress_ = function;
@@ -236,7 +244,7 @@ Status Contact::solve() {
   } catch (...) {
     // Whatever was half built when memory ran out or a callback threw must not be taken for whole.
     // A refused load leaves everything but the solution intact.
-    if (!state_->settled) *state_ = SolverState{};
+    if (!state_->settled) clear_state();
     throw;
   }
 }

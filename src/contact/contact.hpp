@@ -8,56 +8,23 @@
 #include <vector>
 
 #include "bodies/body.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "contact/scene/scene.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 
-/// What a progress callback may read.
-struct Event {
-  std::int32_t phase = 0;      ///< Phase enumerators of rollcon.h
-  std::int64_t iteration = 0;  ///< within the phase, from 0
-  double residual = 0;         ///< relative residual of the iterate
-  double seconds = 0;          ///< since the solve began
-};
-
-enum class Phase : std::int32_t { compliance = 1, normal = 2, tangential = 3, full = 4, cases = 5 };
-enum class Field : std::int32_t {
-  point = 1,
-  traction = 2,
-  gap = 3,
-  slip = 4,
-  displacement1 = 5,
-  displacement2 = 6,
-  area = 7,
-  friction = 8,
-  pressure = 9,
-  rigid_slip = 10,
-  friction_power = 11,
-  weight = 12,
-};
-enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
-/// What results may be differentiated by: the value prescribed in a direction (Direction's
-/// numbers), or a factor on the friction coefficient of every node.
-enum class Parameter : std::int32_t {
-  longitudinal = 1,
-  lateral = 2,
-  normal = 3,
-  spin = 4,
-  friction = 5
-};
-enum class InAxes : std::int32_t { local = 0, global = 1 };
-
-struct CaseList;     // contact/cases/solve_many.hpp
-struct CaseResults;  // contact/cases/solve_many.hpp
-struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
+struct CaseList;        // contact/cases/solve_many.hpp
+struct CaseResults;     // contact/cases/solve_many.hpp
+struct SolverState;     // solution, caches and workspaces; contact/solution.hpp
+class PublishedSolver;  // contact/solution.hpp
+using MakePublished = std::unique_ptr<PublishedSolver> (*)();
 
 class Contact {
  public:
-  using ProgressFunction = std::int32_t (*)(const Event& event, void* user);
-
+  /// published: makes the published procedures; null where the build has none.
   Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
-          std::shared_ptr<Body> body2);
+          std::shared_ptr<Body> body2, MakePublished published = nullptr);
   ~Contact();
 
   Scene scene;  ///< setters live here
@@ -108,6 +75,7 @@ class Contact {
 
  private:
   Status solve_scene();
+  void clear_state();
 
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> body1_, body2_;

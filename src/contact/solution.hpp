@@ -10,14 +10,14 @@
 #include <vector>
 
 #include "bodies/pair.hpp"
-#include "contact/contact.hpp"
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/newton/newton.hpp"
 #include "contact/prepare/reach.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/results/sensitivity.hpp"
+#include "contact/scene/enumerators.hpp"
+#include "contact/scene/procedure.hpp"
 #include "mesh/lattice.hpp"
-#include "procedures/gnmls.hpp"
 
 namespace rollcon {
 
@@ -34,6 +34,16 @@ struct Work {
   std::int64_t gaps = 0, frictions = 0, slips = 0, scales = 0;
   std::int64_t applications = 0;  ///< of the compliance, without rows
   std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
+};
+
+/// One of the published procedures (src/procedures/), which solves in place of Newton's iteration.
+class PublishedSolver {
+ public:
+  virtual ~PublishedSolver() = default;
+  /// Solves the prepared scene from state.iterate; fills the report and counters of the last solve.
+  /// Throws Error as the systems of the steps do.
+  virtual void run(SolverState& state, const Options& options, Monitor& monitor) = 0;
+  virtual std::size_t bytes() const = 0;
 };
 
 struct SolverState {
@@ -68,16 +78,8 @@ struct SolverState {
   Reach reach;
   Iterate iterate;
   Newton newton;
-  Gnmls gnmls;
-  /// Of the published procedures; made when one is asked for, for what `step_key` says.
-  std::unique_ptr<StepSystem> step_system;
-  struct StepKey {
-    bool monolithic = false, frictionless = false;
-    std::array<bool, 4> by_force{};
-    LinearMethod linear = LinearMethod::automatic;
-    Preconditioner preconditioner = Preconditioner::automatic;
-    bool operator==(const StepKey&) const = default;
-  } step_key;
+  MakePublished make_published = nullptr;      ///< null: they are not part of this build
+  std::unique_ptr<PublishedSolver> published;  ///< made when one is asked for
   /// Scales of the problem are those of estimate_scales(), not of set_scales().
   bool scales_estimated = false;
   mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()

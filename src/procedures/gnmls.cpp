@@ -5,7 +5,6 @@
 
 #include "contact/newton/friction_limit.hpp"
 #include "contact/newton/start.hpp"
-#include "procedures/run.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -20,20 +19,6 @@ constexpr int patience = 4;        // short steps in a row before a full one is 
 constexpr double finest_linear_tolerance = 1e-12;
 
 }  // namespace
-
-void estimate_scales(Problem& p, double normal_factor, double tangential_factor) {
-  // A square of side h under unit pressure sinks 1.12 h / E*; across it slip per unit speed
-  // changes by a part of 1 / E*.
-  constexpr double sinking = 1.12, slipping = 0.5;
-  const std::size_t n = at(p.nodes);
-  p.rn.assign(n, 0.0);
-  p.rt.assign(n, 0.0);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!p.used[k]) continue;
-    p.rn[k] = normal_factor * p.stiffness / (sinking * std::sqrt(p.cell_area[k]));
-    p.rt[k] = tangential_factor * p.stiffness * slipping;
-  }
-}
 
 double Gnmls::Residual::worst() const {
   return std::max({normal, tangential, load, imbalance});

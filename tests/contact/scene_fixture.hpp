@@ -9,10 +9,18 @@
 #include <string>
 #include <vector>
 
+#include "build_info.hpp"
 #include "contact/contact.hpp"
+#include "procedures/published.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon::contact_test {
+
+#if ROLLCON_BUILD_PROCEDURES
+inline constexpr MakePublished published = make_published;
+#else
+inline constexpr MakePublished published = nullptr;
+#endif
 
 struct Pair {
   std::shared_ptr<Context> context = std::make_shared<Context>();
@@ -29,7 +37,7 @@ struct Pair {
     };
     body1 = make(young1, poisson1);
     body2 = make(young2, poisson2);
-    contact = std::make_unique<Contact>(context, body1, body2);
+    contact = std::make_unique<Contact>(context, body1, body2, published);
   }
 
   void frame(const SurfaceMesh& mesh) {

@@ -16,6 +16,8 @@
 
 namespace rollcon::halfspace {
 
+using namespace quadrature;
+
 inline constexpr double rule_constant = 6;
 /// Share of the tolerance given to one element; the rest is for the sum at a node.
 inline constexpr double element_share = 0.1;

@@ -16,6 +16,8 @@
 
 namespace rollcon::halfspace {
 
+using namespace quadrature;
+
 /// Elements of one type and one kind of map.
 class FarGroup {
  public:

@@ -17,6 +17,8 @@
 
 namespace rollcon::halfspace {
 
+using namespace quadrature;
+
 struct NearWorkspace {
   NearPoints points;
   std::int64_t evaluations = 0;

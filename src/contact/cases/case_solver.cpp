@@ -66,6 +66,7 @@ std::unique_ptr<SolverState> share(SolverState& from) {
   to->reach.known = false;
   to->scales_estimated = from.scales_estimated;
   to->procedure = from.procedure;
+  to->make_published = from.make_published;
   to->speed = from.speed;
   to->iterate.resize(to->problem.nodes);
   return to;
@@ -89,7 +90,7 @@ CaseSolver::~CaseSolver() = default;
 
 void CaseSolver::begin_chain() {
   state_->newton = Newton{};
-  state_->step_system.reset();
+  state_->published.reset();
   warm_ = false;
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "contact/cases/solve_many.hpp"
-#include "contact/contact.hpp"
 #include "contact/newton/newton.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "contact/scene/options.hpp"
 
 namespace rollcon {

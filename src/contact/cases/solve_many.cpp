@@ -68,7 +68,7 @@ struct OneLoopThread {
 class ManyCases {
  public:
   ManyCases(const CaseList& list, const CaseResults& results, std::atomic<bool>& cancel,
-            Contact::ProgressFunction function, void* user)
+            ProgressFunction function, void* user)
       : list_(list),
         results_(results),
         order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
@@ -124,7 +124,7 @@ class ManyCases {
   std::int64_t width_ = 0;  ///< numbers in a row
   const CaseOrder order_;
   std::atomic<bool>& cancel_;
-  Contact::ProgressFunction function_;
+  ProgressFunction function_;
   void* user_;
   const double start_ = now_seconds();
   std::vector<Status> status_;
@@ -411,7 +411,7 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
     ManyCases(cases, results, cancel_, progress_, progress_user_).finish();  // all: cancelled
     return Status::cancelled;
   } catch (...) {
-    *state_ = SolverState{};
+    clear_state();
     throw;
   }
   if (cases.cases == 0) return Status::ok;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "contact/contact.hpp"
+#include "contact/scene/enumerators.hpp"
 
 namespace rollcon {
 

@@ -59,7 +59,7 @@ void forget_rows(SolverState& s) {
   op.there.clear();
   op.rows = 0;
   s.newton.operators_changed();
-  s.step_system.reset();
+  s.published.reset();
 }
 
 void release_field(SolverState& s) {

@@ -7,7 +7,6 @@
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"
-#include "procedures/run.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -110,7 +109,7 @@ void build_compliance(SolverState& state, const Scene& scene, const PairOfBodies
   state.problem.stiffness = contact_modulus(pair);
   state.problem.op = ContactOperators{};
   state.scheme.reset();
-  state.step_system.reset();
+  state.published.reset();
   state.offset_known = false;
 }
 
@@ -184,7 +183,7 @@ void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) 
   state.iterate.invalidate();
   if (!state.scales_estimated) state.normal_scale = 0;  // scales follow the operators
   state.newton.operators_changed();
-  if (!state.procedure.monolithic) state.step_system.reset();
+  if (!state.procedure.monolithic) state.published.reset();
 }
 
 void choose_scales(SolverState& state, const Options& o) {
@@ -201,7 +200,7 @@ void choose_scales(SolverState& state, const Options& o) {
   state.tangential_scale = o.tangential_scale;
   state.scales_estimated = estimate;
   state.newton.operators_changed();
-  state.step_system.reset();
+  state.published.reset();
 }
 
 void build_stencils(SolverState& state, const Scene& scene) {
@@ -222,7 +221,7 @@ void build_stencils(SolverState& state, const Scene& scene) {
     state.friction_revision = -1;  // the inflow rim may be another one
     state.kinematics_revision = -1;
     state.field_rows = {};
-    state.step_system.reset();
+    state.published.reset();
     state.offset_known = false;
   }
   op.nodes = state.frame.nodes();
@@ -385,7 +384,7 @@ void prepare_body(Body& body, int which, Work& work) {
 
 std::size_t SolverState::bytes() const {
   const auto n = static_cast<std::size_t>(problem.nodes);
-  const std::size_t system = step_system ? step_system->counters().bytes : 0;
+  const std::size_t system = published ? published->bytes() : 0;
   return problem.op.bytes() + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
          n * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }

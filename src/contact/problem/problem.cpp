@@ -229,4 +229,18 @@ void set_scales(Problem& problem, double normal_factor, double tangential_factor
     if (problem.used[k] && problem.rt[k] == 0) problem.rt[k] = mean;
 }
 
+void estimate_scales(Problem& p, double normal_factor, double tangential_factor) {
+  // A square of side h under unit pressure sinks 1.12 h / E*; across it slip per unit speed
+  // changes by a part of 1 / E*.
+  constexpr double sinking = 1.12, slipping = 0.5;
+  const std::size_t n = at(p.nodes);
+  p.rn.assign(n, 0.0);
+  p.rt.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    if (!p.used[k]) continue;
+    p.rn[k] = normal_factor * p.stiffness / (sinking * std::sqrt(p.cell_area[k]));
+    p.rt[k] = tangential_factor * p.stiffness * slipping;
+  }
+}
+
 }  // namespace rollcon

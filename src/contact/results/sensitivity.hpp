@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/contact.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "mesh/vec3.hpp"
 
 namespace rollcon {

@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "contact/contact.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "support/clock.hpp"
 #include "support/interrupt.hpp"
 
@@ -12,7 +12,7 @@ namespace rollcon {
 /// Iterations of the phase `compliance` count from 1 then; its end is told as 0.
 class HostInterrupt final : public Interrupt {
  public:
-  HostInterrupt(Contact::ProgressFunction function, void* user, std::atomic<bool>& cancel)
+  HostInterrupt(ProgressFunction function, void* user, std::atomic<bool>& cancel)
       : function_(function), user_(user), cancel_(cancel) {}
   bool wanted() const override { return cancel_.load(std::memory_order_relaxed); }
 
@@ -26,7 +26,7 @@ class HostInterrupt final : public Interrupt {
     if (function_(event, user_) != 0) cancel_.store(true);
   }
 
-  Contact::ProgressFunction function_;
+  ProgressFunction function_;
   void* user_;
   std::atomic<bool>& cancel_;
   const double start_ = now_seconds();

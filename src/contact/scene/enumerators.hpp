@@ -1,0 +1,45 @@
+#pragma once
+/// What callers of a contact name by number; the numbers are those of rollcon.h and never change.
+
+#include <cstdint>
+
+namespace rollcon {
+
+/// What a progress callback may read.
+struct Event {
+  std::int32_t phase = 0;      ///< Phase enumerators of rollcon.h
+  std::int64_t iteration = 0;  ///< within the phase, from 0
+  double residual = 0;         ///< relative residual of the iterate
+  double seconds = 0;          ///< since the solve began
+};
+
+enum class Phase : std::int32_t { compliance = 1, normal = 2, tangential = 3, full = 4, cases = 5 };
+enum class Field : std::int32_t {
+  point = 1,
+  traction = 2,
+  gap = 3,
+  slip = 4,
+  displacement1 = 5,
+  displacement2 = 6,
+  area = 7,
+  friction = 8,
+  pressure = 9,
+  rigid_slip = 10,
+  friction_power = 11,
+  weight = 12,
+};
+enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
+/// What results may be differentiated by: the value prescribed in a direction (Direction's
+/// numbers), or a factor on the friction coefficient of every node.
+enum class Parameter : std::int32_t {
+  longitudinal = 1,
+  lateral = 2,
+  normal = 3,
+  spin = 4,
+  friction = 5
+};
+enum class InAxes : std::int32_t { local = 0, global = 1 };
+
+using ProgressFunction = std::int32_t (*)(const Event& event, void* user);
+
+}  // namespace rollcon

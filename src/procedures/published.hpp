@@ -1,0 +1,12 @@
+#pragma once
+/// The published procedures behind contact's seam. They are a component of the build; where it is
+/// left out nobody calls this, and choose_procedure() refuses what would ask for them.
+
+#include "contact/solution.hpp"
+
+namespace rollcon {
+
+/// Solves as state.procedure says; the systems of the steps are kept for the next solve.
+std::unique_ptr<PublishedSolver> make_published();
+
+}  // namespace rollcon
