@@ -238,7 +238,7 @@ Status Contact::solve() {
   try {
     return solve_scene();
   } catch (const Cancelled&) {
-    *state_ = SolverState{};
+    clear_state();
     context_->log(LogLevel::info, "cancelled during preparation");
     return Status::cancelled;
   } catch (...) {

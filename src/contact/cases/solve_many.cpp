@@ -407,7 +407,7 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
     reach_for_all(s, scene.options, cases);
     s.settled = true;
   } catch (const Cancelled&) {
-    *state_ = SolverState{};
+    clear_state();
     ManyCases(cases, results, cancel_, progress_, progress_user_).finish();  // all: cancelled
     return Status::cancelled;
   } catch (...) {
