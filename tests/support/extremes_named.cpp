@@ -175,7 +175,7 @@ std::vector<Scene> load_scenes() {
       set_regular_frame(scene, 12, 12, 1.3 * size, 1.3 * size);
       scenes.push_back(scene.load(load).creep(0.006 * size, -0.003 * size, 0.002));
       Scene fixed = base("load", label("same frame, load", factor, pairing), pairing);
-      fixed.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT};
+      fixed.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_COARSE};
       scenes.push_back(fixed.load(load));
     }
   return scenes;
