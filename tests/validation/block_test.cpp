@@ -92,7 +92,7 @@ TEST(Block_long, meets_the_half_space_as_its_mesh_is_refined) {
   expect_error("quad8, zone of 8 x 8: radius", error.radius, 0.015);
 }
 
-TEST(Block, rolls_like_the_half_space) {
+TEST(Block_long, rolls_like_the_half_space) {
   const surfaces::ZoneBlock shape{40, 20, zone, 8, 4, 4};
   auto pair = block(40, 8, 4, ElementType::quad8);
   scenes::RollingPair flat(example3::sphere, std::nullopt, 1);

@@ -126,7 +126,7 @@ TEST(CarterFlow, along_the_y_axis_of_the_mesh) {
   }
 }
 
-TEST(CarterFlow, at_30_degrees_to_a_grid) {
+TEST(CarterFlow_long, at_30_degrees_to_a_grid) {
   for (const char* scheme : schemes) {
     double error[2];
     const double h[2] = {0.2, 0.1};

@@ -53,7 +53,7 @@ void expect_rate(const std::vector<Judged>& meshes, double refinement, double sl
   EXPECT_LE(std::abs(estimated - true_order), slack);
 }
 
-TEST(ErrorEstimate, normal_force_and_pressures_on_grids) {
+TEST(ErrorEstimate_long, normal_force_and_pressures_on_grids) {
   for (const bool quadratic : {false, true})
     for (const bool triangles : {false, true}) {
       std::vector<Judgement> scenes;

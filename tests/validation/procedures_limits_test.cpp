@@ -27,7 +27,7 @@ Pair sphere(double force_ratio) {
   return pair;
 }
 
-TEST(ProceduresLimits, frozen_directions_fail_near_gross_sliding) {
+TEST(ProceduresLimits_long, frozen_directions_fail_near_gross_sliding) {
   compare_procedures("force 99 % of friction", *sphere(0.99), by_lu(),
                      std::vector<Failing>{{.jacobian = "simplified"}, {.jacobian = "reduced"}});
 }
@@ -51,7 +51,7 @@ TEST(ProceduresLimits, long_steps_of_the_estimate) {
 
 /// Rings on each other; without a given lateral force, one that estimates of slip leave behind dies
 /// out, sweep by sweep, over the length that a tyre of the rings' lateral stiffness would roll.
-TEST(ProceduresLimits, estimates_of_slip_travel_with_the_particles) {
+TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {
   surfaces::Ring shape = example1::paper_ring();
   shape.zone_around = 6, shape.across = 2, shape.around = 12, shape.deep = 1;
   shape.largest = example1::longest(shape.around - shape.zone_around);

@@ -92,7 +92,6 @@ constexpr auto drawn_name = [](const auto& param) { return param.param.name(); }
 
 INSTANTIATE_TEST_SUITE_P(HalfSpaces, RandomProcedures,
                          ::testing::Values(Scene{Kind::identical, false, 1},
-                                           Scene{Kind::dissimilar, true, 10},
                                            Scene{Kind::on_rigid, false, 5}),
                          drawn_name);
 INSTANTIATE_TEST_SUITE_P(
@@ -100,10 +99,10 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Scene{Kind::identical, false, 7}, Scene{Kind::identical, false, 13},
                       Scene{Kind::identical, true, 2}, Scene{Kind::identical, true, 8},
                       Scene{Kind::dissimilar, false, 3}, Scene{Kind::dissimilar, false, 9},
-                      Scene{Kind::dissimilar, false, 15}, Scene{Kind::dissimilar, true, 16},
-                      Scene{Kind::on_rigid, false, 11}, Scene{Kind::on_rigid, false, 17},
-                      Scene{Kind::on_rigid, true, 6}, Scene{Kind::on_rigid, true, 12},
-                      Scene{Kind::on_rigid, true, 18},
+                      Scene{Kind::dissimilar, false, 15}, Scene{Kind::dissimilar, true, 10},
+                      Scene{Kind::dissimilar, true, 16}, Scene{Kind::on_rigid, false, 11},
+                      Scene{Kind::on_rigid, false, 17}, Scene{Kind::on_rigid, true, 6},
+                      Scene{Kind::on_rigid, true, 12}, Scene{Kind::on_rigid, true, 18},
                       Scene{Kind::on_rigid, true, 9, 3, all_sliding}),
     drawn_name);
 

@@ -123,7 +123,7 @@ TEST(Rings, two_equal_rings_cost_as_much_as_one_used_twice) {
     EXPECT_EQ(equal->body_stat(2, count), twins->body_stat(1, count)) << count;
 }
 
-TEST(Rings, new_creepages_need_no_assembly) {
+TEST(Rings_long, new_creepages_need_no_assembly) {
   auto pair = example1::pair(example1::paper_ring(), ElementType::quad4, "characteristic");
   pair->creep(-1.4e-3, 0, 0);
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
