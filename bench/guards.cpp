@@ -11,7 +11,7 @@
 #include <numeric>
 
 #include "bench.hpp"
-#include "contact/results/few_nodes.hpp"
+#include "contact/estimate/few_nodes.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/lapack.hpp"

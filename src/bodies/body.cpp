@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "bodies/equal_bodies.hpp"
-#include "bodies/imbalance.hpp"
 #include "bodies/model/archive.hpp"
+#include "bodies/model/imbalance.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_kernels.hpp"
 #include "mesh/mesh_errors.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bodies/imbalance.hpp"
+#include "bodies/model/imbalance.hpp"
 #include "support/input_checks.hpp"
 
 namespace rollcon {

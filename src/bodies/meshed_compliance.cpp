@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "bodies/imbalance.hpp"
 #include "bodies/meshed_compliance_class.hpp"
+#include "bodies/model/imbalance.hpp"
 #include "bodies/thinness.hpp"
 #include "mesh/shape.hpp"
 #include "support/index.hpp"

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <string>
 
+#include "contact/cases/solve_many.hpp"
+#include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/reach.hpp"
-#include "contact/results/few_nodes.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/solution.hpp"
@@ -301,6 +302,34 @@ Status Contact::solve_scene() {
   s.warm_usable = s.outcome == Outcome::converged;
   tell_caveats(s, status, *context_);
   return status;
+}
+
+Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
+  SolverState& s = *state_;
+  // What was set since the last solve makes its results those of another scene.
+  if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) {
+    s.solved = s.derived = s.laws_checked = false;
+    s.sensitivities.forget();
+    s.error_estimate = {};
+  }
+  cancel_.store(false);
+  const CaseHost host{*context_, progress_, progress_user_, cancel_};
+  try {
+    s.settled = false;
+    const BlasThreads blas(context_->threads());
+    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
+    prepare(s, scene, *body1_, *body2_, context_->threads());
+    reach_for_cases(s, scene.options, cases);
+    s.settled = true;
+  } catch (const Cancelled&) {
+    clear_state();
+    cancel_cases(cases, results, host);
+    return Status::cancelled;
+  } catch (...) {
+    clear_state();
+    throw;
+  }
+  return cases.cases == 0 ? Status::ok : solve_cases(s, scene.options, cases, results, host);
 }
 
 }  // namespace rollcon

@@ -10,14 +10,12 @@
 #include <vector>
 
 #include "bodies/pair.hpp"
-#include "contact/estimate/error_estimate.hpp"
 #include "contact/newton/newton.hpp"
-#include "contact/prepare/reach.hpp"
 #include "contact/problem/problem.hpp"
-#include "contact/results/sensitivity.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
 #include "mesh/lattice.hpp"
+#include "mesh/vec3.hpp"
 
 namespace rollcon {
 
@@ -34,6 +32,58 @@ struct Work {
   std::int64_t gaps = 0, frictions = 0, slips = 0, scales = 0;
   std::int64_t applications = 0;  ///< of the compliance, without rows
   std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
+};
+
+/// Nodes that may carry traction (contact/prepare/reach.hpp).
+struct Reach {
+  bool on = false;                ///< some nodes are left out
+  std::int64_t nodes = 0;         ///< in reach
+  std::int64_t returned = 0;      ///< brought back by checks of the last solve
+  std::int64_t batches = 0;       ///< times that rows were added to those of the first solve
+  bool fixed = false;             ///< rows are shared and cannot be added: a doubt is only noted
+  bool doubtful = false;          ///< noted
+  const char* why_not = nullptr;  ///< all nodes are in reach; static text
+  const char* why_all = nullptr;  ///< likewise, once all rows are there
+  /// Of the last solution: greatest gap of a node in contact, least gap, approach, load.
+  bool known = false;
+  double edge = 0, low = 0, depth = 0, load = 0;
+  std::vector<double> radius;        ///< of the elements around each node
+  std::vector<std::uint8_t> wanted;  ///< scratch, per node
+};
+
+/// Relative, and of the forces that go with the motions of the solution.
+struct ErrorEstimate {
+  bool known = false;
+  double normal = 0;      ///< normal force, over itself
+  double tangential = 0;  ///< tangential force, over the integral of |tangential traction|
+  double tractions = 0;   ///< L2 norm; of pressures or of tangential tractions, whichever is worse
+  double seconds = 0;     ///< what finding it took
+
+  /// NaN where either is.
+  double worst() const { return tangential <= normal || normal != normal ? normal : tangential; }
+};
+
+/// Derivatives of results (contact/results/sensitivity.hpp), per unit of a parameter, in the axes.
+struct Rates {
+  Vec3 force{}, moment{};          ///< on body 1, about the origin
+  std::array<double, 4> motion{};  ///< by Motion
+};
+
+struct Sensitivities {
+  static constexpr std::size_t parameters = 5;
+  std::array<bool, parameters> known{};  ///< by Parameter, minus one
+  std::array<Rates, parameters> rates{};
+
+  // Work done since the last solve.
+  std::int64_t right_sides = 0, factorizations = 0, linear_iterations = 0;
+  double seconds = 0;
+
+  // Storage kept for the next.
+  std::vector<double> lambda[3];  ///< rates of the tractions
+  std::vector<double> gap, slip[2], bound[2], b, x;
+
+  void forget();
+  void reserve(std::size_t nodes);
 };
 
 /// One of the published procedures (src/procedures/), which solves in place of Newton's iteration.

@@ -1,7 +1,7 @@
 /// Contacts of too few nodes are not called success: status, warnings, plan and estimates say so,
 /// and contacts of enough nodes hear nothing of it.
 
-#include "contact/results/few_nodes.hpp"
+#include "contact/estimate/few_nodes.hpp"
 
 #include <algorithm>
 

@@ -327,33 +327,6 @@ Status ManyCases::finish() {
   return rim ? Status::rim_contact : open ? Status::no_contact : Status::ok;
 }
 
-/// Rows for the largest load (or approach) and friction of the list, so that no case lacks any.
-void reach_for_all(SolverState& s, const Options& options, const CaseList& list) {
-  if (!s.procedure.standard() || s.problem.op.field || list.cases == 0) return;
-  const std::array<double, 4> value = s.problem.value;
-  const std::vector<double> mu = s.problem.mu;
-  const auto width = static_cast<std::int64_t>(list.parameter.size());
-  for (std::size_t j = 0; j < list.parameter.size(); ++j) {
-    double most = -INFINITY;
-    for (std::int64_t i = 0; i < list.cases; ++i)
-      most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
-    if (list.parameter[j] == Parameter::normal)
-      s.problem.value[approach] = s.problem.by_force[approach] ? most : most - s.problem.datum;
-    if (list.parameter[j] == Parameter::friction)
-      for (double& m : s.problem.mu) m *= most;
-  }
-  try {
-    choose_reach(s, options);
-    require_rows(s, options, s.reach.wanted);
-  } catch (...) {
-    s.problem.value = value;
-    s.problem.mu = mu;
-    throw;
-  }
-  s.problem.value = value;
-  s.problem.mu = mu;
-}
-
 }  // namespace
 
 CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters,
@@ -389,50 +362,57 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
        static_cast<int>(std::min<std::size_t>(length, 60)), name, allowed.c_str());
 }
 
-Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
-  SolverState& s = *state_;
-  // What was set since the last solve makes its results those of another scene.
-  if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) {
-    s.solved = s.derived = s.laws_checked = false;
-    s.sensitivities.forget();
-    s.error_estimate = {};
+void reach_for_cases(SolverState& s, const Options& options, const CaseList& list) {
+  if (!s.procedure.standard() || s.problem.op.field || list.cases == 0) return;
+  const std::array<double, 4> value = s.problem.value;
+  const std::vector<double> mu = s.problem.mu;
+  const auto width = static_cast<std::int64_t>(list.parameter.size());
+  for (std::size_t j = 0; j < list.parameter.size(); ++j) {
+    double most = -INFINITY;
+    for (std::int64_t i = 0; i < list.cases; ++i)
+      most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
+    if (list.parameter[j] == Parameter::normal)
+      s.problem.value[approach] = s.problem.by_force[approach] ? most : most - s.problem.datum;
+    if (list.parameter[j] == Parameter::friction)
+      for (double& m : s.problem.mu) m *= most;
   }
-  cancel_.store(false);
-  const double start = now_seconds();
   try {
-    s.settled = false;
-    const BlasThreads blas(context_->threads());
-    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
-    prepare(s, scene, *body1_, *body2_, context_->threads());
-    reach_for_all(s, scene.options, cases);
-    s.settled = true;
-  } catch (const Cancelled&) {
-    clear_state();
-    ManyCases(cases, results, cancel_, progress_, progress_user_).finish();  // all: cancelled
-    return Status::cancelled;
+    choose_reach(s, options);
+    require_rows(s, options, s.reach.wanted);
   } catch (...) {
-    clear_state();
+    s.problem.value = value;
+    s.problem.mu = mu;
     throw;
   }
-  if (cases.cases == 0) return Status::ok;
-  ManyCases many(cases, results, cancel_, progress_, progress_user_);
+  s.problem.value = value;
+  s.problem.mu = mu;
+}
+
+Status solve_cases(SolverState& s, const Options& options, const CaseList& cases,
+                   const CaseResults& results, const CaseHost& host) {
+  const double start = now_seconds();
+  ManyCases many(cases, results, host.cancel, host.progress, host.user);
   {
     const BlasThreads blas(1);
-    many.run(s, scene.options, context_->threads());
+    many.run(s, options, host.context.threads());
   }
-  if (many.any_again() && !cancel_.load()) {
-    require_rows(s, scene.options, {});
+  if (many.any_again() && !host.cancel.load()) {
+    require_rows(s, options, {});
     const BlasThreads blas(1);
-    many.run(s, scene.options, context_->threads());
+    many.run(s, options, host.context.threads());
   }
   s.peak_bytes = std::max(s.peak_bytes, s.bytes() + many.bytes());
   const Status status = many.finish();
   for (const Failure& f : many.failures())
-    context_->log(LogLevel::warning, "case %lld (counting from 0): %s",
-                  static_cast<long long>(f.number), f.message.c_str());
-  context_->log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases),
-                now_seconds() - start);
+    host.context.log(LogLevel::warning, "case %lld (counting from 0): %s",
+                     static_cast<long long>(f.number), f.message.c_str());
+  host.context.log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases),
+                   now_seconds() - start);
   return status;
+}
+
+void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host) {
+  ManyCases(cases, results, host.cancel, host.progress, host.user).finish();
 }
 
 }  // namespace rollcon

@@ -1,10 +1,13 @@
 #pragma once
 /// Lists of load cases and what becomes of them (Contact::solve_many).
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 
 #include "contact/scene/enumerators.hpp"
+#include "support/context.hpp"
+#include "support/error.hpp"
 
 namespace rollcon {
 
@@ -47,5 +50,24 @@ struct CaseResults {
   std::int64_t stride = 0;         ///< at least the widths of the columns
   std::span<const CaseColumn> column;
 };
+
+/// Whom a list of cases belongs to.
+struct CaseHost {
+  const Context& context;
+  ProgressFunction progress;
+  void* user;
+  std::atomic<bool>& cancel;
+};
+
+struct SolverState;
+struct Options;
+
+/// Rows for the largest load (or approach) and friction of the list, so that no case lacks any.
+void reach_for_cases(SolverState& state, const Options& options, const CaseList& cases);
+/// Solves the cases of the prepared scene over threads; the status is that of Contact::solve_many.
+Status solve_cases(SolverState& state, const Options& options, const CaseList& cases,
+                   const CaseResults& results, const CaseHost& host);
+/// What a list has whose preparation was cancelled.
+void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host);
 
 }  // namespace rollcon

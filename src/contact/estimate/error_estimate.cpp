@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "contact/estimate/error_variant.hpp"
+#include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/gap_between_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/results/few_nodes.hpp"
 #include "contact/solution.hpp"
 #include "mesh/topology.hpp"
 #include "support/clock.hpp"

@@ -5,18 +5,7 @@
 
 namespace rollcon {
 
-/// Relative, and of the forces that go with the motions of the solution.
-struct ErrorEstimate {
-  bool known = false;
-  double normal = 0;      ///< normal force, over itself
-  double tangential = 0;  ///< tangential force, over the integral of |tangential traction|
-  double tractions = 0;   ///< L2 norm; of pressures or of tangential tractions, whichever is worse
-  double seconds = 0;     ///< what finding it took
-
-  /// NaN where either is.
-  double worst() const { return tangential <= normal || normal != normal ? normal : tangential; }
-};
-
+struct ErrorEstimate;  // contact/solution.hpp
 struct SolverState;
 
 /// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too

@@ -142,7 +142,9 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
   gmres_.reserve(with_room(n), field_krylov_space);
   const bool plain =
       preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
-  if (!plain && !field_blocks_) field_blocks_ = system.field()->make_preconditioner();
+  if (!plain && !field_blocks_)
+    if (const auto influence = system.field()->influence())
+      field_blocks_ = make_lattice_preconditioner(influence->lattice, influence->constants);
   LinearOperator* blocks = plain ? nullptr : field_blocks_.get();
   if (blocks)
     field_blocks_->take(system);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/linear/free_system.hpp"
+#include "contact/linear/lattice_preconditioner.hpp"
 #include "contact/linear/pair_blocks.hpp"
 #include "contact/linear/reduced_system.hpp"
 #include "contact/linear/split_factors.hpp"

@@ -4,19 +4,17 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
-#include "linalg/gmres.hpp"
+#include "bodies/halfspace/halfspace.hpp"
+#include "mesh/lattice.hpp"
 
 namespace rollcon {
 
-class ReducedSystem;
-
-/// Approximate inverse of a system on active nodes whose operators are not formed.
-class FieldPreconditioner : public LinearOperator {
- public:
-  /// Brings it up to date with the system's nodes, laws and borders.
-  virtual void take(const ReducedSystem& system) = 0;
-  virtual std::size_t bytes() const = 0;
+/// Half-spaces on a lattice: what their influence is computed from.
+struct LatticeInfluence {
+  const Lattice& lattice;
+  HalfspaceConstants constants;
 };
 
 class FieldOperator {
@@ -31,8 +29,8 @@ class FieldOperator {
   /// 2-norm of the tangential columns of slip row r of a node amid the others.
   virtual double row_norm(int r) const = 0;
   virtual bool couples() const = 0;
-  /// Null: none of its own.
-  virtual std::unique_ptr<FieldPreconditioner> make_preconditioner() const { return nullptr; }
+  /// What it convolves with; nothing: something else.
+  virtual std::optional<LatticeInfluence> influence() const { return std::nullopt; }
   /// The same operator with a workspace of its own, for another thread.
   virtual std::unique_ptr<FieldOperator> clone() const = 0;
   virtual std::size_t bytes() const = 0;

@@ -11,22 +11,6 @@ namespace rollcon {
 struct SolverState;
 struct Options;
 
-struct Reach {
-  bool on = false;                ///< some nodes are left out
-  std::int64_t nodes = 0;         ///< in reach
-  std::int64_t returned = 0;      ///< brought back by checks of the last solve
-  std::int64_t batches = 0;       ///< times that rows were added to those of the first solve
-  bool fixed = false;             ///< rows are shared and cannot be added: a doubt is only noted
-  bool doubtful = false;          ///< noted
-  const char* why_not = nullptr;  ///< all nodes are in reach; static text
-  const char* why_all = nullptr;  ///< likewise, once all rows are there
-  /// Of the last solution: greatest gap of a node in contact, least gap, approach, load.
-  bool known = false;
-  double edge = 0, low = 0, depth = 0, load = 0;
-  std::vector<double> radius;        ///< of the elements around each node
-  std::vector<std::uint8_t> wanted;  ///< scratch, per node
-};
-
 /// Before the operators are assembled, and after gap and loads are known: chooses the nodes whose
 /// rows are wanted, in `reach.wanted` (empty: all). Nodes that have rows stay in reach.
 void choose_reach(SolverState& state, const Options& options);

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/results/few_nodes.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"

@@ -6,7 +6,6 @@
 
 #include "contact/operators/lattice/convolution.hpp"
 #include "contact/operators/lattice/cut_hats.hpp"
-#include "contact/operators/lattice/lattice_preconditioner.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -181,8 +180,8 @@ double LatticeOperator::row_norm(int r) const {
 bool LatticeOperator::couples() const {
   return shared_->c.ck != 0;
 }
-std::unique_ptr<FieldPreconditioner> LatticeOperator::make_preconditioner() const {
-  return make_lattice_preconditioner(shared_->lattice, shared_->c);
+std::optional<LatticeInfluence> LatticeOperator::influence() const {
+  return LatticeInfluence{shared_->lattice, shared_->c};
 }
 
 std::size_t LatticeOperator::bytes() const {

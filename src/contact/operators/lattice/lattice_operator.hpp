@@ -25,7 +25,7 @@ class LatticeOperator final : public FieldOperator {
   bool couples() const override;
   /// Shares everything but the workspace.
   std::unique_ptr<FieldOperator> clone() const override;
-  std::unique_ptr<FieldPreconditioner> make_preconditioner() const override;
+  std::optional<LatticeInfluence> influence() const override;
   std::size_t bytes() const override;
   std::int64_t applications() const override { return applications_; }
 

@@ -1,4 +1,4 @@
-#include "contact/results/few_nodes.hpp"
+#include "contact/estimate/few_nodes.hpp"
 
 #include <algorithm>
 #include <cstdio>

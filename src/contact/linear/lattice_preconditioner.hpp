@@ -13,10 +13,19 @@
 #include <memory>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/operators/field_operator.hpp"
+#include "contact/linear/reduced_system.hpp"
+#include "linalg/gmres.hpp"
 #include "mesh/lattice.hpp"
 
 namespace rollcon {
+
+/// Approximate inverse of a system on active nodes whose operators are not formed.
+class FieldPreconditioner : public LinearOperator {
+ public:
+  /// Brings it up to date with the system's nodes, laws and borders.
+  virtual void take(const ReducedSystem& system) = 0;
+  virtual std::size_t bytes() const = 0;
+};
 
 /// The flow is along -t1 of the frame's axes.
 std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice,

@@ -1,4 +1,4 @@
-#include "contact/operators/lattice/lattice_preconditioner.hpp"
+#include "contact/linear/lattice_preconditioner.hpp"
 
 #include <algorithm>
 #include <array>

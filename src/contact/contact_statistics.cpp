@@ -5,8 +5,8 @@
 #include <cstring>
 
 #include "contact/contact.hpp"
+#include "contact/estimate/few_nodes.hpp"
 #include "contact/results/condition.hpp"
-#include "contact/results/few_nodes.hpp"
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"
