@@ -3,7 +3,8 @@
 import textwrap
 
 WIDTH = 98
-TYPES = {"int32": "int32_t", "row": "int32_t", "path": "const char *", "int64": "int64_t", "real": "double", "text": "const char *",
+TYPES = {"int32": "int32_t", "row": "int32_t", "path": "const char *",
+         "int64": "int64_t", "real": "double", "text": "const char *",
          "char": "char", "user": "void *", "handle": "void *"}
 
 OPENING = """\

@@ -1,5 +1,4 @@
 """fortran/rollcon_f77.f90: the FORTRAN 77 layer, one external subroutine for each name `f77`.
-
 Arguments are those of the C function in their order; what FORTRAN 77 says otherwise:
   - handles are INTEGERs; index_base is 1; `row` counts from 1; the status is the last argument
   - node_stride and component_stride become LDX: X(LDX,N), and of the second name X(LDX,3)
@@ -89,8 +88,7 @@ class Routine:
     def take_handle(self, arg, name):
         self.dummy(name, "integer")
         self.call.append(f"{arg.base}_of({name})")
-        if self.handle == "c_null_ptr":
-            self.handle = f"{arg.base}_of({name})"
+        self.handle = self.handle if len(self.dummies) > 1 else self.call[0]
 
     def take_out_handle(self, arg, name):
         self.dummy(name, "integer")
@@ -101,8 +99,7 @@ class Routine:
 
     def take_callback(self, arg, name):
         if self.variant:
-            self.call.append("c_null_funptr")
-            return
+            return self.call.append("c_null_funptr")
         kind = CALLBACKS[arg.base]
         self.dummy(name, f"procedure({kind}_77)")
         self.locals.append("type(box), pointer :: b")
@@ -160,15 +157,13 @@ class Routine:
                             "if (no_room /= 0) then",
                             f"  call no_memory({self.handle}, '{self.name}', ierr)", "  return", "end if",
                             f"{name} = 0"]
-            self.call.append(name)
-            return
+            return self.call.append(name)
         parts = re.findall(r"\[(.+?)\]", arg.shape)
         if all(part.isdigit() for part in parts):
             size = ", ".join(reversed(parts))
             self.dummy(name, f"double precision({size})", f"{name.upper()}({size.replace(' ', '')})")
             matrix = len(parts) == 2 and parts[0] == parts[1] and not arg.out
-            self.call.append(f"transpose({name})" if matrix else name)  # C wants it by rows
-            return
+            return self.call.append(f"transpose({name})" if matrix else name)  # C wants it by rows
         shown = {"[n*3]": "LDX,3" if self.variant else "LDX,N"}.get(arg.shape)
         if not shown:
             words = {"capacity": "MAXN", "n_cases": "NC", "parameters": "NP"}
@@ -183,8 +178,7 @@ class Routine:
             self.locals.append("integer(c_int32_t), allocatable :: packed(:, :)")
             self.before += [f"call pack_77({self.handle}, '{self.name}', itype, n, {name}, ldc, packed, ierr)",
                             "if (ierr /= ROLLCON_OK) return"]
-            self.call.append("packed")
-            return
+            return self.call.append("packed")
         self.dummy(name, "integer(*)", f"{name.upper()}(N)")
         packed = f"packed_{arg.name}"
         self.locals.append(f"integer(c_int32_t), allocatable :: {packed}(:)")
@@ -210,8 +204,7 @@ class Routine:
 
     def take_out_integer(self, arg, name):
         if arg.name == "needed":
-            self.call.append("needed")
-            return
+            return self.call.append("needed")
         kind = "c_int32_t" if arg.base == "int32" else "c_int64_t"
         self.dummy(name, "integer")
         self.locals.append(f"integer({kind}) :: {arg.name}_c")

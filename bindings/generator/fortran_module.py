@@ -1,7 +1,8 @@
 """fortran/rollcon_c.f90: module rollcon_c, the C interface as Fortran sees it."""
 
 WIDTH = 100  # the language allows 132
-KINDS = {"int32": "integer(c_int32_t)", "row": "integer(c_int32_t)", "int64": "integer(c_int64_t)", "real": "real(c_double)"}
+KINDS = {"int32": "integer(c_int32_t)", "row": "integer(c_int32_t)",
+         "int64": "integer(c_int64_t)", "real": "real(c_double)"}
 
 OPENING = """\
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.

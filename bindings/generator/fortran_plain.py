@@ -275,7 +275,8 @@ class Procedure:
         extents = ", ".join(":" * len(parts))
         self.dummies.append((arg.name, f"real(rc_real), intent(in), contiguous :: {arg.name}({extents})"))
         if len(parts) == 2:
-            self.refusal = (f"size({arg.name}, 1) /= {parts[1]}", f"the first extent of {arg.name} must be {parts[1]}")
+            self.refusal = (f"size({arg.name}, 1) /= {parts[1]}",
+                            f"the first extent of {arg.name} must be {parts[1]}")
         self.call.append(arg.name)
 
     def take_result(self, arg):
@@ -311,8 +312,8 @@ class Procedure:
         dummies = self.dummies + self.defaulted
         intent = "in" if function.args[0].const or function.threads.startswith("any") else "inout"
         lines = [""] + comment(function.doc)
-        lines += joined(f"subroutine {self.kind}_{self.name}", ["self"] + [n for n, _ in dummies] + ["stat", "errmsg"],
-                        "", 2)
+        names = ["self"] + [n for n, _ in dummies] + ["stat", "errmsg"]
+        lines += joined(f"subroutine {self.kind}_{self.name}", names, "", 2)
         body = [f"class(rc_{self.kind}_plain), intent({intent}) :: self"] + [d for _, d in dummies]
         body += ["integer, intent(out), optional :: stat", "character(len=*), intent(inout), optional :: errmsg"]
         body += self.locals
@@ -323,8 +324,8 @@ class Procedure:
             if self.refusal:
                 condition, rule = self.refusal
                 body += [f"if ({condition}) then"]
-                body += joined("  call finish", ["ROLLCON_ERR_ARGUMENT", "self%p", what, "stat", "errmsg", f"'{rule}'"],
-                               "", 0) + ["  return", "end if"]
+                words = ["ROLLCON_ERR_ARGUMENT", "self%p", what, "stat", "errmsg", f"'{rule}'"]
+                body += joined("  call finish", words, "", 0) + ["  return", "end if"]
             call = f"{function.name}({', '.join(self.call)})"
             body += joined("call finish", [call, "self%p", what, "stat", "errmsg"], "", 0) + self.after
         return lines + ["    " + line for line in body] + ["  end subroutine"]
@@ -336,7 +337,8 @@ class Procedure:
                 "integer(rc_int) :: status"] + self.before + [
                 "allocate (buffer(1))", "needed = 0", call.replace("self%p, needed", "self%p, 0_rc_long"),
                 "deallocate (buffer)", "allocate (buffer(max(needed, 1_rc_long)))", "buffer(1) = c_null_char",
-                "if (status == ROLLCON_OK) " + call.replace("self%p, needed", "self%p, size(buffer, kind=rc_long)"), f"{text} = f_text(buffer)",
+                "if (status == ROLLCON_OK) " + call.replace("self%p, needed", "self%p, size(buffer, kind=rc_long)"),
+                f"{text} = f_text(buffer)",
                 f"call finish(status, self%p, {what}, stat, errmsg)"]
 
 

@@ -131,9 +131,10 @@ void tables(World& w) {
       Output<char> name(capacity);
       Output<double> range(3);
       std::int32_t type = 0;
-      const auto info = w.in.one_in(2) ? rollcon_option_info : rollcon_body_option_info;
+      const bool contacts = w.in.one_in(2);
+      const auto info = contacts ? rollcon_option_info : rollcon_body_option_info;
       const std::int32_t status = checked(
-          "rollcon_option_info", nullptr,
+          contacts ? "rollcon_option_info" : "rollcon_body_option_info", nullptr,
           info(i, capacity, name.data(), &type, range.data(), range.data() + 1, range.data() + 2));
       require(status == ROLLCON_OK || (name.untouched() && range.untouched()),
               "a failed call wrote into its output");

@@ -63,7 +63,10 @@ StatusesOf read_header() {
     }
     const std::size_t begin = line.find("rollcon_", name + 14);
     listed.insert({ROLLCON_OK, ROLLCON_ERR_ARGUMENT});
-    if (line.find(" *", begin) != std::string::npos) listed.insert(ROLLCON_ERR_HANDLE);
+    std::string first = line.substr(line.find('(') + 1);
+    if (first.empty()) std::getline(file, first);
+    first = first.substr(0, first.find(','));
+    if (first.find("rollcon_") != std::string::npos) listed.insert(ROLLCON_ERR_HANDLE);
     if (!any_thread) listed.insert(ROLLCON_ERR_BUSY);
     any_thread = false;
     all[line.substr(begin, line.find('(') - begin)] = listed;

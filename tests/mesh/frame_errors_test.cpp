@@ -216,7 +216,7 @@ TEST(FrameErrors, NotFinite) {
   SurfaceMesh mesh = grid(ElementType::quad4);
   mesh.node[7][1] = std::numeric_limits<double>::quiet_NaN();
   mesh.index_base = 1;
-  expect_refused(mesh, "coordinate 1 of node 8", Status::err_nonfinite);
+  expect_refused(mesh, "coordinate y of node 8 (counting from 1)", Status::err_nonfinite);
 }
 
 TEST(FrameErrors, ExtremeSize) {

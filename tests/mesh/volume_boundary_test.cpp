@@ -151,7 +151,7 @@ TEST(VolumeBoundary, EdgesOfMoreThanTwoFacesAreRefused) {
       "the body touches itself along an edge: more than two of its boundary faces meet there; join "
       "its parts by a common face or give each its own nodes; 1 such in the volume; first: nodes " +
       std::to_string(std::min(low, high)) + " and " + std::to_string(std::max(low, high)) +
-      ", with 4 faces";
+      ", with 4 faces (counting from 1)";
   try {
     check_surface(surface, SurfaceKind::boundary);
     ADD_FAILURE() << "accepted";

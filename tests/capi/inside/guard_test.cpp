@@ -7,6 +7,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "support/last_error.hpp"
+
 using namespace rollcon;
 using namespace rollcon::capi;
 
@@ -19,7 +21,7 @@ TEST(guard, every_status_thrown_inside_comes_out_with_its_text) {
     Context context;
     EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { fail(status, "entry %d", 7); }),
               static_cast<std::int32_t>(status));
-    EXPECT_EQ(context.error(), "rollcon_some_call: entry 7");
+    EXPECT_STREQ(last_error(), "rollcon_some_call: entry 7");
   }
 }
 
@@ -27,9 +29,12 @@ TEST(guard, positive_statuses_pass_without_a_text) {
   for (const Status status : {Status::ok, Status::not_converged, Status::no_contact,
                               Status::cancelled, Status::rim_contact, Status::coarse}) {
     Context context;
+    set_last_error(nullptr, "an older one");
+    context.set_latch(true);
     EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { return status; }),
               static_cast<std::int32_t>(status));
-    EXPECT_EQ(context.error(), "");
+    EXPECT_STREQ(last_error(), "an older one");
+    EXPECT_EQ(context.tell_kept(), status) << "the latch keeps what is no failure, too";
   }
 }
 
@@ -37,7 +42,7 @@ TEST(guard, foreign_exceptions_are_mapped) {
   Context context;
   EXPECT_EQ(guarded("f", &context, [] { throw std::bad_alloc(); }), ROLLCON_ERR_MEMORY);
   EXPECT_EQ(guarded("f", &context, [] { throw std::out_of_range("x"); }), ROLLCON_ERR_INTERNAL);
-  EXPECT_EQ(context.error(), "f: x");
+  EXPECT_STREQ(last_error(), "f: x");
   EXPECT_EQ(guarded("f", &context, [] { throw 1; }), ROLLCON_ERR_INTERNAL);
   EXPECT_EQ(guarded("f", nullptr, [] { throw 1; }), ROLLCON_ERR_INTERNAL);
 }
@@ -47,7 +52,7 @@ TEST(guard, log_sinks_that_throw_are_contained) {
   context.set_log(
       4, [](std::int32_t, const char*, void*) { throw 1; }, nullptr);
   EXPECT_EQ(guarded("f", &context, [] { fail(Status::err_io, "disk"); }), ROLLCON_ERR_IO);
-  EXPECT_EQ(context.error(), "f: disk");
+  EXPECT_STREQ(last_error(), "f: disk");
 }
 
 TEST(handle_table, slots_come_back_in_turn_and_never_with_an_old_number) {
