@@ -30,6 +30,7 @@ stage_sanitizers() {
 }
 stage_tidy() {
   configure tsan
+  cmake --build --preset tsan -j "$jobs" --target rollcon_objects
   "$python" scripts/tidy.py build/tsan "$jobs" --deep
 }
 stage_components() { bash scripts/check_components.sh; }
@@ -39,8 +40,8 @@ stage_random() {
   # Named here, so that what fails can be drawn again.
   export ROLLCON_FIRST_SEED=${ROLLCON_FIRST_SEED:-$(($(date +%s) / 1000 * 1000 % 2000000000))}
   say "seeds from $ROLLCON_FIRST_SEED on"
-  OMP_WAIT_POLICY=passive "$python" tests/watch.py --processor 3600 -- build/release/tests/test_stability \
-    --gtest_filter='*random_scenes*'
+  OMP_WAIT_POLICY=passive "$python" tests/watch.py --processor 3600 -- \
+    build/release/tests/test_stability --gtest_filter='*random_scenes*'
 }
 stage_fuzz() { bash scripts/fuzz.sh "${ROLLCON_FUZZ_TIME:-3600}"; }
 stage_valgrind() { bash scripts/valgrind.sh; }
@@ -56,7 +57,7 @@ stage_accuracy() {
 table=()
 failed=0
 for stage in "$@"; do
-  declare -F "stage_$stage" >/dev/null || fail "no stage $stage: $(sed -n 's/^#     \([a-z]*\) .*/\1/p' "$0" | tr '\n' ' ')"
+  declare -F "stage_$stage" >/dev/null || fail "no stage $stage: the head of nightly.sh lists them"
 done
 for stage in "$@"; do
   say "$stage: $logs/$stage.log"
@@ -66,7 +67,9 @@ for stage in "$@"; do
   [ $status -eq 0 ] && outcome=passed || outcome="FAILED ($status)"
   [ $status -eq 0 ] || failed=$((failed + 1))
   tail -3 "$logs/$stage.log"
-  table+=("$(printf '| %-10s | %-12s | %6d s | %s |' "$stage" "$outcome" $((SECONDS - began)) "$(tail -1 "$logs/$stage.log" | cut -c1-100)")")
+  last=$(tail -1 "$logs/$stage.log" | cut -c1-100)
+  table+=("$(printf '| %-10s | %-12s | %6d s | %s |' "$stage" "$outcome" $((SECONDS - began)) "$last")")
 done
-printf '%s\n' "| stage | result | time | last line |" "| --- | --- | ---: | --- |" "${table[@]}" | tee "$logs/summary.md"
+printf '%s\n' "| stage | result | time | last line |" "| --- | --- | ---: | --- |" "${table[@]}" |
+  tee "$logs/summary.md"
 [ $failed -eq 0 ] || fail "$failed stages"

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """clang-tidy over the sources of src/, joined into groups as builds with ROLLCON_UNITY join them.
 
-    tidy.py BUILD [JOBS] [--changed BASE] [--deep]
+    tidy.py BUILD [JOBS] [--changed BASE] [--deep]     after the build, whose precompiled header it needs
 
 It walks the headers of the C++ library once for a group instead of once for a source. What it says
 of a joined source is printed with the name and line of the part. Sources that the build leaves out
@@ -67,14 +67,12 @@ def commands_for(commands, sources, folder, jobs):
 def compiles_alone(command, file):
     """What the compiler says of a source or header by itself, without anything included before."""
     words = shlex.split(command["command"])
-    kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word)]
-    for option in ("-isystem", "-include"):
-        kept += [part for at, word in enumerate(words)
-                 if word == option and "cmake_pch" not in words[at + 1] for part in (word, words[at + 1])]
+    kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word) and "pch" not in word]
+    kept += [part for at, word in enumerate(words) if word == "-isystem" for part in (word, words[at + 1])]
     # A header is no main file.
     once = ["-Wno-pragma-once-outside-header", "-Wno-unused-function", "-Wno-unused-const-variable"]
-    result = subprocess.run([words[0], *kept, *once, "-fsyntax-only", "-x", "c++", file], cwd=command["directory"],
-                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    result = subprocess.run([words[0], *kept, *once, "-fsyntax-only", "-x", "c++", file],
+                            cwd=command["directory"], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     return result.returncode, result.stdout
 
 

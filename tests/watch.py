@@ -5,9 +5,10 @@
 
 A test may take so many seconds of processors, however long other work makes it last, and the program
 may do nothing for so many seconds of the clock, as in a deadlock. One that does more or less is killed.
-Prints what failing tests printed, or the test that was running when the program ended too early, then the
-summary. With --times it also prints which tests took at least so many seconds of processors: these, and not
-those of the clock, say what a test costs on a busy machine. The exit status is the program's, 1 where it was killed, 2 where it ran no test.
+Prints what failing tests printed, or the test that was running when the program ended too early, then
+the summary. With --times it also prints which tests took at least so many seconds of processors: these, and
+not those of the clock, say what a test costs on a busy machine. The exit status is the program's, 1 where
+it was killed, 2 where it ran no test.
 """
 import argparse
 import os
