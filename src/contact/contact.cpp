@@ -121,6 +121,7 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
 
 // What the caller of a solve that is not plain success should know, as warnings.
 void tell_caveats(const SolverState& s, Status status, const Context& context) {
+  if (!context.hears(LogLevel::warning)) return;
   const bool coarse = status == Status::coarse;
   if (coarse) context.log(LogLevel::warning, "%s", describe_few_nodes(s).c_str());
   if (status == Status::not_converged || status == Status::rim_contact ||

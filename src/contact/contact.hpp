@@ -9,16 +9,15 @@
 
 #include "bodies/body.hpp"
 #include "contact/scene/enumerators.hpp"
+#include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
 
-struct CaseList;        // contact/cases/solve_many.hpp
-struct CaseResults;     // contact/cases/solve_many.hpp
-struct SolverState;     // solution, caches and workspaces; contact/solution.hpp
-class PublishedSolver;  // contact/solution.hpp
-using MakePublished = std::unique_ptr<PublishedSolver> (*)();
+struct CaseList;     // contact/cases/solve_many.hpp
+struct CaseResults;  // contact/cases/solve_many.hpp
+struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
 
 class Contact {
  public:

@@ -5,6 +5,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/sensitivity.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"

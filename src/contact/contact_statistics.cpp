@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "contact/contact.hpp"
+#include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/results/condition.hpp"
 #include "contact/results/power.hpp"

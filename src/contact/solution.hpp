@@ -14,6 +14,7 @@
 #include "contact/problem/problem.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
+#include "contact/scene/scene.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/vec3.hpp"
 

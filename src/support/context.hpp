@@ -26,6 +26,11 @@ class Context {
   /// Calls the sink, in the floating-point environment of the host, if the level is wanted.
   void log(LogLevel level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
 
+  /// Whether anybody hears of that level: texts that nobody reads need not be made.
+  bool hears(LogLevel level) const {
+    return static_cast<std::int32_t>(level) <= log_level_.load(std::memory_order_relaxed);
+  }
+
   void set_threads(std::int32_t n);
   /// Threads to use now: the budget (0: OpenMP's default); 1 inside a parallel region.
   int threads() const;

@@ -152,7 +152,7 @@ class allocation_meshed : public allocation {
     for (int step = 0; step <= 10; ++step) {
       ASSERT_EQ(rollcon_contact_set_creep(c, 1e-2 * (1 + 0.02 * step), 0, 0), ROLLCON_OK);
       allocations = 0;
-      ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+      ASSERT_EQ(solve_small(c), ROLLCON_OK);
       if (step > 0) counted += allocations;
     }
     std::printf("%s: allocations in 10 warm solves: %lld (bound 0)\n", what,
@@ -282,7 +282,7 @@ TEST_F(allocation, derivatives_that_ran_out_of_memory_can_be_asked_for_again) {
     ASSERT_EQ(rollcon_contact_create(context, sphere, plane, &contact), ROLLCON_OK);
     set_scene();
     ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", "lu"), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+    ASSERT_EQ(solve_small(contact), ROLLCON_OK);
     const auto ask = [&] {
       return rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, force, nullptr, nullptr,
                                              nullptr);

@@ -49,7 +49,7 @@ class body_threads : public BodyApi {
         rollcon_context_create(ROLLCON_ABI, &own);
         rollcon_context_set_threads(own, 1);
         rollcon_contact* c = roll(own);
-        EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+        EXPECT_EQ(solve_small(c), ROLLCON_OK);
         EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
                   ROLLCON_OK);
         rollcon_contact_release(c);
@@ -92,9 +92,9 @@ TEST_F(body_threads, one_that_is_checked_only_is_factorised_by_the_first_contact
 TEST_F(body_threads, without_factors_another_frame_assembles_again) {
   ASSERT_EQ(rollcon_body_set_int(body, "keep_factors", 0), ROLLCON_OK);
   rollcon_contact* c = roll(context);
-  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  ASSERT_EQ(solve_small(c), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_creep(c, 2e-2, 0, 0), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  ASSERT_EQ(solve_small(c), ROLLCON_OK);
   EXPECT_EQ(count("assemblies"), 1) << "new creepages need none";
   const double first = count("bytes");
   const double origin[3] = {0.5, 1, 0.5}, rolling[3] = {1, 0, 0}, normal[3] = {0, 1, 0};
@@ -122,7 +122,7 @@ TEST_F(body_threads, the_log_sink_may_ask_the_body_that_is_prepared) {
   };
   ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_INFO, sink, &seen), ROLLCON_OK);
   rollcon_contact* c = roll(context);
-  ASSERT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  ASSERT_EQ(solve_small(c), ROLLCON_OK);
   EXPECT_GT(seen.messages, 0);
   EXPECT_EQ(seen.status, ROLLCON_ERR_STATE) << "prepared: refused, but answered";
   ASSERT_EQ(rollcon_context_set_log(context, 0, nullptr, nullptr), ROLLCON_OK);

@@ -58,12 +58,11 @@ TEST_F(cancel_preparation, stops_a_solve_and_leaves_the_contact_usable) {
 }
 
 TEST_F(cancel_preparation, stops_a_list_of_cases) {
-  const std::int32_t parameter = ROLLCON_LONGITUDINAL;
   const double value[] = {1e-4, 1e-3};
   std::int32_t status[2] = {-1, -1};
   double force[6] = {};
-  EXPECT_EQ(rollcon_contact_solve_many(contact, 1, &parameter, 2, value, nullptr, 0, status, force,
-                                       nullptr, nullptr, nullptr, 0, nullptr, nullptr, 0, nullptr),
+  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 2, value, "force", 3, force,
+                                       nullptr, status),
             ROLLCON_CANCELLED);
   for (int k = 0; k < 2; ++k) EXPECT_EQ(status[k], ROLLCON_CANCELLED);
   for (const double f : force) EXPECT_TRUE(std::isnan(f));

@@ -262,7 +262,8 @@ TEST(friction_limit, a_moment_that_a_spin_produced_is_carried) {
         scene.prescribe(4, 2, moment);
         pair.contact->reset();
         const Ended e = solve(pair);
-        EXPECT_TRUE(e.status == Status::ok || e.status == Status::rim_contact)
+        EXPECT_TRUE(e.status == Status::ok || e.status == Status::rim_contact ||
+                    e.status == Status::coarse)
             << n << ", seed " << seed << ": " << e.text;
       }
   std::printf("%d meshes, moments of %d beyond weight times distance\n", meshes, beyond_nodes);
@@ -287,7 +288,7 @@ TEST(friction_limit, quad8_frames_do_not_carry_more_than_mu_fn) {
       const Ended e = solve(pair);
       std::printf("quad8, normal by %s, %.2f mu Fn: status %d\n", by_force ? "force" : "motion",
                   share, static_cast<int>(e.status));
-      EXPECT_EQ(e.status, share < 1 ? Status::ok : Status::err_load) << e.text;
+      EXPECT_EQ(e.status, share < 1 ? Status::coarse : Status::err_load) << e.text;
     }
 }
 

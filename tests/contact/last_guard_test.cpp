@@ -44,8 +44,9 @@ TEST(last_guard, several_loads_leave_the_normal_one_as_it_is) {
       } catch (const Error& error) {
         EXPECT_EQ(error.status(), Status::err_load);
       }
-      EXPECT_EQ(status, moment > 0.2 ? Status::err_load : Status::ok) << moment << operators;
-      if (status != Status::ok) continue;
+      // Few nodes touch.
+      EXPECT_EQ(status, moment > 0.2 ? Status::err_load : Status::coarse) << moment << operators;
+      if (status != Status::coarse) continue;
       std::printf("moment %.2f, %s: loads off by %.1e, laws by %.1e (bound %.0e)\n", moment,
                   operators, pair.contact->stat("law_equilibrium"), pair.worst_law(), bound);
       EXPECT_LT(pair.worst_law(), bound) << moment << operators;
@@ -65,13 +66,16 @@ TEST(last_guard, neither_do_cases_of_a_list) {
   list.value = value.data();
   CaseResults results;
   results.status = status.data();
-  results.force = force.data();
+  const CaseColumn columns[] = {{.kind = CaseColumn::Kind::force, .width = 3}};
+  results.column = columns;
+  results.row = force.data();
+  results.stride = 3;
   (void)pair.contact->solve_many(list, results);
   for (std::size_t i = 0; i < 2; ++i) {
     const double off = std::abs(force[3 * i + 2] / -value[i] - 1);
     std::printf("case %zu: status %d, normal load off by %.1e (bound %.0e)\n", i, status[i], off,
                 bound);
-    EXPECT_EQ(status[i], static_cast<std::int32_t>(i == 0 ? Status::err_load : Status::ok));
+    EXPECT_EQ(status[i], static_cast<std::int32_t>(i == 0 ? Status::err_load : Status::coarse));
     if (i == 1) {
       EXPECT_LT(off, bound);
     }

@@ -270,7 +270,7 @@ TEST_F(Vtu, NotANumberIsRefused) {
     FAIL() << "written";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::err_nonfinite);
-    EXPECT_STREQ(error.what(), "array 'gap' is not finite at node 4");
+    EXPECT_STREQ(error.what(), "array 'gap' is not finite at node 4 (counting from 0)");
   }
   EXPECT_EQ(files(), 0);
 }

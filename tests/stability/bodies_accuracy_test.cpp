@@ -28,7 +28,8 @@ Answer solve(const Scene& scene) {
   const auto pair = extremes::make_pair(scene);
   extremes::give_scene(*pair, scene);
   Answer a;
-  EXPECT_EQ(pair->solve(), ROLLCON_OK) << scene.name;
+  const std::int32_t status = pair->solve();
+  EXPECT_TRUE(status == ROLLCON_OK || status == ROLLCON_COARSE) << scene.name << status;
   a.s = pair->solution();
   a.iterations = pair->stat("iterations");
   return a;

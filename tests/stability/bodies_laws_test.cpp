@@ -49,7 +49,9 @@ TEST(stability_bodies, laws_see_a_conformal_scene_that_is_another_one) {
   scene.load(100).force(ROLLCON_LONGITUDINAL, 15).force(ROLLCON_SPIN, 0.5);
   const auto pair = extremes::make_pair(scene);
   extremes::give_scene(*pair, scene);
-  ASSERT_EQ(pair->solve(), ROLLCON_OK);
+  // The bore goes on beyond the frame.
+  const std::int32_t status = pair->solve();
+  ASSERT_TRUE(status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT) << status;
   const Laws right = laws::check(pair->handle(), scene.given);
   EXPECT_LE(right.worst(), kept) << right.worst_name();
   EXPECT_GE(right.turn, scene.turn);

@@ -284,7 +284,28 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
       high[i] = std::max(high[i], at.y[i] + part * (top - at.y[i]));
     }
   }
-  for (const auto& n : linear_cells(mesh)) {
+  // Of quadratic quadrilaterals nodes have two thirds of what equally spaced ones stand for.
+  SurfaceMesh others;
+  others.node = mesh.node;
+  others.offset = {0};
+  const auto quadratic_quad = [&](std::int64_t e) {
+    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
+    return type == ElementType::quad8 || type == ElementType::quad9;
+  };
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    if (quadratic_quad(e)) continue;
+    const auto n = mesh.element(e);
+    others.connectivity.insert(others.connectivity.end(), n.begin(), n.end());
+    others.offset.push_back(static_cast<std::int64_t>(others.connectivity.size()));
+    others.type.push_back(mesh.type[static_cast<std::size_t>(e)]);
+    others.tag.push_back(0);
+  }
+  integrate(mesh, at, 13, [&](auto n, const Shape&, double, double, double w) {
+    if (n.size() < 8) return;
+    for (std::size_t a = 0; a < n.size(); ++a)
+      area[at_index(n[a])] += w * (a < 4 ? 1.0 / 24 : a < 8 ? 1.0 / 12 : 1.0 / 6);
+  });
+  for (const auto& n : linear_cells(others)) {
     double gx = 0, gy = 0;
     const double x0 = at.x[at_index(n[0])], y0 = at.y[at_index(n[0])];
     for (const std::int32_t k : n) {

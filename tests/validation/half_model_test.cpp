@@ -57,7 +57,7 @@ TEST(HalfModel, is_for_the_condensed_form) {
         << error.what();
   }
   half->option("system", "condensed");
-  EXPECT_EQ(half->solve(), ROLLCON_OK);
+  EXPECT_EQ(half->solve(), ROLLCON_COARSE) << "few nodes touch";
 }
 
 INSTANTIATE_TEST_SUITE_P(creepages, HalfModels, ::testing::Values(0.0, 1e-5, 1e-3, 0.1));

@@ -7,6 +7,7 @@
 
 #include "contact/cases/solve_many.hpp"
 #include "contact/results/power.hpp"
+#include "contact/results/sensitivity.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {

@@ -23,6 +23,7 @@
 
 #include "contact/cases/case_order.hpp"
 #include "contact/cases/case_solver.hpp"
+#include "contact/prepare/reach.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"

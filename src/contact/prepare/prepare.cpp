@@ -5,6 +5,7 @@
 #include <string>
 
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/prepare/reach.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"
 #include "support/clock.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/problem/moments.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 

@@ -2,6 +2,8 @@
 /// Which solution procedure the options ask for: rollcon's own iteration, or one of those of
 /// Rodriguez-Tembleque & Abascal (2010), section 11. docs/procedures.md compares them.
 
+#include <memory>
+
 #include "contact/scene/linear_method.hpp"
 #include "contact/scene/options.hpp"
 
@@ -34,5 +36,9 @@ Procedure choose_procedure(const Options& options);
 /// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the
 /// last iterate (half the squared norm of the residual), eta: the last tolerance.
 double adaptive_tolerance(const Procedure& procedure, double merit, double last_merit, double eta);
+
+class PublishedSolver;  // contact/solution.hpp
+/// Makes what solves by the published procedures (src/procedures/).
+using MakePublished = std::unique_ptr<PublishedSolver> (*)();
 
 }  // namespace rollcon

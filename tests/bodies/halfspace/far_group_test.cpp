@@ -70,7 +70,7 @@ TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
       while (expected < group.levels()) {
         const int m = 2 * (expected + 2) - 1;
         const double share =
-            quadrature::rule_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
+            halfspace::rule_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
         close_call = close_call || std::abs(share - 1) < 1e-10;
         if (share <= 1) break;
         ++expected;
