@@ -121,7 +121,7 @@ struct SolverState {
 
   /// The frame as a regular grid, once that was looked for.
   std::optional<Lattice> lattice;
-  std::string no_lattice;  ///< why there is none
+  std::string no_lattice;  ///< why there is none: a clause
   bool lattice_known = false;
   bool table = false;  ///< dense rows are copied from a table of one node's influence
 

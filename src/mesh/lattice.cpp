@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 namespace rollcon {
@@ -26,10 +27,12 @@ class Search {
   const std::string& why() const { return why_; }
 
  private:
-  template <class... Values>
-  bool refuse(const char* format, Values... values) {
+  bool refuse(const char* format, ...) __attribute__((format(printf, 2, 3))) {
     char text[200];
-    std::snprintf(text, sizeof text, format, values...);
+    std::va_list values;
+    va_start(values, format);
+    std::vsnprintf(text, sizeof text, format, values);
+    va_end(values);
     why_ = text;
     return false;
   }

@@ -84,7 +84,8 @@ class Api : public ::testing::Test {
   rollcon_contact* contact = nullptr;
 };
 
-/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter there.
+/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter
+/// there.
 inline std::int32_t solve_small(rollcon_contact* contact) {
   const std::int32_t status = rollcon_contact_solve(contact);
   return status == ROLLCON_COARSE ? ROLLCON_OK : status;

@@ -196,7 +196,7 @@ TEST(Lattice, FlawsKeepTheFft) {
   // What is missing to be one is said.
   const auto jittered = make(Case{.name = "jittered", .off = 1e-3}, "auto", 12);
   EXPECT_EQ(jittered->solve(), ROLLCON_OK);
-  EXPECT_NE(jittered->plan().find("not a regular grid: node"), std::string::npos)
+  EXPECT_NE(jittered->plan().find("not a regular grid of quad4 elements: node"), std::string::npos)
       << jittered->plan();
 }
 

@@ -26,7 +26,10 @@ class Told {
     rollcon_context_set_log(
         context_, ROLLCON_LOG_WARNING,
         [](std::int32_t, const char* text, void* to) {
-          *static_cast<std::string*>(to) += std::string(text) + "\n";
+          const std::string line = text;
+          // Of few nodes is told as well: that is not what these tests are about.
+          if (line.find("too few nodes in contact") == std::string::npos)
+            *static_cast<std::string*>(to) += line + "\n";
         },
         &text_);
     body_ = scenes::make_body(context_, body);

@@ -18,23 +18,23 @@ namespace {
 // (docs/speed.md): cold ones gain from the first node on, warm ones lose where few nodes touch.
 constexpr std::int64_t fft_from = 400;
 
-// Why a table of one node's influence does not tell those of all; empty: it does.
-std::string obstacle_to_table(const SolverState& s) {
+// Why a table of one node's influence does not tell those of all; null: it does.
+const char* obstacle_to_table(const SolverState& s) {
   HalfspaceConstants c;
   if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
-  if (!s.lattice) return "the frame is not a regular grid of quad4 elements: " + s.no_lattice;
+  if (!s.lattice) return s.no_lattice.c_str();
   if (!s.lattice->has_inner_node()) return "the grid has no inner node";
-  return {};
+  return nullptr;
 }
 
-// Why operators cannot be applied by FFT; empty: they can.
-std::string obstacle_to_fft(const SolverState& s) {
+// Why operators cannot be applied by FFT; null: they can.
+const char* obstacle_to_fft(const SolverState& s) {
   if (!has_fft()) return "this build is without FFTW (ROLLCON_WITH_FFTW=OFF)";
-  if (std::string reason = obstacle_to_table(s); !reason.empty()) return reason;
+  if (const char* reason = obstacle_to_table(s)) return reason;
   if (s.procedure.monolithic) return "system is monolithic";
   if (!s.procedure.standard()) return "jacobian is not 'exact'";
   if (s.procedure.linear == LinearMethod::lu) return "linear_solver is 'lu'";
-  return {};
+  return nullptr;
 }
 
 // op: stencils of the scheme, whose rows are taken over.
@@ -87,16 +87,17 @@ LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()>
 void build_lattice_operators(SolverState& s, const Options& options) {
   if (!s.lattice_known) {
     s.lattice = find_lattice(s.frame, &s.no_lattice);
+    s.no_lattice.insert(0, "the frame is not a regular grid of quad4 elements: ");
     s.lattice_known = true;
   }
-  const std::string no_fft = obstacle_to_fft(s), no_table = obstacle_to_table(s);
+  const char *no_fft = obstacle_to_fft(s), *no_table = obstacle_to_table(s);
   const bool any = options.operators == "auto";
   const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
-  if (const std::string reason = ask_fft ? no_fft : ask_table ? no_table : ""; !reason.empty())
+  if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
     fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
-         reason.c_str());
-  const bool fft = no_fft.empty() && (ask_fft || (any && s.frame.nodes() >= fft_from));
-  choose_table(s, !fft && no_table.empty() && (any || ask_table));
+         reason);
+  const bool fft = !no_fft && (ask_fft || (any && s.frame.nodes() >= fft_from));
+  choose_table(s, !fft && !no_table && (any || ask_table));
   if (!fft) return release_field(s);
   ContactOperators& op = s.problem.op;
   if (op.field && (op.tangential || s.frictionless)) return;
@@ -190,7 +191,7 @@ std::string describe_lattice(const SolverState& s) {
            describe_flaws(s);
   HalfspaceConstants c;
   if (!s.problem.op.field && s.compliance->halfspace(c) && !s.lattice)
-    return "operators: dense, by integrals; not a regular grid: " + s.no_lattice;
+    return "operators: dense, by integrals; " + s.no_lattice;
   if (!s.problem.op.field) return {};
   char text[200];
   std::snprintf(
