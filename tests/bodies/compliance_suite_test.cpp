@@ -130,7 +130,7 @@ ComplianceCase meshed_body(Type type, const std::string& name, bool own_mesh) {
     return on_zone(zone_body(type, 0, {}, motion), {}, frame_type(type), divisions(0));
   };
   const bool quadratic = is_quadratic(type);
-  c.reciprocity = quadratic ? std::vector<double>{8e-3, 1e-3} : std::vector<double>{1.5e-2, 4e-3};
+  c.reciprocity = quadratic ? std::vector<double>{8e-3, 1e-3} : std::vector<double>{2.3e-2, 2.5e-3};
   c.least_order = quadratic ? 2.5 : 1.7;
   return c;
 }

@@ -86,13 +86,13 @@ constexpr auto ring_part_name = [](const auto& param) {
 // as measured. Wholes of 2816 nodes (quad4) and 3456 (quad8), too long for here: 0.7 % and 0.4 %.
 INSTANTIATE_TEST_SUITE_P(Ring, PatchLoad,
                          ::testing::Values(Case{
-                             Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.01}),
+                             Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.011}),
                          ring_part_name);
 INSTANTIATE_TEST_SUITE_P(
     Ring_long, PatchLoad,
     ::testing::Values(Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085, 0.03},
-                      Case{Part::quarter, ElementType::tri3, {6, 20, 3, 12}, 0.02, 0.02},
-                      Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02, 0.02},
+                      Case{Part::quarter, ElementType::tri3, {6, 20, 3, 12}, 0.02, 0.006},
+                      Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02, 0.006},
                       Case{Part::quarter, ElementType::tri6, {2, 8, 3, 6}, 0.0075, 0.012},
                       Case{Part::quarter, ElementType::quad8, {4, 10, 3, 8}, 0.005, 0.012},
                       Case{Part::quarter, ElementType::quad9, {2, 8, 3, 6}, 0.0075, 0.012}),
