@@ -87,6 +87,8 @@ struct Sensitivities {
   void reserve(std::size_t nodes);
 };
 
+struct SolverState;
+
 /// One of the published procedures (src/procedures/), which solves in place of Newton's iteration.
 class PublishedSolver {
  public:

@@ -10,6 +10,9 @@
 #include "quadrature/rules.hpp"
 
 namespace rollcon::halfspace {
+
+using quadrature::Vec2;
+
 namespace {
 
 constexpr int max_depth = 120;  ///< halvings of area; what is left is smaller than rounding

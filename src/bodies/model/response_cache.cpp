@@ -60,7 +60,7 @@ std::shared_ptr<const SurfaceRows> ResponseCache::find(const SurfaceMesh& layer,
   return found == kept_.end() ? nullptr : touch(found);
 }
 
-void ResponseCache::keep(Kept entry) {
+void ResponseCache::keep(Kept&& entry) {
   kept_.push_front(std::move(entry));
   drop();
 }

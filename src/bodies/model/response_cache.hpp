@@ -58,7 +58,7 @@ class ResponseCache : public SurfaceResponse {
   std::shared_ptr<const SurfaceRows> find(const SurfaceMesh& layer,
                                           std::span<const std::int32_t> row);
   std::shared_ptr<const SurfaceRows> touch(std::list<Kept>::iterator entry);
-  void keep(Kept entry);
+  void keep(Kept&& entry);
   void drop();
   void check(const Kept& entry) const;
   template <class Archive, class Entry>

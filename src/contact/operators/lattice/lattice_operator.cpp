@@ -161,11 +161,12 @@ void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&im
   const SparseRows& rows = shared_->convection;
   for (int r = 0; r < 2; ++r) {
     if (image[r] == nullptr) continue;
+    const double* displacement = work_->displacement[r].data();
     for (std::size_t k = 0; k + 1 < rows.start.size(); ++k) {
       double sum = 0;
       for (auto m = static_cast<std::size_t>(rows.start[k]);
            m < static_cast<std::size_t>(rows.start[k + 1]); ++m)
-        sum += rows.value[m] * target[r][rows.column[m]];
+        sum += rows.value[m] * displacement[rows.column[m]];
       image[r][k] = sum;
     }
   }
