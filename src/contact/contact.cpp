@@ -266,8 +266,10 @@ Status Contact::solve_scene() {
   Watch watch(s, *context_, progress_, progress_user_, cancel_, start);
   // A request belongs to the solve during which it was made.
   cancel_.store(false);
-  const HostInterrupt interrupt(progress_, progress_user_, cancel_);
-  prepare(s, scene, *body1_, *body2_, context_->threads());
+  {
+    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
+    prepare(s, scene, *body1_, *body2_, context_->threads());
+  }
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
   const double prepared = now_seconds();

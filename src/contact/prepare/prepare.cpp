@@ -334,8 +334,8 @@ void read_gap(SolverState& state, const Scene& scene, const PairOfBodies& pair) 
   } else {
     p.gap = undeformed_gap(state.frame, state.frame_source, pair);
     refuse_deep_overlap(state.frame, p.gap, pair);
+    fit_gap_to_faces(state.frame, state.frame_source, pair, p.gap);
   }
-  fit_gap_to_faces(state.frame, state.frame_source, pair, !scene.has_gap(), p.gap);
   for (std::size_t k = 0; k < state.offset_depth.size(); ++k) p.gap[k] -= state.offset_depth[k];
   set_datum(state);
   state.gap_revision = scene.revision.gap;

@@ -1,10 +1,10 @@
-/// Gaps on frames finer than the linear faces of a body, which stand for a smooth surface:
+/// Measured gaps on frames finer than the linear faces of a body, which stand for a smooth surface:
 ///
 /// - No smooth displacement fits into the edges of facets. A gap measured from them is taken from
 ///   the smooth surface instead.
 /// - Finite elements of linear faces move between their nodes as the faces interpolate, and so
 ///   cannot close a gap that is smooth there. The share of it that such a body closes, by its
-///   compliance, has the facets again, whether it was measured or given.
+///   compliance, keeps the facets.
 ///
 /// Else the difference would come out as ripples of the pressure.
 
@@ -53,11 +53,11 @@ double softness(const Body& body) {
 }  // namespace
 
 void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
-                      bool measured, std::vector<double>& gap) {
+                      std::vector<double>& gap) {
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     if (!body.meshed() || source.body == b) continue;
-    double part = measured ? -1 : 0;
+    double part = -1;
     if (moves_as_its_faces(body))
       part += softness(body) / (softness(*pair.body[0]) + softness(*pair.body[1]));
     if (part == 0) continue;

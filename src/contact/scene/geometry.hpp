@@ -27,10 +27,10 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
                                    const PairOfBodies& pair);
 
-/// Makes of a gap, measured as above or given, the one that the bodies' displacements can close
-/// between nodes of their linear faces (gap_on_faces.cpp). Nothing changes at those nodes.
+/// Makes of a gap measured as above the one that the bodies' displacements can close between nodes
+/// of their linear faces (gap_on_faces.cpp). Nothing changes at those nodes.
 void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
-                      bool measured, std::vector<double>& gap);
+                      std::vector<double>& gap);
 
 /// Frame nodes where the bodies overlap before they approach each other, and the greatest depth.
 struct InitialOverlap {
