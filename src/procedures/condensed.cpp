@@ -46,7 +46,7 @@ bool CondensedSystem::solve(const Step& step, const Point& z, double eta, Point&
 bool CondensedSystem::solve_slip(const Step& step, const Point& z, double eta, Point& next) {
   const Problem& p = problem_;
   const Part part = step.tangential ? Part::full : Part::normal;
-  system_.gather(p, part, active_, z.lambda, !gathered_);
+  system_.gather(p, p, part, active_, z.lambda, !gathered_);
   gathered_ = true;
   std::array<double, 4> known = z.motion;
   for (std::size_t m = 0; m < 4; ++m) known[m] = p.by_force[m] ? 0 : p.value[m];

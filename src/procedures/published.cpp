@@ -24,18 +24,17 @@ std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
                                     s.procedure.preconditioner};
     return std::make_unique<MonolithicSystem>(s.problem, s.frame, *s.compliance, options);
   }
-  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear);
+  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear());
 }
 
 class Published final : public PublishedSolver {
  public:
   void run(SolverState& s, const Options& options, Monitor& monitor) override {
-    LinearSolver& linear = s.newton.linear;
-    linear.method = s.procedure.linear;
-    linear.preconditioner = s.procedure.preconditioner;
-    linear.forget_exact();
+    s.newton.use(s.procedure);
+    s.newton.linear().forget_exact();
+    static_cast<Prescribed&>(s.problem) = s.given;
     s.newton.forget_prediction();
-    const Key key{s.procedure.monolithic, s.frictionless, s.problem.by_force, s.procedure.linear,
+    const Key key{s.procedure.monolithic, s.frictionless, s.given.by_force, s.procedure.linear,
                   s.procedure.preconditioner};
     if (!system_ || key != key_) system_ = make_step_system(s);
     key_ = key;
