@@ -12,7 +12,7 @@
 
 #include "bench.hpp"
 #include "contact/estimate/few_nodes.hpp"
-#include "contact/solution.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "linalg/blas_threads.hpp"
 #include "linalg/lapack.hpp"
 #include "mesh/surface_check.hpp"
@@ -163,8 +163,9 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
                       sink = static_cast<double>(count);
                     })});
   SolverState whole_contact;
-  whole_contact.frame = build_frame(rolling::grid(13), Axes{});
-  for (const std::uint8_t at_rim : whole_contact.frame.rim)
+  Frame& whole_frame = whole_contact.preparation->made->frame;
+  whole_frame = build_frame(rolling::grid(13), Axes{});
+  for (const std::uint8_t at_rim : whole_frame.rim)
     whole_contact.iterate.lambda[2].push_back(at_rim ? 0 : -1);
   guards.push_back(
       {"inside", 1, seconds_of([&] { sink = static_cast<double>(nodes_inside(whole_contact)); })});

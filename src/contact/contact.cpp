@@ -99,13 +99,13 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.factorizations = -linear.factorizations;
   s.timings.linear = -linear.seconds;
   start_on_lattice(s, monitor);
-  s.report = s.newton.solve(s.problem, s.given, s.iterate, s.frictionless, options.tolerance,
-                            options.max_iterations, monitor);
+  s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless,
+                            options.tolerance, options.max_iterations, monitor);
   // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
   while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
     const NewtonReport before = s.report;
-    s.report = s.newton.solve(s.problem, s.given, s.iterate, s.frictionless, options.tolerance,
-                              options.max_iterations, monitor);
+    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless,
+                              options.tolerance, options.max_iterations, monitor);
     s.report.add(before);
   }
   s.images_known = false;
@@ -139,10 +139,10 @@ void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
 }
 
 std::int64_t nodes_at_rim(const SolverState& s) {
-  const std::uint8_t* rim = s.frame.rim.data();
+  const std::uint8_t* rim = s.prepared->frame.rim.data();
   const double* normal = s.iterate.lambda[2].data();
   std::int64_t count = 0;
-  for (std::size_t k = 0; k < s.frame.rim.size(); ++k)
+  for (std::size_t k = 0; k < s.prepared->frame.rim.size(); ++k)
     count += static_cast<std::int64_t>(rim[k] != 0) & static_cast<std::int64_t>(normal[k] < 0);
   return count;
 }
@@ -179,8 +179,7 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
     : context_(std::move(context)),
       body1_(std::move(body1)),
       body2_(std::move(body2)),
-      state_(std::make_unique<SolverState>()) {
-  state_->make_published = published;
+      state_(std::make_unique<SolverState>(published)) {
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument,
          "body1 and body2 are both rigid: at least one body must be elastic (FEM, BEM or "
@@ -190,9 +189,7 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
 Contact::~Contact() = default;
 
 void Contact::clear_state() {
-  const MakePublished published = state_->make_published;
-  *state_ = SolverState{};
-  state_->make_published = published;
+  state_ = std::make_unique<SolverState>(state_->make_published);
 }
 
 void Contact::set_progress(ProgressFunction function, void* user) {
@@ -272,7 +269,7 @@ Status Contact::solve_scene() {
   s.options_solved = scene.options.revision;
   const double prepared = now_seconds();
   context_->log(LogLevel::info, "compliance and operators: %lld nodes, %.3f s",
-                static_cast<long long>(s.problem.nodes), prepared - start);
+                static_cast<long long>(s.prepared->problem.nodes), prepared - start);
   watch.tell(Phase::compliance, 0, 0, prepared - start);
   watch.prepared(prepared - start);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;

@@ -14,7 +14,7 @@ namespace rollcon {
 namespace {
 
 void require_solution(const SolverState& s, const Scene& scene) {
-  if (!s.solved || s.mesh_revision != scene.revision.mesh)
+  if (!s.solved || s.revision_solved.mesh != scene.revision.mesh)
     fail(Status::err_state,
          "there is no solution: call rollcon_contact_solve first (inputs that "
          "change the frame, or a failed solve, discard the last one)");
@@ -47,9 +47,9 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* un
 void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
   require_solution(*state_, scene);
   const Iterate& it = state_->iterate;
-  require_capacity(capacity, state_->problem.nodes, "nodes");
+  require_capacity(capacity, state_->prepared->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
-    put(state_->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k],
+    put(state_->prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k],
         std::min(it.lambda[2][k], 0.0),
         t + 3 * k);  // within the tolerance a node about to open may pull
 }
@@ -57,7 +57,7 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
   SolverState& s = *state_;
   require_solution(s, scene);
-  const std::int64_t n = s.problem.nodes;
+  const std::int64_t n = s.prepared->problem.nodes;
   const Iterate& it = s.iterate;
   const auto tangential_components = axes == InAxes::local ? 2 : 3;
   std::int64_t components = 1;
@@ -78,42 +78,45 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   const std::int64_t needed = components * n;
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const bool derived =
       field == Field::gap || field == Field::slip || field == Field::friction_power;
   if (derived) derive_fields(s);
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(static_cast<std::size_t>(2 * n));
     for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
-      xy[2 * k] = s.frame.x[k];
-      xy[2 * k + 1] = s.frame.y[k];
+      xy[2 * k] = s.prepared->frame.x[k];
+      xy[2 * k + 1] = s.prepared->frame.y[k];
     }
     displacements_at(field == Field::displacement1 ? 1 : 2, n, xy.data(), v);
     for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-      put(s.frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+      put(s.prepared->frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
     return needed;
   }
   const auto offset = [&](std::size_t c, std::size_t k) {
-    return s.offset_slip[c].empty() ? 0 : s.offset_slip[c][k];
+    return s.prepared->offset_slip[c].empty() ? 0 : s.prepared->offset_slip[c][k];
   };
   for (std::int64_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     double* out = v + components * i;
     const auto pair = [&](double v1, double v2) {
       if (components == 3)
-        put(s.frame.triad(k), axes, v1, v2, 0, out);
+        put(s.prepared->frame.triad(k), axes, v1, v2, 0, out);
       else
         out[0] = v1, out[1] = v2;
     };
     switch (field) {
       case Field::point:
         if (axes == InAxes::local)
-          out[0] = s.frame.x[k], out[1] = s.frame.y[k], out[2] = s.frame.z[k];
+          out[0] = s.prepared->frame.x[k], out[1] = s.prepared->frame.y[k],
+          out[2] = s.prepared->frame.z[k];
         else
-          std::copy(s.frame.mesh.node[k].begin(), s.frame.mesh.node[k].end(), out);
+          std::copy(s.prepared->frame.mesh.node[k].begin(), s.prepared->frame.mesh.node[k].end(),
+                    out);
         break;
       case Field::traction:
-        put(s.frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
+        put(s.prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k],
+            out);
         break;
       case Field::gap:
         *out = s.gap[k];
@@ -122,8 +125,8 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
         pair(s.slip[0][k], s.slip[1][k]);
         break;
       case Field::rigid_slip:
-        pair(s.speed * (p.rigid_slip1(i, it.motion) - offset(0, k)),
-             s.speed * (p.rigid_slip2(i, it.motion) - offset(1, k)));
+        pair(s.prepared->speed * (p.rigid_slip1(i, it.motion) - offset(0, k)),
+             s.prepared->speed * (p.rigid_slip2(i, it.motion) - offset(1, k)));
         break;
       case Field::area:
         *out = p.cell_area[k];
@@ -149,7 +152,7 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
 
 void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
   require_solution(*state_, scene);
-  require_capacity(capacity, state_->problem.nodes, "nodes");
+  require_capacity(capacity, state_->prepared->problem.nodes, "nodes");
   derive_fields(*state_);
   std::copy(state_->status.begin(), state_->status.end(), status);
 }
@@ -157,8 +160,8 @@ void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
 void Contact::resultant(InAxes axes, double* force, double* moment) const {
   require_solution(*state_, scene);
   Vec3 f, m;
-  sum_tractions(state_->problem, state_->frame, state_->iterate.lambda, f, m);
-  const Triad local = triad_of(state_->frame.axes);
+  sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
+  const Triad local = triad_of(state_->prepared->frame.axes);
   if (force) put(local, axes, f[0], f[1], f[2], force);
   if (moment) put(local, axes, m[0], m[1], m[2], moment);
 }
@@ -166,7 +169,7 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 void Contact::motion(double* depth, double* creep) const {
   require_solution(*state_, scene);
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->given.approach_of(m, state_->problem.datum);
+  if (depth) *depth = state_->given.approach_of(m, state_->prepared->problem.datum);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 
@@ -196,15 +199,18 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   if (which.rigid()) return;
   auto& compliance = s.body_compliance[body - 1];
   if (!compliance)
-    compliance = make_body_compliance(s.frame, s.pair, body - 1, s.accuracy, context_->threads());
+    compliance = make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1,
+                                      s.prepared->accuracy, context_->threads());
   compliance->set_threads(context_->threads());
-  std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.problem.nodes));
+  std::vector<double> x(points), y(points),
+      t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
   ++s.work.displacements;
   ++s.work.applications;
-  const bool at_nodes = s.problem.op.field && x == s.frame.x && y == s.frame.y;
+  const bool at_nodes =
+      s.prepared->problem.op.field && x == s.prepared->frame.x && y == s.prepared->frame.y;
   if (!at_nodes || !displacements_on_lattice(s, *compliance, u))
     compliance->apply({x, y}, t.data(), u);
   std::vector<double> own(3 * points);
@@ -230,7 +236,7 @@ std::string Contact::plan() const {
 
 void Contact::write(const char* path) const {
   require_solution(*state_, scene);
-  const auto n = static_cast<std::size_t>(state_->problem.nodes);
+  const auto n = static_cast<std::size_t>(state_->prepared->problem.nodes);
   struct Column {
     const char* name;
     Field field;
@@ -255,7 +261,7 @@ void Contact::write(const char* path) const {
   }
   derive_fields(*state_);
   arrays.push_back({"status", 1, nullptr, state_->status.data()});
-  write_vtu(path, state_->frame.mesh, arrays);
+  write_vtu(path, state_->prepared->frame.mesh, arrays);
 }
 
 }  // namespace rollcon

@@ -30,7 +30,7 @@ double count_status(SolverState& s, NodeStatus wanted) {
 template <class Term>
 double sum_in_contact(SolverState& s, Term term) {
   double sum = 0;
-  for (std::size_t k = 0; k < s.problem.gap.size(); ++k)
+  for (std::size_t k = 0; k < s.prepared->problem.gap.size(); ++k)
     if (s.iterate.lambda[2][k] < 0) sum += term(k);
   return sum;
 }
@@ -47,7 +47,7 @@ double number(std::int64_t v) {
 // Nodes whose state would change if their augmented traction moved by 1e-6 of the largest.
 double near_change(SolverState& s) {
   derive_fields(s);
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   double pressure = 0, bound = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
@@ -60,8 +60,8 @@ double near_change(SolverState& s) {
     const double augmented = it.lambda[2][k] + p.rn[k] * s.gap[k];
     bool near = std::abs(augmented) < 1e-6 * pressure;
     if (!near && augmented < 0 && !s.frictionless) {
-      const double a1 = it.lambda[0][k] - p.rt[k] * s.slip[0][k] / s.speed;
-      const double a2 = it.lambda[1][k] - p.rt[k] * s.slip[1][k] / s.speed;
+      const double a1 = it.lambda[0][k] - p.rt[k] * s.slip[0][k] / s.prepared->speed;
+      const double a2 = it.lambda[1][k] - p.rt[k] * s.slip[1][k] / s.prepared->speed;
       near = std::abs(std::hypot(a1, a2) + p.mu[k] * augmented) < 1e-6 * bound;
     }
     count += near;
@@ -101,24 +101,28 @@ constexpr Statistic table[] = {
     {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
     {"nodes_rim",
      [](SolverState& s) {
-       return sum_in_contact(s, [&](std::size_t k) { return s.frame.rim[k] ? 1.0 : 0.0; });
+       return sum_in_contact(s,
+                             [&](std::size_t k) { return s.prepared->frame.rim[k] ? 1.0 : 0.0; });
      }},
     {"nodes_near_change", near_change},
     {"nodes_overlap",
      [](SolverState& s) {
-       return number(initial_overlap(s.frame, s.problem.undeformed_gaps()).nodes);
+       return number(
+           initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).nodes);
      }},
     {"overlap_depth",
-     [](SolverState& s) { return initial_overlap(s.frame, s.problem.undeformed_gaps()).depth; }},
+     [](SolverState& s) {
+       return initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).depth;
+     }},
     {"contact_area",
      [](SolverState& s) {
-       return sum_in_contact(s, [&](std::size_t k) { return s.problem.cell_area[k]; });
+       return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
      }},
     {"friction_power",
      [](SolverState& s) {
        derive_fields(s);
        return sum_in_contact(s, [&](std::size_t k) {
-         return -s.problem.cell_area[k] *
+         return -s.prepared->problem.cell_area[k] *
                 (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
        });
      }},
@@ -143,16 +147,17 @@ constexpr Statistic table[] = {
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
     {"kernel_evaluations",
      [](SolverState& s) {
-       return s.compliance ? number(s.compliance->kernel_evaluations()) : 0.0;
+       return s.prepared->compliance ? number(s.prepared->compliance->kernel_evaluations()) : 0.0;
      }},
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
-    {"rows_assembled", [](SolverState& s) { return number(s.problem.op.rows); }},
-    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.problem.op.bytes()); }},
+    {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op.rows); }},
+    {"operator_bytes",
+     [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
     {"operator_applications",
      [](SolverState& s) {
-       const auto& field = s.problem.op.field;
+       const auto& field = s.prepared->problem.op.field;
        return number(s.work.applications + (field ? field->applications() : 0));
      }},
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
@@ -195,7 +200,7 @@ const char* Contact::stat_name(std::int64_t i) {
 double Contact::stat(const char* name) const {
   for (const Statistic& s : table)
     if (std::strcmp(s.name, name) == 0) {
-      if (!state_->solved || state_->mesh_revision != scene.revision.mesh)
+      if (!state_->solved || state_->revision_solved.mesh != scene.revision.mesh)
         fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
       const BlasThreads blas(context_->threads());
       return s.value(*state_);

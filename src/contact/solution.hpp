@@ -41,8 +41,7 @@ struct Reach {
   std::int64_t nodes = 0;         ///< in reach
   std::int64_t returned = 0;      ///< brought back by checks of the last solve
   std::int64_t batches = 0;       ///< times that rows were added to those of the first solve
-  bool fixed = false;             ///< rows are shared and cannot be added: a doubt is only noted
-  bool doubtful = false;          ///< noted
+  bool doubtful = false;          ///< noted where rows are shared and cannot be added
   const char* why_not = nullptr;  ///< all nodes are in reach; static text
   const char* why_all = nullptr;  ///< likewise, once all rows are there
   /// Of the last solution: greatest gap of a node in contact, least gap, approach, load.
@@ -99,43 +98,44 @@ class PublishedSolver {
   virtual std::size_t bytes() const = 0;
 };
 
-struct SolverState {
-  Work work;
-  // Built from the scene; each part remembers the revisions it was built from.
+/// What a solve stands on: made from the scene by prepare(), not changed by a solve, shared by the
+/// cases of a list.
+struct Prepared {
   Frame frame;
-  FrameSource frame_source;  ///< as far as the body still has these faces
-  PairOfBodies pair;         ///< where the bodies stood
-  std::int64_t mesh_revision = -1, axes_revision = -1;
-  std::array<std::int64_t, 2> pose_revision{-1, -1};
-  std::shared_ptr<Compliance> compliance;          ///< of the pair
-  std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
+  FrameSource frame_source;                ///< as far as the body still has these faces
+  PairOfBodies pair;                       ///< where the bodies stood
+  std::shared_ptr<Compliance> compliance;  ///< of the pair
   double accuracy = 0;
-  std::optional<Scheme> scheme;
+  Scheme scheme = Scheme::characteristic;
   double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;
-  std::int64_t gap_revision = -1, kinematics_revision = -1, friction_revision = -1;
-  bool frictionless = false;
-  bool inflow_masked = false;
-  std::vector<double> field_copy;
-  SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
   /// From displacements of the bodies without any contact traction; empty: none.
-  bool offset_known = false;
   std::vector<double> offset_depth, offset_slip[2];
-
-  /// The frame as a regular grid, once that was looked for.
+  /// The frame as a regular grid; nothing: see no_lattice.
   std::optional<Lattice> lattice;
   std::string no_lattice;  ///< why there is none: a clause
-  bool lattice_known = false;
-  bool table = false;  ///< dense rows are copied from a table of one node's influence
-
+  bool table = false;      ///< dense rows are copied from a table of one node's influence
   Problem problem;
+  double speed = 1;
+};
+
+struct Preparation;  // contact/prepare/preparation.hpp
+
+struct SolverState {
+  explicit SolverState(MakePublished make_published = nullptr);
+
+  Work work;
+  std::shared_ptr<const Prepared> prepared;
+  /// Makes it, and adds rows that a solve turns out to need; null where it is shared.
+  std::shared_ptr<Preparation> preparation;
+  std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
+  bool frictionless = false;
+
   Prescribed given;
   Reach reach;
   Iterate iterate;
   Newton newton;
-  MakePublished make_published = nullptr;      ///< null: they are not part of this build
-  std::unique_ptr<PublishedSolver> published;  ///< made when one is asked for
-  /// Scales of the problem are those of estimate_scales(), not of set_scales().
-  bool scales_estimated = false;
+  MakePublished make_published = nullptr;             ///< null: they are not part of this build
+  std::unique_ptr<PublishedSolver> published;         ///< made when one is asked for
   mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()
   bool images_known = false;  ///< of the solution, at all nodes, slip included
 
@@ -146,7 +146,6 @@ struct SolverState {
   bool settled = false;  ///< caches are whole: nothing was interrupted
   bool warm_usable = false;
   Outcome outcome = Outcome::not_converged;
-  double speed = 1;
   NewtonReport report;
   Timings timings;
   Procedure procedure;

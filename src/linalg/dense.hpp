@@ -44,7 +44,7 @@ class RowMatrix {
     rows_ = rows;
     columns_ = columns;
   }
-  void release() { Data().swap(data_), shared_ = nullptr, rows_ = columns_ = 0; }
+  void release() { Data().swap(data_), rows_ = columns_ = 0; }
   /// Makes room for later growth, so that a resize up to this size does not allocate.
   void reserve(std::int64_t rows, std::int64_t columns) {
     const auto needed = static_cast<std::size_t>(rows * columns);
@@ -55,24 +55,14 @@ class RowMatrix {
   bool empty() const { return rows_ == 0; }
   T* row(std::int64_t i) { return data() + static_cast<std::size_t>(i * columns_); }
   const T* row(std::int64_t i) const { return data() + static_cast<std::size_t>(i * columns_); }
-  T* data() { return shared_ ? shared_ : data_.data(); }
-  const T* data() const { return shared_ ? shared_ : data_.data(); }
-  /// Shows another matrix, which must outlive this one and be left as it is: read only, no bytes of
-  /// its own.
-  void share(RowMatrix& other) {
-    release();
-    rows_ = other.rows_;
-    columns_ = other.columns_;
-    shared_ = other.data();
-  }
-  bool shared() const { return shared_ != nullptr; }
+  T* data() { return data_.data(); }
+  const T* data() const { return data_.data(); }
   std::size_t bytes() const { return data_.capacity() * sizeof(T); }
 
  private:
   using Data = std::vector<T, UntouchedAllocator<T>>;
   std::int64_t rows_ = 0, columns_ = 0;
   Data data_;
-  T* shared_ = nullptr;
 };
 
 /// Room for n unknowns and for some more: the systems of a time loop grow and shrink. Small ones

@@ -1,5 +1,6 @@
 #include "procedures/published.hpp"
 
+#include "contact/prepare/preparation.hpp"
 #include "procedures/condensed.hpp"
 #include "procedures/gnmls.hpp"
 #include "procedures/monolithic.hpp"
@@ -17,14 +18,15 @@ struct Key {
 };
 
 std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
+  Prepared& on = *s.preparation->made;
   if (s.procedure.monolithic) {
     const bool direct =
         s.procedure.linear == LinearMethod::lu || s.procedure.linear == LinearMethod::automatic;
     const MonolithicOptions options{direct ? StepSolver::lu : StepSolver::gmres,
                                     s.procedure.preconditioner};
-    return std::make_unique<MonolithicSystem>(s.problem, s.frame, *s.compliance, options);
+    return std::make_unique<MonolithicSystem>(on.problem, on.frame, *on.compliance, options);
   }
-  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear());
+  return std::make_unique<CondensedSystem>(on.problem, on.frame, *on.compliance, s.newton.linear());
 }
 
 class Published final : public PublishedSolver {
@@ -32,14 +34,15 @@ class Published final : public PublishedSolver {
   void run(SolverState& s, const Options& options, Monitor& monitor) override {
     s.newton.use(s.procedure);
     s.newton.linear().forget_exact();
-    static_cast<Prescribed&>(s.problem) = s.given;
+    Prepared& on = *s.preparation->made;
+    static_cast<Prescribed&>(on.problem) = s.given;
     s.newton.forget_prediction();
     const Key key{s.procedure.monolithic, s.frictionless, s.given.by_force, s.procedure.linear,
                   s.procedure.preconditioner};
     if (!system_ || key != key_) system_ = make_step_system(s);
     key_ = key;
     const StepCounters before = system_->counters();
-    s.report = gnmls_.solve(s.problem, s.iterate, *system_, s.procedure, s.frictionless,
+    s.report = gnmls_.solve(on.problem, s.iterate, *system_, s.procedure, s.frictionless,
                             options.tolerance, options.max_iterations, monitor);
     const StepCounters after = system_->counters();
     s.linear_iterations = after.iterations - before.iterations;

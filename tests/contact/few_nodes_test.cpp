@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "contact/prepare/preparation.hpp"
 #include "contact/scene_fixture.hpp"
-#include "contact/solution.hpp"
 #include "support/closed_forms.hpp"
 
 namespace rollcon {
@@ -150,9 +150,10 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
                          Count{ElementType::quad9, 81, 49}}) {
     const std::vector<double> lines = frames::uniform_lines(-4, 4, 8);
     SolverState s;
-    s.frame = build_frame(frames::rectangle(c.type, lines, lines), Axes{});
+    Frame& frame = s.preparation->made->frame;
+    frame = build_frame(frames::rectangle(c.type, lines, lines), Axes{});
     std::int64_t touching = 0;
-    for (const Vec3& x : s.frame.mesh.node) {
+    for (const Vec3& x : frame.mesh.node) {
       const bool open = std::max(std::abs(x[0]), std::abs(x[1])) > 2.01;
       s.iterate.lambda[2].push_back(open ? 0 : -1);
       touching += open ? 0 : 1;
@@ -161,7 +162,7 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
     EXPECT_EQ(nodes_inside(s), c.inside) << static_cast<int>(c.type);
     // Where the frame ends nothing is open.
     std::fill(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end(), -1.0);
-    EXPECT_EQ(nodes_inside(s), s.frame.nodes());
+    EXPECT_EQ(nodes_inside(s), frame.nodes());
   }
 }
 

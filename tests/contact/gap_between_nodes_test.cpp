@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "contact/solution.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {
@@ -28,12 +28,12 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
   void SetUp() override {
     x_ = frames::uniform_lines(-1.2, 1.5, cells);
     y_ = frames::uniform_lines(-0.8, 1.1, cells);
-    s_.frame = build_frame(frames::rectangle(GetParam(), x_, y_), Axes{});
-    take_frame(s_.problem, s_.frame);
-    const Frame& f = s_.frame;
-    for (std::size_t k = 0; k < f.x.size(); ++k) s_.problem.gap.push_back(gap(f.x[k], f.y[k]));
+    on_->frame = build_frame(frames::rectangle(GetParam(), x_, y_), Axes{});
+    take_frame(on_->problem, on_->frame);
+    const Frame& f = on_->frame;
+    for (std::size_t k = 0; k < f.x.size(); ++k) on_->problem.gap.push_back(gap(f.x[k], f.y[k]));
     s_.iterate.resize(f.nodes());
-    s_.compliance = make_halfspace_compliance(f, {1, 0.4, 0.2}, 1e-6, 1);
+    on_->compliance = make_halfspace_compliance(f, {1, 0.4, 0.2}, 1e-6, 1);
     frames::Random random(4);
     for (auto& component : s_.iterate.lambda)
       for (double& value : component) value = random();
@@ -41,14 +41,14 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
   }
   double rate_at(double x, double y) const {
     for (std::size_t k = 0; k < rate_.size(); ++k)
-      if (std::hypot(s_.frame.x[k] - x, s_.frame.y[k] - y) < 1e-9) return rate_[k];
+      if (std::hypot(on_->frame.x[k] - x, on_->frame.y[k] - y) < 1e-9) return rate_[k];
     ADD_FAILURE() << "no node at " << x << ", " << y;
     return 0;
   }
   /// Two thirds of the mean rate, times area, times the gap less the displacement in the middle.
   double expected() const {
-    std::vector<double> t(3 * s_.problem.gap.size());
-    for (std::size_t k = 0; k < s_.problem.gap.size(); ++k)
+    std::vector<double> t(3 * on_->problem.gap.size());
+    for (std::size_t k = 0; k < on_->problem.gap.size(); ++k)
       for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s_.iterate.lambda[c][k];
     double sum = 0;
     for (std::size_t i = 0; i < cells; ++i)
@@ -57,7 +57,7 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
                                     rate_at(x_[i], y_[j + 1]) + rate_at(x_[i + 1], y_[j + 1]));
         const double x = 0.5 * (x_[i] + x_[i + 1]), y = 0.5 * (y_[j] + y_[j + 1]);
         double u[3];
-        s_.compliance->apply({{&x, 1}, {&y, 1}}, t.data(), u);
+        on_->compliance->apply({{&x, 1}, {&y, 1}}, t.data(), u);
         const double area = (x_[i + 1] - x_[i]) * (y_[j + 1] - y_[j]);
         sum += 2.0 / 3 * mean * area * (gap(x, y) - u[2]);
       }
@@ -66,6 +66,7 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
 
   std::vector<double> x_, y_, rate_;
   SolverState s_;
+  std::shared_ptr<Prepared> on_ = s_.preparation->made;
 };
 
 TEST_P(GapBetweenNodes, is_summed_over_rectangles) {
@@ -78,7 +79,7 @@ TEST_P(GapBetweenNodes, is_summed_over_rectangles) {
 TEST_P(GapBetweenNodes, cells_without_rate_have_no_share) {
   // All but the rectangles at the corner of the first lines.
   for (std::size_t k = 0; k < rate_.size(); ++k)
-    if (s_.frame.x[k] > x_[0] + 1e-9 || s_.frame.y[k] > y_[0] + 1e-9) rate_[k] = 0;
+    if (on_->frame.x[k] > x_[0] + 1e-9 || on_->frame.y[k] > y_[0] + 1e-9) rate_[k] = 0;
   for (auto& component : s_.iterate.lambda) std::fill(component.begin(), component.end(), 0.0);
   const double found = gap_force(s_, rate_), area = (x_[1] - x_[0]) * (y_[1] - y_[0]);
   const double x = 0.5 * (x_[0] + x_[1]), y = 0.5 * (y_[0] + y_[1]);

@@ -15,20 +15,19 @@ namespace {
 /// Notes which images it was asked for.
 class Noting final : public FieldOperator {
  public:
-  std::array<int, 3> asked{};
-  void apply(const double* const (&)[3], double* const (&image)[3]) override {
+  mutable std::array<int, 3> asked{};
+  void apply(const double* const (&)[3], double* const (&image)[3]) const override {
     ++calls_;
     for (std::size_t r = 0; r < 3; ++r) asked[r] += image[r] != nullptr;
   }
   double entry(int, int) const override { return 1; }
   double row_norm(int) const override { return 1; }
   bool couples() const override { return false; }
-  std::unique_ptr<FieldOperator> clone() const override { return nullptr; }
   std::size_t bytes() const override { return 0; }
   std::int64_t applications() const override { return calls_; }
 
  private:
-  std::int64_t calls_ = 0;
+  mutable std::int64_t calls_ = 0;
 };
 
 struct Images {

@@ -124,7 +124,8 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   Spoiler spoiler;
   spoiler.iterate = &s.iterate;
   if (again) {
-    EXPECT_EQ(newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler).outcome, Outcome::converged);
+    EXPECT_EQ(newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler).outcome,
+              Outcome::converged);
     p.value[xi1] = 25;
   }
   spoiler.what = what;

@@ -10,8 +10,8 @@
 
 #include "build_info.hpp"
 #include "contact/body_geometry.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "contact/scene_fixture.hpp"
-#include "contact/solution.hpp"
 
 namespace rollcon {
 namespace {
@@ -51,27 +51,27 @@ class Changed final : public Compliance {
   double coupling_;
 };
 
-struct Prepared {
+struct PreparedScene {
   Pair pair{1e4, 0.3, 1e4, 0.3};
   SolverState state;
 
-  Prepared() { standard_scene(pair, 10); }
+  PreparedScene() { standard_scene(pair, 10); }
   void run() { prepare(state, pair.contact->scene, *pair.body1, *pair.body2, 1); }
   void change(Changed::Field given, double coupling) {
-    state.compliance = std::make_shared<Changed>(std::move(state.compliance), given, coupling);
-    state.offset_known = false;
-    state.problem.op = ContactOperators{};
-    state.scheme.reset();
+    Prepared& on = *state.preparation->made;
+    on.compliance = std::make_shared<Changed>(std::move(on.compliance), given, coupling);
+    on.problem.op = ContactOperators{};
+    state.preparation->convection.forget();
   }
 };
 
 TEST(bodies_displaced, gap_and_slip_take_it) {
   for (const char* scheme : {"godunov", "least_squares", "characteristic"}) {
-    Prepared scene;
+    PreparedScene scene;
     scene.pair.contact->scene.options.set_text("convection", scheme);
     scene.pair.contact->scene.set_speed(7);
     scene.run();
-    const Problem before = scene.state.problem;
+    const Problem before = scene.state.prepared->problem;
     ASSERT_TRUE(before.slip1.empty());
     scene.change(
         [](double x, double y) {
@@ -79,13 +79,13 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
         },
         0);
     scene.run();
-    const Problem& p = scene.state.problem;
+    const Problem& p = scene.state.prepared->problem;
     double gap = 0, slip = 0;
     const std::vector<double> with = p.undeformed_gaps(), without = before.undeformed_gaps();
     for (std::size_t k = 0; k < p.gap.size(); ++k) {
-      const double x = scene.state.frame.x[k], y = scene.state.frame.y[k];
+      const double x = scene.state.prepared->frame.x[k], y = scene.state.prepared->frame.y[k];
       gap = std::max(gap, std::abs(without[k] - with[k] - (1e-3 + 2e-4 * x * y)));
-      if (scene.state.frame.rim[k]) continue;  // stencils may be cut there
+      if (scene.state.prepared->frame.rim[k]) continue;  // stencils may be cut there
       // Material flows along -t1: D w = -dw/dx, exact for linear displacements.
       slip = std::max({slip, std::abs(p.slip1[k] + 2e-3), std::abs(p.slip2[k] - 3e-3)});
     }
@@ -103,18 +103,20 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
     scene.pair.contact->scene.set_gap_quadratic(0, 0, 0);
     scene.run();
     EXPECT_NEAR(p.slip1[60], -2e-3, 1e-13);
-    EXPECT_NEAR(p.undeformed_gaps()[60],
-                -(1e-3 + 2e-4 * scene.state.frame.x[60] * scene.state.frame.y[60]), 1e-16);
+    EXPECT_NEAR(
+        p.undeformed_gaps()[60],
+        -(1e-3 + 2e-4 * scene.state.prepared->frame.x[60] * scene.state.prepared->frame.y[60]),
+        1e-16);
   }
 }
 
 TEST(coupling, blocks_of_rounding_are_dropped) {
   for (const double coupling : {1e-22, 1e-6}) {  // direct entries: about 1e-6 and more
-    Prepared scene;
+    PreparedScene scene;
     scene.run();
     scene.change(nullptr, coupling);
     scene.run();
-    const ContactOperators& op = scene.state.problem.op;
+    const ContactOperators& op = scene.state.prepared->problem.op;
     const bool dropped = coupling < 1e-10;
     EXPECT_EQ(op.coupled, !dropped);
     EXPECT_EQ(op.coupling_vanished, dropped);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "contact/cases/solve_many.hpp"
 #include "contact/results/power.hpp"
@@ -11,76 +10,31 @@
 #include "contact/solution.hpp"
 
 namespace rollcon {
+bool can_share(const SolverState& state) {
+  return state.procedure.standard();
+}
+
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Everything but the dense rows, which the copy shows.
-Problem share(Problem& from) {
-  RowMatrix<double> rows[3][3];
-  const auto exchange = [&] {
-    for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c) std::swap(rows[r][c], from.op.block[r][c]);
-  };
-  exchange();
-  struct Restore {
-    decltype(exchange)& back;
-    ~Restore() { back(); }
-  };
-  Problem copy;
-  {
-    const Restore at_end{exchange};
-    copy = from;
-  }
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) copy.op.block[r][c].share(from.op.block[r][c]);
-  if (copy.op.field) copy.op.field = copy.op.field->clone();
-  return copy;
-}
-
-std::unique_ptr<SolverState> share(SolverState& from) {
-  auto to = std::make_unique<SolverState>();
-  to->frame = from.frame;
-  to->frame_source = from.frame_source;
-  to->pair = from.pair;
-  to->mesh_revision = from.mesh_revision;
-  to->axes_revision = from.axes_revision;
-  to->pose_revision = from.pose_revision;
-  to->compliance = from.compliance;
-  to->accuracy = from.accuracy;
-  to->scheme = from.scheme;
-  to->characteristic_step = from.characteristic_step;
-  to->normal_scale = from.normal_scale;
-  to->tangential_scale = from.tangential_scale;
-  to->frictionless = from.frictionless;
-  to->inflow_masked = from.inflow_masked;
-  to->offset_known = from.offset_known;
-  to->offset_depth = from.offset_depth;
-  for (int c = 0; c < 2; ++c) to->offset_slip[c] = from.offset_slip[c];
-  to->lattice = from.lattice;
-  to->no_lattice = from.no_lattice;
-  to->lattice_known = from.lattice_known;
-  to->table = from.table;
-  to->problem = share(from.problem);
+// A solver of its own on the same preparation, which it may add to if no other solver reads it.
+std::unique_ptr<SolverState> share(const SolverState& from) {
+  auto to = std::make_unique<SolverState>(from.make_published);
+  to->prepared = from.prepared;
+  to->preparation = can_share(from) ? nullptr : from.preparation;
   to->given = from.given;
+  to->frictionless = from.frictionless;
   to->reach = from.reach;
-  to->reach.fixed = true;
   to->reach.known = false;
-  to->scales_estimated = from.scales_estimated;
   to->procedure = from.procedure;
-  to->make_published = from.make_published;
-  to->speed = from.speed;
-  to->iterate.resize(to->problem.nodes);
+  to->iterate.resize(to->prepared->problem.nodes);
   return to;
 }
 
 }  // namespace
 
-bool can_share(const SolverState& state) {
-  return state.procedure.standard();
-}
-
-CaseSolver::CaseSolver(SolverState& scene, const Options& options)
+CaseSolver::CaseSolver(const SolverState& scene, const Options& options)
     : options_(options), state_(share(scene)), frictionless_(scene.frictionless) {}
 
 CaseSolver::~CaseSolver() = default;
@@ -99,7 +53,7 @@ void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* v
     if (parameter[j] == Parameter::friction)
       s.given.friction = v;
     else if (m == approach)
-      s.given.prescribe_normal(s.given.by_force[m], v, s.problem.datum);
+      s.given.prescribe_normal(s.given.by_force[m], v, s.prepared->problem.datum);
     else
       s.given.value[m] = v;
   }
@@ -135,14 +89,14 @@ bool CaseSolver::out_of_reach() const {
 
 void CaseSolver::resultant(double* force, double* moment) const {
   Vec3 f, m;
-  sum_tractions(state_->problem, state_->frame, state_->iterate.lambda, f, m);
+  sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
   if (force) std::copy(f.begin(), f.end(), force);
   if (moment) std::copy(m.begin(), m.end(), moment);
 }
 
 void CaseSolver::motion(double* depth, double* creep) const {
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->given.approach_of(m, state_->problem.datum);
+  if (depth) *depth = state_->given.approach_of(m, state_->prepared->problem.datum);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 
@@ -182,7 +136,7 @@ double CaseSolver::number(CaseNumber which) {
   const NewtonReport& report = s.report;
   const auto sum_in_contact = [&](auto term) {
     double sum = 0;
-    for (std::size_t k = 0; k < s.problem.gap.size(); ++k)
+    for (std::size_t k = 0; k < s.prepared->problem.gap.size(); ++k)
       if (s.iterate.lambda[2][k] < 0) sum += term(k);
     return sum;
   };
@@ -199,7 +153,7 @@ double CaseSolver::number(CaseNumber which) {
     case CaseNumber::nodes_contact:
       return sum_in_contact([](std::size_t) { return 1.0; });
     case CaseNumber::contact_area:
-      return sum_in_contact([&](std::size_t k) { return s.problem.cell_area[k]; });
+      return sum_in_contact([&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
     case CaseNumber::max_pressure:
       return std::max(0.0,
                       -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
@@ -209,21 +163,22 @@ double CaseSolver::number(CaseNumber which) {
       break;
   }
   if (s.frictionless) return 0;
-  if (!s.problem.op.tangential && !s.images_known) require_operators(s, options_);
+  if (!s.prepared->problem.op.tangential && !s.images_known) require_operators(s, options_);
   return sum_in_contact([&](std::size_t k) {
     const auto i = static_cast<std::int64_t>(k);
     const auto& it = s.iterate;
-    s.iterate.update_slip(s.problem, i);
-    const double s1 = s.problem.rigid_slip1(i, it.motion) + it.image[0][k];
-    const double s2 = s.problem.rigid_slip2(i, it.motion) + it.image[1][k];
-    return -s.problem.cell_area[k] * s.speed * (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
+    s.iterate.update_slip(s.prepared->problem, i);
+    const double s1 = s.prepared->problem.rigid_slip1(i, it.motion) + it.image[0][k];
+    const double s2 = s.prepared->problem.rigid_slip2(i, it.motion) + it.image[1][k];
+    return -s.prepared->problem.cell_area[k] * s.prepared->speed *
+           (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
   });
 }
 
 std::size_t CaseSolver::bytes() const {
   const SolverState& s = *state_;
-  return s.newton.bytes() + s.problem.op.bytes() +
-         static_cast<std::size_t>(s.problem.nodes) * sizeof(double) * 30;
+  return s.newton.bytes() +
+         static_cast<std::size_t>(s.prepared->problem.nodes) * sizeof(double) * 30;
 }
 
 }  // namespace rollcon

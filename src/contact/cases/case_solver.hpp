@@ -24,7 +24,7 @@ bool can_share(const SolverState& state);
 class CaseSolver {
  public:
   /// `scene` must be prepared, and outlive this object unchanged.
-  CaseSolver(SolverState& scene, const Options& options);
+  CaseSolver(const SolverState& scene, const Options& options);
   ~CaseSolver();
 
   /// The next case starts cold, whatever was solved before.

@@ -364,7 +364,7 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
 }
 
 void reach_for_cases(SolverState& s, const Options& options, const CaseList& list) {
-  if (!s.procedure.standard() || s.problem.op.field || list.cases == 0) return;
+  if (!s.procedure.standard() || s.prepared->problem.op.field || list.cases == 0) return;
   const Prescribed given = s.given;
   const auto width = static_cast<std::int64_t>(list.parameter.size());
   for (std::size_t j = 0; j < list.parameter.size(); ++j) {
@@ -372,7 +372,7 @@ void reach_for_cases(SolverState& s, const Options& options, const CaseList& lis
     for (std::int64_t i = 0; i < list.cases; ++i)
       most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
     if (list.parameter[j] == Parameter::normal)
-      s.given.prescribe_normal(s.given.by_force[approach], most, s.problem.datum);
+      s.given.prescribe_normal(s.given.by_force[approach], most, s.prepared->problem.datum);
     if (list.parameter[j] == Parameter::friction) s.given.friction = most;
   }
   try {

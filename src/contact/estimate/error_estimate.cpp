@@ -42,11 +42,11 @@ struct Sums {
 Sums sums_of(const SolverState& s, const Tractions& t) {
   Sums r;
   Vec3 force, moment;
-  sum_tractions(s.problem, s.frame, t, force, moment);
+  sum_tractions(s.prepared->problem, s.prepared->frame, t, force, moment);
   r.normal = std::abs(force[2]);
   r.tangential = std::hypot(force[0], force[1]);
   for (std::size_t k = 0; k < t[0].size(); ++k) {
-    const double area = s.problem.cell_area[k], size = std::hypot(t[0][k], t[1][k]);
+    const double area = s.prepared->problem.cell_area[k], size = std::hypot(t[0][k], t[1][k]);
     r.magnitude += area * size;
     r.tangential2 += area * size * size;
     r.pressure2 += area * t[2][k] * t[2][k];
@@ -131,10 +131,10 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   e.tangential = friction ? 1 : 0;
   // What two discretisations of an edge have in common says nothing about a contact.
   if (too_few_nodes(s)) return;
-  if (s.problem.op.field) return estimate_on_lattice(s, e);
+  if (s.prepared->problem.op.field) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
-  const bool characteristic = *s.scheme == Scheme::characteristic;
-  const double step = characteristic ? s.characteristic_step : standard_step;
+  const bool characteristic = s.prepared->scheme == Scheme::characteristic;
+  const double step = characteristic ? s.prepared->characteristic_step : standard_step;
 
   // The same nodes, and another scheme.
   std::optional<Variant> same =
@@ -150,14 +150,14 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   // Fewer nodes, and the same scheme.
   const std::optional<Variant> coarse =
       solved(s, s.given.by_force[approach], step, [&](double d) { return Variant::coarse(s, d); });
-  if (!coarse || coarse->space().node.size() == s.frame.used.size()) return;
+  if (!coarse || coarse->space().node.size() == s.prepared->frame.used.size()) return;
   const Sums change = difference(s, coarse->tractions(),
                                  friction && !characteristic ? same->tractions() : solution);
   // Errors come from the edge of the contact, which is known to one spacing of the nodes there, and
   // are taken to be proportional to it. Those of the forces add up with it; those of the tractions
   // sit beside each other.
-  const double spacing =
-      ratio(fringe(coarse->space().frame, coarse->iterate().lambda[2]), fringe(s.frame, normal));
+  const double spacing = ratio(fringe(coarse->space().frame, coarse->iterate().lambda[2]),
+                               fringe(s.prepared->frame, normal));
   const double more = std::clamp(spacing - 1, 0.5, 3.0);
   const double beside = std::hypot(1, std::clamp(spacing, 1.5, 10.0));
   if (friction) e.tangential = ratio(scheme.tangential + change.tangential / more, whole.magnitude);

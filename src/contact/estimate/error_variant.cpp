@@ -35,7 +35,7 @@ void loosen_held_tangents(ContactOperators& op) {
 }  // namespace
 
 void Variant::take_problem(const SolverState& s) {
-  const Problem& from = s.problem;
+  const Problem& from = s.prepared->problem;
   Problem& p = problem_;
   p.nodes = space_->frame.nodes();
   p.used.assign(at(p.nodes), 1);
@@ -52,7 +52,7 @@ void Variant::take_problem(const SolverState& s) {
   p.slip2 = pick(*space_, from.slip2);
   if (!from.turn.empty())
     for (const std::int32_t k : space_->node) p.turn.push_back(from.turn[at(k)]);
-  compliance_ = compliance_of(*s.compliance, *space_);
+  compliance_ = compliance_of(*s.prepared->compliance, *space_);
   newton_ = std::make_unique<Newton>();
   iterate_.resize(p.nodes);
   iterate_.motion = s.iterate.motion;
@@ -63,8 +63,8 @@ void Variant::take_problem(const SolverState& s) {
 void Variant::move_given_slip(const SolverState& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
-  const SparseRows d = least_squares(s.frame, 1, 0);
-  const std::vector<double>& there = s.problem.op.upstream;
+  const SparseRows d = least_squares(s.prepared->frame, 1, 0);
+  const std::vector<double>& there = s.prepared->problem.op.upstream;
   const auto derivative = [&](const std::vector<double>& field, std::size_t k) {
     double sum = 0;
     for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j)
@@ -74,8 +74,8 @@ void Variant::move_given_slip(const SolverState& s) {
   for (std::size_t i = 0; i < p.slip1.size(); ++i) {
     const std::size_t k = at(space_->node[i]);
     const double further = 0.5 * (p.op.upstream[i] - (there.empty() ? 0 : there[k]));
-    p.slip1[i] -= further * derivative(s.problem.slip1, k);
-    p.slip2[i] -= further * derivative(s.problem.slip2, k);
+    p.slip1[i] -= further * derivative(s.prepared->problem.slip1, k);
+    p.slip2[i] -= further * derivative(s.prepared->problem.slip2, k);
   }
 }
 
@@ -83,7 +83,7 @@ void Variant::assemble(const SolverState& s, bool tangential) {
   frictionless_ = !tangential;
   ContactOperators& op = problem_.op;
   // Under a monolithic solve there are no rows to take.
-  if (s.problem.op.normal) take_normal_rows(s.problem.op, *space_, op);
+  if (s.prepared->problem.op.normal) take_normal_rows(s.prepared->problem.op, *space_, op);
   assemble_operators(space_->frame, *compliance_, tangential, op);
   if (tangential) {
     loosen_held_tangents(op);
@@ -94,11 +94,11 @@ void Variant::assemble(const SolverState& s, bool tangential) {
 
 Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) {
   Variant v;
-  v.space_ = std::make_unique<TractionSpace>(loaded_space(s.frame, s.iterate.lambda[2]));
+  v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
   if (tangential) {
     ContactOperators whole;
-    prepare_convection(s.frame, Scheme::characteristic, step, whole);
+    prepare_convection(s.prepared->frame, Scheme::characteristic, step, whole);
     ContactOperators& op = v.problem_.op;
     op.upstream = pick(*v.space_, whole.upstream);
     op.upstream_path = pick(*v.space_, whole.upstream_path);
@@ -117,7 +117,7 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
 
 Variant Variant::coarse(const SolverState& s, double step) {
   Variant v;
-  v.space_ = std::make_unique<TractionSpace>(coarse_space(s.frame));
+  v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
   if (!s.frictionless)
     prepare_convection(v.space_->frame, Scheme::characteristic, step, v.problem_.op);

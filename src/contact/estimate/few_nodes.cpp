@@ -34,7 +34,7 @@ void mark_edge(std::uint8_t* state, const std::int32_t* node) {
 }  // namespace
 
 std::int64_t nodes_inside(const SolverState& s) {
-  const SurfaceMesh& mesh = s.frame.mesh;
+  const SurfaceMesh& mesh = s.prepared->frame.mesh;
   const std::vector<double>& normal = s.iterate.lambda[2];
   std::vector<std::uint8_t>& node = s.edge_of_contact;
   node.resize(normal.size());
@@ -80,7 +80,7 @@ std::string describe_few_nodes(const SolverState& s) {
       static_cast<long long>(
           std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
       static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
-      s.given.approach_of(s.iterate.motion, s.problem.datum));
+      s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
   return text;
 }
 

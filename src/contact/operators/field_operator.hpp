@@ -22,8 +22,8 @@ class FieldOperator {
   virtual ~FieldOperator() = default;
   /// image[r] (r = 0, 1: convective slip per unit rolling speed, D (A lambda)_t; 2: normal
   /// displacement (A lambda)_n) at all nodes of the frame, of tractions lambda[c] at all nodes.
-  /// Null lambda: zero. Null image: not wanted.
-  virtual void apply(const double* const (&lambda)[3], double* const (&image)[3]) = 0;
+  /// Null lambda: zero. Null image: not wanted. Several threads may call at once.
+  virtual void apply(const double* const (&lambda)[3], double* const (&image)[3]) const = 0;
   /// Entry of an interior node's own row r and column c.
   virtual double entry(int r, int c) const = 0;
   /// 2-norm of the tangential columns of slip row r of a node amid the others.
@@ -31,8 +31,6 @@ class FieldOperator {
   virtual bool couples() const = 0;
   /// What it convolves with; nothing: something else.
   virtual std::optional<LatticeInfluence> influence() const { return std::nullopt; }
-  /// The same operator with a workspace of its own, for another thread.
-  virtual std::unique_ptr<FieldOperator> clone() const = 0;
   virtual std::size_t bytes() const = 0;
   /// Calls of apply() so far.
   virtual std::int64_t applications() const = 0;

@@ -39,7 +39,7 @@ std::size_t ContactOperators::bytes() const {
   std::size_t sum = 0;
   for (const auto& row : block)
     for (const auto& matrix : row)
-      if (!matrix.empty() && !matrix.shared())
+      if (!matrix.empty())
         sum += static_cast<std::size_t>(rows * matrix.columns()) * sizeof(double);
   if (field) sum += field->bytes();
   return sum + convection.value.capacity() * (sizeof(double) + sizeof(std::int32_t));
@@ -51,7 +51,7 @@ void require_operator_memory(const ContactOperators& op, const bool (&block)[3][
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 3; ++c) {
       if (block[r][c] && op.block[r][c].empty()) allocated += 1;
-      if (block[r][c] || !(op.block[r][c].empty() || op.block[r][c].shared())) written += 1;
+      if (block[r][c] || !op.block[r][c].empty()) written += 1;
     }
   const double row_bytes = 8.0 * static_cast<double>(op.nodes);
   require_memory({allocated * static_cast<double>(op.nodes) * row_bytes,

@@ -165,21 +165,23 @@ class Middle {
 std::vector<double> normal_displacements(const SolverState& s, const std::vector<double>& x,
                                          const std::vector<double>& y) {
   constexpr std::size_t chunk = 64;
-  const std::size_t n = at(s.problem.nodes);
-  const bool coupled = s.compliance->couples() && !s.problem.op.coupling_vanished;
+  const std::size_t n = at(s.prepared->problem.nodes);
+  const bool coupled =
+      s.prepared->compliance->couples() && !s.prepared->problem.op.coupling_vanished;
   std::vector<double> u(x.size(), 0.0), row[3];
   ComplianceBlock out;
-  out.stride = s.problem.nodes;
+  out.stride = s.prepared->problem.nodes;
   for (std::size_t c = coupled ? 0 : 2; c < 3; ++c) {
     row[c].resize(chunk * n);
     out.a[2][c] = row[c].data();
   }
   for (std::size_t first = 0; first < x.size(); first += chunk) {
     const std::size_t count = std::min(chunk, x.size() - first);
-    s.compliance->block({{x.data() + first, count}, {y.data() + first, count}}, out);
+    s.prepared->compliance->block({{x.data() + first, count}, {y.data() + first, count}}, out);
     for (std::size_t c = coupled ? 0 : 2; c < 3; ++c)
       for (std::size_t i = 0; i < count; ++i)
-        u[first + i] += dot(row[c].data() + i * n, s.iterate.lambda[c].data(), s.problem.nodes);
+        u[first + i] +=
+            dot(row[c].data() + i * n, s.iterate.lambda[c].data(), s.prepared->problem.nodes);
   }
   return u;
 }
@@ -187,8 +189,8 @@ std::vector<double> normal_displacements(const SolverState& s, const std::vector
 }  // namespace
 
 double gap_force(const SolverState& s, const std::vector<double>& rate) {
-  const Problem& p = s.problem;
-  const Frame& frame = s.frame;
+  const Problem& p = s.prepared->problem;
+  const Frame& frame = s.prepared->frame;
   std::vector<double> rigid(at(p.nodes)), x, y, gap, factor;
   for (std::size_t k = 0; k < rigid.size(); ++k)
     rigid[k] = p.rigid_gap(k, s.iterate.motion[approach]);

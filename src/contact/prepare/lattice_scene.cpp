@@ -7,6 +7,7 @@
 #include "contact/newton/nested_start.hpp"
 #include "contact/operators/lattice/lattice_dense.hpp"
 #include "contact/operators/lattice/lattice_operator.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "linalg/fft.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -21,9 +22,9 @@ constexpr std::int64_t fft_from = 400;
 // Why a table of one node's influence does not tell those of all; null: it does.
 const char* obstacle_to_table(const SolverState& s) {
   HalfspaceConstants c;
-  if (!s.compliance->halfspace(c)) return "the bodies are not half-spaces alone";
-  if (!s.lattice) return s.no_lattice.c_str();
-  if (!s.lattice->has_inner_node()) return "the grid has no inner node";
+  if (!s.prepared->compliance->halfspace(c)) return "the bodies are not half-spaces alone";
+  if (!s.prepared->lattice) return s.prepared->no_lattice.c_str();
+  if (!s.prepared->lattice->has_inner_node()) return "the grid has no inner node";
   return nullptr;
 }
 
@@ -40,9 +41,9 @@ const char* obstacle_to_fft(const SolverState& s) {
 // op: stencils of the scheme, whose rows are taken over.
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
   HalfspaceConstants c;
-  s.compliance->halfspace(c);
+  s.prepared->compliance->halfspace(c);
   const double delta =
-      op.upstream.empty() ? 0 : s.characteristic_step * lattice.spacing_along_flow();
+      op.upstream.empty() ? 0 : s.prepared->characteristic_step * lattice.spacing_along_flow();
   op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection);
   op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
@@ -52,7 +53,7 @@ void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperato
 
 // Rows of another kind are of no use any more.
 void forget_rows(SolverState& s) {
-  ContactOperators& op = s.problem.op;
+  ContactOperators& op = s.preparation->made->problem.op;
   for (auto& row : op.block)
     for (auto& block : row) block.release();
   op.normal = op.tangential = op.coupling_vanished = false;
@@ -63,32 +64,33 @@ void forget_rows(SolverState& s) {
 }
 
 void release_field(SolverState& s) {
-  if (!s.problem.op.field) return;
-  s.problem.op.field.reset();
+  ContactOperators& op = s.preparation->made->problem.op;
+  if (!op.field) return;
+  op.field.reset();
   forget_rows(s);
 }
 
 void choose_table(SolverState& s, bool wanted) {
-  if (s.table == wanted) return;
-  s.table = wanted;
-  if (s.problem.op.normal && !s.problem.op.field) forget_rows(s);
+  if (s.prepared->table == wanted) return;
+  s.preparation->made->table = wanted;
+  if (s.prepared->problem.op.normal && !s.prepared->problem.op.field) forget_rows(s);
 }
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    prepare_convection(frame, scheme, s.characteristic_step, op);
+    prepare_convection(frame, scheme, s.prepared->characteristic_step, op);
     fill_operators(s, lattice, op);
   };
-  return {s.frame, *s.lattice, make, std::move(cancelled)};
+  return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};
 }
 
 }  // namespace
 
 void build_lattice_operators(SolverState& s, const Options& options) {
-  if (!s.lattice_known) {
-    s.lattice = find_lattice(s.frame, &s.no_lattice);
-    s.no_lattice.insert(0, "the frame is not a regular grid of quad4 elements: ");
-    s.lattice_known = true;
+  Prepared& on = *s.preparation->made;
+  if (s.preparation->lattice.enter(s.preparation->frame.version())) {
+    on.lattice = find_lattice(on.frame, &on.no_lattice);
+    on.no_lattice.insert(0, "the frame is not a regular grid of quad4 elements: ");
   }
   const char *no_fft = obstacle_to_fft(s), *no_table = obstacle_to_table(s);
   const bool any = options.operators == "auto";
@@ -96,25 +98,25 @@ void build_lattice_operators(SolverState& s, const Options& options) {
   if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
     fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
          reason);
-  const bool fft = !no_fft && (ask_fft || (any && s.frame.nodes() >= fft_from));
+  const bool fft = !no_fft && (ask_fft || (any && s.prepared->frame.nodes() >= fft_from));
   choose_table(s, !fft && !no_table && (any || ask_table));
   if (!fft) return release_field(s);
-  ContactOperators& op = s.problem.op;
+  ContactOperators& op = s.preparation->made->problem.op;
   if (op.field && (op.tangential || s.frictionless)) return;
   const Stopwatch watch(s.timings.compliance);
   forget_rows(s);
-  op.rows = s.frame.nodes();
-  fill_operators(s, *s.lattice, op);
+  op.rows = s.prepared->frame.nodes();
+  fill_operators(s, *s.prepared->lattice, op);
   s.iterate.invalidate();
-  s.normal_scale = 0;  // scales follow the operators
+  ++s.preparation->rows;
 }
 
 bool fill_from_table(SolverState& s) {
-  if (!s.table) return false;
+  if (!s.prepared->table) return false;
   HalfspaceConstants c;
-  s.compliance->halfspace(c);
-  ContactOperators& op = s.problem.op;
-  fill_lattice_operators(*s.lattice, c, !s.frictionless || op.tangential, op);
+  s.prepared->compliance->halfspace(c);
+  ContactOperators& op = s.preparation->made->problem.op;
+  fill_lattice_operators(*s.prepared->lattice, c, !s.frictionless || op.tangential, op);
   op.normal = true;
   op.tangential = op.tangential || !s.frictionless;
   op.rows = op.nodes;
@@ -123,12 +125,13 @@ bool fill_from_table(SolverState& s) {
 }
 
 void start_on_lattice(SolverState& s, const Monitor& monitor) {
-  if (!s.problem.op.field) return;
+  if (!s.prepared->problem.op.field) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
   const LatticeScene scene =
       scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
-  start_from_coarser(s.problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
+  start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance,
+                     s.iterate);
 }
 
 bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings,
@@ -136,21 +139,22 @@ bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvin
   Prescribed given = s.given;
   given.by_force = {};
   given.value = s.iterate.motion;
-  iterate.resize(s.problem.nodes);
+  iterate.resize(s.prepared->problem.nodes);
   iterate.motion = s.iterate.motion;
-  return solve_on_coarser(s.problem, given, scene_of(s, *s.scheme, [] { return false; }),
-                          s.frictionless, tolerance, halvings, iterate);
+  return solve_on_coarser(s.prepared->problem, given,
+                          scene_of(s, s.prepared->scheme, [] { return false; }), s.frictionless,
+                          tolerance, halvings, iterate);
 }
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
   HalfspaceConstants c;
-  if (!body.halfspace(c) || !s.lattice->loose.empty()) return false;
-  const std::size_t n = s.frame.x.size();
+  if (!body.halfspace(c) || !s.prepared->lattice->loose.empty()) return false;
+  const std::size_t n = s.prepared->frame.x.size();
   SparseRows same;  // rows of an upwind scheme that leave displacements as they are
   for (std::size_t k = 0; k <= n; ++k) same.start.push_back(static_cast<std::int64_t>(k));
   for (std::size_t k = 0; k < n; ++k) same.column.push_back(static_cast<std::int32_t>(k));
   same.value.assign(n, 1.0);
-  LatticeOperator displacements(*s.lattice, c, 0, std::move(same));
+  LatticeOperator displacements(*s.prepared->lattice, c, 0, std::move(same));
   std::vector<double> part[3];
   for (auto& v : part) v.resize(n);
   const auto& l = s.iterate.lambda;
@@ -165,10 +169,10 @@ namespace {
 
 // What makes the grid differ from a full one with all nodes on their places.
 std::string describe_flaws(const SolverState& s) {
-  const Lattice& l = *s.lattice;
+  const Lattice& l = *s.prepared->lattice;
   char text[120];
   std::string all;
-  const auto missing = (l.nx - 1) * (l.ny - 1) - s.frame.elements();
+  const auto missing = (l.nx - 1) * (l.ny - 1) - s.prepared->frame.elements();
   if (missing > 0) {
     std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing",
                   static_cast<long long>(missing));
@@ -185,22 +189,23 @@ std::string describe_flaws(const SolverState& s) {
 }  // namespace
 
 std::string describe_lattice(const SolverState& s) {
-  if (s.table)
+  if (s.prepared->table)
     return "operators: rows of a regular grid, copied from a table of one node's influence: no "
            "integrals" +
            describe_flaws(s);
   HalfspaceConstants c;
-  if (!s.problem.op.field && s.compliance->halfspace(c) && !s.lattice)
-    return "operators: dense, by integrals; " + s.no_lattice;
-  if (!s.problem.op.field) return {};
+  if (!s.prepared->problem.op.field && s.prepared->compliance->halfspace(c) && !s.prepared->lattice)
+    return "operators: dense, by integrals; " + s.prepared->no_lattice;
+  if (!s.prepared->problem.op.field) return {};
   char text[200];
   std::snprintf(
       text, sizeof text,
       "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
       "matrices; %.1f MB, applied %lld time(s)",
-      static_cast<long long>(s.lattice->nx), static_cast<long long>(s.lattice->ny),
-      static_cast<double>(s.problem.op.field->bytes()) / 1e6,
-      static_cast<long long>(s.problem.op.field->applications()));
+      static_cast<long long>(s.prepared->lattice->nx),
+      static_cast<long long>(s.prepared->lattice->ny),
+      static_cast<double>(s.prepared->problem.op.field->bytes()) / 1e6,
+      static_cast<long long>(s.prepared->problem.op.field->applications()));
   return text + describe_flaws(s);
 }
 

@@ -15,7 +15,7 @@ constexpr double largest = 1e305;           // sums of some and their hypotenuse
 constexpr double largest_pressure = 1e150;  // the sum of squares of residuals stays below, too
 
 long long named(const SolverState& s, std::size_t k) {
-  return static_cast<long long>(k) + s.frame.mesh.index_base;
+  return static_cast<long long>(k) + s.prepared->frame.mesh.index_base;
 }
 
 }  // namespace
@@ -23,13 +23,13 @@ long long named(const SolverState& s, std::size_t k) {
 // Augmented tractions are tractions less a scale times gap or slip: that product must be a number,
 // and so must the slip velocity, which is a result.
 void refuse_overflow(const SolverState& s) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   std::array<double, 4> motion{};
   for (std::size_t m = 0; m < 4; ++m)
     if (!s.given.by_force[m]) motion[m] = s.given.value[m];
   if (s.given.by_force[approach]) motion[approach] = -p.datum;  // no approach: the gap as given
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
-    if (!s.frame.used[k]) continue;
+    if (!s.prepared->frame.used[k]) continue;
     const double gap = p.rigid_gap(k, motion[approach]), scale = std::max(1.0, p.rn[k]);
     // Under a load gaps count from the least one. Nodes that are never to touch may have any gap,
     // but the monolithic system counts it among its residuals.
@@ -39,19 +39,19 @@ void refuse_overflow(const SolverState& s) {
       fail(Status::err_argument,
            "the gap of node %lld (counting from %d), less the prescribed approach, is %g, and %g "
            "more than the least gap; allowed: %g to %g",
-           named(s, k), s.frame.mesh.index_base, gap, p.gap[k], least, most);
+           named(s, k), s.prepared->frame.mesh.index_base, gap, p.gap[k], least, most);
   }
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
-    if (!s.frame.used[k]) continue;
+    if (!s.prepared->frame.used[k]) continue;
     const auto i = static_cast<std::int64_t>(k);
-    const double most = largest / std::max({1.0, s.speed, p.rt[k]});
+    const double most = largest / std::max({1.0, s.prepared->speed, p.rt[k]});
     const double slip1 = std::abs(p.rigid_slip1(i, motion)),
                  slip2 = std::abs(p.rigid_slip2(i, motion));
     if (!(slip1 <= most && slip2 <= most))
       fail(Status::err_argument,
            "creepages, spin and creep field let node %lld (counting from %d) slip by %g of the "
            "speed; allowed: up to %g",
-           named(s, k), s.frame.mesh.index_base, std::max(slip1, slip2), most);
+           named(s, k), s.prepared->frame.mesh.index_base, std::max(slip1, slip2), most);
   }
 }
 

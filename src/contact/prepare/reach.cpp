@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "contact/newton/start.hpp"
-#include "contact/solution.hpp"
+#include "contact/prepare/preparation.hpp"
 
 namespace rollcon {
 namespace {
@@ -33,32 +33,35 @@ bool linear_elements(const SurfaceMesh& mesh) {
 }
 
 double greatest_friction(const SolverState& s) {
-  return s.given.friction * *std::max_element(s.problem.mu.begin(), s.problem.mu.end());
+  return s.given.friction *
+         *std::max_element(s.prepared->problem.mu.begin(), s.prepared->problem.mu.end());
 }
 
 // Part of the normal displacements by pressures that coupling cannot take away.
 double sure_part(const SolverState& s) {
-  const double coupled = s.compliance->couples() ? greatest_coupling * greatest_friction(s) : 0;
-  return (1 - coupled) * (1 - 10 * s.accuracy);
+  const double coupled =
+      s.prepared->compliance->couples() ? greatest_coupling * greatest_friction(s) : 0;
+  return (1 - coupled) * (1 - 10 * s.prepared->accuracy);
 }
 
 const char* reason_against(const SolverState& s, const Options& o) {
   if (o.reach == 0) return "option reach is 0";
-  if (s.problem.op.field) return "nothing is assembled";
-  if (s.table) return "rows are copied from a table";
+  if (s.prepared->problem.op.field) return "nothing is assembled";
+  if (s.prepared->table) return "rows are copied from a table";
   if (!s.procedure.standard()) return "the published procedures work on all nodes";
-  if (s.problem.nodes < fewest) return "the frame is small";
-  for (const Body* body : s.pair.body)
+  if (s.prepared->problem.nodes < fewest) return "the frame is small";
+  for (const Body* body : s.prepared->pair.body)
     if (body->kind() != BodyKind::halfspace && !body->rigid())
       return "pressure on a body with a mesh may pull its surface outwards elsewhere";
-  if (s.frame.curved()) return "the frame is curved";
+  if (s.prepared->frame.curved()) return "the frame is curved";
   if (!(sure_part(s) > 0)) return "coupling and friction are strong: no bound";
-  if (!linear_elements(s.frame.mesh)) return "shape functions of quadratic elements change sign";
+  if (!linear_elements(s.prepared->frame.mesh))
+    return "shape functions of quadratic elements change sign";
   return nullptr;
 }
 
 void find_radius(SolverState& s) {
-  const Frame& frame = s.frame;
+  const Frame& frame = s.prepared->frame;
   std::vector<double>& radius = s.reach.radius;
   radius.assign(frame.x.size(), 0.0);
   for (std::int64_t e = 0; e < frame.elements(); ++e)
@@ -72,14 +75,14 @@ void find_radius(SolverState& s) {
 
 double least_gap(const SolverState& s) {
   double low = INFINITY;
-  for (std::size_t k = 0; k < s.problem.gap.size(); ++k)
-    if (s.frame.used[k]) low = std::min(low, gap_at(s.problem, k));
+  for (std::size_t k = 0; k < s.prepared->problem.gap.size(); ++k)
+    if (s.prepared->frame.used[k]) low = std::min(low, gap_at(s.prepared->problem, k));
   return low;
 }
 
 // Gap up to which nodes are taken to be within reach.
 double level_of(const SolverState& s, double low) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const Reach& r = s.reach;
   if (!r.known) {
     const GuessedContact guess = guess_contact(p, s.given);
@@ -93,7 +96,7 @@ double level_of(const SolverState& s, double low) {
 
 // The solution's load, edge and approach, for the next choice.
 void remember(SolverState& s) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Reach& r = s.reach;
   r.known = false;
   r.low = INFINITY;
@@ -113,7 +116,7 @@ void remember(SolverState& s) {
 }  // namespace
 
 void choose_reach(SolverState& s, const Options& options) {
-  Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Reach& r = s.reach;
   const bool first = !p.op.normal;
   if (first) r = {};
@@ -157,12 +160,12 @@ void choose_reach(SolverState& s, const Options& options) {
 }
 
 void take_reach(SolverState& s) {
-  Problem& p = s.problem;
+  Problem& p = s.preparation->made->problem;
   Reach& r = s.reach;
   r.on = !r.why_not && p.op.normal && p.op.rows < p.nodes;
   r.nodes = 0;
   for (std::size_t k = 0; k < p.used.size(); ++k) {
-    p.used[k] = s.frame.used[k] && (!r.on || p.op.has_row(k));
+    p.used[k] = s.prepared->frame.used[k] && (!r.on || p.op.has_row(k));
     r.nodes += p.used[k];
   }
 }
@@ -171,7 +174,7 @@ void take_reach(SolverState& s) {
 // loaded points y, and no less than cn F / sqrt(mean |x - y|^2). Friction takes away no more than
 // |ck| mu of it.
 std::int64_t find_doubtful(SolverState& s) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Reach& r = s.reach;
   double force = 0, mx = 0, my = 0, spread = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
@@ -185,7 +188,8 @@ std::int64_t find_doubtful(SolverState& s) {
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     const double pressure = -s.iterate.lambda[2][k];
     if (!(pressure > 0)) continue;
-    const double distance = std::hypot(s.frame.x[k] - x, s.frame.y[k] - y) + r.radius[k];
+    const double distance =
+        std::hypot(s.prepared->frame.x[k] - x, s.prepared->frame.y[k] - y) + r.radius[k];
     spread += pressure * p.weight[k] * distance * distance / force;
   }
   const double sure = sure_part(s) * force / (std::numbers::pi * p.stiffness);
@@ -193,8 +197,8 @@ std::int64_t find_doubtful(SolverState& s) {
   r.wanted.assign(p.gap.size(), 0);
   std::int64_t doubtful = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
-    if (!s.frame.used[k] || p.op.has_row(k)) continue;
-    const double dx = s.frame.x[k] - x, dy = s.frame.y[k] - y;
+    if (!s.prepared->frame.used[k] || p.op.has_row(k)) continue;
+    const double dx = s.prepared->frame.x[k] - x, dy = s.prepared->frame.y[k] - y;
     const double apart = force > 0 ? sure / std::sqrt(dx * dx + dy * dy + spread) : 0;
     if (p.rigid_gap(k, depth) + apart > 0) continue;
     r.wanted[k] = 1;
@@ -205,13 +209,13 @@ std::int64_t find_doubtful(SolverState& s) {
 
 bool bring_back(SolverState& s, const Options& options) {
   Reach& r = s.reach;
-  Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   if (!r.on) return false;
   if (find_doubtful(s) == 0) {
     remember(s);
     return false;
   }
-  if (r.fixed) {
+  if (!s.preparation) {
     r.doubtful = true;
     return false;
   }

@@ -13,23 +13,23 @@ namespace {
 // Displacement difference u1 - u2 at points, straight from the integrals.
 std::vector<double> displacements(SolverState& s, const std::vector<double>& x,
                                   const std::vector<double>& y) {
-  const std::size_t n = at(s.problem.nodes);
+  const std::size_t n = at(s.prepared->problem.nodes);
   std::vector<double> t(3 * n), u(3 * x.size());
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
   ++s.work.applications;
-  s.compliance->apply({x, y}, t.data(), u.data());
+  s.prepared->compliance->apply({x, y}, t.data(), u.data());
   return u;
 }
 
 // D (A lambda)_t per unit speed at every node, from displacements.
 void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
-  const ContactOperators& op = s.problem.op;
+  const ContactOperators& op = s.prepared->problem.op;
   std::vector<double> ahead;
   if (!op.upstream.empty()) {
-    std::vector<double> x = s.frame.x;
+    std::vector<double> x = s.prepared->frame.x;
     for (std::size_t k = 0; k < x.size(); ++k) x[k] += op.upstream[k];
-    ahead = displacements(s, x, s.frame.y);
+    ahead = displacements(s, x, s.prepared->frame.y);
   }
   convect(op, u.data(), ahead.data(), image);
 }
@@ -38,16 +38,16 @@ void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (
 // on large lattices by its convolutions, applied afresh: integrals take a time of n^2 there.
 void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
   constexpr std::size_t large = 4096;
-  const std::size_t n = at(s.problem.nodes);
+  const std::size_t n = at(s.prepared->problem.nodes);
   normal.resize(n);
-  if (s.problem.op.field && n > large) {
+  if (s.prepared->problem.op.field && n > large) {
     for (auto& v : slip) v.resize(n);
     const auto& l = s.iterate.lambda;
-    s.problem.op.field->apply({l[0].data(), l[1].data(), l[2].data()},
-                              {slip[0].data(), slip[1].data(), normal.data()});
+    s.prepared->problem.op.field->apply({l[0].data(), l[1].data(), l[2].data()},
+                                        {slip[0].data(), slip[1].data(), normal.data()});
     return;
   }
-  const std::vector<double> u = displacements(s, s.frame.x, s.frame.y);
+  const std::vector<double> u = displacements(s, s.prepared->frame.x, s.prepared->frame.y);
   convect(s, u, slip);
   for (std::size_t k = 0; k < n; ++k) normal[k] = u[3 * k + 2];
 }
@@ -59,8 +59,8 @@ struct Outside {
 };
 
 Outside outside_reach(SolverState& s) {
-  const ContactOperators& op = s.problem.op;
-  const std::size_t n = at(s.problem.nodes);
+  const ContactOperators& op = s.prepared->problem.op;
+  const std::size_t n = at(s.prepared->problem.nodes);
   std::vector<std::uint8_t> needed(n, 0);
   for (std::size_t k = 0; k < n; ++k) {
     if (op.has_row(k)) continue;
@@ -71,7 +71,7 @@ Outside outside_reach(SolverState& s) {
   }
   std::vector<double> x, y;
   for (std::size_t k = 0; k < n; ++k)
-    if (needed[k]) x.push_back(s.frame.x[k]), y.push_back(s.frame.y[k]);
+    if (needed[k]) x.push_back(s.prepared->frame.x[k]), y.push_back(s.prepared->frame.y[k]);
   const auto at_nodes = [&](const std::vector<double>& found) {
     std::vector<double> u(3 * n, 0.0);
     for (std::size_t k = 0, p = 0; k < n; ++k)
@@ -98,24 +98,24 @@ Outside outside_reach(SolverState& s) {
 void derive_fields(SolverState& s) {
   if (s.derived) return;
   ++s.work.fields;
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Iterate& it = s.iterate;
   const std::size_t n = at(p.nodes);
   s.gap.assign(n, 0.0);
   s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
   std::vector<double> image[2];
   const bool known = p.op.tangential || p.op.field || s.images_known;
-  if (!known) convect(s, displacements(s, s.frame.x, s.frame.y), image);
+  if (!known) convect(s, displacements(s, s.prepared->frame.x, s.prepared->frame.y), image);
   for (auto& v : s.slip) v.assign(n, 0.0);
   const Outside outside = s.reach.on ? outside_reach(s) : Outside{};
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::int64_t>(k);
     if (s.reach.on && !p.op.has_row(k)) {
-      if (!s.frame.used[k]) s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
+      if (!s.prepared->frame.used[k]) s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
       s.gap[k] = p.rigid_gap(k, it.motion[approach]) - outside.normal[k];
-      if (!s.frame.used[k]) continue;
-      s.slip[0][k] = s.speed * (p.rigid_slip1(i, it.motion) + outside.slip[0][k]);
-      s.slip[1][k] = s.speed * (p.rigid_slip2(i, it.motion) + outside.slip[1][k]);
+      if (!s.prepared->frame.used[k]) continue;
+      s.slip[0][k] = s.prepared->speed * (p.rigid_slip1(i, it.motion) + outside.slip[0][k]);
+      s.slip[1][k] = s.prepared->speed * (p.rigid_slip2(i, it.motion) + outside.slip[1][k]);
       continue;
     }
     if (!p.used[k]) {
@@ -130,8 +130,8 @@ void derive_fields(SolverState& s) {
     const double w2 = known ? it.image[1][k] : image[1][k];
     const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
     s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
-    s.slip[0][k] = s.speed * s1;
-    s.slip[1][k] = s.speed * s2;
+    s.slip[0][k] = s.prepared->speed * s1;
+    s.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
     const FrictionPoint point{s.given.friction * p.mu[k], -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
                               it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2};
@@ -145,7 +145,7 @@ void check_laws(SolverState& s) {
   if (s.laws_checked) return;
   ++s.work.laws;
   derive_fields(s);
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   const std::size_t n = at(p.nodes);
   std::vector<double> un, w[2];
@@ -159,7 +159,7 @@ void check_laws(SolverState& s) {
   }
   std::vector<double> s1(n), s2(n);
   for (std::size_t k = 0; k < n; ++k) {
-    if (!s.frame.used[k]) continue;
+    if (!s.prepared->frame.used[k]) continue;
     const auto i = static_cast<std::int64_t>(k);
     const double c1 = p.rigid_slip1(i, it.motion), c2 = p.rigid_slip2(i, it.motion);
     s1[k] = c1 + w[0][k];
@@ -170,11 +170,11 @@ void check_laws(SolverState& s) {
   // Slip is small when it is small against the slip velocities that occur, or when it would change
   // the traction by little of the friction bound (zero creepage has no velocity to compare with).
   const auto relative = [&](double speed, std::size_t k) {
-    return std::min(speed / speed_max, p.rt[k] / s.tangential_scale * speed / bound_max);
+    return std::min(speed / speed_max, p.rt[k] / s.prepared->tangential_scale * speed / bound_max);
   };
   double normal = 0, friction = 0, slip = 0;
   for (std::size_t k = 0; k < n; ++k) {
-    if (!s.frame.used[k]) continue;
+    if (!s.prepared->frame.used[k]) continue;
     const double ln = it.lambda[2][k];
     const double kn = p.rigid_gap(k, it.motion[approach]) - un[k];
     if (pressure > 0) normal = std::max(normal, ln / pressure);

@@ -11,13 +11,13 @@ namespace {
 
 /// Contact at the rim has three causes that the caller can tell apart only by what is said here.
 const char* cause_of_rim_contact(const SolverState& s) {
-  const std::vector<double> gap = s.problem.undeformed_gaps();
+  const std::vector<double> gap = s.prepared->problem.undeformed_gaps();
   constexpr double none = std::numeric_limits<double>::infinity();
   double least_inside = none, most_inside = -none, least_rim = none, most_rim = -none;
   bool all_around = true;
   for (std::size_t k = 0; k < gap.size(); ++k) {
-    if (!s.frame.used[k]) continue;
-    const bool rim = s.frame.rim[k] != 0;
+    if (!s.prepared->frame.used[k]) continue;
+    const bool rim = s.prepared->frame.rim[k] != 0;
     double& least = rim ? least_rim : least_inside;
     double& most = rim ? most_rim : most_inside;
     least = std::min(least, gap[k]);
@@ -55,7 +55,7 @@ std::string times(double share) {
 
 std::string not_converged(const SolverState& s) {
   const NewtonReport& r = s.report;
-  const std::vector<double>& mu = s.problem.mu;
+  const std::vector<double>& mu = s.prepared->problem.mu;
   const bool strong = !mu.empty() && *std::max_element(mu.begin(), mu.end()) >= 1;
   return text_of(
       "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, %.1e "
@@ -63,7 +63,7 @@ std::string not_converged(const SolverState& s) {
       static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
       static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential,
       r.residual_load,
-      s.problem.op.coupled && strong
+      s.prepared->problem.op.coupled && strong
           ? " (with friction of 1 and more between unlike bodies there may be several solutions or "
             "none)"
           : "");
@@ -100,7 +100,8 @@ std::string describe_outcome(const SolverState& s) {
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
     return text_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
                    static_cast<long long>(rim),
-                   s.given.approach_of(s.iterate.motion, s.problem.datum), cause_of_rim_contact(s));
+                   s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),
+                   cause_of_rim_contact(s));
   return text_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
                  s.report.residual_tangential);
 }

@@ -68,17 +68,19 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
     line(text, "both half-spaces: one compliance with summed constants");
   const std::string lattice = describe_lattice(s);
   if (!lattice.empty()) text += lattice + '\n';
-  const std::string compliance = s.compliance->description();
+  const std::string compliance = s.prepared->compliance->description();
   if (!compliance.empty()) text += compliance + '\n';
 }
 
 void describe_frame(std::string& text, const SolverState& s, const Scene& scene, bool meshed) {
-  if (s.frame_source.body >= 0)
+  if (s.prepared->frame_source.body >= 0)
     line(text, "frame: the %lld faces of body %d with tag %d",
-         static_cast<long long>(s.frame.elements()), s.frame_source.body + 1, s.frame_source.tag);
-  if (s.frame.curved()) {
+         static_cast<long long>(s.prepared->frame.elements()), s.prepared->frame_source.body + 1,
+         s.prepared->frame_source.tag);
+  if (s.prepared->frame.curved()) {
     double cosine = 1;
-    for (const Vec3& n : s.frame.n) cosine = std::min(cosine, dot(n, s.frame.axes.n));
+    for (const Vec3& n : s.prepared->frame.n)
+      cosine = std::min(cosine, dot(n, s.prepared->frame.axes.n));
     line(text, "frame: curved, local axes at every node, normals up to %.2g degrees off",
          std::acos(cosine) * 180 / std::numbers::pi);
   } else {
@@ -86,12 +88,13 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
   }
   if (meshed)
     line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
-  if (const InitialOverlap overlap = initial_overlap(s.frame, s.problem.undeformed_gaps());
+  if (const InitialOverlap overlap =
+          initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps());
       overlap.nodes > 0)
     line(text,
          "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
          static_cast<long long>(overlap.nodes), overlap.depth);
-  if (!s.offset_depth.empty())
+  if (!s.prepared->offset_depth.empty())
     line(text, "loads and given displacements of the bodies: added to gap and slip");
 }
 
@@ -106,7 +109,7 @@ void describe_procedure(std::string& text, const SolverState& s, const Options& 
 }
 
 void describe_reach(std::string& text, const SolverState& s) {
-  const auto all = static_cast<long long>(s.problem.nodes);
+  const auto all = static_cast<long long>(s.prepared->problem.nodes);
   if (s.reach.on)
     line(text,
          "reach: %lld of %lld nodes are out of it (a bound proves them open): no rows of the "
@@ -143,7 +146,7 @@ void describe_reuse(std::string& text, const SolverState& s) {
     std::string& list = again ? made : kept;
     list += (list.empty() ? "" : ", ") + std::string(what);
   };
-  if (s.pair.body[0]->response() || s.pair.body[1]->response())
+  if (s.prepared->pair.body[0]->response() || s.prepared->pair.body[1]->response())
     tell(now.bodies != before.bodies, "bodies");
   tell(now.frames != before.frames, "frame");
   tell(now.gaps != before.gaps, "gap");
@@ -177,7 +180,7 @@ void describe_results(std::string& text, const SolverState& s) {
 std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
                           const Body& body2) {
   std::string text;
-  const ContactOperators& op = s.problem.op;
+  const ContactOperators& op = s.prepared->problem.op;
   describe_bodies(text, s, body1, body2);
   describe_frame(text, s, scene, body1.meshed() || body2.meshed());
   if (s.frictionless) {
@@ -187,7 +190,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
                          "compliance");
   } else if (!s.procedure.standard()) {
     line(text, "the published iteration solves for all unknowns at once, coupled or not");
-  } else if (!op.coupled && s.frame.curved() && s.given.by_force[approach]) {
+  } else if (!op.coupled && s.prepared->frame.curved() && s.given.by_force[approach]) {
     line(text,
          "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
          "solved together");
@@ -206,9 +209,9 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          static_cast<long long>(s.report.sliding_steps));
   if (op.tangential || s.procedure.monolithic)
     line(text, "convective scheme: %s",
-         *s.scheme == Scheme::godunov         ? "godunov"
-         : *s.scheme == Scheme::least_squares ? "least_squares"
-                                              : "characteristic");
+         s.prepared->scheme == Scheme::godunov         ? "godunov"
+         : s.prepared->scheme == Scheme::least_squares ? "least_squares"
+                                                       : "characteristic");
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
       static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",

@@ -38,7 +38,7 @@ double work_of_pressures(const SolverState& s) {
   constexpr double never = 100;
   constexpr int degree = 4;
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const std::vector<double>& normal = s.iterate.lambda[2];
   const double depth = s.iterate.motion[approach];
   double greatest = 0;
@@ -46,8 +46,8 @@ double work_of_pressures(const SolverState& s) {
     if (normal[k] < 0) greatest = std::max(greatest, std::abs(p.rigid_gap(k, depth)));
   double sum = 0;
   double f[max_element_nodes], g[max_element_nodes];
-  for (std::int64_t e = 0; e < s.frame.elements(); ++e) {
-    const auto node = s.frame.mesh.element(e);
+  for (std::int64_t e = 0; e < s.prepared->frame.elements(); ++e) {
+    const auto node = s.prepared->frame.mesh.element(e);
     bool loaded = false, sound = true;
     for (std::size_t i = 0; i < node.size(); ++i) {
       const std::size_t k = at(node[i]);
@@ -60,9 +60,9 @@ double work_of_pressures(const SolverState& s) {
       sound = sound && std::abs(g[i]) <= never * greatest;
     }
     if (!sound) continue;
-    const ElementType type = s.frame.mesh.type[at(e)];
-    sum +=
-        integral_of_slope(s.frame, node, type, corner_count(type) == 3 ? triangle : square, f, g);
+    const ElementType type = s.prepared->frame.mesh.type[at(e)];
+    sum += integral_of_slope(s.prepared->frame, node, type,
+                             corner_count(type) == 3 ? triangle : square, f, g);
   }
   return sum;
 }
@@ -74,7 +74,7 @@ double work_of_pressures(const SolverState& s) {
 // contact the normal displacement is the rigid gap.
 double power_put_in(const SolverState& s) {
   if (s.frictionless) return 0;
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   double work = work_of_pressures(s);
   for (std::size_t k = 0; k < it.lambda[2].size(); ++k) {
@@ -86,7 +86,7 @@ double power_put_in(const SolverState& s) {
     }
     if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
   }
-  return -s.speed * work;
+  return -s.prepared->speed * work;
 }
 
 }  // namespace rollcon

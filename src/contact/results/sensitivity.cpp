@@ -20,7 +20,7 @@ int motion_of(Parameter parameter) {
 // What the parameter does to the part's equations while the unknowns stay. The rate of pressures
 // that the part holds given is in w.lambda[2] already.
 void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter parameter) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Sensitivities& w = s.sensitivities;
   const std::size_t na = at(system.active());
   for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]})
@@ -50,7 +50,7 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter para
 
 void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
   Sensitivities& w = s.sensitivities;
-  ReducedSystem& system = s.newton.linearise(s.problem, s.given, s.iterate, part);
+  ReducedSystem& system = s.newton.linearise(s.prepared->problem, s.given, s.iterate, part);
   fill_right_side(s, system, parameter);
   // Nothing slides, or nothing is there that the parameter acts on.
   if (std::all_of(w.b.begin(), w.b.end(), [](double v) { return v == 0; })) return;
@@ -72,7 +72,7 @@ void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
 }
 
 void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
-  const Problem& p = s.problem;
+  const Problem& p = s.prepared->problem;
   Sensitivities& w = s.sensitivities;
   rates = {};
   const int m = motion_of(parameter);
@@ -94,7 +94,7 @@ void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
     if (m == approach) solve_part(s, Part::normal, parameter, rates);
     if (goal == Part::tangential) solve_part(s, Part::tangential, parameter, rates);
   }
-  sum_tractions(p, s.frame, w.lambda, rates.force, rates.moment);
+  sum_tractions(p, s.prepared->frame, w.lambda, rates.force, rates.moment);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ CutHats::CutHats(const Lattice& lattice, HalfspaceConstants c, double delta)
     if (!piece.whole()) part_.push_back({std::move(piece), nullptr});
 }
 
-void CutHats::add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) {
+void CutHats::add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const {
   const auto loaded = [&](std::int32_t place) {
     const std::int32_t k = lattice_.node[static_cast<std::size_t>(place)];
     for (const double* t : lambda)
@@ -31,7 +31,7 @@ void CutHats::add(const double* const (&lambda)[3], double* const (&image)[3], W
   }
 }
 
-std::size_t CutHats::bytes() {
+std::size_t CutHats::bytes() const {
   const std::lock_guard guard(making_);
   std::size_t sum = sizeof *this;
   for (const Part& part : part_)

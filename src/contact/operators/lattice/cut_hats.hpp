@@ -18,8 +18,8 @@ class CutHats {
   /// What one thread needs, made with the first piece: all of them have the same lengths.
   using Workspace = std::unique_ptr<Convolution::Workspace>;
   /// Adds to the wanted images what the tractions of such nodes cause.
-  void add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w);
-  std::size_t bytes();
+  void add(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const;
+  std::size_t bytes() const;
 
  private:
   const Lattice& lattice_;
@@ -29,8 +29,8 @@ class CutHats {
     HatPiece piece;
     std::unique_ptr<const Convolution> columns;
   };
-  std::mutex making_;
-  std::vector<Part> part_;
+  mutable std::mutex making_;  ///< columns are made when they are first needed
+  mutable std::vector<Part> part_;
 };
 
 }  // namespace rollcon

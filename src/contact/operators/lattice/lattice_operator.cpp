@@ -133,35 +133,45 @@ LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double d
   if (!lattice.has_inner_node())
     fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node",
          static_cast<long long>(lattice.nx), static_cast<long long>(lattice.ny));
-  shared_ = std::make_shared<Shared>(std::move(lattice), c, delta, std::move(convection));
-  work_ = std::make_unique<Workspace>(*shared_);
+  shared_ = std::make_unique<Shared>(std::move(lattice), c, delta, std::move(convection));
+  idle_.push_back(std::make_unique<Workspace>(*shared_));
 }
-
-LatticeOperator::LatticeOperator(std::shared_ptr<Shared> shared)
-    : shared_(std::move(shared)), work_(std::make_unique<Workspace>(*shared_)) {}
 
 LatticeOperator::~LatticeOperator() = default;
 
-std::unique_ptr<FieldOperator> LatticeOperator::clone() const {
-  return std::unique_ptr<LatticeOperator>(new LatticeOperator(shared_));
+std::unique_ptr<LatticeOperator::Workspace> LatticeOperator::take_workspace() const {
+  {
+    const std::lock_guard lock(idle_lock_);
+    if (!idle_.empty()) {
+      std::unique_ptr<Workspace> work = std::move(idle_.back());
+      idle_.pop_back();
+      return work;
+    }
+  }
+  return std::make_unique<Workspace>(*shared_);
 }
 
-void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&image)[3]) {
+void LatticeOperator::give_back(std::unique_ptr<Workspace> work) const {
+  const std::lock_guard lock(idle_lock_);
+  idle_.push_back(std::move(work));
+}
+
+void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&image)[3]) const {
   ++applications_;
+  std::unique_ptr<Workspace> work = take_workspace();
   double* target[3] = {image[0], image[1], image[2]};
   const bool upwind = shared_->delta == 0;
   for (int r = 0; r < 2; ++r)
-    if (upwind && image[r] != nullptr) target[r] = work_->displacement[r].data();
-  shared_->convolution.apply(lambda, target, work_->convolution);
-  shared_->cut.add(lambda, target, work_->cut);
+    if (upwind && image[r] != nullptr) target[r] = work->displacement[r].data();
+  shared_->convolution.apply(lambda, target, work->convolution);
+  shared_->cut.add(lambda, target, work->cut);
   for (double* values : target)
     if (values != nullptr)
       for (const std::int32_t k : shared_->lattice.loose) values[k] = 0;
-  if (!upwind) return;
   const SparseRows& rows = shared_->convection;
   for (int r = 0; r < 2; ++r) {
-    if (image[r] == nullptr) continue;
-    const double* displacement = work_->displacement[r].data();
+    if (!upwind || image[r] == nullptr) continue;
+    const double* displacement = work->displacement[r].data();
     for (std::size_t k = 0; k + 1 < rows.start.size(); ++k) {
       double sum = 0;
       for (auto m = static_cast<std::size_t>(rows.start[k]);
@@ -170,6 +180,7 @@ void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&im
       image[r][k] = sum;
     }
   }
+  give_back(std::move(work));
 }
 
 double LatticeOperator::entry(int r, int c) const {
@@ -187,7 +198,12 @@ std::optional<LatticeInfluence> LatticeOperator::influence() const {
 
 std::size_t LatticeOperator::bytes() const {
   const SparseRows& rows = shared_->convection;
-  return shared_->convolution.bytes() + shared_->cut.bytes() + work_->bytes() +
+  std::size_t work = 0;
+  {
+    const std::lock_guard lock(idle_lock_);
+    for (const auto& w : idle_) work += w->bytes();
+  }
+  return shared_->convolution.bytes() + shared_->cut.bytes() + work +
          shared_->lattice.node.size() * (sizeof(std::int32_t) + 1) +
          rows.value.size() * (sizeof(double) + sizeof(std::int32_t));
 }

@@ -2,7 +2,10 @@
 /// A contact's operators on a lattice above half-spaces: applied in n log n time and O(n) memory by
 /// convolution, exact to rounding. docs/theory.md, section 3.
 
+#include <atomic>
 #include <memory>
+#include <mutex>
+#include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/operators/convection/convection.hpp"
@@ -19,24 +22,24 @@ class LatticeOperator final : public FieldOperator {
   LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection);
   ~LatticeOperator() override;
 
-  void apply(const double* const (&lambda)[3], double* const (&image)[3]) override;
+  void apply(const double* const (&lambda)[3], double* const (&image)[3]) const override;
   double entry(int r, int c) const override;
   double row_norm(int r) const override;
   bool couples() const override;
-  /// Shares everything but the workspace.
-  std::unique_ptr<FieldOperator> clone() const override;
   std::optional<LatticeInfluence> influence() const override;
   std::size_t bytes() const override;
-  std::int64_t applications() const override { return applications_; }
+  std::int64_t applications() const override { return applications_.load(); }
 
  private:
   struct Shared;
   struct Workspace;
-  explicit LatticeOperator(std::shared_ptr<Shared> shared);
+  std::unique_ptr<Workspace> take_workspace() const;
+  void give_back(std::unique_ptr<Workspace> work) const;
 
-  std::shared_ptr<Shared> shared_;
-  std::unique_ptr<Workspace> work_;
-  std::int64_t applications_ = 0;
+  std::unique_ptr<const Shared> shared_;
+  mutable std::mutex idle_lock_;
+  mutable std::vector<std::unique_ptr<Workspace>> idle_;  ///< as many as threads applied it at once
+  mutable std::atomic<std::int64_t> applications_ = 0;
 };
 
 }  // namespace rollcon

@@ -1,0 +1,64 @@
+#pragma once
+/// Makes what a solve stands on, part by part, each again only where something it depends on has
+/// changed.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "contact/solution.hpp"
+
+namespace rollcon {
+
+/// Whether a part is still that of its key.
+template <class... Parts>
+class Stage {
+ public:
+  /// True if the part has to be made, for a key that is not the last one.
+  bool enter(Parts... parts) {
+    std::tuple<Parts...> key(std::move(parts)...);
+    if (key_ && *key_ == key) return false;
+    key_ = std::move(key);
+    ++version_;
+    return true;
+  }
+  /// The part has to be made again, whatever its key.
+  void forget() { key_.reset(); }
+  /// Another one whenever the part is made: belongs to the keys of all that depend on it.
+  std::int64_t version() const { return version_; }
+
+ private:
+  std::optional<std::tuple<Parts...>> key_;
+  std::int64_t version_ = 0;
+};
+
+struct Preparation {
+  using Revision = std::int64_t;
+  using Poses = std::array<Revision, 2>;
+
+  std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
+  Revision mesh = -1;                              ///< of the frame
+  Stage<Revision, Revision, Poses> frame;          ///< mesh, axes, poses that turn or move it
+  Stage<Revision, Poses> rim;                      ///< frame, poses of bodies with a mesh
+  Stage<Revision, double> compliance;              ///< frame, accuracy
+  Stage<Revision, Scheme, double> convection;      ///< compliance, scheme, step
+  Stage<Revision> offset;                          ///< convection
+  Stage<Revision, Revision> friction;              ///< convection, revision
+  Stage<Revision, Revision, Revision, Poses> gap;  ///< frame, offset, revision, poses if measured
+  Stage<Revision, Revision, Revision> slip;        ///< convection, offset, revision
+  Stage<Revision> lattice;                         ///< frame
+  Stage<Revision, Revision, double, double, bool> scales;  ///< frame, rows, factors, estimated
+  Revision offset_change = 0;  ///< one is there, or there was one before
+  Revision rows = 0;           ///< of the operators were assembled
+  SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
+};
+
+/// Rows of the nodes with wanted[k] != 0 (empty: of all) that are not there yet.
+void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted);
+void choose_scales(SolverState& state, const Options& options);
+
+}  // namespace rollcon

@@ -1,0 +1,132 @@
+/// Rows of the operators that a scene needs, and the scales that follow them.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/prepare/lattice_scene.hpp"
+#include "contact/prepare/preparation.hpp"
+#include "contact/prepare/reach.hpp"
+#include "support/clock.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+// A node that a support keeps from moving along its normal can carry any pressure: Newton's
+// iteration would not end.
+void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
+  constexpr double rounding = 1e-12;
+  const auto diagonal = [&](std::size_t k) {
+    // A corner function of a quad8 has a negative mean: its node may even rise under pressure.
+    return std::abs(op.block[2][2].row(static_cast<std::int64_t>(k))[k]);
+  };
+  double largest = 0;
+  for (std::size_t k = 0; k < frame.used.size(); ++k)
+    if (frame.used[k] && op.has_row(k)) largest = std::max(largest, diagonal(k));
+  long long held = 0, first = -1;
+  for (std::size_t k = 0; k < frame.used.size(); ++k)
+    if (frame.used[k] && op.has_row(k) && !(diagonal(k) > rounding * largest) && held++ == 0)
+      first = static_cast<long long>(k) + frame.mesh.index_base;
+  if (held > 0)
+    fail(Status::err_state,
+         "node %lld of the frame (counting from %d) does not move along its normal under pressure: "
+         "a support holds the body there; %lld such node(s); end the frame before them or hold the "
+         "body elsewhere",
+         first, frame.mesh.index_base, held);
+}
+
+// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip
+// equation without unknowns. A little compliance of its own lets the traction be found: none where
+// no slip is forced on it, friction's bound where there is.
+void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
+  if (!op.tangential) return;
+  constexpr double rounding = 1e-12, looseness = 1e-6;
+  const std::int64_t n = frame.nodes();
+  const auto row_norm = [&](int r, std::int64_t k) {
+    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
+  };
+  const auto there = [&](std::int64_t k) {
+    return frame.used[static_cast<std::size_t>(k)] && op.has_row(static_cast<std::size_t>(k));
+  };
+  double largest = 0;
+  for (std::int64_t k = 0; k < n; ++k)
+    if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+  for (std::int64_t k = 0; k < n; ++k) {
+    if (!there(k)) continue;
+    const double norm[2] = {row_norm(0, k), row_norm(1, k)};
+    for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
+      if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
+        op.block[r][r].row(k)[k] = looseness * largest;
+  }
+}
+
+bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> wanted) {
+  if (op.rows == op.nodes) return false;
+  if (wanted.empty()) return true;
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (wanted[k] && !op.has_row(k)) return true;
+  return false;
+}
+
+}  // namespace
+
+void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) {
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  ContactOperators& op = on.problem.op;
+  if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
+  const Stopwatch watch(state.timings.compliance);
+  if (!fill_from_table(state))
+    assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
+  take_reach(state);
+  refuse_held_nodes(on.frame, op);
+  loosen_held_tangents(on.frame, op);
+  ++state.assemblies;
+  state.iterate.invalidate();
+  ++preparation.rows;
+  state.newton.operators_changed();
+  if (!state.procedure.monolithic) state.published.reset();
+}
+
+void choose_scales(SolverState& state, const Options& o) {
+  const bool estimate = !state.procedure.standard();
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows,
+                                o.normal_scale, o.tangential_scale, estimate))
+    return;
+  if (estimate)
+    estimate_scales(on.problem, o.normal_scale, o.tangential_scale);
+  else
+    set_scales(on.problem, o.normal_scale, o.tangential_scale);
+  ++state.work.scales;
+  on.normal_scale = o.normal_scale;
+  on.tangential_scale = o.tangential_scale;
+  state.newton.operators_changed();
+  state.published.reset();
+}
+
+void require_rows(SolverState& state, const Options& options,
+                  std::span<const std::uint8_t> wanted) {
+  if (!state.preparation)
+    fail(Status::err_internal, "rows of operators that are shared cannot be added");
+  try {
+    assemble_missing(state, wanted);
+    choose_scales(state, options);
+  } catch (...) {
+    // Not during a solve: nothing else would drop what was half assembled.
+    ContactOperators& op = state.preparation->made->problem.op;
+    for (auto& row : op.block)
+      for (auto& block : row) block.release();
+    op.normal = op.tangential = false;
+    state.newton.operators_changed();
+    throw;
+  }
+  state.images_known = false;
+}
+
+void require_operators(SolverState& state, const Options& options) {
+  require_rows(state, options, state.reach.wanted);
+}
+
+}  // namespace rollcon
