@@ -15,7 +15,6 @@ namespace rollcon::bench {
 namespace {
 
 namespace example1 = scenes::example1;
-using bem::InstructionSet;
 
 constexpr double wanted = 1e8;
 
