@@ -1,31 +1,9 @@
 #include "procedures/published.hpp"
 
-#include "procedures/condensed.hpp"
 #include "procedures/gnmls.hpp"
-#include "procedures/monolithic.hpp"
 
 namespace rollcon {
 namespace {
-
-/// What a system of the steps was made for.
-struct Key {
-  bool monolithic = false, frictionless = false;
-  std::array<bool, 4> by_force{};
-  LinearMethod linear = LinearMethod::automatic;
-  Preconditioner preconditioner = Preconditioner::automatic;
-  bool operator==(const Key&) const = default;
-};
-
-std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
-  if (s.procedure.monolithic) {
-    const bool direct =
-        s.procedure.linear == LinearMethod::lu || s.procedure.linear == LinearMethod::automatic;
-    const MonolithicOptions options{direct ? StepSolver::lu : StepSolver::gmres,
-                                    s.procedure.preconditioner};
-    return std::make_unique<MonolithicSystem>(s.problem, s.frame, *s.compliance, options);
-  }
-  return std::make_unique<CondensedSystem>(s.problem, s.frame, *s.compliance, s.newton.linear);
-}
 
 class Published final : public PublishedSolver {
  public:
@@ -35,10 +13,15 @@ class Published final : public PublishedSolver {
     linear.preconditioner = s.procedure.preconditioner;
     linear.forget_exact();
     s.newton.forget_prediction();
-    const Key key{s.procedure.monolithic, s.frictionless, s.problem.by_force, s.procedure.linear,
-                  s.procedure.preconditioner};
-    if (!system_ || key != key_) system_ = make_step_system(s);
-    key_ = key;
+    const Tangential tangential = s.frictionless                              ? Tangential::none
+                                  : s.procedure.jacobian == Jacobian::reduced ? Tangential::shift
+                                                                              : Tangential::slip;
+    const StepOptions wanted{s.procedure.monolithic, tangential, s.procedure.linear,
+                             s.procedure.preconditioner};
+    if (!system_ || wanted != made_for_ || s.problem.by_force != by_force_)
+      system_ = std::make_unique<StepSystem>(s.problem, s.frame, *s.compliance, wanted);
+    made_for_ = wanted;
+    by_force_ = s.problem.by_force;
     const StepCounters before = system_->counters();
     s.report = gnmls_.solve(s.problem, s.iterate, *system_, s.procedure, s.frictionless,
                             options.tolerance, options.max_iterations, monitor);
@@ -57,7 +40,8 @@ class Published final : public PublishedSolver {
  private:
   Gnmls gnmls_;
   std::unique_ptr<StepSystem> system_;
-  Key key_;
+  StepOptions made_for_;
+  std::array<bool, 4> by_force_{};
 };
 
 }  // namespace
