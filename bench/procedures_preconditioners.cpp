@@ -67,7 +67,7 @@ void run(Runner& runner) {
       for (const char* system : systems)
         for (const char* preconditioner : {"none", "diagonal", "bodies", "kept_lu"}) {
           const bool eliminated = system == std::string("condensed");
-          if (eliminated && preconditioner == std::string("bodies")) continue;
+          if (preconditioner == std::string(eliminated ? "bodies" : "kept_lu")) continue;
           if (!eliminated && plain(preconditioner) && n > (finite ? 6 : 8)) continue;
           solve(runner, *pair, std::string(finite ? "FEM on FEM, " : "BEM on BEM, ") + system,
                 "zone " + std::to_string(n) + " x " + std::to_string(n), system, preconditioner);

@@ -340,8 +340,8 @@ def preconditioners(records, docs):
         return ""
     text = ("## Preconditioners of GMRES\n\n"
             "Krylov iterations per linear system, relative tolerance 1e-6, B-derivative. diagonal: "
-            "each pair's own block; bodies: their matrices factorised once, and pairs by their own "
-            "blocks; kept LU: factors of an earlier iteration, made anew when they no longer "
+            "each unknown's own entry; bodies: their matrices factorised once, and pairs as if on "
+            "half-spaces; kept LU: factors of an earlier iteration, made anew when they no longer "
             "serve. 2000 iterations are the most; the system is then given to LU.\n\n")
     for name in dict.fromkeys(r["model"] for r in rows):
         one = [r for r in rows if r["model"] == name]

@@ -56,7 +56,6 @@ rollcon_stands_for(linalg/cholmod_absent.cpp CHOLMOD FOR FEM PROCEDURES)
 rollcon_stands_for(linalg/umfpack_absent.cpp UMFPACK FOR FEM PROCEDURES)
 rollcon_belongs("linalg/condensed_factor" CHOLMOD UMFPACK)
 rollcon_belongs("linalg/factored_matrix" FEM BEM PROCEDURES)
-rollcon_belongs("linalg/kept_lu" PROCEDURES)
 
 rollcon_belongs("io/vtu" VTU)
 rollcon_stands_for(io/vtu_absent.cpp VTU)

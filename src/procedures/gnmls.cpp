@@ -84,8 +84,6 @@ bool Gnmls::any_sticks() const {
 // The laws' rows for the states that evaluate() found.
 void Gnmls::linearise() {
   const Problem& p = *problem_;
-  step_.tangential = tangential_;
-  step_.estimated = procedure_.jacobian == Jacobian::reduced && tangential_;
   if (!tangential_) return;
   // With frozen directions friction at sliding pairs does not depend on the creepages: without a
   // sticking pair nothing would determine them.
@@ -114,7 +112,7 @@ void Gnmls::linearise() {
     law.own[0][1] = law.own[1][0] = 0;
     for (auto& row : law.slip) row[0] = row[1] = 0;
   }
-  if (step_.estimated) estimate_slip();
+  if (procedure_.jacobian == Jacobian::reduced) estimate_slip();
 }
 
 // (90)-(92): displacement of sticking pairs from w + tau (c + D w) = w, with tau the inverse of the
@@ -279,6 +277,7 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   }
   z_.depth.assign(n, 0.0);
   z_.motion = iterate.motion;
+  z_.inner.clear();
   if (warm_ || procedure_.jacobian == Jacobian::exact) system_->update(z_);
   step_.state.assign(n, PairState::unused);
   step_.law.assign(n, stick_law());

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -13,37 +15,32 @@ constexpr double rounding = 1e-12;
 
 // How much each displacement component at the nodes follows anything at all, over the most that a
 // body's own unknowns or a half-space make of one.
-std::vector<double> mobility(const MonolithicBodies& bodies) {
-  const auto places = static_cast<std::size_t>(3 * bodies.nodes());
+std::vector<double> mobility(const ExpandedCompliance& expanded, std::size_t places) {
   std::vector<double> sum(places, 0.0), part(places);
-  const auto add_part = [&] {
+  const auto add_part = [&](auto row) {
+    for (std::size_t i = 0; i < places; ++i) {
+      part[i] = 0;
+      for (const double v : row(i)) part[i] = std::max(part[i], std::abs(v));
+    }
     const double most = *std::max_element(part.begin(), part.end());
     for (std::size_t i = 0; i < places && most > 0; ++i) sum[i] += part[i] / most;
   };
-  for (const MonolithicBodies::Body& body : bodies.bodies()) {
-    for (std::size_t i = 0; i < places; ++i) {
-      part[i] = 0;
-      for (auto k = static_cast<std::size_t>(body.place.start[i]);
-           k < static_cast<std::size_t>(body.place.start[i + 1]); ++k)
-        part[i] = std::max(part[i], std::abs(body.place.value[k]));
-    }
-    add_part();
-  }
-  const double* direct = bodies.direct();
-  if (!direct) return sum;
-  std::fill(part.begin(), part.end(), 0.0);
-  for (std::size_t j = 0; j < places; ++j)
-    for (std::size_t i = 0; i < places; ++i)
-      part[i] =
-          std::max(part[i], std::abs(direct[i + j * static_cast<std::size_t>(bodies.places())]));
-  add_part();
+  for (const ExpandedBody& body : expanded.body)
+    add_part([&](std::size_t i) {
+      const SparseColumns& d = body.displacement;
+      return std::span(d.value).subspan(at(d.start[i]), at(d.start[i + 1] - d.start[i]));
+    });
+  if (!expanded.direct.empty())
+    add_part([&](std::size_t i) {
+      return std::span(expanded.direct.row(static_cast<std::int64_t>(i)), places);
+    });
   return sum;
 }
 
 }  // namespace
 
-void refuse_held_nodes(const MonolithicBodies& bodies, const Frame& frame) {
-  const std::vector<double> moves = mobility(bodies);
+void refuse_held_nodes(const ExpandedCompliance& expanded, const Frame& frame) {
+  const std::vector<double> moves = mobility(expanded, 3 * frame.used.size());
   for (std::size_t k = 0; k < frame.used.size(); ++k) {
     if (!frame.used[k]) continue;
     const auto node = static_cast<long long>(k) + frame.mesh.index_base;

@@ -1,48 +1,29 @@
 #include "procedures/published.hpp"
 
-#include "contact/prepare/preparation.hpp"
-#include "procedures/condensed.hpp"
+#include "contact/solution.hpp"
 #include "procedures/gnmls.hpp"
-#include "procedures/monolithic.hpp"
 
 namespace rollcon {
 namespace {
-
-/// What a system of the steps was made for.
-struct Key {
-  bool monolithic = false, frictionless = false;
-  std::array<bool, 4> by_force{};
-  LinearMethod linear = LinearMethod::automatic;
-  Preconditioner preconditioner = Preconditioner::automatic;
-  bool operator==(const Key&) const = default;
-};
-
-std::unique_ptr<StepSystem> make_step_system(SolverState& s) {
-  Prepared& on = *s.preparation->made;
-  if (s.procedure.monolithic) {
-    const bool direct =
-        s.procedure.linear == LinearMethod::lu || s.procedure.linear == LinearMethod::automatic;
-    const MonolithicOptions options{direct ? StepSolver::lu : StepSolver::gmres,
-                                    s.procedure.preconditioner};
-    return std::make_unique<MonolithicSystem>(on.problem, on.frame, *on.compliance, options);
-  }
-  return std::make_unique<CondensedSystem>(on.problem, on.frame, *on.compliance, s.newton.linear());
-}
 
 class Published final : public PublishedSolver {
  public:
   void run(SolverState& s, const Options& options, Monitor& monitor) override {
     s.newton.use(s.procedure);
     s.newton.linear().forget_exact();
-    Prepared& on = *s.preparation->made;
-    static_cast<Prescribed&>(on.problem) = s.given;
+    const Prepared& on = *s.prepared;
     s.newton.forget_prediction();
-    const Key key{s.procedure.monolithic, s.frictionless, s.given.by_force, s.procedure.linear,
-                  s.procedure.preconditioner};
-    if (!system_ || key != key_) system_ = make_step_system(s);
-    key_ = key;
+    const Tangential tangential = s.frictionless                              ? Tangential::none
+                                  : s.procedure.jacobian == Jacobian::reduced ? Tangential::shift
+                                                                              : Tangential::slip;
+    const StepOptions wanted{s.procedure.monolithic, tangential, s.procedure.linear,
+                             s.procedure.preconditioner};
+    if (!system_ || wanted != made_for_ || s.given.by_force != by_force_)
+      system_ = std::make_unique<StepSystem>(on.problem, on.frame, *on.compliance, wanted);
+    made_for_ = wanted;
+    by_force_ = s.given.by_force;
     const StepCounters before = system_->counters();
-    s.report = gnmls_.solve(on.problem, s.iterate, *system_, s.procedure, s.frictionless,
+    s.report = gnmls_.solve(on.problem, s.given, s.iterate, *system_, s.procedure, s.frictionless,
                             options.tolerance, options.max_iterations, monitor);
     const StepCounters after = system_->counters();
     s.linear_iterations = after.iterations - before.iterations;
@@ -59,7 +40,8 @@ class Published final : public PublishedSolver {
  private:
   Gnmls gnmls_;
   std::unique_ptr<StepSystem> system_;
-  Key key_;
+  StepOptions made_for_;
+  std::array<bool, 4> by_force_{};
 };
 
 }  // namespace

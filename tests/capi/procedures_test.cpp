@@ -32,6 +32,8 @@ const Senseless senseless[] = {
      {"preconditioner", "'bodies'", "system", "'condensed'"}},
     {{{"preconditioner", "bodies"}, {"linear_solver", "lu"}, {"system", "monolithic"}},
      {"preconditioner", "'bodies'", "linear_solver", "'lu'", "gmres"}},
+    {{{"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}, {"system", "monolithic"}},
+     {"preconditioner", "'kept_lu'", "system", "'monolithic'", "bodies"}},
     {{{"preconditioner", "none"}}, {"preconditioner", "'none'", "linear_solver", "'auto'"}},
     {{{"preconditioner", "diagonal"}, {"linear_solver", "lu"}},
      {"preconditioner", "'diagonal'", "linear_solver", "'lu'", "gmres"}},

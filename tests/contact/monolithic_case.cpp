@@ -110,14 +110,14 @@ Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Mo
 }
 
 void make_frictionless(Case& c) {
-  c.step.tangential = false;
+  c.tangential = Tangential::none;
   for (auto m : {xi1, xi2, spin}) c.problem.by_force[at(m)] = false;
   c.problem.value = {0, 0, c.problem.value[approach], 0};
   for (int i = 0; i < 2; ++i) std::fill(c.z.lambda[i].begin(), c.z.lambda[i].end(), 0.0);
 }
 
 void make_reduced(Case& c) {
-  c.step.estimated = true;
+  c.tangential = Tangential::shift;
   frames::Random random(17);
   const std::size_t n = c.step.state.size();
   const double unit = 1e-3 * c.problem.length;
@@ -192,7 +192,7 @@ void shift_states(Case& c) {
     } else if (state == PairState::stick && k % 2 == 0) {
       state = PairState::slip;
       c.step.law[k] = coulomb().linearise({0.3, 0.8 / 0.3, -1, 0.2}, true);
-      if (c.step.estimated) {
+      if (c.tangential == Tangential::shift) {
         c.step.law[k] = TangentialLaw{};
         c.step.law[k].own[0][0] = c.step.law[k].own[1][1] = 1;
         c.step.law[k].own[0][2] = -0.3;
@@ -209,7 +209,8 @@ Point condensed_step(const Case& c) {
   tangential_rows(c, a);
   std::vector<int> motion;
   for (int m = 0; m < 4; ++m)
-    if (p.by_force[at(m)] && (m == approach || c.step.tangential)) motion.push_back(m);
+    if (p.by_force[at(m)] && (m == approach || c.tangential != Tangential::none))
+      motion.push_back(m);
   std::array<double, 4> known{};
   for (std::size_t m = 0; m < 4; ++m) known[m] = p.by_force[m] ? 0 : p.value[m];
   // Motions count in units that keep the matrix's entries within a few orders of magnitude.
@@ -233,7 +234,7 @@ Point condensed_step(const Case& c) {
     for (int r = 0; r < 3; ++r) {
       double* row = matrix + (3 * k + r) * size;
       double& right = b[at(3 * k + r)];
-      if (!touching || (r < 2 && !c.step.tangential)) {
+      if (!touching || (r < 2 && c.tangential == Tangential::none)) {
         row[3 * k + r] = 1;
         continue;
       }
@@ -246,7 +247,7 @@ Point condensed_step(const Case& c) {
                 p.rn[at(k)] * p.closing(at(k)) * unit(approach);
         continue;
       }
-      if (c.step.estimated && state == PairState::stick) {
+      if (c.tangential == Tangential::shift && state == PairState::stick) {
         for (int j = 0; j < 3; ++j)
           for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += p.rn[at(k)] * a[r][j].row(k)[i];
         right = p.rn[at(k)] * c.step.target[r][at(k)];
@@ -273,7 +274,7 @@ Point condensed_step(const Case& c) {
     double* row = matrix + (3 * n + static_cast<std::int64_t>(m)) * size;
     const double scale = 1 / (p.length * p.length * (motion[m] == spin ? p.length : 1));
     for (std::int64_t k = 0; k < n; ++k)
-      for (int j = c.step.tangential ? 0 : 2; j < 3; ++j)
+      for (int j = c.tangential == Tangential::none ? 2 : 0; j < 3; ++j)
         row[3 * k + j] = scale * p.load_row(motion[m], at(k))[at(j)];
     b[at(3 * n) + m] = scale * p.value[at(motion[m])];
   }
@@ -311,10 +312,12 @@ double difference(const Case& c, const Point& a, const Point& b) {
   };
   const double traction = largest({&b.lambda[0], &b.lambda[1], &b.lambda[2]});
   for (int i = 0; i < 3; ++i) compare(a.lambda[i], b.lambda[i], traction);
-  const double slip = largest({&b.slip[0], &b.slip[1]});
-  for (int i = 0; i < 2; ++i) compare(a.slip[i], b.slip[i], slip);
+  if (c.tangential != Tangential::none) {
+    const double slip = largest({&b.slip[0], &b.slip[1]});
+    for (int i = 0; i < 2; ++i) compare(a.slip[i], b.slip[i], slip);
+  }
   compare(a.depth, b.depth, largest({&b.depth}));
-  if (c.step.estimated)
+  if (c.tangential == Tangential::shift)
     for (int i = 0; i < 2; ++i)
       compare(a.shift[i], b.shift[i], largest({&b.shift[0], &b.shift[1]}));
   for (const int m : {xi1, xi2, approach, spin}) {

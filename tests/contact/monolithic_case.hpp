@@ -18,6 +18,7 @@ struct Case {
   std::shared_ptr<const Frame> frame;
   std::shared_ptr<const Compliance> compliance;
   Problem problem;  ///< with the dense blocks assembled
+  Tangential tangential = Tangential::slip;
   Step step;
   Point z;              ///< tractions and motions of the last iterate; nothing else
   double traction = 1;  ///< size of the tractions

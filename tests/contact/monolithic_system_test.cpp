@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "contact/monolithic_case.hpp"
-#include "procedures/monolithic.hpp"
+#include "procedures/step_system.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {
@@ -25,14 +25,27 @@ std::string name_of(Scheme scheme) {
                                            : "characteristic";
 }
 
-/// Difference between the monolithic and the condensed step.
-double step_error(const Case& c, const MonolithicOptions& options = {}) {
-  const Problem problem = written_out(c);
-  MonolithicSystem system(problem, *c.frame, *c.compliance, options);
-  Point z = c.z, next;
-  system.update(z);
-  if (!system.solve(c.step, z, 1e-13, next)) return INFINITY;
-  return difference(c, next, condensed_step(c));
+StepOptions monolithic(const Case& c, LinearMethod linear = LinearMethod::lu,
+                       Preconditioner preconditioner = Preconditioner::automatic) {
+  return {true, c.tangential, linear, preconditioner};
+}
+
+/// Difference of the step from that by condensed formulas: with the bodies' unknowns written out,
+/// and with them eliminated.
+double step_error(const Case& c) {
+  double worst = 0;
+  const Point expected = condensed_step(c);
+  for (const bool whole : {true, false}) {
+    const Problem problem = whole ? written_out(c) : c.problem;
+    StepOptions options = monolithic(c);
+    options.monolithic = whole;
+    StepSystem system(problem, *c.frame, *c.compliance, options);
+    Point z = c.z, next;
+    system.update(z);
+    if (!system.solve(c.step, z, 1e-13, next)) return INFINITY;
+    worst = std::max(worst, difference(c, next, expected));
+  }
+  return worst;
 }
 
 TEST(monolithic_system, half_spaces) {
@@ -104,20 +117,19 @@ TEST(monolithic_system, reduced_unknowns) {
 }
 
 constexpr Preconditioner preconditioners[] = {Preconditioner::none, Preconditioner::diagonal,
-                                              Preconditioner::bodies, Preconditioner::kept_lu};
+                                              Preconditioner::automatic};
 
 const char* name_of(Preconditioner p) {
   return p == Preconditioner::none       ? "none"
          : p == Preconditioner::diagonal ? "diagonal"
-         : p == Preconditioner::bodies   ? "bodies"
-                                         : "kept LU";
+                                         : "factors";
 }
 
 /// Steps one after the other, the last with other states and laws, as Newton's iteration takes
 /// them.
-double gmres_error(Case& c, Preconditioner preconditioner, StepCounters& counters) {
-  const Problem problem = written_out(c);
-  MonolithicSystem system(problem, *c.frame, *c.compliance, {StepSolver::gmres, preconditioner});
+double gmres_error(Case c, const StepOptions& options, StepCounters& counters) {
+  const Problem problem = options.monolithic ? written_out(c) : c.problem;
+  StepSystem system(problem, *c.frame, *c.compliance, options);
   Point next;
   double worst = 0;
   for (int i = 0; i < 2; ++i) {
@@ -142,18 +154,20 @@ TEST(monolithic_system_long, gmres_with_every_preconditioner) {
         Case c = standard;
         if (form == 1) make_reduced(c);
         if (form == 2) make_frictionless(c);
-        StepCounters counters;
-        const double error = gmres_error(c, p, counters);
-        expect_error(c.name +
-                         (form == 1   ? ", reduced, "
-                          : form == 2 ? ", frictionless, "
-                                      : ", ") +
-                         name_of(p) + ", " + std::to_string(counters.iterations) + " iterations",
-                     error, 1e-8);
-        EXPECT_GT(counters.iterations, 0);
-        // Converged without help: factors are those that the preconditioner is made of.
-        const bool plain = p == Preconditioner::none || p == Preconditioner::diagonal;
-        EXPECT_LE(counters.factorizations, plain ? 2 : 4) << "those of update() and its own";
+        for (const bool whole : {true, false}) {
+          StepOptions options = monolithic(c, LinearMethod::gmres, p);
+          options.monolithic = whole;
+          StepCounters counters;
+          const double error = gmres_error(c, options, counters);
+          const char* forms[] = {", ", ", reduced, ", ", frictionless, "};
+          expect_error(c.name + (whole ? "" : ", condensed") + forms[form] + name_of(p) + ", " +
+                           std::to_string(counters.iterations) + " iterations",
+                       error, 1e-8);
+          EXPECT_GT(counters.iterations, 0);
+          // Converged without help: factors are those that the preconditioner is made of.
+          const bool plain = p != Preconditioner::automatic;
+          EXPECT_LE(counters.factorizations, plain && !whole ? 0 : plain ? 2 : 4);
+        }
       }
 }
 
@@ -163,8 +177,8 @@ TEST(monolithic_system, looser_tolerance_takes_fewer_iterations) {
   std::int64_t last = 0;
   for (const double eta : {0.1, 1e-4, 1e-8}) {
     const Problem problem = written_out(c);
-    MonolithicSystem system(problem, *c.frame, *c.compliance,
-                            {StepSolver::gmres, Preconditioner::bodies});
+    StepSystem system(problem, *c.frame, *c.compliance,
+                      monolithic(c, LinearMethod::gmres, Preconditioner::bodies));
     Point z = c.z, next;
     system.update(z);
     ASSERT_TRUE(system.solve(c.step, z, eta, next));
@@ -178,7 +192,7 @@ TEST(monolithic_system, looser_tolerance_takes_fewer_iterations) {
 }
 
 TEST(monolithic_system, units_change_nothing) {
-  for (const StepSolver solver : {StepSolver::lu, StepSolver::gmres})
+  for (const LinearMethod solver : {LinearMethod::lu, LinearMethod::gmres})
     for (const auto& models : {pairs[3], pairs[4]}) {
       Point solution[2];
       std::int64_t iterations[2];
@@ -189,7 +203,8 @@ TEST(monolithic_system, units_change_nothing) {
                                .stress = i == 0 ? 1 : megapascal},
                               Scheme::godunov, {true, true});
         const Problem problem = written_out(c);
-        MonolithicSystem system(problem, *c.frame, *c.compliance, {solver, Preconditioner::bodies});
+        StepSystem system(problem, *c.frame, *c.compliance,
+                          monolithic(c, solver, Preconditioner::bodies));
         Point z = c.z;
         system.update(z);
         ASSERT_TRUE(system.solve(c.step, z, 1e-8, solution[i]));
@@ -205,26 +220,27 @@ TEST(monolithic_system, units_change_nothing) {
         }
       EXPECT_EQ(iterations[0], iterations[1]);
       // Boundary integrals are cut off at the same relative accuracy, rounding aside.
-      expect_error(solver == StepSolver::lu ? "LU, other units" : "GMRES, other units",
+      expect_error(solver == LinearMethod::lu ? "LU, other units" : "GMRES, other units",
                    worst / scale, 1e-6);
     }
 }
 
 TEST(monolithic_system, update_gives_displacements_and_slip_of_tractions) {
-  for (const Scheme scheme : schemes) {
-    Case c = meshed({.model = {Model::fem, Model::bem}}, scheme, {});
-    const Problem problem = written_out(c);
-    MonolithicSystem system(problem, *c.frame, *c.compliance, {});
-    Point z = c.z;
-    for (auto& shift : z.shift) shift.resize(z.lambda[0].size());
-    const Point expected = image_of(c, c.z);
-    system.update(z);
-    c.step.estimated = true;  // shift too
-    expect_error("update, " + name_of(scheme), difference(c, z, expected), bound);
-    for (auto& v : z.lambda) std::fill(v.begin(), v.end(), 0.0);
-    system.update(z);
-    EXPECT_EQ(*std::max_element(z.depth.begin(), z.depth.end()), 0);
-  }
+  for (const Tangential tangential : {Tangential::slip, Tangential::shift})
+    for (const Scheme scheme : schemes) {
+      if (tangential == Tangential::shift && scheme == Scheme::characteristic) continue;
+      Case c = meshed({.model = {Model::fem, Model::bem}}, scheme, {});
+      c.tangential = tangential;
+      const Problem problem = written_out(c);
+      StepSystem system(problem, *c.frame, *c.compliance, monolithic(c));
+      Point z = c.z;
+      const Point expected = image_of(c, c.z);
+      system.update(z);
+      expect_error("update, " + name_of(scheme), difference(c, z, expected), bound);
+      for (auto& v : z.lambda) std::fill(v.begin(), v.end(), 0.0);
+      system.update(z);
+      EXPECT_EQ(*std::max_element(z.depth.begin(), z.depth.end()), 0);
+    }
 }
 
 TEST(monolithic_system, says_when_nothing_carries_the_load) {
@@ -232,7 +248,7 @@ TEST(monolithic_system, says_when_nothing_carries_the_load) {
   for (PairState& state : c.step.state)
     if (state != PairState::unused) state = PairState::open;
   Point z = c.z, next;
-  MonolithicSystem system(c.problem, *c.frame, *c.compliance, {});
+  StepSystem system(c.problem, *c.frame, *c.compliance, monolithic(c));
   system.update(z);
   EXPECT_FALSE(system.solve(c.step, z, 1e-8, next));
 }
@@ -243,9 +259,10 @@ TEST(monolithic_system, says_when_no_creepage_is_determined) {
   make_reduced(c);
   for (std::size_t k = 0; k < c.step.state.size(); ++k)
     if (c.step.state[k] == PairState::stick) c.step.state[k] = PairState::open;
-  for (const StepSolver solver : {StepSolver::lu, StepSolver::gmres}) {
+  for (const LinearMethod solver : {LinearMethod::lu, LinearMethod::gmres}) {
     Point z = c.z, next;
-    MonolithicSystem system(c.problem, *c.frame, *c.compliance, {solver, Preconditioner::bodies});
+    StepSystem system(c.problem, *c.frame, *c.compliance,
+                      monolithic(c, solver, Preconditioner::bodies));
     system.update(z);
     EXPECT_FALSE(system.solve(c.step, z, 1e-8, next));
   }

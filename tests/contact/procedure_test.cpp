@@ -67,8 +67,7 @@ TEST(procedure, takes_every_name) {
     EXPECT_EQ(choose_procedure(with({{"linear_solver", name}})).linear, wanted) << name;
   for (const auto& [name, wanted] : {std::pair{"none", Preconditioner::none},
                                      {"diagonal", Preconditioner::diagonal},
-                                     {"bodies", Preconditioner::bodies},
-                                     {"kept_lu", Preconditioner::kept_lu}})
+                                     {"bodies", Preconditioner::bodies}})
     for (const char* solver : {"gmres", "gmres_adaptive"})
       EXPECT_EQ(
           choose_procedure(
@@ -116,6 +115,10 @@ TEST(procedure, refuses_what_makes_no_sense) {
         Case{{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}},
              {"preconditioner", "bodies", "condensed"}},
         Case{{{"preconditioner", "kept_lu"}}, {"preconditioner", "kept_lu", "gmres"}},
+        Case{{{"preconditioner", "kept_lu"},
+              {"linear_solver", "gmres"},
+              {"system", "monolithic"}},
+             {"preconditioner", "kept_lu", "monolithic", "bodies"}},
         Case{{{"line_search", "armijo"}}, {"line_search", "armijo", "exact", "monolithic"}}})
     for (const std::string& word : c.words)
       EXPECT_NE(refusal(with(c.texts)).find(word), std::string::npos)

@@ -54,7 +54,7 @@ const SettingTable<Options>& table() {
        "Factor c of gmres_adaptive in (72)."},
       {"preconditioner", &Options::preconditioner, "auto|none|diagonal|bodies|kept_lu",
        "Of gmres. bodies: their matrices, factorised once (system = monolithic). kept_lu: the "
-       "factors of an earlier iteration."},
+       "factors of an earlier iteration (system = condensed)."},
       {"line_search", &Options::line_search, "auto|armijo|off",
        "Of the published iterations, section 11.1; off: full steps."},
       {"line_search_factor", &Options::line_search_factor, 0.05, 0.95,

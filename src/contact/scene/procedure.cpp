@@ -83,6 +83,10 @@ Procedure choose_procedure(const Options& o) {
   if (p.preconditioner == Preconditioner::bodies && !p.monolithic)
     fail(Status::err_option,
          "preconditioner is 'bodies' but system is 'condensed', which has no unknowns of bodies");
+  if (p.preconditioner == Preconditioner::kept_lu && p.monolithic)
+    fail(Status::err_option,
+         "preconditioner is 'kept_lu' but system is 'monolithic': factors of the whole cost more "
+         "than the iterations that they save; choose bodies, which factorises the bodies once");
   if (o.preconditioner != "auto" && !iterative(p.linear))
     fail(Status::err_option,
          "preconditioner is '%s' but linear_solver is '%s': only gmres and gmres_adaptive have one",

@@ -1,0 +1,74 @@
+#pragma once
+/// Preconditioners of GMRES on the system of a step.
+
+#include "linalg/lu.hpp"
+#include "procedures/step_factors.hpp"
+
+namespace rollcon {
+
+/// Every unknown from its own equation, divided by its entry there or by that one's sign alone.
+class OwnEntries final : public LinearOperator {
+ public:
+  void take(const ContactEquations& equations, const std::vector<std::int64_t>& own_rows,
+            bool divide);
+  void apply(const double* x, double* y) override;
+
+ private:
+  std::vector<std::int64_t> row_;
+  std::vector<double> factor_;
+};
+
+/// Tractions of an earlier step, by node and direction: what stands for those of a later one, whose
+/// pairs may stick where they slid. What the earlier step had no unknown for is left alone.
+class KeptDirections {
+ public:
+  void keep(const ContactEquations& equations);
+  /// Contact part x of the later step's right side to that of the earlier one, and back to y.
+  void to_kept(const ContactEquations& equations, const double* x, std::vector<double>& kept);
+  void from_kept(const ContactEquations& equations, const std::vector<double>& kept, double* y);
+  std::int64_t size() const { return static_cast<std::int64_t>(direction_.size()) + motions_; }
+
+ private:
+  struct Direction {
+    std::size_t node = 0;
+    std::array<double, 3> vector{}, traction{};
+  };
+  std::vector<Direction> direction_;
+  std::int64_t motions_ = 0;
+  std::vector<double> nodal_;
+};
+
+/// Factors of an earlier step's contact equations in single precision, kept as long as they serve,
+/// and of the bodies' matrices, where these are written out. S is then that of half-spaces of the
+/// pair's modulus, roughly, in place of the bodies:
+///
+///   c = S^-1 r_contact,   d = K^-1 (r_bodies + B c)
+class KeptFactors final : public LinearOperator {
+ public:
+  /// images: whose rough ones make S; null: S as it is.
+  KeptFactors(BodiesEquations& bodies, Images* images, const Frame& frame)
+      : bodies_(bodies), images_(images), frame_(frame) {}
+  /// Of this step. False: singular to single precision.
+  bool factor(const ContactEquations& equations);
+  bool valid() const { return valid_; }
+  /// Iterations beyond good ones that cost as much as new factors.
+  int price(const ContactEquations& equations) const;
+  /// The step that vectors belong to.
+  void take(const ContactEquations& equations) { equations_ = &equations; }
+  void apply(const double* x, double* y) override;
+  std::size_t bytes() const { return lu_.bytes() + matrix_.bytes(); }
+
+ private:
+  BodiesEquations& bodies_;
+  Images* images_;
+  const Frame& frame_;
+  bool valid_ = false;
+  const ContactEquations* equations_ = nullptr;
+  KeptDirections directions_;
+  Lu<float> lu_;
+  RowMatrix<double> matrix_;
+  std::vector<float> single_;
+  std::vector<double> kept_, t_;
+};
+
+}  // namespace rollcon
