@@ -163,7 +163,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
                       sink = static_cast<double>(count);
                     })});
   SolverState whole_contact;
-  Frame& whole_frame = whole_contact.preparation->made->frame;
+  Frame& whole_frame = begin_preparation(whole_contact).frame;
   whole_frame = build_frame(rolling::grid(13), Axes{});
   for (const std::uint8_t at_rim : whole_frame.rim)
     whole_contact.iterate.lambda[2].push_back(at_rim ? 0 : -1);

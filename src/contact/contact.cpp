@@ -179,7 +179,8 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
     : context_(std::move(context)),
       body1_(std::move(body1)),
       body2_(std::move(body2)),
-      state_(std::make_unique<SolverState>(published)) {
+      state_(std::make_unique<SolverState>()) {
+  state_->make_published = published;
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument,
          "body1 and body2 are both rigid: at least one body must be elastic (FEM, BEM or "
@@ -189,7 +190,10 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
 Contact::~Contact() = default;
 
 void Contact::clear_state() {
-  state_ = std::make_unique<SolverState>(state_->make_published);
+  // Where memory ran out, nothing may be allocated.
+  const MakePublished published = state_->make_published;
+  *state_ = SolverState{};
+  state_->make_published = published;
 }
 
 void Contact::set_progress(ProgressFunction function, void* user) {

@@ -121,10 +121,8 @@ struct Prepared {
 struct Preparation;  // contact/prepare/preparation.hpp
 
 struct SolverState {
-  explicit SolverState(MakePublished make_published = nullptr);
-
   Work work;
-  std::shared_ptr<const Prepared> prepared;
+  std::shared_ptr<const Prepared> prepared;  ///< null: nothing was prepared yet
   /// Makes it, and adds rows that a solve turns out to need; null where it is shared.
   std::shared_ptr<Preparation> preparation;
   std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for

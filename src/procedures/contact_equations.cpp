@@ -8,6 +8,7 @@
 namespace rollcon {
 
 void ContactEquations::take(const Step& step) {
+  given_ = step.given;
   unknown_.clear();
   node_.clear();
   first_.assign(1, 0);
@@ -66,7 +67,7 @@ void ContactEquations::take_motions() {
   const double count = std::max<double>(1, static_cast<double>(node_.size()));
   motion_.clear();
   for (const int m : {xi1, xi2, spin, approach}) {
-    if (!p.by_force[at(m)] || (m != approach && images_.kind() == Tangential::none)) continue;
+    if (!given_.by_force[at(m)] || (m != approach && images_.kind() == Tangential::none)) continue;
     const double unit = m == spin ? p.length : 1;
     motion_.push_back({m, (m == approach ? rn : rt) / count * unit, 1 / (area * unit)});
   }
@@ -126,7 +127,7 @@ void ContactEquations::right_side(const Step& step, std::vector<double>& b) cons
   const Problem& p = problem_;
   b.assign(at(size()), 0.0);
   std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m) known[m] = p.by_force[m] ? 0 : p.value[m];
+  for (std::size_t m = 0; m < 4; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
   const bool shift = images_.kind() == Tangential::shift;
   double* right = b.data() + inner();
   for (const Unknown& row : unknown_) {
@@ -136,7 +137,7 @@ void ContactEquations::right_side(const Step& step, std::vector<double>& b) cons
     *right++ = row.direction[2] != 0 ? row.image[2] * p.rigid_gap(k, known[approach])
                                      : row.image[0] * given[0] + row.image[1] * given[1];
   }
-  for (const Motion& motion : motion_) *right++ = motion.per_load * p.value[at(motion.which)];
+  for (const Motion& motion : motion_) *right++ = motion.per_load * given_.value[at(motion.which)];
 }
 
 void ContactEquations::start(const Point& z, std::vector<double>& x) const {
@@ -163,7 +164,7 @@ void ContactEquations::scatter(const std::vector<double>& x, Point& next) const 
   for (std::size_t c = 0; c < 3; ++c)
     for (std::size_t k = 0; k < at(problem_.nodes); ++k) next.lambda[c][k] = t[3 * k + c];
   for (std::size_t m = 0; m < 4; ++m)
-    if (!problem_.by_force[m]) next.motion[m] = problem_.value[m];
+    if (!given_.by_force[m]) next.motion[m] = given_.value[m];
   for (std::size_t m = 0; m < motion_.size(); ++m)
     next.motion[at(motion_[m].which)] = x[at(inner()) + unknown_.size() + m] / motion_[m].scale;
   next.inner.assign(x.begin(), x.begin() + inner());

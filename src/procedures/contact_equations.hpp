@@ -81,6 +81,7 @@ class ContactEquations final : public LinearOperator {
   const Problem& problem_;
   const BodiesEquations& bodies_;
   const Images& images_;
+  Prescribed given_;  ///< of the step
   std::vector<Unknown> unknown_;
   std::vector<std::int64_t> node_;  ///< that touch
   std::vector<std::size_t> first_;  ///< unknown of each of them, and the end

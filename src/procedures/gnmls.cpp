@@ -44,11 +44,11 @@ Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   for (std::size_t k = 0; measure && k < at(p.nodes); ++k)
     step_.state[k] = p.used[k] ? PairState::open : PairState::unused;
   const LawSums sums =
-      sum_laws(p, p, part, AtPoint{p, z}, [&](std::size_t k, bool touching, bool sliding) {
+      sum_laws(p, given_, part, AtPoint{p, z}, [&](std::size_t k, bool touching, bool sliding) {
         if (measure && touching) step_.state[k] = sliding ? PairState::slip : PairState::stick;
       });
   if (measure) scales_ = scales_of(sums);
-  Residual r{residual_of(sums, scales_, load_error(p, p, part, z.lambda), sums.contact)};
+  Residual r{residual_of(sums, scales_, load_error(p, given_, part, z.lambda), sums.contact)};
   const double imbalance = system_->imbalance(z) / scales_.pressure;
   r.merit += 0.5 * imbalance * imbalance;
   r.imbalance = imbalance / std::sqrt(std::max(1.0, static_cast<double>(r.contact)));
@@ -61,17 +61,18 @@ Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
 bool Gnmls::beyond_friction() {
   constexpr double part_of_friction = 0.05, settling = 2e-3;
   const Problem& p = *problem_;
-  const bool moment = p.by_force[spin], curved = !p.turn.empty() && p.by_force[approach];
-  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, p, z_.lambda[2]);
+  const bool moment = given_.by_force[spin], curved = !p.turn.empty() && given_.by_force[approach];
+  const bool known = !p.op.coupled,
+             sum_known = known || friction_sum_known(p, given_, z_.lambda[2]);
   const double limit = 1 + (curved ? settling : -1e-12), far = 1 + part_of_friction;
-  if (!moment && share_of_forces(p, p, z_.lambda) < (sum_known ? limit : far)) return false;
-  report_.share = share_of_friction(p, p, z_.lambda);
+  if (!moment && share_of_forces(p, given_, z_.lambda) < (sum_known ? limit : far)) return false;
+  report_.share = share_of_friction(p, given_, z_.lambda);
   return report_.share.together >= (known ? limit : far) ||
          (sum_known && report_.share.force >= limit);
 }
 
 bool Gnmls::creepage_unknown() const {
-  const auto& by_force = problem_->by_force;
+  const auto& by_force = given_.by_force;
   return by_force[xi1] || by_force[xi2] || by_force[spin];
 }
 
@@ -103,7 +104,7 @@ void Gnmls::linearise() {
     const double pressure =
         -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion[approach]) - z_.depth[k]));
     TangentialLaw& law = step_.law[k];
-    law = linearise_friction(p, p, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
+    law = linearise_friction(p, given_, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
                              p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
     if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative)
       continue;
@@ -119,9 +120,9 @@ void Gnmls::linearise() {
 // derivative's diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all.
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
-  const SparseRows& d = p.op.convection;
+  const SparseRows& d = p.op.convection.rows;
   std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m) known[m] = p.by_force[m] ? 0 : p.value[m];
+  for (std::size_t m = 0; m < 4; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
   double fastest = 0;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     double own = 0, largest = 0;
@@ -201,19 +202,19 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     if (residual.contact == 0) {
       const bool loaded =
           std::any_of(z_.lambda[2].begin(), z_.lambda[2].end(), [](double l) { return l != 0; });
-      if (!loaded && !p.by_force[approach]) return Outcome::no_contact;
+      if (!loaded && !given_.by_force[approach]) return Outcome::no_contact;
       if (!loaded && raised) return Outcome::not_converged;
       // All pairs opened: from zero tractions again, at an approach that touches.
       raised = !loaded;
       for (auto& component : z_.lambda) std::fill(component.begin(), component.end(), 0.0);
-      guess_approach(p, p, z_.motion);
+      guess_approach(p, given_, z_.motion);
       system_->update(z_);
       if (k >= max_iterations) return Outcome::not_converged;
       continue;
     }
     if (worst <= tolerance) {
-      if (!tangential_ || !friction_overdrawn(p, p, z_.lambda)) return Outcome::converged;
-      report_.share = share_of_friction(p, p, z_.lambda);
+      if (!tangential_ || !friction_overdrawn(p, given_, z_.lambda)) return Outcome::converged;
+      report_.share = share_of_friction(p, given_, z_.lambda);
       return Outcome::no_solution;
     }
     // A warm start that leads nowhere is left for a cold one.
@@ -221,7 +222,8 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
     if (k >= max_iterations) return Outcome::not_converged;
-    if (tangential_ && pressures_settled(p, p, z_.lambda, residual.normal) && beyond_friction())
+    if (tangential_ && pressures_settled(p, given_, z_.lambda, residual.normal) &&
+        beyond_friction())
       return Outcome::no_solution;
     const double eta = next_tolerance(residual, worst, tolerance);
     linearise();
@@ -256,19 +258,19 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   sharpening_ = 1;
   const std::size_t n = at(p.nodes);
   for (std::size_t m = 0; m < 4; ++m)
-    if (!p.by_force[m]) iterate.motion[m] = p.value[m];
+    if (!given_.by_force[m]) iterate.motion[m] = given_.value[m];
   for (const int m : {xi1, xi2, spin})
-    if (frictionless && p.by_force[at(m)]) iterate.motion[at(m)] = 0;
+    if (frictionless && given_.by_force[at(m)]) iterate.motion[at(m)] = 0;
   warm_ = std::any_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
                       [](double l) { return l != 0; });
   if (!warm_) {
     iterate.clear_tractions();
     for (const int m : {xi1, xi2, spin})
-      if (p.by_force[at(m)]) iterate.motion[at(m)] = 0;
+      if (given_.by_force[at(m)]) iterate.motion[at(m)] = 0;
     if (procedure_.jacobian == Jacobian::exact)
-      guess_start(p, p, iterate);
+      guess_start(p, given_, iterate);
     else
-      guess_approach(p, p, iterate.motion);
+      guess_approach(p, given_, iterate.motion);
   }
   for (int c = 0; c < 3; ++c) z_.lambda[c] = iterate.lambda[c];
   for (int c = 0; c < 2; ++c) {
@@ -289,16 +291,17 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
       procedure_.jacobian == Jacobian::exact && !warm_ && tangential_ && creepage_unknown();
 }
 
-NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system,
-                          const Procedure& procedure, bool frictionless, double tolerance,
-                          std::int64_t max_iterations, Monitor& monitor) {
+NewtonReport Gnmls::solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
+                          StepSystem& system, const Procedure& procedure, bool frictionless,
+                          double tolerance, std::int64_t max_iterations, Monitor& monitor) {
   problem_ = &problem;
+  given_ = step_.given = given;
   system_ = &system;
   procedure_ = procedure;
   report_ = {};
   best_worst_ = INFINITY;
-  if (problem.by_force[approach] && !(problem.value[approach] > 0)) {
-    start_cold(problem, problem, iterate);
+  if (given_.by_force[approach] && !(given_.value[approach] > 0)) {
+    start_cold(problem, given_, iterate);
     report_.outcome = Outcome::no_contact;
     return report_;
   }
@@ -307,7 +310,7 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   const std::int64_t left = max_iterations - report_.full_iterations - report_.normal_iterations;
   if (report_.outcome == Outcome::not_converged && warm_ && left > 0) {
     ++report_.fallbacks;
-    start_cold(problem, problem, iterate);
+    start_cold(problem, given_, iterate);
     begin(iterate, frictionless);
     report_.outcome = run(tolerance, left, monitor);
   }
@@ -320,7 +323,7 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
     report_.residual_tangential = best.tangential;
   }
   if (report_.outcome == Outcome::not_converged && !std::isfinite(best_worst_)) {
-    start_cold(problem, problem, iterate);
+    start_cold(problem, given_, iterate);
     return report_;
   }
   for (int c = 0; c < 3; ++c) iterate.lambda[c] = z_.lambda[c];

@@ -14,9 +14,9 @@ class Gnmls {
   /// Solves from the given iterate; all zero: a cold start, (section 11.6) zero tractions, or a
   /// Hertzian pressure where the Jacobian is the exact one. On return the iterate's images belong
   /// to its tractions.
-  NewtonReport solve(Problem& problem, Iterate& iterate, StepSystem& system,
-                     const Procedure& procedure, bool frictionless, double tolerance,
-                     std::int64_t max_iterations, Monitor& monitor);
+  NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
+                     StepSystem& system, const Procedure& procedure, bool frictionless,
+                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
 
  private:
   struct Residual : LawResidual {
@@ -35,7 +35,8 @@ class Gnmls {
   double next_tolerance(const Residual& residual, double worst, double tolerance);
   double search(double merit, Point& trial);
 
-  Problem* problem_ = nullptr;
+  const Problem* problem_ = nullptr;
+  Prescribed given_;
   StepSystem* system_ = nullptr;
   Procedure procedure_;
   NewtonReport report_;

@@ -19,16 +19,10 @@ bool vanishes(const RowMatrix<double>& a) {
 // visit(point, weight): image r of a node in displacements at the nodes and the points upstream.
 template <class Visit>
 void Images::stencil(std::int64_t k, int r, Visit visit) const {
-  const ContactOperators& op = problem_.op;
+  const SparseRows& d = problem_.op.convection.rows;
   if (r == 2 || kind_ == Tangential::shift) return visit(k, 1.0);
-  if (!op.upstream.empty()) {
-    if (!(op.upstream[at(k)] > 0)) return;
-    visit(k, 1 / op.path(at(k)));
-    visit(problem_.nodes + k, -1 / op.path(at(k)));
-  } else if (!op.convection.start.empty()) {
-    for (auto e = at(op.convection.start[at(k)]); e < at(op.convection.start[at(k + 1)]); ++e)
-      visit(std::int64_t{op.convection.column[e]}, op.convection.value[e]);
-  }
+  for (auto e = at(d.start[at(k)]); e < at(d.start[at(k + 1)]); ++e)
+    visit(std::int64_t{d.column[e]}, d.value[e]);
 }
 
 Images::Images(const Problem& problem, const Frame& frame, const Compliance& compliance,
@@ -103,7 +97,7 @@ void Images::apply(Point& z) const {
   std::vector<double> w(at(3 * n));
   for (std::size_t k = 0; k < at(n); ++k)
     for (std::size_t c = 0; c < 2; ++c) w[3 * k + c] = z.shift[c][k];
-  convect(problem_.op, w.data(), nullptr, z.slip);
+  convect(problem_.op.convection, w.data(), nullptr, z.slip);
 }
 
 // Displacements by normal and tangential tractions at a node: of a disc of the node's area near it,
@@ -115,7 +109,7 @@ Blocks Images::rough(const Frame& frame) {
   const std::int64_t n = p.nodes;
   const auto displacement = [&](std::int64_t point, std::size_t j) {
     const std::size_t k = at(point % n);
-    const double x = frame.x[k] + (point < n ? 0 : p.op.upstream[k]);
+    const double x = frame.x[k] + (point < n ? 0 : p.op.convection.ahead[k]);
     const double radius = std::sqrt(p.cell_area[j] / std::numbers::pi);
     const double r = std::max(std::hypot(x - frame.x[j], frame.y[k] - frame.y[j]), radius / 2);
     return p.cell_area[j] / (std::numbers::pi * p.stiffness * r);

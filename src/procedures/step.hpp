@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/laws/coulomb.hpp"
+#include "contact/laws/friction_law.hpp"
+#include "contact/problem/prescribed.hpp"
 
 namespace rollcon {
 
@@ -29,12 +30,13 @@ void blend(Point& z, const Point& next, double alpha);
 ///
 /// open:  lambda = 0
 /// stick and slip, normal:  rigid gap - depth = 0 (Problem::rigid_gap)
-/// stick and slip, tangential:  own lambda + slip (rt s) = 0, `law` (coulomb.hpp), with
+/// stick and slip, tangential:  own lambda + slip (rt s) = 0, `law` (friction_law.hpp), with
 ///   s = rigid slip + D (A lambda)_t and rt of Problem
 /// Reduced unknowns (section 11.8): a stick pair has instead
 ///   (A lambda)_t + reach * (slip columns of the unknown creepages) = target,
 /// which (90)-(92) give from the last iterate.
 struct Step {
+  Prescribed given;
   std::vector<PairState> state;
   std::vector<TangentialLaw> law;
   std::vector<double> target[2];

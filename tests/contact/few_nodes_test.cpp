@@ -150,7 +150,7 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
                          Count{ElementType::quad9, 81, 49}}) {
     const std::vector<double> lines = frames::uniform_lines(-4, 4, 8);
     SolverState s;
-    Frame& frame = s.preparation->made->frame;
+    Frame& frame = begin_preparation(s).frame;
     frame = build_frame(frames::rectangle(c.type, lines, lines), Axes{});
     std::int64_t touching = 0;
     for (const Vec3& x : frame.mesh.node) {

@@ -42,14 +42,16 @@ struct Example {
           p.op.block[r][c].data()[k] = 0.1 * random();
         for (std::int64_t k = 0; r == c && k < nodes; ++k) p.op.block[r][c].row(k)[k] += 4;
       }
-    for (auto* v : {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.slip_x, &p.op.slip_y})
+    for (auto* v : {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.convection.slip_x,
+                    &p.op.convection.slip_y})
       for (std::size_t k = 0; k < n; ++k) v->push_back(1 + 0.3 * random());
     p.used.assign(n, 1);
     for (auto& v : lambda) v.assign(n, 0.0);
-    p.by_force = {by_force, false, by_force, by_force};
+    Prescribed given;
+    given.by_force = {by_force, false, by_force, by_force};
     std::vector<std::int32_t> active;
     for (std::int32_t k = 0; k < nodes; k += 1 + (k % 5 == 0)) active.push_back(k);
-    system.gather(p, p, part, active, lambda, true);
+    system.gather(p, given, part, active, lambda, true);
     if (part != Part::normal) slide(part);
     for (std::int64_t i = 0; i < system.size(); ++i) b.push_back(random());
   }

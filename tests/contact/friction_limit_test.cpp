@@ -17,6 +17,7 @@ using namespace contact_test;
 
 struct Loaded {
   Problem problem;
+  Prescribed given;
   std::vector<double> lambda[3];
 };
 
@@ -26,10 +27,10 @@ Loaded loaded(const SurfaceMesh& mesh, const std::array<bool, 4>& by_force) {
   Problem& p = l.problem;
   const Frame frame = build_frame(mesh, {});
   take_frame(p, frame);
-  p.op.slip_x = frame.x;
-  p.op.slip_y = frame.y;
+  p.op.convection.slip_x = frame.x;
+  p.op.convection.slip_y = frame.y;
   p.mu.assign(frame.x.size(), 0.3);
-  p.by_force = by_force;
+  l.given.by_force = by_force;
   for (auto& v : l.lambda) v.assign(frame.x.size(), 0.0);
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
     const double depth = 1 - std::pow(frame.x[k] - 0.1, 2) / 0.8 - std::pow(frame.y[k] + 0.2, 2);
@@ -77,12 +78,13 @@ TEST(friction_limit, full_sliding_is_the_limit) {
           }
           for (const double part : {1.0, 0.25}) {
             for (const int m : {xi1, xi2, spin})
-              p.value[static_cast<std::size_t>(m)] = part * load_on_body1(p, m, l.lambda).value;
-            const FrictionShare share = share_of_friction(p, p, l.lambda);
+              l.given.value[static_cast<std::size_t>(m)] =
+                  part * load_on_body1(p, m, l.lambda).value;
+            const FrictionShare share = share_of_friction(p, l.given, l.lambda);
             worst = std::max(worst, std::abs(share.together / part - 1));
             worst_sliding = std::max(worst_sliding, 1 - share.sliding / part);
             if (!by_force[spin]) {
-              EXPECT_NEAR(share_of_forces(p, p, l.lambda), part, 1e-12);
+              EXPECT_NEAR(share_of_forces(p, l.given, l.lambda), part, 1e-12);
               EXPECT_EQ(share.together, share.force);
             }
           }
@@ -108,13 +110,14 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
         const double centre = 0.3 * random(), turn = 3 * random();
         for (std::size_t k = 0; k < p.mu.size(); ++k) {
           const double angle =
-              std::atan2(p.op.slip_y[k] - centre, p.op.slip_x[k]) + turn + 0.2 * random();
+              std::atan2(p.op.convection.slip_y[k] - centre, p.op.convection.slip_x[k]) + turn +
+              0.2 * random();
           l.lambda[0][k] = -p.mu[k] * l.lambda[2][k] * std::cos(angle);
           l.lambda[1][k] = -p.mu[k] * l.lambda[2][k] * std::sin(angle);
         }
         for (const int m : {xi1, xi2, spin})
-          p.value[static_cast<std::size_t>(m)] = load_on_body1(p, m, l.lambda).value;
-        const FrictionShare share = share_of_friction(p, p, l.lambda);
+          l.given.value[static_cast<std::size_t>(m)] = load_on_body1(p, m, l.lambda).value;
+        const FrictionShare share = share_of_friction(p, l.given, l.lambda);
         most = std::max(most, share.together);
         for (int sample = 0; sample < 300; ++sample) {
           std::array<double, 4> a{};
@@ -122,7 +125,7 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
           for (const int m : {xi1, xi2, spin}) {
             const auto i = static_cast<std::size_t>(m);
             a[i] = by_force[i] ? random() : 0;
-            asked += a[i] * p.value[i];
+            asked += a[i] * l.given.value[i];
           }
           for (std::size_t k = 0; k < p.mu.size(); ++k) {
             double v[2] = {};
@@ -146,13 +149,13 @@ TEST(friction_limit, quadratic_frames_carry_mu_times_the_integrated_pressure) {
     Loaded l = loaded(mesh_of(type, 5, false), {true, true, false, false});
     Problem& p = l.problem;
     const double most = 0.3 * load_on_body1(p, approach, l.lambda).value;
-    p.value = {0.6 * most, 0.8 * most, 0, 0};
-    EXPECT_NEAR(share_of_friction(p, p, l.lambda).together, 1, 1e-12);
-    EXPECT_NEAR(share_of_forces(p, p, l.lambda), 1, 1e-12);
-    EXPECT_EQ(friction_overdrawn(p, p, l.lambda), type == ElementType::quad8);
-    p.value[xi1] *= 0.99;
-    p.value[xi2] *= 0.99;
-    EXPECT_FALSE(friction_overdrawn(p, p, l.lambda));
+    l.given.value = {0.6 * most, 0.8 * most, 0, 0};
+    EXPECT_NEAR(share_of_friction(p, l.given, l.lambda).together, 1, 1e-12);
+    EXPECT_NEAR(share_of_forces(p, l.given, l.lambda), 1, 1e-12);
+    EXPECT_EQ(friction_overdrawn(p, l.given, l.lambda), type == ElementType::quad8);
+    l.given.value[xi1] *= 0.99;
+    l.given.value[xi2] *= 0.99;
+    EXPECT_FALSE(friction_overdrawn(p, l.given, l.lambda));
   }
 }
 

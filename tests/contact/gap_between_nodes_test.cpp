@@ -66,7 +66,7 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
 
   std::vector<double> x_, y_, rate_;
   SolverState s_;
-  std::shared_ptr<Prepared> on_ = s_.preparation->made;
+  Prepared* on_ = &begin_preparation(s_);
 };
 
 TEST_P(GapBetweenNodes, is_summed_over_rectangles) {

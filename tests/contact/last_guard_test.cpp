@@ -110,26 +110,27 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   const auto compliance = make_halfspace_compliance(frame, {c.cn + d.cn, c.cv + d.cv, 0}, 1e-8, 1);
   Problem p;
   take_frame(p, frame);
-  prepare_convection(frame, Scheme::characteristic, 0.6, p.op);
+  p.op.convection = make_convection(frame, Scheme::characteristic, 0.6);
   assemble_operators(frame, *compliance, true, p.op);
   set_scales(p, 1, 1);
   for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
   p.mu.assign(p.gap.size(), 0.3);
   p.stiffness = 5e3;
-  p.by_force = {true, false, by_force, false};
-  p.value = {20, 0, by_force ? 150 : 0.02, 1e-3};
+  Prescribed given;
+  given.by_force = {true, false, by_force, false};
+  given.value = {20, 0, by_force ? 150 : 0.02, 1e-3};
   Solved s;
   s.iterate.resize(p.nodes);
   Newton newton;
   Spoiler spoiler;
   spoiler.iterate = &s.iterate;
   if (again) {
-    EXPECT_EQ(newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler).outcome,
+    EXPECT_EQ(newton.solve(p, given, s.iterate, false, 1e-10, 500, spoiler).outcome,
               Outcome::converged);
-    p.value[xi1] = 25;
+    given.value[xi1] = 25;
   }
   spoiler.what = what;
-  s.report = newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler);
+  s.report = newton.solve(p, given, s.iterate, false, 1e-10, 500, spoiler);
   s.load = load_on_body1(p, approach, s.iterate.lambda).value;
   return s;
 }

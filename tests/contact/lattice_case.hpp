@@ -41,7 +41,7 @@ inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, b
 
 inline ContactOperators convection_of(const Frame& frame, Scheme scheme) {
   ContactOperators op;
-  prepare_convection(frame, scheme, 0.6, op);
+  op.convection = make_convection(frame, scheme, 0.6);
   return op;
 }
 

@@ -58,8 +58,9 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
   const std::optional<Lattice> lattice = find_lattice(frame);
   ASSERT_TRUE(lattice.has_value());
   ContactOperators op = convection_of(frame, scheme);
-  LatticeOperator field(*lattice, c.c, scheme == Scheme::characteristic ? op.upstream[0] : 0.0,
-                        op.convection);
+  LatticeOperator field(*lattice, c.c,
+                        scheme == Scheme::characteristic ? op.convection.ahead[0] : 0.0,
+                        op.convection.rows);
   assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, op);
   frames::Random random(7);
   const auto n = static_cast<std::size_t>(frame.nodes());
@@ -120,7 +121,7 @@ TEST(LatticeOperator, NeedsAnInnerNode) {
   if (!has_fft()) GTEST_SKIP() << "built without FFTW";
   const Frame frame = lattice_frame(4, 1, 0.1, 0.1, 0);
   const ContactOperators op = convection_of(frame, Scheme::godunov);
-  EXPECT_THROW(LatticeOperator(*find_lattice(frame), alike, 0, op.convection), Error);
+  EXPECT_THROW(LatticeOperator(*find_lattice(frame), alike, 0, op.convection.rows), Error);
 }
 
 TEST(LatticeOperator, MemoryGrowsWithTheNodes) {

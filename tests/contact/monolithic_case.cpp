@@ -35,7 +35,7 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame,
   c.keep = {c.frame, c.compliance};
   Problem& p = c.problem;
   take_frame(p, *c.frame);
-  prepare_convection(*c.frame, scheme, 1.0, p.op);
+  p.op.convection = make_convection(*c.frame, scheme, 1.0);
   p.stiffness = stress;
   const auto n = at(p.nodes);
   if (dense) {
@@ -57,15 +57,16 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame,
     p.slip1[k] = 1e-4 * random();
     p.slip2[k] = 1e-4 * random();
   }
-  p.value = {1e-3, -5e-4, 0.01 * length, 2e-4 / length};
+  c.step.given.value = {1e-3, -5e-4, 0.01 * length, 2e-4 / length};
   c.traction = 0.01 * stress;
   const double force = 1e-3 * stress * length * length;
-  if (motions.approach_by_force) p.by_force[approach] = true, p.value[approach] = force;
+  if (motions.approach_by_force)
+    c.step.given.by_force[approach] = true, c.step.given.value[approach] = force;
   if (motions.creep_by_force) {
-    p.by_force[xi1] = p.by_force[xi2] = p.by_force[spin] = true;
-    p.value[xi1] = 0.1 * force;
-    p.value[xi2] = -0.05 * force;
-    p.value[spin] = 0.02 * force * length;
+    c.step.given.by_force[xi1] = c.step.given.by_force[xi2] = c.step.given.by_force[spin] = true;
+    c.step.given.value[xi1] = 0.1 * force;
+    c.step.given.value[xi2] = -0.05 * force;
+    c.step.given.value[spin] = 0.02 * force * length;
   }
   c.step.state.assign(n, PairState::open);
   c.step.law.resize(n);
@@ -111,8 +112,8 @@ Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Mo
 
 void make_frictionless(Case& c) {
   c.tangential = Tangential::none;
-  for (auto m : {xi1, xi2, spin}) c.problem.by_force[at(m)] = false;
-  c.problem.value = {0, 0, c.problem.value[approach], 0};
+  for (auto m : {xi1, xi2, spin}) c.step.given.by_force[at(m)] = false;
+  c.step.given.value = {0, 0, c.step.given.value[approach], 0};
   for (int i = 0; i < 2; ++i) std::fill(c.z.lambda[i].begin(), c.z.lambda[i].end(), 0.0);
 }
 
@@ -209,10 +210,11 @@ Point condensed_step(const Case& c) {
   tangential_rows(c, a);
   std::vector<int> motion;
   for (int m = 0; m < 4; ++m)
-    if (p.by_force[at(m)] && (m == approach || c.tangential != Tangential::none))
+    if (c.step.given.by_force[at(m)] && (m == approach || c.tangential != Tangential::none))
       motion.push_back(m);
   std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m) known[m] = p.by_force[m] ? 0 : p.value[m];
+  for (std::size_t m = 0; m < 4; ++m)
+    known[m] = c.step.given.by_force[m] ? 0 : c.step.given.value[m];
   // Motions count in units that keep the matrix's entries within a few orders of magnitude.
   const double rate = c.traction * p.length / std::abs(p.rn[at(n / 2)] * p.length);
   const auto unit = [&](int m) {
@@ -276,7 +278,7 @@ Point condensed_step(const Case& c) {
     for (std::int64_t k = 0; k < n; ++k)
       for (int j = c.tangential == Tangential::none ? 2 : 0; j < 3; ++j)
         row[3 * k + j] = scale * p.load_row(motion[m], at(k))[at(j)];
-    b[at(3 * n) + m] = scale * p.value[at(motion[m])];
+    b[at(3 * n) + m] = scale * c.step.given.value[at(motion[m])];
   }
   std::vector<double> copy(matrix, matrix + size * size), x(b), rest(b);
   EXPECT_TRUE(lu.factor());

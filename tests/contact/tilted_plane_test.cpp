@@ -91,21 +91,20 @@ struct Setting {
     Problem& p = s.problem;
     const Frame& frame = tilted ? askew : flat;
     take_frame(p, frame);
-    prepare_convection(frame, scheme, 0.6, p.op);
+    p.op.convection = make_convection(frame, scheme, 0.6);
     assemble_operators(frame, tilted ? *askew_compliance : *flat_compliance, mu > 0, p.op);
     set_scales(p, 1, 1);
     for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
     p.mu.assign(p.gap.size(), mu);
-    if (!p.op.convection.start.empty())
+    if (!p.op.convection.rows.start.empty())
       for (std::size_t i = 0; i < p.gap.size(); ++i)
-        if (p.op.convection.start[i] == p.op.convection.start[i + 1]) p.mu[i] = 0;
+        if (p.op.convection.rows.start[i] == p.op.convection.rows.start[i + 1]) p.mu[i] = 0;
     p.stiffness = young;
-    p.by_force = by_force;
-    p.value = value;
+    const Prescribed given{.by_force = by_force, .value = value};
     s.iterate.resize(p.nodes);
     Newton newton;
     Quiet quiet;
-    s.report = newton.solve(p, p, s.iterate, mu == 0, 1e-11, 200, quiet);
+    s.report = newton.solve(p, given, s.iterate, mu == 0, 1e-11, 200, quiet);
     return s;
   }
 };
@@ -241,8 +240,8 @@ TEST(tilted_plane, load_rows_are_the_transposed_columns) {
   curve_frame(frame, normal);
   Problem p;
   take_frame(p, frame);
-  p.op.slip_x = frame.x;
-  p.op.slip_y = frame.y;
+  p.op.convection.slip_x = frame.x;
+  p.op.convection.slip_y = frame.y;
   double worst = 0;
   for (std::size_t k = 0; k < normal.size(); ++k) {
     const double w = p.weight[k];

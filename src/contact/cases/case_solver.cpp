@@ -20,7 +20,8 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 // A solver of its own on the same preparation, which it may add to if no other solver reads it.
 std::unique_ptr<SolverState> share(const SolverState& from) {
-  auto to = std::make_unique<SolverState>(from.make_published);
+  auto to = std::make_unique<SolverState>();
+  to->make_published = from.make_published;
   to->prepared = from.prepared;
   to->preparation = can_share(from) ? nullptr : from.preparation;
   to->given = from.given;

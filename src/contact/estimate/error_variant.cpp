@@ -32,6 +32,26 @@ void loosen_held_tangents(ContactOperators& op) {
       if (norm(r, k) <= rounding * largest) op.block[r][r].row(k)[k] = looseness * largest;
 }
 
+// Rows that take a node and the sample ahead of it alone.
+Convection pick(const TractionSpace& space, const Convection& whole) {
+  Convection c;
+  c.ahead = pick(space, whole.ahead);
+  c.slip_x = pick(space, whole.slip_x);
+  c.slip_y = pick(space, whole.slip_y);
+  const std::size_t n = whole.ahead.size(), own = c.ahead.size();
+  c.rows.start.push_back(0);
+  for (std::size_t i = 0; i < own; ++i) {
+    const std::size_t k = at(space.node[i]);
+    for (auto j = at(whole.rows.start[k]); j < at(whole.rows.start[k + 1]); ++j) {
+      const bool ahead = at(whole.rows.column[j]) >= n;
+      c.rows.column.push_back(static_cast<std::int32_t>(ahead ? own + i : i));
+      c.rows.value.push_back(whole.rows.value[j]);
+    }
+    c.rows.start.push_back(static_cast<std::int64_t>(c.rows.column.size()));
+  }
+  return c;
+}
+
 }  // namespace
 
 void Variant::take_problem(const SolverState& s) {
@@ -64,7 +84,7 @@ void Variant::move_given_slip(const SolverState& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
   const SparseRows d = least_squares(s.prepared->frame, 1, 0);
-  const std::vector<double>& there = s.prepared->problem.op.upstream;
+  const std::vector<double>& there = s.prepared->problem.op.convection.slip_x;
   const auto derivative = [&](const std::vector<double>& field, std::size_t k) {
     double sum = 0;
     for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j)
@@ -73,7 +93,7 @@ void Variant::move_given_slip(const SolverState& s) {
   };
   for (std::size_t i = 0; i < p.slip1.size(); ++i) {
     const std::size_t k = at(space_->node[i]);
-    const double further = 0.5 * (p.op.upstream[i] - (there.empty() ? 0 : there[k]));
+    const double further = p.op.convection.slip_x[i] - there[k];
     p.slip1[i] -= further * derivative(s.prepared->problem.slip1, k);
     p.slip2[i] -= further * derivative(s.prepared->problem.slip2, k);
   }
@@ -97,13 +117,8 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
   if (tangential) {
-    ContactOperators whole;
-    prepare_convection(s.prepared->frame, Scheme::characteristic, step, whole);
-    ContactOperators& op = v.problem_.op;
-    op.upstream = pick(*v.space_, whole.upstream);
-    op.upstream_path = pick(*v.space_, whole.upstream_path);
-    op.slip_x = pick(*v.space_, whole.slip_x);
-    op.slip_y = pick(*v.space_, whole.slip_y);
+    v.problem_.op.convection =
+        pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
   }
   v.assemble(s, tangential);
   for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = pick(*v.space_, s.iterate.lambda[c]);
@@ -120,7 +135,7 @@ Variant Variant::coarse(const SolverState& s, double step) {
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
   if (!s.frictionless)
-    prepare_convection(v.space_->frame, Scheme::characteristic, step, v.problem_.op);
+    v.problem_.op.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
   v.assemble(s, !s.frictionless);
   return v;
 }

@@ -5,6 +5,7 @@
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/operators/operators.hpp"
+#include "support/index.hpp"
 #include "support/memory_limit.hpp"
 
 namespace rollcon {
@@ -12,39 +13,35 @@ namespace {
 
 constexpr std::int64_t chunk = 64;  // rows of compliance held at a time
 
-// Transpose of the sparse convective rows: which slip rows use node J, with what factor.
+// Transpose of the convective rows: which slip rows use a sample, with what factor.
 struct Users {
   std::vector<std::int64_t> start;
   std::vector<std::int32_t> row;
   std::vector<double> value;
 };
 
-Users transpose(const SparseRows& d, std::int64_t n) {
+Users transpose(const SparseRows& d, std::size_t samples) {
   Users t;
-  t.start.assign(static_cast<std::size_t>(n) + 1, 0);
-  for (const std::int32_t j : d.column) ++t.start[static_cast<std::size_t>(j) + 1];
-  for (std::size_t j = 0; j < static_cast<std::size_t>(n); ++j) t.start[j + 1] += t.start[j];
+  t.start.assign(samples + 1, 0);
+  for (const std::int32_t j : d.column) ++t.start[at(j) + 1];
+  for (std::size_t j = 0; j < samples; ++j) t.start[j + 1] += t.start[j];
   t.row.resize(d.column.size());
   t.value.resize(d.column.size());
   std::vector<std::int64_t> next(t.start.begin(), t.start.end() - 1);
-  for (std::int64_t i = 0; i < n; ++i)
-    for (std::int64_t k = d.start[static_cast<std::size_t>(i)];
-         k < d.start[static_cast<std::size_t>(i) + 1]; ++k) {
-      const auto s = static_cast<std::size_t>(
-          next[static_cast<std::size_t>(d.column[static_cast<std::size_t>(k)])]++);
+  for (std::size_t i = 0; i + 1 < d.start.size(); ++i)
+    for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) {
+      const std::size_t s = at(next[at(d.column[k])]++);
       t.row[s] = static_cast<std::int32_t>(i);
-      t.value[s] = d.value[static_cast<std::size_t>(k)];
+      t.value[s] = d.value[k];
     }
   return t;
 }
 
-// Adds the rows of displacements of node j to the slip rows that use them.
-void scatter(const Users& users, std::int32_t node, const double* displacement,
+// Adds the displacements of a sample to the slip rows that use it.
+void scatter(const Users& users, std::size_t sample, const double* displacement,
              std::span<const std::uint8_t> wanted, RowMatrix<double>& out) {
-  const auto j = static_cast<std::size_t>(node);
-  for (auto k = static_cast<std::size_t>(users.start[j]);
-       k < static_cast<std::size_t>(users.start[j + 1]); ++k)
-    if (wanted[static_cast<std::size_t>(users.row[k])])
+  for (auto k = at(users.start[sample]); k < at(users.start[sample + 1]); ++k)
+    if (wanted[at(users.row[k])])
       axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
 }
 
@@ -88,95 +85,121 @@ struct Wanted {
   bool slip() const { return block[0][0]; }
 };
 
-// Rows of the nodes in `rows`, of the blocks wanted.
-void assemble_rows(const Frame& frame, const Compliance& compliance, const Wanted& wanted,
-                   std::span<const std::uint8_t> rows, ContactOperators& op) {
-  const std::int64_t n = frame.nodes();
-  const bool stencils = wanted.slip() && op.upstream.empty();
-  RowMatrix<double> buffer[3][3];
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) {
-      if (!wanted.block[r][c]) continue;
-      if (op.block[r][c].empty()) op.block[r][c].resize_untouched(n, n);
-      buffer[r][c].resize(chunk, n);
-      for (std::int64_t i = 0; stencils && r < 2 && i < n; ++i)
-        if (rows[static_cast<std::size_t>(i)]) std::fill_n(op.block[r][c].row(i), n, 0.0);
-    }
-  // Upwind schemes also need displacements of the neighbours.
-  std::vector<std::uint8_t> needed(rows.begin(), rows.end());
-  Users users;
-  if (stencils) {
-    users = transpose(op.convection, n);
-    for (std::size_t j = 0; j < needed.size(); ++j)
-      for (auto k = static_cast<std::size_t>(users.start[j]);
-           k < static_cast<std::size_t>(users.start[j + 1]); ++k)
-        needed[j] = needed[j] || rows[static_cast<std::size_t>(users.row[k])];
-  }
-  std::vector<std::int32_t> node;
-  for (std::size_t k = 0; k < needed.size(); ++k)
-    if (needed[k]) node.push_back(static_cast<std::int32_t>(k));
-
-  std::vector<double> px, py;
-  for (std::size_t first = 0; first < node.size(); first += chunk) {
-    const std::size_t size = std::min(static_cast<std::size_t>(chunk), node.size() - first);
-    const std::span<const std::int32_t> at(node.data() + first, size);
-    px.resize(size);
-    py.resize(size);
-    for (std::size_t p = 0; p < size; ++p) {
-      px[p] = frame.x[static_cast<std::size_t>(at[p])];
-      py[p] = frame.y[static_cast<std::size_t>(at[p])];
-    }
-    // Rows that need nothing more go where they belong at once.
-    const bool in_place = at.back() - at.front() + 1 == static_cast<std::int32_t>(size) &&
-                          std::all_of(at.begin(), at.end(), [&](std::int32_t k) {
-                            return rows[static_cast<std::size_t>(k)] != 0;
-                          });
-    ComplianceBlock out;
-    out.stride = n;
+/// Rows of the nodes in `rows`, of the blocks wanted, as sums over samples.
+class Assembly {
+ public:
+  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted,
+           std::span<const std::uint8_t> rows, ContactOperators& op)
+      : frame_(frame),
+        compliance_(compliance),
+        wanted_(wanted),
+        rows_(rows),
+        op_(op),
+        n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
-      for (int c = 0; c < 3; ++c)
-        if (wanted.block[r][c])
-          out.a[r][c] = r == 2 && in_place ? op.block[2][c].row(at[0]) : buffer[r][c].data();
-    compliance.block({px, py}, out);
-    for (int c = 0; c < 3; ++c)
-      for (std::size_t p = 0; wanted.block[2][c] && !in_place && p < size; ++p)
-        if (rows[static_cast<std::size_t>(at[p])])
-          std::copy_n(buffer[2][c].row(static_cast<std::int64_t>(p)), n, op.block[2][c].row(at[p]));
-    if (!wanted.slip()) continue;
-    if (stencils) {
-      for (int r = 0; r < 2; ++r)
-        for (int c = 0; c < 3; ++c)
-          for (std::size_t p = 0; wanted.block[r][c] && p < size; ++p)
-            scatter(users, at[p], buffer[r][c].row(static_cast<std::int64_t>(p)), rows,
-                    op.block[r][c]);
-      continue;
-    }
-    // Characteristic scheme: (w(x_I) - w(x_I + delta e)) / delta, both displacements exact.
-    for (std::size_t p = 0; p < size; ++p) px[p] += op.upstream[static_cast<std::size_t>(at[p])];
-    ComplianceBlock ahead;
-    ahead.stride = n;
-    for (int r = 0; r < 2; ++r)
-      for (int c = 0; c < 3; ++c)
-        if (wanted.block[r][c]) {
-          for (std::size_t p = 0; p < size; ++p)
-            std::copy_n(buffer[r][c].row(static_cast<std::int64_t>(p)), n,
-                        op.block[r][c].row(at[p]));
-          ahead.a[r][c] = buffer[r][c].data();
-        }
-    compliance.block({px, py}, ahead);
-    for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
-        for (std::size_t p = 0; p < size; ++p) {
-          const double delta = op.path(static_cast<std::size_t>(at[p]));
-          const double factor = delta > 0 ? 1 / delta : 0;
-          double* s = op.block[r][c].row(at[p]);
-          const double* w = buffer[r][c].row(static_cast<std::int64_t>(p));
-          for (std::int64_t k = 0; k < n; ++k) s[k] = factor * (s[k] - w[k]);
-        }
+        if (op.block[r][c].empty()) op.block[r][c].resize_untouched(n_, n_);
+        buffer_[r][c].resize(chunk, n_);
+        for (std::int64_t i = 0; r < 2 && i < n_; ++i)
+          if (rows[at(i)]) std::fill_n(op.block[r][c].row(i), n_, 0.0);
       }
+    if (wanted.slip()) users_ = transpose(op.convection.rows, samples());
   }
-}
+
+  void run() {
+    const std::size_t nodes = at(n_);
+    std::vector<std::int32_t> needed;
+    for (std::size_t k = 0; k < nodes; ++k)
+      if (rows_[k] || used(k)) needed.push_back(static_cast<std::int32_t>(k));
+    in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_nodes(sample); });
+    if (!wanted_.slip() || op_.convection.ahead.empty()) return;
+    needed.clear();
+    for (std::size_t k = nodes; k < samples(); ++k)
+      if (used(k)) needed.push_back(static_cast<std::int32_t>(k));
+    in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_ahead(sample); });
+  }
+
+ private:
+  std::size_t samples() const { return at(n_) + op_.convection.ahead.size(); }
+  /// By a slip row that is to be assembled.
+  bool used(std::size_t sample) const {
+    if (!wanted_.slip()) return false;
+    for (auto k = at(users_.start[sample]); k < at(users_.start[sample + 1]); ++k)
+      if (rows_[at(users_.row[k])]) return true;
+    return false;
+  }
+
+  template <class Take>
+  static void in_chunks(const std::vector<std::int32_t>& sample, Take take) {
+    for (std::size_t first = 0; first < sample.size(); first += chunk)
+      take(std::span(sample).subspan(first, std::min(at(chunk), sample.size() - first)));
+  }
+
+  void take_nodes(std::span<const std::int32_t> node) {
+    place(node, [&](std::size_t k) { return frame_.x[k]; });
+    // Rows that need nothing more go where they belong at once.
+    const bool in_place =
+        node.back() - node.front() + 1 == static_cast<std::int32_t>(node.size()) &&
+        std::all_of(node.begin(), node.end(), [&](std::int32_t k) { return rows_[at(k)] != 0; });
+    ComplianceBlock out = blocks(3);
+    for (int c = 0; c < 3; ++c)
+      if (wanted_.block[2][c] && in_place) out.a[2][c] = op_.block[2][c].row(node[0]);
+    compliance_.block({x_, y_}, out);
+    for (int c = 0; c < 3; ++c)
+      for (std::size_t p = 0; wanted_.block[2][c] && !in_place && p < node.size(); ++p)
+        if (rows_[at(node[p])])
+          std::copy_n(buffer_[2][c].row(static_cast<std::int64_t>(p)), n_,
+                      op_.block[2][c].row(node[p]));
+    add_to_slip(node);
+  }
+
+  void take_ahead(std::span<const std::int32_t> sample) {
+    place(sample, [&](std::size_t k) {
+      const std::size_t node = k - at(n_);
+      return frame_.x[node] + op_.convection.ahead[node];
+    });
+    compliance_.block({x_, y_}, blocks(2));
+    add_to_slip(sample);
+  }
+
+  template <class Along>
+  void place(std::span<const std::int32_t> sample, Along along) {
+    x_.clear();
+    y_.clear();
+    for (const std::int32_t k : sample) {
+      x_.push_back(along(at(k)));
+      y_.push_back(frame_.y[at(k) % at(n_)]);
+    }
+  }
+
+  ComplianceBlock blocks(int rows) {
+    ComplianceBlock out;
+    out.stride = n_;
+    for (int r = 0; r < rows; ++r)
+      for (int c = 0; c < 3; ++c)
+        if (wanted_.block[r][c]) out.a[r][c] = buffer_[r][c].data();
+    return out;
+  }
+
+  void add_to_slip(std::span<const std::int32_t> sample) {
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 3; ++c)
+        for (std::size_t p = 0; wanted_.block[r][c] && p < sample.size(); ++p)
+          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), rows_,
+                  op_.block[r][c]);
+  }
+
+  const Frame& frame_;
+  const Compliance& compliance_;
+  const Wanted& wanted_;
+  std::span<const std::uint8_t> rows_;
+  ContactOperators& op_;
+  std::int64_t n_;
+  RowMatrix<double> buffer_[3][3];
+  Users users_;
+  std::vector<double> x_, y_;
+};
 
 }  // namespace
 
@@ -212,8 +235,8 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
     for (int c = 0; c < 3; ++c) need[r][c] = of_old.block[r][c] || of_new.block[r][c];
   require_operator_memory(op, need, op.rows + count);
   const bool first = !op.tangential && slip;
-  if (of_old.any()) assemble_rows(frame, compliance, of_old, op.there, op);
-  if (count > 0) assemble_rows(frame, compliance, of_new, missing, op);
+  if (of_old.any()) Assembly(frame, compliance, of_old, op.there, op).run();
+  if (count > 0) Assembly(frame, compliance, of_new, missing, op).run();
   for (std::size_t k = 0; k < missing.size(); ++k)
     if (missing[k]) op.there[k] = 1;
   op.rows += count;

@@ -16,12 +16,9 @@
 
 namespace rollcon {
 
-enum class Scheme { godunov, least_squares, characteristic };
-
 /// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row
 /// r = 2 is the normal displacement (A lambda)_n. Columns c: traction components t1, t2, n.
-/// Blocks that vanish or are not needed are empty. On a curved frame derivatives are taken along
-/// the surface: those in the projection times t1 . (rolling direction).
+/// Blocks that vanish or are not needed are empty.
 struct ContactOperators {
   std::int64_t nodes = 0;
   bool coupled = false;
@@ -33,30 +30,14 @@ struct ContactOperators {
   std::int64_t rows = 0;            ///< number of those nodes
   /// Instead of blocks, which are then empty: the same rows applied without being formed.
   std::shared_ptr<FieldOperator> field;
-  SparseRows convection;  ///< empty for the characteristic scheme
-  /// Characteristic scheme: distance to the upstream point, in the projection and (curved frames;
-  /// else empty) along the surface.
-  std::vector<double> upstream, upstream_path;
-  std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
+  Convection convection;
 
-  double path(std::size_t k) const {
-    return upstream_path.empty() ? upstream[k] : upstream_path[k];
-  }
   /// Row r of node k times tractions, of the components first to last. Not with a field.
   double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first = 0,
                  int last = 2) const;
   bool has_row(std::size_t k) const { return there.empty() || there[k] != 0; }
   std::size_t bytes() const;
 };
-
-/// Decides the scheme's stencil and where rigid slip is taken. step: upstream distance over the
-/// local spacing along the flow, characteristic scheme only.
-void prepare_convection(const Frame& frame, Scheme scheme, double step, ContactOperators& op);
-
-/// Slip per unit speed, D w, of displacements w at all nodes: w[3 * k + c], and for the
-/// characteristic scheme those at the upstream points. Tangential components.
-void convect(const ContactOperators& op, const double* w, const double* ahead,
-             std::vector<double> (&slip)[2]);
 
 /// Throws Error(err_memory) where this process cannot have these blocks, of which `rows` rows will
 /// be written, beside those that are there.

@@ -42,9 +42,10 @@ const char* obstacle_to_fft(const SolverState& s) {
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
   HalfspaceConstants c;
   s.prepared->compliance->halfspace(c);
-  const double delta =
-      op.upstream.empty() ? 0 : s.prepared->characteristic_step * lattice.spacing_along_flow();
-  op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection);
+  const double delta = op.convection.ahead.empty()
+                           ? 0
+                           : s.prepared->characteristic_step * lattice.spacing_along_flow();
+  op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection.rows);
   op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
   op.normal = true;
@@ -78,7 +79,7 @@ void choose_table(SolverState& s, bool wanted) {
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    prepare_convection(frame, scheme, s.prepared->characteristic_step, op);
+    op.convection = make_convection(frame, scheme, s.prepared->characteristic_step);
     fill_operators(s, lattice, op);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};

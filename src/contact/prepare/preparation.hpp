@@ -57,6 +57,8 @@ struct Preparation {
   SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
 };
 
+/// What there is so far; empty at first.
+Prepared& begin_preparation(SolverState& state);
 /// Rows of the nodes with wanted[k] != 0 (empty: of all) that are not there yet.
 void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted);
 void choose_scales(SolverState& state, const Options& options);

@@ -120,7 +120,7 @@ void build_stencils(SolverState& state, const Scene& scene) {
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) op.block[r][c].release();
   op.tangential = false;
-  prepare_convection(on.frame, scheme, step, op);
+  op.convection = make_convection(on.frame, scheme, step);
   ++state.work.stencils;
   on.scheme = scheme;
   on.characteristic_step = step;
@@ -154,9 +154,9 @@ void read_friction(SolverState& state, const Scene& scene) {
     state.iterate.invalidate();
   }
   state.frictionless = frictionless;
-  const SparseRows& d = p.op.convection;
-  for (std::size_t i = 0; i + 1 < d.start.size(); ++i)
-    if (d.start[i] == d.start[i + 1]) p.mu[i] = 0;
+  const SparseRows& d = p.op.convection.rows;
+  for (std::size_t i = 0; i < p.mu.size(); ++i)
+    if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
 }
 
 // What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
@@ -173,13 +173,13 @@ void find_offset(SolverState& state) {
   std::vector<double> u(3 * n), ahead;
   if (!on.compliance->offset({frame.x, frame.y}, u.data())) return;
   ++preparation.offset_change;
-  if (!op.upstream.empty()) {
+  if (!op.convection.ahead.empty()) {
     ahead.resize(3 * n);
     std::vector<double> x = frame.x;
-    for (std::size_t k = 0; k < n; ++k) x[k] += op.upstream[k];
+    for (std::size_t k = 0; k < n; ++k) x[k] += op.convection.ahead[k];
     on.compliance->offset({x, frame.y}, ahead.data());
   }
-  convect(op, u.data(), ahead.data(), on.offset_slip);
+  convect(op.convection, u.data(), ahead.data(), on.offset_slip);
   on.offset_depth.resize(n);
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
@@ -196,7 +196,7 @@ void shift_field(Preparation& preparation) {
       double derivative = 0;
       for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k)
         derivative += d.value[k] * given[at(d.column[k])];
-      (*field)[i] -= 0.5 * p.op.upstream[i] * derivative;
+      (*field)[i] -= 0.5 * p.op.convection.ahead[i] * derivative;
     }
   }
 }
@@ -257,7 +257,7 @@ void read_slip(SolverState& state, const Scene& scene) {
     p.slip1[k] = field[2 * k] / scene.speed();
     p.slip2[k] = field[2 * k + 1] / scene.speed();
   }
-  if (n > 0 && !p.op.upstream.empty()) shift_field(preparation);
+  if (n > 0 && !p.op.convection.ahead.empty()) shift_field(preparation);
   if (on.offset_depth.empty()) return;
   p.slip1.resize(on.offset_depth.size());
   p.slip2.resize(p.slip1.size());
@@ -293,9 +293,12 @@ void prepare_body(Body& body, int which, Work& work) {
 
 }  // namespace
 
-SolverState::SolverState(MakePublished make)
-    : preparation(std::make_shared<Preparation>()), make_published(make) {
-  prepared = preparation->made;
+Prepared& begin_preparation(SolverState& state) {
+  if (!state.preparation) {
+    state.preparation = std::make_shared<Preparation>();
+    state.prepared = state.preparation->made;
+  }
+  return *state.preparation->made;
 }
 
 std::size_t SolverState::bytes() const {
@@ -316,7 +319,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
     prepare_body(body1, 1, state.work);
     prepare_body(body2, 2, state.work);
   }
-  Prepared& on = *state.preparation->made;
+  Prepared& on = begin_preparation(state);
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
   build_frame_part(state, scene);
   build_compliance(state, scene, threads);

@@ -78,7 +78,7 @@ std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
       axes = {0, 1};
       break;
     case spin:
-      axes = {-op.slip_y[k], op.slip_x[k]};
+      axes = {-op.convection.slip_y[k], op.convection.slip_x[k]};
       break;
     default:
       return axes;

@@ -24,7 +24,7 @@ namespace rollcon {
 /// Local triad of a node in the axes: [i][j] = local direction i times axis j (t1, t2, n).
 using Turn = std::array<std::array<double, 3>, 3>;
 
-struct Problem : Prescribed {
+struct Problem {
   std::int64_t nodes = 0;
   ContactOperators op;
   std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
@@ -57,7 +57,8 @@ struct Problem : Prescribed {
   /// The part of component c that motions cause.
   double motion_slip(std::size_t c, std::int64_t i, const std::array<double, 4>& m) const {
     const auto k = static_cast<std::size_t>(i);
-    const double along = m[xi1] - m[spin] * op.slip_y[k], across = m[xi2] + m[spin] * op.slip_x[k];
+    const double along = m[xi1] - m[spin] * op.convection.slip_y[k],
+                 across = m[xi2] + m[spin] * op.convection.slip_x[k];
     if (turn.empty()) return c == 0 ? along : across;
     return turn[k][c][0] * along + turn[k][c][1] * across;
   }

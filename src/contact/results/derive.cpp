@@ -24,14 +24,14 @@ std::vector<double> displacements(SolverState& s, const std::vector<double>& x,
 
 // D (A lambda)_t per unit speed at every node, from displacements.
 void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
-  const ContactOperators& op = s.prepared->problem.op;
+  const Convection& convection = s.prepared->problem.op.convection;
   std::vector<double> ahead;
-  if (!op.upstream.empty()) {
+  if (!convection.ahead.empty()) {
     std::vector<double> x = s.prepared->frame.x;
-    for (std::size_t k = 0; k < x.size(); ++k) x[k] += op.upstream[k];
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += convection.ahead[k];
     ahead = displacements(s, x, s.prepared->frame.y);
   }
-  convect(op, u.data(), ahead.data(), image);
+  convect(convection, u.data(), ahead.data(), image);
 }
 
 // Normal displacement and slip per unit speed at every node, not by the rows that the solver used;
@@ -60,34 +60,28 @@ struct Outside {
 
 Outside outside_reach(SolverState& s) {
   const ContactOperators& op = s.prepared->problem.op;
+  const Convection& convection = op.convection;
+  const Frame& frame = s.prepared->frame;
   const std::size_t n = at(s.prepared->problem.nodes);
-  std::vector<std::uint8_t> needed(n, 0);
+  std::vector<std::uint8_t> needed(n + convection.ahead.size(), 0);
   for (std::size_t k = 0; k < n; ++k) {
     if (op.has_row(k)) continue;
     needed[k] = 1;
-    for (std::size_t j = op.upstream.empty() ? at(op.convection.start[k]) : 0;
-         op.upstream.empty() && j < at(op.convection.start[k + 1]); ++j)
-      needed[at(op.convection.column[j])] = 1;
+    for (auto j = at(convection.rows.start[k]); j < at(convection.rows.start[k + 1]); ++j)
+      needed[at(convection.rows.column[j])] = 1;
   }
   std::vector<double> x, y;
-  for (std::size_t k = 0; k < n; ++k)
-    if (needed[k]) x.push_back(s.prepared->frame.x[k]), y.push_back(s.prepared->frame.y[k]);
-  const auto at_nodes = [&](const std::vector<double>& found) {
-    std::vector<double> u(3 * n, 0.0);
-    for (std::size_t k = 0, p = 0; k < n; ++k)
-      if (needed[k])
-        std::copy_n(found.begin() + static_cast<std::ptrdiff_t>(3 * p++), 3, &u[3 * k]);
-    return u;
-  };
-  const std::vector<double> u = at_nodes(displacements(s, x, y));
-  std::vector<double> ahead;
-  if (!op.upstream.empty()) {
-    for (std::size_t k = 0, p = 0; k < n; ++k)
-      if (needed[k]) x[p++] += op.upstream[k];
-    ahead = at_nodes(displacements(s, x, y));
+  for (std::size_t i = 0; i < needed.size(); ++i) {
+    if (!needed[i]) continue;
+    x.push_back(frame.x[i % n] + (i < n ? 0 : convection.ahead[i - n]));
+    y.push_back(frame.y[i % n]);
   }
+  const std::vector<double> found = displacements(s, x, y);
+  std::vector<double> u(3 * needed.size(), 0.0);
+  for (std::size_t i = 0, p = 0; i < needed.size(); ++i)
+    if (needed[i]) std::copy_n(&found[3 * p++], 3, &u[3 * i]);
   Outside out;
-  convect(op, u.data(), ahead.data(), out.slip);
+  convect(convection, u.data(), u.data() + 3 * n, out.slip);
   out.normal.resize(n);
   for (std::size_t k = 0; k < n; ++k) out.normal[k] = u[3 * k + 2];
   return out;

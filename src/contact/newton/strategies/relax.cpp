@@ -23,8 +23,9 @@ void sweep_along_flow(const Solve& s) {
   std::vector<std::size_t> order(it.lambda[2].size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t k) { return !p.used[k]; });
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return p.op.slip_x[a] > p.op.slip_x[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return p.op.convection.slip_x[a] > p.op.convection.slip_x[b];
+  });
   const auto own = [&](int r, int c, std::size_t k) {
     return p.op.block[r][c].row(static_cast<std::int64_t>(k))[k];
   };

@@ -16,6 +16,26 @@ struct SparseRows {
   std::vector<std::uint8_t> fallback;  ///< 1 where the scheme's own stencil was not usable
 };
 
+enum class Scheme { godunov, least_squares, characteristic };
+
+/// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at
+/// samples, which are the nodes and, for some schemes, one point ahead (upstream) of each.
+struct Convection {
+  SparseRows rows;            ///< by node; column n + j: the sample ahead of node j of n
+  std::vector<double> ahead;  ///< distances along t1, in the projection; empty: no such samples
+  std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
+};
+
+/// step: distance ahead over the local spacing along the flow, characteristic scheme only. On a
+/// curved frame derivatives are taken along the surface: those in the projection times
+/// t1 . (rolling direction).
+Convection make_convection(const Frame& frame, Scheme scheme, double step);
+
+/// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them.
+/// Tangential components.
+void convect(const Convection& convection, const double* w, const double* ahead,
+             std::vector<double> (&slip)[2]);
+
 /// First-order Godunov flux on median-dual cells, equations (41)-(42). (ex, ey): unit rolling
 /// direction in the frame's axes. The row of a node without inflow is empty.
 SparseRows godunov(const Frame& frame, double ex, double ey);

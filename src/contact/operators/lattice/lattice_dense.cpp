@@ -75,7 +75,7 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
       wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled)
                             : want_tangential && (k < 2 || op.coupled);
   require_operator_memory(op, wanted, n);
-  const double delta = op.upstream.empty() ? 0 : op.upstream[0];
+  const double delta = op.convection.ahead.empty() ? 0 : op.convection.ahead[0];
   std::vector<Part> parts;
   for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, c, delta, piece);
   std::vector<std::int64_t> place(static_cast<std::size_t>(n), -1);
@@ -102,10 +102,10 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
         }
         std::fill_n(row, n, 0.0);
         const auto node = static_cast<std::size_t>(i);
-        for (auto m = static_cast<std::size_t>(op.convection.start[node]);
-             m < static_cast<std::size_t>(op.convection.start[node + 1]); ++m) {
-          write(op.convection.column[m], r, k, displacement.data());
-          axpy(op.convection.value[m], displacement.data(), row, n);
+        for (auto m = static_cast<std::size_t>(op.convection.rows.start[node]);
+             m < static_cast<std::size_t>(op.convection.rows.start[node + 1]); ++m) {
+          write(op.convection.rows.column[m], r, k, displacement.data());
+          axpy(op.convection.rows.value[m], displacement.data(), row, n);
         }
       }
     }
