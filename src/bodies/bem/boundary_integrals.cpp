@@ -179,7 +179,7 @@ class BoundaryIntegrals::Rows {
     for (std::size_t p = 0; p < points_.size(); ++p) {
       const OnElement on = locate(e, p);
       if (!on.known) {
-        const Selection s = select_rule(element, element.shape, x_[p], tolerance);
+        const Selection s = select_rule(element, seen_from(element.shape, x_[p]), tolerance);
         if (s.gauss && (element.corners == 3 || std::max(s.first, s.second) <= most_far_points)) {
           shared |= 1u << p;
           rule = {std::max(rule.first, s.first), std::max(rule.second, s.second)};

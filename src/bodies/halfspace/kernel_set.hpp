@@ -183,11 +183,7 @@ void near_terms(const NearElement& element, const NearPoints& points, int terms,
 }
 
 void near(const NearElement& element, NearPoints& points, int terms, double* integral) {
-  for (int q = points.n; q % lanes != 0; ++q) {
-    points.xi[q] = points.xi[points.n - 1];
-    points.eta[q] = points.eta[points.n - 1];
-    points.w[q] = 0;
-  }
+  pad(points);
   switch (element.type) {
     case ElementType::tri3:
       return near_terms<ElementType::tri3>(element, points, terms, integral);
