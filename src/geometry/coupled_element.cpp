@@ -34,18 +34,8 @@ const PlaneRule& rule(int n) {
 
 /// Total degree of the shape functions.
 int degree(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return 1;
-    case ElementType::tri6:
-    case ElementType::quad4:
-      return 2;
-    case ElementType::quad8:
-      return 3;
-    case ElementType::quad9:
-      return 4;
-  }
-  return 0;
+  if (corner_count(type) == 3) return is_quadratic(type) ? 2 : 1;
+  return type == ElementType::quad4 ? 2 : type == ElementType::quad8 ? 3 : 4;
 }
 
 }  // namespace
