@@ -13,28 +13,9 @@ namespace rollcon {
 namespace {
 
 template <class Visit>
-void entries(const SparseColumns& a, std::int64_t column, Visit visit) {
+void entries(const SparseMatrix& a, std::int64_t column, Visit visit) {
   for (std::int64_t k = a.start[at(column)]; k < a.start[at(column + 1)]; ++k)
     visit(a.row[at(k)], a.value[at(k)]);
-}
-
-SparseColumns transposed(const SparseColumns& a) {
-  SparseColumns t;
-  t.rows = a.columns;
-  t.columns = a.rows;
-  t.start.assign(at(a.rows + 1), 0);
-  for (const std::int64_t i : a.row) ++t.start[at(i + 1)];
-  for (std::int64_t i = 0; i < a.rows; ++i) t.start[at(i + 1)] += t.start[at(i)];
-  t.row.resize(a.row.size());
-  t.value.resize(a.value.size());
-  std::vector<std::int64_t> next(t.start.begin(), t.start.end() - 1);
-  for (std::int64_t j = 0; j < a.columns; ++j)
-    entries(a, j, [&](std::int64_t i, double v) {
-      const std::size_t to = at(next[at(i)]++);
-      t.row[to] = j;
-      t.value[to] = v;
-    });
-  return t;
 }
 
 /// Point p and component c behind a place.
@@ -44,8 +25,8 @@ std::int64_t point_column(std::int64_t place, std::int64_t nodes) {
   return 3 * (nodes + upstream / 2) + upstream % 2;
 }
 
-SparseColumns choose_columns(const SparseColumns& all, std::int64_t places, std::int64_t nodes) {
-  SparseColumns some;
+SparseMatrix choose_columns(const SparseMatrix& all, std::int64_t places, std::int64_t nodes) {
+  SparseMatrix some;
   some.rows = all.rows;
   some.columns = places;
   some.start.push_back(0);
@@ -253,8 +234,8 @@ void MonolithicBodies::factor() {
       std::copy(e.dense.begin(), e.dense.end(), made[b].dense.prepare(e.unknowns));
       good = made[b].dense.factor();
     } else if (e.symmetric) {
-      SparseSymmetric lower;
-      lower.n = e.unknowns;
+      SparseMatrix lower;
+      lower.columns = e.unknowns;
       lower.start.push_back(0);
       for (std::int64_t j = 0; j < e.unknowns; ++j) {
         entries(e.matrix, j, [&](std::int64_t i, double v) {
@@ -267,8 +248,7 @@ void MonolithicBodies::factor() {
       made[b].symmetric =
           ROLLCON_BUILD_CHOLMOD != 0 ? factor_by_cholmod(lower, {}) : factor_by_umfpack(lower, {});
     } else {
-      SparseMatrix general{e.unknowns, e.matrix.start, e.matrix.row, e.matrix.value};
-      good = made[b].sparse.factor(general);
+      good = made[b].sparse.factor(e.matrix);
     }
     if (!good)
       fail(Status::err_singular, "the equations of a body with %lld unknowns are singular",
@@ -306,12 +286,9 @@ double MonolithicBodies::factor_entries() const {
 
 std::size_t MonolithicBodies::bytes() const {
   std::size_t sum = sizeof(double) * (direct_.capacity() + normal_direct_.capacity());
-  const auto of = [](const SparseColumns& a) {
-    return sizeof(std::int64_t) * (a.start.capacity() + a.row.capacity()) +
-           sizeof(double) * a.value.capacity();
-  };
   for (const Body& body : body_)
-    sum += of(body.load) + of(body.place) + of(body.unknown) + of(body.equations->matrix) +
+    sum += body.load.bytes() + body.place.bytes() + body.unknown.bytes() +
+           body.equations->matrix.bytes() +
            sizeof(double) * (body.equations->dense.capacity() + 2 * body.row.capacity());
   for (const Factor& f : factor_) {
     if (f.symmetric) sum += f.symmetric->statistics().bytes;

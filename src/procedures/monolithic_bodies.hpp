@@ -25,9 +25,9 @@ class MonolithicBodies {
     std::shared_ptr<const BodyEquations> equations;
     std::int64_t first = 0;           ///< of its unknowns among those of both bodies
     std::vector<double> row, column;  ///< scales: row K column is of order one
-    SparseColumns load;               ///< B
-    SparseColumns place;              ///< by place: displacement per unknown, unscaled
-    SparseColumns unknown;            ///< by unknown: the same
+    SparseMatrix load;               ///< B
+    SparseMatrix place;              ///< by place: displacement per unknown, unscaled
+    SparseMatrix unknown;            ///< by unknown: the same
   };
 
   std::int64_t unknowns() const { return unknowns_; }

@@ -118,7 +118,7 @@ void MonolithicCore::columns(Sink& sink) const {
 }
 
 void MonolithicCore::assemble(SparseMatrix& out) const {
-  out.n = size();
+  out.rows = out.columns = size();
   out.start.assign(1, 0);
   out.row.clear();
   out.value.clear();

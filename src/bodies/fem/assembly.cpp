@@ -76,10 +76,9 @@ class EntryPlaces {
   std::vector<std::int64_t> before_;
 };
 
-SparseSymmetric empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) {
-  SparseSymmetric matrix;
-  matrix.n = unknowns.count;
-  matrix.start.push_back(0);
+SparseMatrix empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) {
+  SparseMatrix matrix;
+  matrix.begin(unknowns.count);
   for (std::size_t k = 0; k + 1 < pattern.start.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
       if (unknowns.of[3 * k + c] < 0) continue;
@@ -90,14 +89,14 @@ SparseSymmetric empty_matrix(const NodePattern& pattern, const Unknowns& unknown
       add(k, c);
       for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i)
         add(at(pattern.neighbour[at(i)]), 0);
-      matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+      matrix.end_column();
     }
   matrix.value.assign(matrix.row.size(), 0.0);
   return matrix;
 }
 
 void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes,
-             const Unknowns& unknowns, const EntryPlaces& places, SparseSymmetric& matrix) {
+             const Unknowns& unknowns, const EntryPlaces& places, SparseMatrix& matrix) {
   const std::size_t width = 3 * nodes.size();
   for (std::size_t a = 0; a < nodes.size(); ++a)
     for (std::size_t b = 0; b < nodes.size(); ++b) {
@@ -166,11 +165,11 @@ std::vector<std::vector<std::int64_t>> Assembly::colours() const {
   return colour;
 }
 
-SparseSymmetric Assembly::stiffness(const Unknowns& unknowns, int threads) const {
+SparseMatrix Assembly::stiffness(const Unknowns& unknowns, int threads) const {
   const NodePattern pattern =
       node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
   const EntryPlaces places(pattern, unknowns);
-  SparseSymmetric matrix = empty_matrix(pattern, unknowns);
+  SparseMatrix matrix = empty_matrix(pattern, unknowns);
   std::vector<std::vector<double>> own(at(std::max(threads, 1)));
   for (const std::vector<std::int64_t>& elements : colours()) {
     const auto count = static_cast<std::int64_t>(elements.size());
