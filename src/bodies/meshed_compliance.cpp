@@ -147,21 +147,13 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
   for (const Others& group : groups) {
     if (group.point.empty()) continue;
     const Between part = between(&group == &groups[1]);
-    std::vector<double> buffer[3][3];
-    ComplianceBlock local;
-    local.stride = static_cast<std::ptrdiff_t>(n);
-    for (std::size_t i = 0; part.local && i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (out.a[i][j]) {
-          buffer[i][j].assign(group.point.size() * at(n), 0.0);
-          local.a[i][j] = buffer[i][j].data();
-        }
-    if (part.local) part.local->block({group.x, group.y}, local);
+    const BlockBuffer local(part.local ? out : ComplianceBlock{}, group.point.size(), n);
+    if (part.local) part.local->block({group.x, group.y}, local.block());
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t b = 0; out.a[i][j] && b < group.point.size(); ++b) {
           double* to = destination(i, j, group.point[b]);
-          if (part.local) std::copy_n(buffer[i][j].data() + b * at(n), n, to);
+          if (part.local) std::copy_n(local.row(i, j, b), n, to);
           const Interpolation& where = group.where[b];
           for (int a = 0; a < where.count; ++a)
             add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j,
@@ -223,10 +215,8 @@ bool MeshedCompliance::offset(Points points, double* u) const {
 }
 
 std::string MeshedCompliance::description() const {
-  std::string text =
-      "body " + std::to_string(which_ + 1) +
-      (body_.kind() == BodyKind::fem ? ": finite elements, " : ": boundary elements, ") +
-      std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
+  std::string text = "body " + std::to_string(which_ + 1) + ": " + body_.traits().parts + ", " +
+                     std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
   if (on_body_.of_faces())
     return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
   return text + "the frame is a mesh of its own laid on it";

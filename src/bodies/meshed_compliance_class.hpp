@@ -116,7 +116,7 @@ class MeshedCompliance final : public Compliance {
   /// between their nodes would be far softer than the body.
   bool by_shape_functions() const {
     return body_.options().between_nodes == 1 ||
-           (body_.kind() == BodyKind::bem && on_body_.of_faces() && depth_ < least_depth);
+           (body_.traits().smooth_difference && on_body_.of_faces() && depth_ < least_depth);
   }
   static constexpr double least_depth = 2.6;  ///< no ratio of usual meshes: rounding decides there
   /// Points that are not nodes of the body: those of the zone, and those beyond it.
