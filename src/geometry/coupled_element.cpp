@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/box.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
@@ -76,16 +77,10 @@ struct ElementCoupling::Side {
 };
 
 std::span<const std::int64_t> ElementCoupling::candidates(std::int64_t element) {
-  const auto nodes = layer_.element(element);
-  Vec3 low = layer_.node[at(nodes[0])], high = low;
-  for (const std::int32_t k : nodes)
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], layer_.node[at(k)][i]);
-      high[i] = std::max(high[i], layer_.node[at(k)][i]);
-    }
+  const Box box = box_of(layer_.node, layer_.element(element));
   const double margin = reach * element_diameter(layer_, element);
   const Vec3 beyond{margin, margin, margin};
-  faces_.near(low - beyond, high + beyond, candidate_);
+  faces_.near(box.low - beyond, box.high + beyond, candidate_);
   return candidate_;
 }
 

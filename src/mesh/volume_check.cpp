@@ -22,8 +22,11 @@ using Numbers = Names<VolumeElements>;
 
 std::string corners(const Numbers& names, const CornerFace& f) {
   std::string text;
-  for (const std::int32_t k : f.corner)
-    if (k >= 0) text += (text.empty() ? "" : "-") + std::to_string(names.node(k));
+  for (const std::int32_t k : f.corner) {
+    if (k < 0) continue;
+    if (!text.empty()) text += '-';
+    text += std::to_string(names.node(k));
+  }
   return text;
 }
 

@@ -7,6 +7,7 @@
 
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -28,16 +29,6 @@ Vec3 middle_of_held(const BodyMesh& mesh) {
       ++count;
     }
   return (1 / std::max(count, 1.0)) * sum;
-}
-
-double half_diagonal(const SurfaceMesh& mesh) {
-  Vec3 low = mesh.node.front(), high = low;
-  for (const Vec3& x : mesh.node)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], x[c]);
-      high[c] = std::max(high[c], x[c]);
-    }
-  return 0.5 * length(high - low);
 }
 
 void require_matrix(std::int64_t unknowns) {
@@ -71,7 +62,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       of_fan = std::max(of_fan, size);
     }
   }
-  reach_ = half_diagonal(mesh.surface);
+  reach_ = 0.5 * length(box_of(mesh.surface.node).size());
   held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
   const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };

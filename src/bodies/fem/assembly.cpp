@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/quadrature.hpp"
-#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
@@ -204,20 +203,15 @@ std::vector<double> Assembly::forces_at_supports(const std::vector<double>& u) c
 std::vector<double> Assembly::surface_loads(double reference) const {
   std::vector<double> force(3 * mesh_.held.size(), 0.0);
   constexpr int degree = 7;  // N_i times the vector area, a polynomial
-  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  Shape shape;
   const SurfaceMesh& surface = mesh_.surface;
   for (const FaceLoad& load : mesh_.load)
     for (std::int64_t e = 0; e < surface.elements(); ++e) {
       if (surface.tag[at(e)] != load.tag) continue;
-      const ElementType type = surface.type[at(e)];
-      const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
       const auto nodes = surface.element(e);
-      for (std::size_t q = 0; q < rule.size(); ++q) {
-        evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-        const SurfaceFrame there = evaluate_surface(surface, e, rule.xi[q], rule.eta[q]);
-        const Vec3 part = (rule.w[q] / reference) *
-                          (length(there.normal) * load.traction - load.pressure * there.normal);
+      for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(e)])) {
+        const Vec3 normal = combine(surface, e, shape, surface.node[at(nodes[0])]).normal;
+        const Vec3 part =
+            (weight / reference) * (length(normal) * load.traction - load.pressure * normal);
         for (std::size_t a = 0; a < nodes.size(); ++a)
           for (std::size_t c = 0; c < 3; ++c)
             force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/quadrature.hpp"
-#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::fem {
@@ -26,23 +25,18 @@ SparseMatrix symmetric(const SurfaceCoupling& mass, const std::vector<std::int64
 /// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size
 /// in each direction: by the coordinates of a square or an equilateral triangle of unit sides.
 void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share, double* out) {
-  constexpr int degree = 5;
-  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  const ElementType type = surface.type[at(e)];
-  const bool three = corner_count(type) == 3;
-  const PlaneRule& rule = three ? triangle : square;
-  const std::size_t n = surface.element(e).size();
+  const bool three = corner_count(surface.type[at(e)]) == 3;
+  const auto nodes = surface.element(e);
+  const std::size_t n = nodes.size();
   std::fill_n(out, n * n, 0.0);
-  Shape shape;
   double du[max_element_nodes], dv[max_element_nodes];
-  for (std::size_t q = 0; q < rule.size(); ++q) {
-    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-    const double area = length(evaluate_surface(surface, e, rule.xi[q], rule.eta[q]).normal);
+  for (const auto& [weight, shape] : tabulated<5>(surface.type[at(e)])) {
+    const double area = length(combine(surface, e, shape, surface.node[at(nodes[0])]).normal);
     for (std::size_t i = 0; i < n; ++i) {
       du[i] = three ? shape.d_xi[i] : 2 * shape.d_xi[i];
       dv[i] = three ? (2 * shape.d_eta[i] - shape.d_xi[i]) / std::sqrt(3.0) : 2 * shape.d_eta[i];
     }
-    const double w = rule.w[q] * area * share * share;
+    const double w = weight * area * share * share;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) out[i * n + j] += w * (du[i] * du[j] + dv[i] * dv[j]);
   }

@@ -9,6 +9,7 @@
 #include "bodies/model/mesh_models.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -41,17 +42,13 @@ std::vector<Material> by_element(const BodyMesh& mesh,
 
 /// Diagonal of the box around a body over the thickness that it has on the average.
 double length_over_thickness(const SurfaceMesh& surface) {
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  Box box;
   double area = 0;
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
     area += element_area(surface, e);
-    for (const std::int32_t k : surface.element(e))
-      for (std::size_t c = 0; c < 3; ++c) {
-        low[c] = std::min(low[c], surface.node[at(k)][c]);
-        high[c] = std::max(high[c], surface.node[at(k)][c]);
-      }
+    box.add(box_of(surface.node, surface.element(e)));
   }
-  return length(high - low) * area / (2 * enclosed_volume(surface));
+  return length(box.size()) * area / (2 * enclosed_volume(surface));
 }
 
 }  // namespace
