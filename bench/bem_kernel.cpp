@@ -15,7 +15,7 @@ namespace rollcon::bench {
 namespace {
 
 namespace example1 = scenes::example1;
-using bem::InstructionSet;
+using rollcon::InstructionSet;
 
 constexpr double wanted = 1e8;
 
