@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bench.hpp"
-#include "bodies/bem/element_geometry.hpp"
+#include "bodies/bem/near_field.hpp"
 #include "bodies/bem/kelvin.hpp"
 #include "bodies/bem/rule_tables.hpp"
 #include "support/example1.hpp"
@@ -15,6 +15,7 @@ namespace rollcon::bench {
 namespace {
 
 namespace example1 = scenes::example1;
+using rollcon::InstructionSet;
 
 constexpr double wanted = 1e8;
 

@@ -17,10 +17,10 @@ GROUPS = [
     ("regular frames", 22, ["contact/operators/lattice/*"]),
     ("half-space", 26, ["bodies/halfspace/*"]),
     ("boundary elements", 26, [
-        "bodies/bem/assembly.cpp", "bodies/bem/boundary_integrals.cpp", "bodies/bem/element_geometry.cpp",
-        "bodies/bem/ellipse.cpp", "bodies/bem/equations.cpp", "bodies/bem/far_field.cpp",
-        "bodies/bem/kelvin*", "bodies/bem/near_field.cpp", "bodies/bem/polar.cpp",
-        "bodies/bem/reaction.cpp", "bodies/bem/balance.cpp", "bodies/bem/unknowns.cpp"]),
+        "bodies/bem/assembly.cpp", "bodies/bem/boundary_integrals.cpp", "bodies/bem/equations.cpp",
+        "bodies/bem/far_field.cpp", "bodies/bem/kelvin*", "bodies/bem/balance.cpp", "bodies/bem/unknowns.cpp",
+        "quadrature/element.cpp", "quadrature/ellipse.cpp", "quadrature/near_field.cpp",
+        "quadrature/polar.cpp"]),
     ("finite elements", 16, [
         "bodies/fem/assembly.cpp", "bodies/fem/element_stiffness*.cpp", "bodies/fem/equations.cpp",
         "bodies/fem/felt_tractions.cpp"]),

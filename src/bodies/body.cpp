@@ -16,22 +16,6 @@ namespace rollcon {
 
 namespace {
 
-BodyKind checked_kind(std::int32_t kind) {
-  switch (static_cast<BodyKind>(kind)) {
-    case BodyKind::fem:
-      fem::require_support();
-      return BodyKind::fem;
-    case BodyKind::bem:
-      bem::require_support();
-      return BodyKind::bem;
-    case BodyKind::halfspace:
-    case BodyKind::rigid:
-      return static_cast<BodyKind>(kind);
-  }
-  fail(Status::err_argument, "kind is %d; allowed: 1 (FEM), 2 (BEM), 3 (half-space), 4 (rigid)",
-       kind);
-}
-
 /// A body that is in memory serves instead of one in a file that is equal to it, unless more would
 /// have to be factorised again.
 bool serves_for(const BodyModel& known, SectionReader& file) {
@@ -47,9 +31,10 @@ bool serves_for(const BodyModel& known, SectionReader& file) {
 
 Body::Body(std::shared_ptr<Context> context, std::int32_t kind)
     : context_(std::move(context)),
-      kind_(checked_kind(kind)),
+      traits_(traits_of(static_cast<BodyKind>(kind))),
       model_(std::make_shared<BodyModel>()) {
-  model_->kind = kind_;
+  if (traits_.require_support) traits_.require_support();
+  model_->kind = traits_.kind;
 }
 
 void Body::set_elastic(std::int32_t tag, double young, double poisson) {
@@ -57,7 +42,7 @@ void Body::set_elastic(std::int32_t tag, double young, double poisson) {
   require_elastic_constants(young, poisson);
   const std::lock_guard lock(mutex_);
   require_unprepared("material is");
-  model_->material[kind_ == BodyKind::fem ? tag : 0] = model_->contact_material = {young, poisson};
+  model_->material[traits_.volume ? tag : 0] = model_->contact_material = {young, poisson};
 }
 
 bool Body::meshed() const {
@@ -69,7 +54,7 @@ bool Body::meshed() const {
 std::pair<std::int64_t, std::int64_t> Body::size() const {
   const std::lock_guard lock(mutex_);
   return {given().surface.nodes(),
-          kind_ == BodyKind::fem ? given().volume.elements() : given().surface.elements()};
+          traits_.volume ? given().volume.elements() : given().surface.elements()};
 }
 
 SurfaceMesh Body::surface_copy() {
@@ -100,7 +85,7 @@ void Body::prepare(SectionReader* saved) {
 
 void Body::log_preparation() const {
   const BodyStatistics s = response()->statistics();
-  const char* model = kind_ == BodyKind::fem ? "finite-element" : "boundary-element";
+  const char* model = traits_.name;
   const auto unknowns = static_cast<long long>(s.unknowns);
   if (shared_)
     context_->log(LogLevel::info,
@@ -115,8 +100,7 @@ void Body::log_preparation() const {
   else
     context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s", model, unknowns,
                   s.condition, s.seconds_assembly + s.seconds_factor);
-  // From here on rounding (of boundary integrals: their tolerance) shows in the fourth digit.
-  const double worst = kind_ == BodyKind::fem ? 1e12 : 1e10;
+  const double worst = traits_.worst_condition;
   if (s.condition > worst)
     context_->log(LogLevel::warning,
                   "%s body: its equations have condition %.1e, beyond %.0e: few digits of its "
@@ -126,7 +110,7 @@ void Body::log_preparation() const {
   if (const std::string missed = imbalances_of(response()).notable(); !missed.empty())
     context_->log(LogLevel::warning, "%s body: the reactions of its supports miss %s: %s", model,
                   missed.c_str(), imbalance_remedy);
-  if (kind_ == BodyKind::bem && !shared_ && !loaded())
+  if (traits_.dense && !shared_ && !loaded())
     if (const std::string slow = slow_factorization(blas_kernels(), s.unknowns); !slow.empty())
       context_->log(LogLevel::warning, "%s body: %s", model, slow.c_str());
   constexpr double most = 0.5;
@@ -143,13 +127,13 @@ void Body::require_complete() const {
     fail(Status::err_state,
          "the body has no elastic constants: rollcon_body_set_elastic was not called");
   const char* remedy = "rollcon_body_set_nodes and rollcon_body_add_elements";
-  if (kind_ == BodyKind::fem && given().volume.elements() == 0)
+  if (traits_.volume && given().volume.elements() == 0)
     fail(Status::err_state, "the body has no volume elements: %s", remedy);
-  if (kind_ == BodyKind::bem && given().surface.elements() == 0)
+  if (traits_.surface == SurfaceKind::closed && given().surface.elements() == 0)
     fail(Status::err_state, "the body has no mesh: %s", remedy);
   if (rigid() && given().surface.nodes() > 0 && given().surface.elements() == 0)
     fail(Status::err_state, "the rigid body has nodes but no elements: %s", remedy);
-  if (kind_ == BodyKind::fem) require_materials();
+  if (traits_.volume) require_materials();
 }
 
 void Body::require_materials() const {

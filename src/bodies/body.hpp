@@ -61,9 +61,10 @@ class Body {
   /// A prepared body from such a file; nothing is assembled or factorised. err_io, err_unsupported.
   static std::shared_ptr<Body> load(std::shared_ptr<Context> context, const std::string& path);
 
-  BodyKind kind() const { return kind_; }
+  BodyKind kind() const { return traits_.kind; }
+  const BodyTraits& traits() const { return traits_; }
   bool prepared() const { return prepared_.load(); }
-  bool rigid() const { return kind_ == BodyKind::rigid; }
+  bool rigid() const { return !traits_.elastic; }
   /// Also while another thread gives the mesh or prepares the body.
   bool meshed() const;
   /// Nodes and elements (of a volume: those inside) given so far; likewise.
@@ -108,7 +109,7 @@ class Body {
   const BodyMesh& given() const { return model_->mesh; }
 
   std::shared_ptr<Context> context_;
-  BodyKind kind_;
+  const BodyTraits& traits_;
   mutable std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
   bool shared_ = false, loaded_ = false;

@@ -18,6 +18,10 @@ namespace {
 constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 36,
                       least_face = 12;
 
+void require(bool good, const char* what) {
+  if (!good) fail(Status::err_mesh, "%s", what);
+}
+
 template <class Archive, class Model>
 void materials(Archive& ar, Model& model) {
   std::vector<std::pair<std::int32_t, Elastic>> all(model.material.begin(), model.material.end());
@@ -99,11 +103,9 @@ void content(Archive& ar, Model& model) {
   ar(model.kind);
   materials(ar, model);
   options(ar, model);
-  mesh_content(ar, model.mesh, model.kind == BodyKind::fem);
-}
-
-void require(bool good, const char* what) {
-  if (!good) fail(Status::err_mesh, "%s", what);
+  if constexpr (Archive::reads)
+    require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
+  mesh_content(ar, model.mesh, model.traits().volume);
 }
 
 template <class Type>
@@ -148,12 +150,10 @@ void check_naming(const FaceNaming& naming, const BodyMesh& mesh) {
 }
 
 void check_materials(BodyModel& model) {
-  const auto kind = static_cast<std::int32_t>(model.kind);
-  require(kind >= 1 && kind <= 4, "the kind of body is unknown");
-  require(model.kind != BodyKind::rigid || model.material.empty(), "a rigid body has a material");
+  require(model.traits().elastic || model.material.empty(), "a rigid body has a material");
   for (const auto& [tag, elastic] : model.material) {
     require_elastic_constants(elastic.young, elastic.poisson);
-    require(model.kind == BodyKind::fem || tag == 0, "a body of one material has several");
+    require(model.traits().volume || tag == 0, "a body of one material has several");
     model.contact_material = elastic;
   }
 }
@@ -162,12 +162,12 @@ void check_materials(BodyModel& model) {
 void check_mesh(BodyModel& model) {
   BodyMesh& mesh = model.mesh;
   const std::int64_t nodes = mesh.surface.nodes();
-  require(model.kind != BodyKind::halfspace || nodes == 0, "a half-space has nodes");
-  require(model.kind == BodyKind::fem || (mesh.volume.type.empty() && mesh.naming.empty()),
+  require(model.traits().meshed || nodes == 0, "a half-space has nodes");
+  require(model.traits().volume || (mesh.volume.type.empty() && mesh.naming.empty()),
           "a body without volume has volume elements");
   require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1,
           "the index base is neither 0 nor 1");
-  if (model.kind != BodyKind::fem)
+  if (!model.traits().volume)
     mesh.surface.offset = offsets(mesh.surface.type, mesh.surface.tag, mesh.surface.connectivity);
   mesh.volume.offset = offsets(mesh.volume.type, mesh.volume.tag, mesh.volume.connectivity);
   require_ids(mesh.surface.connectivity, nodes);

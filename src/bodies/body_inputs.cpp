@@ -19,14 +19,14 @@ namespace {
 /// Beyond it, loads and given displacements would leave the range of doubles on their way.
 constexpr double most_given = 1e100;
 
-void require_mesh_kind(BodyKind kind, const char* what) {
-  if (kind == BodyKind::halfspace)
-    fail(Status::err_state, "a half-space has no mesh and takes no %s", what);
+void require_mesh_kind(const BodyTraits& traits, const char* what) {
+  if (!traits.meshed)
+    fail(Status::err_state, "a %s has no mesh and takes no %s", traits.name, what);
 }
 
-void require_elastic_mesh_kind(BodyKind kind, const char* what) {
-  require_mesh_kind(kind, what);
-  if (kind == BodyKind::rigid) fail(Status::err_state, "a rigid body takes no %s", what);
+void require_elastic_mesh_kind(const BodyTraits& traits, const char* what) {
+  require_mesh_kind(traits, what);
+  if (!traits.elastic) fail(Status::err_state, "a %s body takes no %s", traits.name, what);
 }
 
 void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
@@ -68,7 +68,7 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
   if (given().surface.elements() == 0 && given().volume.elements() == 0)
     fail(Status::err_state,
          "the body has no %selements: call rollcon_body_add_elements before naming their tags",
-         kind_ == BodyKind::fem ? "volume " : "");
+         traits_.volume ? "volume " : "");
   const std::vector<std::int32_t>& tags = given().surface.tag;
   const bool volume = given().volume.elements() > 0;
   if (volume ? tag == 0 || std::any_of(given().naming.begin(), given().naming.end(),
@@ -98,7 +98,7 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
 
 void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
                      std::int64_t component_stride) {
-  require_mesh_kind(kind_, "nodes");
+  require_mesh_kind(traits_, "nodes");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
   BodyMesh mesh;
@@ -110,11 +110,11 @@ void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
 
 void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                         std::int32_t index_base, std::int32_t tag) {
-  require_mesh_kind(kind_, "elements");
+  require_mesh_kind(traits_, "elements");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
   const char* node_setter = "rollcon_body_set_nodes";
-  if (kind_ != BodyKind::fem) {
+  if (!traits_.volume) {
     append_elements(given().surface, type, n, connectivity, index_base, tag, "body", node_setter);
     return;
   }
@@ -149,7 +149,7 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
 
 void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
                      std::int32_t index_base, std::int32_t tag) {
-  if (kind_ != BodyKind::fem)
+  if (!traits_.volume)
     fail(Status::err_state,
          "the body has no volume elements whose faces could be tagged: it is not a finite-element "
          "body");
@@ -189,7 +189,7 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
 
 void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
                               std::int32_t tag) {
-  require_mesh_kind(kind_, "faces");
+  require_mesh_kind(traits_, "faces");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
   require_node_ids(n, node, index_base, given().surface.nodes(), "faces");
@@ -200,7 +200,7 @@ void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int
   given().surface.index_base = index_base;
   FaceNaming naming{.tag = tag};
   for (std::int64_t i = 0; i < n; ++i) naming.nodes.push_back(node[i] - index_base);
-  if (kind_ == BodyKind::fem) {
+  if (traits_.volume) {
     given().naming.push_back(std::move(naming));
     given().boundary_current = false;
   } else {
@@ -210,7 +210,7 @@ void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int
 
 void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
                        std::int32_t dof_mask, const double* value) {
-  require_elastic_mesh_kind(kind_, "supports");
+  require_elastic_mesh_kind(traits_, "supports");
   const std::lock_guard lock(mutex_);
   require_unprepared("supports are");
   require_node_ids(n, node, index_base, given().surface.nodes(), "supports");
@@ -240,7 +240,7 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
 }
 
 void Body::set_traction(std::int32_t tag, const double* traction) {
-  require_elastic_mesh_kind(kind_, "tractions");
+  require_elastic_mesh_kind(traits_, "tractions");
   require_finite_vector(traction, "traction");
   for (int c = 0; c < 3; ++c)
     if (std::abs(traction[c]) > most_given)
@@ -253,7 +253,7 @@ void Body::set_traction(std::int32_t tag, const double* traction) {
 }
 
 void Body::set_pressure(std::int32_t tag, double pressure) {
-  require_elastic_mesh_kind(kind_, "pressures");
+  require_elastic_mesh_kind(traits_, "pressures");
   require_finite(pressure, "pressure");
   if (std::abs(pressure) > most_given)
     fail(Status::err_argument, "pressure is %g; allowed: -%g to %g", pressure, most_given,
@@ -265,7 +265,7 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
 }
 
 void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {
-  require_mesh_kind(kind_, "contact faces");
+  require_mesh_kind(traits_, "contact faces");
   const std::lock_guard lock(mutex_);
   require_unprepared("contact faces are");
   require_count(n, "n");

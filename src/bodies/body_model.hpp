@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "bodies/body_kind.hpp"
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/surface_response.hpp"
 #include "bodies/thinness.hpp"
@@ -17,10 +18,9 @@ namespace rollcon {
 class SectionReader;
 class SectionWriter;
 
-enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4 };
-
 struct BodyModel {
   BodyKind kind = BodyKind::rigid;
+  const BodyTraits& traits() const { return traits_of(kind); }
   std::map<std::int32_t, Elastic> material;  ///< by tag; of one material: tag 0
   BodyMesh mesh;
   BodyOptions options;  ///< those it was prepared with

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bodies/body_model.hpp"
-#include "bodies/model/mesh_models.hpp"
 #include "bodies/model/supports.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
@@ -49,17 +48,15 @@ void choose_contact_material(BodyModel& model) {
 
 void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
   BodyMesh& mesh = model.mesh;
-  const bool rigid = model.kind == BodyKind::rigid, volume = model.kind == BodyKind::fem;
-  if (volume) {
+  const BodyTraits& traits = model.traits();
+  if (traits.volume) {
     check_volume(mesh.surface.node, mesh.volume, mesh.surface.index_base);
     update_boundary(mesh);
     require_tagged_faces(mesh);
   }
   if (mesh.surface.elements() == 0) return;
-  const SurfaceKind surface_kind = volume  ? SurfaceKind::boundary
-                                   : rigid ? SurfaceKind::open
-                                           : SurfaceKind::closed;
-  check_surface(mesh.surface, surface_kind);
+  check_surface(mesh.surface, traits.surface);
+
   // Held faces and free ones with the same tag carry tractions of their own.
   SurfaceMesh parts = mesh.surface;
   const std::vector<std::uint8_t> held = held_elements(mesh);
@@ -69,27 +66,17 @@ void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
         part_number
             .try_emplace({parts.tag[e], held[e]}, static_cast<std::int32_t>(part_number.size()))
             .first->second;
-  if (model.kind == BodyKind::bem)
+  if (traits.surface == SurfaceKind::closed)
     model.traction_nodes = split_at_edges(parts, model.options.edge_angle);
   std::fill(parts.tag.begin(), parts.tag.end(), 0);
   model.smooth_fans = split_at_edges(parts, model.options.edge_angle);
   model.search = std::make_unique<SurfaceSearch>(mesh.surface, contact_elements(mesh));
-  if (rigid) return;
+  if (!traits.make_response) return;
+
   require_supports(mesh);
-  // Clamped plates under pressure lost two thirds of their deflection at a length of the elements
-  // of 8 thicknesses (quadratic boundary elements), 17 (hex8) and 80 (hex20); of linear boundary
-  // elements at one of 1.7.
-  model.thin = volume ? thinness(mesh, 10, 30) : thinness(mesh, 2, 6);
-  if (volume) {
-    choose_contact_material(model);
-    model.response =
-        fem::make_response(mesh, model.smooth_fans, model.material, model.options, threads, saved);
-    return;
-  }
-  refuse_incompressible_cavities(mesh, model.contact_material.poisson);
-  model.response =
-      bem::make_response(mesh, model.traction_nodes, model.contact_material.young,
-                         model.contact_material.poisson, model.options, threads, saved);
+  model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
+  if (traits.volume) choose_contact_material(model);
+  model.response = traits.make_response(model, threads, saved);
 }
 
 }  // namespace rollcon

@@ -19,59 +19,54 @@ void require_prepared(const Body& body) {
 }
 
 void require_prepared_mesh(const Body& body) {
-  if (body.kind() == BodyKind::halfspace)
-    fail(Status::err_state, "a half-space has no mesh: there is nothing to read");
+  if (!body.traits().meshed)
+    fail(Status::err_state, "a %s has no mesh: there is nothing to read", body.traits().name);
   require_prepared(body);
 }
 
 struct Statistic {
   const char* name;
-  double (*value)(const BodyStatistics&);
+  double (*value)(const Body&);  ///< of a prepared body
 };
 
-/// Of any prepared body.
-struct Origin {
-  const char* name;
-  bool (Body::*is)() const;
-};
-constexpr Origin origins[] = {{"shared", &Body::shared}, {"loaded", &Body::loaded}};
-
-template <class T>
-double number(T v) {
-  return static_cast<double>(v);
+/// 0 for bodies without equations.
+template <auto member>
+double of_equations(const Body& body) {
+  return body.response() ? static_cast<double>(body.response()->statistics().*member) : 0;
+}
+/// Which loads make up "imbalance".
+template <int component>
+double missed_along(const Body& body) {
+  return imbalances_of(body.response()).along[component];
 }
 
+using S = BodyStatistics;
 constexpr Statistic statistics[] = {
-    {"unknowns", [](const BodyStatistics& s) { return number(s.unknowns); }},
-    {"assemblies", [](const BodyStatistics& s) { return number(s.assemblies); }},
-    {"factorizations", [](const BodyStatistics& s) { return number(s.factorizations); }},
-    {"condensations", [](const BodyStatistics& s) { return number(s.condensations); }},
-    {"condensed_unknowns", [](const BodyStatistics& s) { return number(s.condensed); }},
-    {"factor_nonzeros", [](const BodyStatistics& s) { return number(s.nonzeros); }},
-    {"kernel_evaluations", [](const BodyStatistics& s) { return number(s.kernel_evaluations); }},
-    {"responses_kept", [](const BodyStatistics& s) { return number(s.responses_kept); }},
-    {"responses_dropped", [](const BodyStatistics& s) { return number(s.responses_dropped); }},
-    {"condition", [](const BodyStatistics& s) { return s.condition; }},
-    {"imbalance", [](const BodyStatistics& s) { return s.imbalance; }},
-    {"seconds_assembly", [](const BodyStatistics& s) { return s.seconds_assembly; }},
-    {"seconds_order", [](const BodyStatistics& s) { return s.seconds_order; }},
-    {"seconds_factor", [](const BodyStatistics& s) { return s.seconds_factor; }},
-    {"seconds_condense", [](const BodyStatistics& s) { return s.seconds_condense; }},
-    {"bytes", [](const BodyStatistics& s) { return number(s.bytes); }},
-    {"peak_bytes", [](const BodyStatistics& s) { return number(s.peak_bytes); }},
-};
-
-/// Which loads make up "imbalance".
-struct Missed {
-  const char* name;
-  double (*value)(const Imbalances&);
-};
-constexpr Missed missed_loads[] = {
-    {"imbalance_x", [](const Imbalances& i) { return i.along[0]; }},
-    {"imbalance_y", [](const Imbalances& i) { return i.along[1]; }},
-    {"imbalance_z", [](const Imbalances& i) { return i.along[2]; }},
-    {"imbalance_pressure", [](const Imbalances& i) { return i.pressure; }},
-    {"imbalance_loads", [](const Imbalances& i) { return i.loads; }},
+    {"unknowns", of_equations<&S::unknowns>},
+    {"assemblies", of_equations<&S::assemblies>},
+    {"factorizations", of_equations<&S::factorizations>},
+    {"condensations", of_equations<&S::condensations>},
+    {"condensed_unknowns", of_equations<&S::condensed>},
+    {"factor_nonzeros", of_equations<&S::nonzeros>},
+    {"kernel_evaluations", of_equations<&S::kernel_evaluations>},
+    {"responses_kept", of_equations<&S::responses_kept>},
+    {"responses_dropped", of_equations<&S::responses_dropped>},
+    {"condition", of_equations<&S::condition>},
+    {"imbalance", of_equations<&S::imbalance>},
+    {"seconds_assembly", of_equations<&S::seconds_assembly>},
+    {"seconds_order", of_equations<&S::seconds_order>},
+    {"seconds_factor", of_equations<&S::seconds_factor>},
+    {"seconds_condense", of_equations<&S::seconds_condense>},
+    {"bytes", of_equations<&S::bytes>},
+    {"peak_bytes", of_equations<&S::peak_bytes>},
+    {"imbalance_x", missed_along<0>},
+    {"imbalance_y", missed_along<1>},
+    {"imbalance_z", missed_along<2>},
+    {"imbalance_pressure",
+     [](const Body& body) { return imbalances_of(body.response()).pressure; }},
+    {"imbalance_loads", [](const Body& body) { return imbalances_of(body.response()).loads; }},
+    {"shared", [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
+    {"loaded", [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
 };
 
 }  // namespace
@@ -99,39 +94,24 @@ void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
 }
 
 double body_statistic(const Body& body, const char* name) {
-  for (const Origin& origin : origins)
-    if (std::strcmp(origin.name, name) == 0) {
-      require_prepared(body);
-      return (body.*origin.is)() ? 1 : 0;
-    }
-  for (const Missed& missed : missed_loads)
-    if (std::strcmp(missed.name, name) == 0) {
-      require_prepared(body);
-      return missed.value(imbalances_of(body.response()));
-    }
   const auto* found = std::find_if(std::begin(statistics), std::end(statistics),
                                    [&](const Statistic& s) { return !std::strcmp(s.name, name); });
   if (found == std::end(statistics)) {
     std::string known;
-    for (std::int64_t i = 0; i < body_statistic_count(); ++i)
-      known += (known.empty() ? "" : ", ") + std::string(body_statistic_name(i));
+    for (const Statistic& s : statistics)
+      known += (known.empty() ? "" : ", ") + std::string(s.name);
     fail(Status::err_option, "unknown statistic '%.64s'; statistics are: %s", name, known.c_str());
   }
   require_prepared(body);
-  return body.response() ? found->value(body.response()->statistics()) : 0;
+  return found->value(body);
 }
 
 std::int64_t body_statistic_count() {
-  return static_cast<std::int64_t>(std::size(statistics) + std::size(missed_loads) +
-                                   std::size(origins));
+  return static_cast<std::int64_t>(std::size(statistics));
 }
 
 const char* body_statistic_name(std::int64_t i) {
-  auto k = static_cast<std::size_t>(i);
-  if (k < std::size(statistics)) return statistics[k].name;
-  k -= std::size(statistics);
-  if (k < std::size(missed_loads)) return missed_loads[k].name;
-  return origins[k - std::size(missed_loads)].name;
+  return statistics[static_cast<std::size_t>(i)].name;
 }
 
 }  // namespace rollcon

@@ -133,7 +133,7 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
     all = all && result.node[at(k)] >= 0;
   }
   if (all) result.face = matching_faces(frame, mesh, candidates, result.node);
-  if (result.matches()) return result;
+  if (result.of_faces()) return result;
   result.layer = frame.mesh;
   if (which == 1) turn_over(result.layer);  // the frame looks out of body 1
   for (std::int64_t k = 0; k < frame.nodes(); ++k)

@@ -9,16 +9,8 @@
 
 namespace rollcon {
 
-struct FrameOnBody {
-  /// The frame's elements are these faces of the body (ascending); empty: it is a mesh of its own.
-  std::vector<std::int64_t> face;
+struct FrameOnBody : LoadedSurface {
   std::vector<std::int32_t> node;  ///< the body's node at each frame node; -1: none
-  /// Otherwise: the frame on the body's surface, in the body's coordinates, and the body's nodes
-  /// whose displacements are needed (those of the elements under the frame and their neighbours).
-  SurfaceMesh layer;
-  std::vector<std::int32_t> row;
-
-  bool matches() const { return !face.empty(); }
 };
 
 /// Projects the frame along its axes' normal. Throws err_mesh naming the frame nodes that have no

@@ -15,7 +15,7 @@ namespace rollcon {
 // half-space. Beyond the zone, where its rim's displacement would be all, they take the difference.
 MeshedCompliance::Local MeshedCompliance::local_part(bool beyond) const {
   if (by_shape_functions()) return {};
-  if (body_.kind() != BodyKind::fem || beyond) {
+  if (body_.traits().smooth_difference || beyond) {
     if (!halfspace_) {
       const bool seen = outline().young > 0;
       halfspace_ = make_halfspace_compliance(

@@ -24,7 +24,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
       normals_(frame.axes, pair),
       on_body_(lay_on_body(frame, body_, pose_, which)) {
   const std::vector<std::int32_t> rows =
-      on_body_.matches() ? nodes_around(body_.mesh().surface, on_body_.face) : on_body_.row;
+      on_body_.of_faces() ? nodes_around(body_.mesh().surface, on_body_.face) : on_body_.row;
   row_of_body_node_.assign(at(body_.mesh().surface.nodes()), -1);
   for (std::size_t r = 0; r < rows.size(); ++r) {
     row_of_body_node_[at(rows[r])] = static_cast<std::int64_t>(r);
@@ -58,7 +58,7 @@ const SurfaceOutline& MeshedCompliance::outline() const {
 }
 
 bool MeshedCompliance::resolves_frame() const {
-  if (!by_shape_functions() || on_body_.matches()) return true;
+  if (!by_shape_functions() || on_body_.of_faces()) return true;
   std::vector<std::uint8_t> moves(zone_x_.size(), 0);
   for (std::int64_t k = 0; k < frame_.nodes(); ++k) {
     if (!frame_.used[at(k)]) continue;
@@ -71,7 +71,7 @@ bool MeshedCompliance::resolves_frame() const {
 
 std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outline) const {
   std::vector<std::int64_t> column(at(frame_.nodes()), -1);
-  if (!on_body_.matches()) {
+  if (!on_body_.of_faces()) {
     for (std::size_t k = 0; k < column.size(); ++k)
       if (frame_.used[k]) column[k] = static_cast<std::int64_t>(k);
     return column;
@@ -88,9 +88,7 @@ std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outlin
 void MeshedCompliance::require_response() const {
   if (outline_) return;
   SurfaceResponse& body = *body_.response();
-  const std::shared_ptr<const SurfaceRows> found =
-      on_body_.matches() ? body.faces(on_body_.face, threads_)
-                         : body.layer(on_body_.layer, on_body_.row, threads_);
+  const std::shared_ptr<const SurfaceRows> found = body.rows(on_body_, threads_);
   const SurfaceRows& rows = *found;
   const std::int64_t n = frame_.nodes(), zone = static_cast<std::int64_t>(rows.row.size());
   const std::vector<std::int64_t> column = columns(rows);
@@ -118,7 +116,7 @@ void MeshedCompliance::require_response() const {
     body_.context().log(LogLevel::warning, "body %d: the reactions of its supports miss %s: %s",
                         which_ + 1, missed.c_str(), imbalance_remedy);
   constexpr double shallow = 1.9;
-  if (depth_ < shallow && !on_body_.matches() && !by_shape_functions())
+  if (depth_ < shallow && !on_body_.of_faces() && !by_shape_functions())
     body_.context().log(LogLevel::warning,
                         "body %d: under the frame it is %.2g times as thick as its faces are long: "
                         "between their nodes a half-space is too soft; take its own faces as the "
@@ -149,21 +147,13 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
   for (const Others& group : groups) {
     if (group.point.empty()) continue;
     const Between part = between(&group == &groups[1]);
-    std::vector<double> buffer[3][3];
-    ComplianceBlock local;
-    local.stride = static_cast<std::ptrdiff_t>(n);
-    for (std::size_t i = 0; part.local && i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j)
-        if (out.a[i][j]) {
-          buffer[i][j].assign(group.point.size() * at(n), 0.0);
-          local.a[i][j] = buffer[i][j].data();
-        }
-    if (part.local) part.local->block({group.x, group.y}, local);
+    const BlockBuffer local(part.local ? out : ComplianceBlock{}, group.point.size(), n);
+    if (part.local) part.local->block({group.x, group.y}, local.block());
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t b = 0; out.a[i][j] && b < group.point.size(); ++b) {
           double* to = destination(i, j, group.point[b]);
-          if (part.local) std::copy_n(buffer[i][j].data() + b * at(n), n, to);
+          if (part.local) std::copy_n(local.row(i, j, b), n, to);
           const Interpolation& where = group.where[b];
           for (int a = 0; a < where.count; ++a)
             add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j,
@@ -225,11 +215,9 @@ bool MeshedCompliance::offset(Points points, double* u) const {
 }
 
 std::string MeshedCompliance::description() const {
-  std::string text =
-      "body " + std::to_string(which_ + 1) +
-      (body_.kind() == BodyKind::fem ? ": finite elements, " : ": boundary elements, ") +
-      std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
-  if (on_body_.matches())
+  std::string text = "body " + std::to_string(which_ + 1) + ": " + body_.traits().parts + ", " +
+                     std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
+  if (on_body_.of_faces())
     return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
   return text + "the frame is a mesh of its own laid on it";
 }

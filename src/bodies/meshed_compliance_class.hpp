@@ -42,7 +42,7 @@ class MeshedCompliance final : public Compliance {
   }
   std::size_t bytes() const override {
     return response_.bytes() + correction_.bytes() + halfspace_on_zone_.bytes() +
-           (loads_ ? bytes_of(loads_->load) : 0);
+           (loads_ ? loads_->load.bytes() : 0);
   }
 
  private:
@@ -110,13 +110,13 @@ class MeshedCompliance final : public Compliance {
   };
   Between between(bool beyond) const;
   void require_halfspace_on_zone() const;
-  SparseColumns local_loads() const;
-  SparseColumns local_displacements(Points points) const;
+  SparseMatrix local_loads() const;
+  SparseMatrix local_displacements(Points points) const;
   /// As asked for; and on a boundary-element body's own faces where it is thin: a half-space
   /// between their nodes would be far softer than the body.
   bool by_shape_functions() const {
     return body_.options().between_nodes == 1 ||
-           (body_.kind() == BodyKind::bem && on_body_.matches() && depth_ < least_depth);
+           (body_.traits().smooth_difference && on_body_.of_faces() && depth_ < least_depth);
   }
   static constexpr double least_depth = 2.6;  ///< no ratio of usual meshes: rounding decides there
   /// Points that are not nodes of the body: those of the zone, and those beyond it.

@@ -8,53 +8,11 @@
 #include "support/index.hpp"
 
 namespace rollcon {
-namespace {
-
-/// Sums of sparse columns, one after the other.
-class ColumnWriter {
- public:
-  ColumnWriter(std::int64_t rows, std::int64_t columns)
-      : sum_(at(rows), 0.0), touched_(at(rows), 0) {
-    result_.rows = rows;
-    result_.columns = columns;
-    result_.start.reserve(at(columns) + 1);
-    result_.start.push_back(0);
-  }
-  void add(std::int64_t row, double value) {
-    if (value == 0) return;
-    if (!touched_[at(row)]) {
-      touched_[at(row)] = 1;
-      row_.push_back(row);
-    }
-    sum_[at(row)] += value;
-  }
-  void end_column() {
-    std::sort(row_.begin(), row_.end());
-    for (const std::int64_t r : row_) {
-      result_.row.push_back(r);
-      result_.value.push_back(sum_[at(r)]);
-      sum_[at(r)] = 0;
-      touched_[at(r)] = 0;
-    }
-    row_.clear();
-    result_.start.push_back(static_cast<std::int64_t>(result_.row.size()));
-  }
-  SparseColumns take() { return std::move(result_); }
-
- private:
-  SparseColumns result_;
-  std::vector<double> sum_;
-  std::vector<std::uint8_t> touched_;
-  std::vector<std::int64_t> row_;  ///< of this column
-};
-
-}  // namespace
-
 // From tractions in the body's axes to local ones at the frame's nodes.
-SparseColumns MeshedCompliance::local_loads() const {
-  const SparseColumns& load = loads_->load;
+SparseMatrix MeshedCompliance::local_loads() const {
+  const SparseMatrix& load = loads_->load;
   const std::vector<std::int64_t> column = columns(*loads_);
-  ColumnWriter writer(load.rows, 3 * frame_.nodes());
+  SparseBuilder writer(load.rows);
   for (std::size_t k = 0; k < column.size(); ++k) {
     const LocalAxes local = local_axes(frame_.x[k], frame_.y[k]);
     for (const Vec3& direction : local) {
@@ -70,8 +28,8 @@ SparseColumns MeshedCompliance::local_loads() const {
   return writer.take();
 }
 
-SparseColumns MeshedCompliance::local_displacements(Points points) const {
-  ColumnWriter writer(loads_->load.rows, 3 * static_cast<std::int64_t>(points.size()));
+SparseMatrix MeshedCompliance::local_displacements(Points points) const {
+  SparseBuilder writer(loads_->load.rows);
   for (std::size_t p = 0; p < points.size(); ++p) {
     Interpolation where;
     if (const std::int64_t row = row_of_node(points.x[p], points.y[p]); row >= 0) {
@@ -108,9 +66,7 @@ void MeshedCompliance::subtract_interpolated(const Others& group, RowMatrix<doub
 
 bool MeshedCompliance::expand(Points points, ExpandedCompliance& out) const {
   SurfaceResponse& body = *body_.response();
-  if (!loads_)
-    loads_ = on_body_.matches() ? body.loads_of_faces(on_body_.face, threads_)
-                                : body.loads_of_layer(on_body_.layer, on_body_.row, threads_);
+  if (!loads_) loads_ = body.loads(on_body_, threads_);
   ExpandedBody expanded;
   expanded.equations = body.equations(threads_);
   expanded.load = local_loads();

@@ -5,9 +5,9 @@
 #include <numbers>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "bodies/meshed_compliance.hpp"
 #include "bodies/sum_compliance.hpp"
 #include "support/error.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
@@ -28,30 +28,29 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
   if (std::abs(sum.ck) <= 1e-14 * (std::abs(c1.ck) + std::abs(c2.ck))) sum.ck = 0;
   if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
   for (int which = 0; which < 2; ++which)
-    if (pair.body[static_cast<std::size_t>(which)]->response())
-      parts.push_back(make_meshed_compliance(frame, pair, which, accuracy, threads));
+    if (pair.body[at(which)]->kind() != BodyKind::halfspace)
+      if (auto part = make_body_compliance(frame, pair, which, accuracy, threads))
+        parts.push_back(std::move(part));
   if (std::none_of(parts.begin(), parts.end(),
                    [](const auto& part) { return part->resolves_frame(); }) &&
       !parts.empty())
     fail(Status::err_mesh,
          "the frame has more nodes than the faces of the body below it, whose option between_nodes "
          "is 1: they cannot tell its tractions apart; coarsen the frame or set between_nodes to 0");
-  if (parts.size() == 1) return std::move(parts.front());
-  return std::make_unique<SumCompliance>(std::move(parts));
+  return make_sum(std::move(parts));
 }
 
 std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair,
                                                  int which, double accuracy, int threads) {
-  const Body& body = *pair.body[static_cast<std::size_t>(which)];
-  if (body.response()) return make_meshed_compliance(frame, pair, which, accuracy, threads);
-  if (body.kind() != BodyKind::halfspace) return nullptr;
-  return make_halfspace_compliance(frame, constants_of(body, which), accuracy, threads);
+  const BodyTraits& traits = pair.body[at(which)]->traits();
+  if (!traits.make_compliance) return nullptr;
+  return traits.make_compliance(frame, pair, which, accuracy, threads);
 }
 
 double contact_modulus(const PairOfBodies& pair) {
   double cn = 0;
   for (int which = 0; which < 2; ++which) {
-    const Body& body = *pair.body[static_cast<std::size_t>(which)];
+    const Body& body = *pair.body[at(which)];
     if (!body.rigid()) cn += halfspace_constants(body.young(), body.poisson(), 1).cn;
   }
   return 1 / (std::numbers::pi * cn);

@@ -68,16 +68,8 @@ class RemainderCompliance final : public Compliance {
 void RemainderCompliance::block(Points points, const ComplianceBlock& out) const {
   on_layer_->block(points, out);
   const std::int64_t n = rows_.seen.rows();
-  std::vector<double> buffer[3][3];
-  ComplianceBlock felt;
-  felt.stride = static_cast<std::ptrdiff_t>(n);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j)
-      if (out.a[i][j]) {
-        buffer[i][j].assign(points.size() * at(n), 0.0);
-        felt.a[i][j] = buffer[i][j].data();
-      }
-  on_faces_->block(points, felt);
+  const BlockBuffer felt(out, points.size(), n);
+  on_faces_->block(points, felt.block());
   // out -= felt * seen, row-major: the transposes of column-major matrices.
   const int layer = static_cast<int>(rows_.seen.columns()), count = static_cast<int>(points.size()),
             faces = static_cast<int>(n), stride = static_cast<int>(out.stride);
@@ -86,7 +78,7 @@ void RemainderCompliance::block(Points points, const ComplianceBlock& out) const
     for (std::size_t j = 0; j < 3; ++j)
       if (out.a[i][j])
         dgemm_("N", "N", &layer, &count, &faces, &minus, rows_.seen.data(), &layer,
-               buffer[i][j].data(), &faces, &one, out.a[i][j], &stride);
+               felt.row(i, j, 0), &faces, &one, out.a[i][j], &stride);
 }
 
 void RemainderCompliance::apply(Points points, const double* traction, double* displacement) const {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "mesh/box.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
@@ -34,18 +35,8 @@ const PlaneRule& rule(int n) {
 
 /// Total degree of the shape functions.
 int degree(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return 1;
-    case ElementType::tri6:
-    case ElementType::quad4:
-      return 2;
-    case ElementType::quad8:
-      return 3;
-    case ElementType::quad9:
-      return 4;
-  }
-  return 0;
+  if (corner_count(type) == 3) return is_quadratic(type) ? 2 : 1;
+  return type == ElementType::quad4 ? 2 : type == ElementType::quad8 ? 3 : 4;
 }
 
 }  // namespace
@@ -86,16 +77,10 @@ struct ElementCoupling::Side {
 };
 
 std::span<const std::int64_t> ElementCoupling::candidates(std::int64_t element) {
-  const auto nodes = layer_.element(element);
-  Vec3 low = layer_.node[at(nodes[0])], high = low;
-  for (const std::int32_t k : nodes)
-    for (std::size_t i = 0; i < 3; ++i) {
-      low[i] = std::min(low[i], layer_.node[at(k)][i]);
-      high[i] = std::max(high[i], layer_.node[at(k)][i]);
-    }
+  const Box box = box_of(layer_.node, layer_.element(element));
   const double margin = reach * element_diameter(layer_, element);
   const Vec3 beyond{margin, margin, margin};
-  faces_.near(low - beyond, high + beyond, candidate_);
+  faces_.near(box.low - beyond, box.high + beyond, candidate_);
   return candidate_;
 }
 

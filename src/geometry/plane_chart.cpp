@@ -14,22 +14,12 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 /// Sine of the angle that makes a polygon's corner, not rounding of a straight line.
 constexpr double straight = 1e-13;
 
-/// Local nodes along the element's edge.
-std::span<const int> ring(ElementType type) {
-  static constexpr int tri3[] = {0, 1, 2}, tri6[] = {0, 3, 1, 4, 2, 5}, quad4[] = {0, 1, 2, 3},
-                       quad8[] = {0, 4, 1, 5, 2, 6, 3, 7};
-  switch (type) {
-    case ElementType::tri3:
-      return tri3;
-    case ElementType::tri6:
-      return tri6;
-    case ElementType::quad4:
-      return quad4;
-    case ElementType::quad8:
-    case ElementType::quad9:
-      return quad8;
-  }
-  return {};
+/// Nodes along the element's edge, and the local number of the one at place i.
+int ring_size(ElementType type) {
+  return is_quadratic(type) ? 2 * corner_count(type) : corner_count(type);
+}
+int ring(ElementType type, int i) {
+  return is_quadratic(type) ? i / 2 + (i % 2) * corner_count(type) : i;
 }
 
 /// Triangles of local nodes that make up the element, for outlines that are not convex.
@@ -74,10 +64,10 @@ bool make_convex(Polygon& p) {
 
 Vec3 outline_normal(const SurfaceMesh& mesh, std::int64_t element) {
   const auto nodes = mesh.element(element);
-  const auto order = ring(mesh.type[at(element)]);
-  const auto place = [&](std::size_t i) { return mesh.node[at(nodes[at(order[i])])]; };
+  const ElementType type = mesh.type[at(element)];
+  const auto place = [&](int i) { return mesh.node[at(nodes[at(ring(type, i))])]; };
   Vec3 sum{0, 0, 0};
-  for (std::size_t i = 2; i < order.size(); ++i)
+  for (int i = 2; i < ring_size(type); ++i)
     sum = sum + cross(place(i - 1) - place(0), place(i) - place(0));
   return sum;
 }
@@ -97,7 +87,7 @@ void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& ch
   const auto nodes = mesh.element(element);
   const auto point = [&](int i) { return chart(mesh.node[at(nodes[at(i)])]); };
   Polygon whole;
-  for (const int i : ring(type)) whole.push_back(point(i));
+  for (int i = 0; i < ring_size(type); ++i) whole.push_back(point(ring(type, i)));
   if (make_convex(whole) && area(whole) > 0) {
     part.push_back(std::move(whole));
     return;

@@ -21,25 +21,24 @@ struct Entry {
 };
 
 /// Sums entries of the same place.
-SurfaceCoupling compress(std::vector<Entry>& entry) {
+SurfaceCoupling compress(std::vector<Entry>& entry, std::int64_t nodes) {
   std::stable_sort(entry.begin(), entry.end(), [](const Entry& p, const Entry& q) {
     return p.row != q.row ? p.row < q.row : p.column < q.column;
   });
   SurfaceCoupling m;
+  m.begin(nodes);
   for (std::size_t i = 0; i < entry.size(); ++i) {
     const Entry& e = entry[i];
-    if (i > 0 && entry[i - 1].row == e.row && entry[i - 1].column == e.column) {
+    if (m.node.empty() || m.node.back() != e.row) {
+      if (i > 0) m.end_column();
+      m.node.push_back(e.row);
+    } else if (entry[i - 1].column == e.column) {
       m.value.back() += e.value;
       continue;
     }
-    if (m.node.empty() || m.node.back() != e.row) {
-      m.node.push_back(e.row);
-      m.start.push_back(static_cast<std::int64_t>(m.value.size()));
-    }
-    m.column.push_back(e.column);
-    m.value.push_back(e.value);
+    m.push(e.column, e.value);
   }
-  m.start.push_back(static_cast<std::int64_t>(m.value.size()));
+  if (!entry.empty()) m.end_column();
   return m;
 }
 
@@ -123,13 +122,13 @@ SurfaceCoupling couple_faces(const SurfaceMesh& mesh, std::span<const std::int64
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (std::size_t j = 0; j < nodes.size(); ++j) entry.push_back({nodes[i], nodes[j], m[i][j]});
   }
-  return compress(entry);
+  return compress(entry, mesh.nodes());
 }
 
 SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face,
                              const SurfaceMesh& layer) {
   std::vector<Entry> entry;
-  if (face.empty()) return compress(entry);
+  if (face.empty()) return compress(entry, layer.nodes());
   const SurfaceSearch search(body, face);
   ElementCoupling coupling(body, search, layer);
   std::array<std::size_t, max_element_nodes> local{};
@@ -152,7 +151,7 @@ SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64
         entry.push_back({row.node, nodes[j], row.value[j]});
   }
   drop_slivers(entry, body.nodes());
-  SurfaceCoupling result = compress(entry);
+  SurfaceCoupling result = compress(entry, layer.nodes());
   result.in_faces = in_faces;
   return result;
 }

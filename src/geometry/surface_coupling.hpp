@@ -6,17 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "linalg/sparse_matrix.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
 
-/// Sparse matrix by rows: row r belongs to node `node[r]` of the body, columns to nodes of the mesh
-/// that carries the tractions.
-struct SurfaceCoupling {
-  std::vector<std::int32_t> node;    ///< ascending
-  std::vector<std::int64_t> start;   ///< node.size() + 1
-  std::vector<std::int32_t> column;  ///< ascending in each row
-  std::vector<double> value;         ///< area
+/// Column r belongs to node `node[r]` of the body, rows to nodes of the mesh that carries the
+/// tractions; values are areas.
+struct SurfaceCoupling : SparseMatrix {
+  std::vector<std::int32_t> node;  ///< ascending
   /// Every element of the layer is a face of the body or has the corners of one: its tractions are
   /// among those that the faces' own shape functions can give.
   bool in_faces = false;

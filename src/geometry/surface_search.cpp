@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "geometry/surface_patch.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 
 namespace rollcon {
@@ -29,21 +30,11 @@ constexpr double beyond_edge = 1e-9;
 /// Least cosine between the normal and `facing`: walls along it do not count by rounding.
 constexpr double least_cosine = 1e-9;
 
-struct Box {
-  Vec3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
-
-  void add(const Box& b) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], b.low[k]);
-      high[k] = std::max(high[k], b.high[k]);
-    }
-  }
-  double distance(const Vec3& x) const {
-    Vec3 d{};
-    for (std::size_t k = 0; k < 3; ++k) d[k] = std::max({low[k] - x[k], x[k] - high[k], 0.0});
-    return length(d);
-  }
-};
+double distance(const Box& box, const Vec3& x) {
+  Vec3 d{};
+  for (std::size_t k = 0; k < 3; ++k) d[k] = std::max({box.low[k] - x[k], x[k] - box.high[k], 0.0});
+  return length(d);
+}
 
 struct Line {
   Vec3 from, direction, a, b;  ///< a, b: unit vectors normal to the direction and to one another
@@ -200,7 +191,7 @@ struct SurfaceSearch::Tree {
     visit(cell[first]);
     const double r = limit() * (1 + 4 * epsilon);
     const geometry::model::box<Corner> around(corner(x - Vec3{r, r, r}), corner(x + Vec3{r, r, r}));
-    Found found = meeting(around, r, [&](const Box& box) { return box.distance(x); });
+    Found found = meeting(around, r, [&](const Box& box) { return distance(box, x); });
     std::erase_if(found, [first](const auto& f) { return f.second == first; });
     visit_in_order(found, limit, visit);
   }

@@ -19,19 +19,9 @@ namespace {
 
 /// VTK's cell types; its node order is that of ElementType.
 int vtk_type(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return 5;
-    case ElementType::tri6:
-      return 22;
-    case ElementType::quad4:
-      return 9;
-    case ElementType::quad8:
-      return 23;
-    case ElementType::quad9:
-      return 28;
-  }
-  return 0;
+  if (type == ElementType::quad9) return 28;
+  const bool triangle = corner_count(type) == 3;
+  return is_quadratic(type) ? (triangle ? 22 : 23) : (triangle ? 5 : 9);
 }
 
 class Text {

@@ -15,9 +15,9 @@ namespace {
 constexpr char remedy[] = "take a coarser mesh or fewer faces where contact is possible";
 
 // Largest row sum of the scaled matrix.
-double scaled_norm(const SparseSymmetric& matrix, const std::vector<double>& scale) {
+double scaled_norm(const SparseMatrix& matrix, const std::vector<double>& scale) {
   std::vector<double> sum(scale.size());
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
+  for (std::int64_t j = 0; j < matrix.columns; ++j) {
     for (std::int64_t k = matrix.start[at(j)]; k < matrix.start[at(j + 1)]; ++k) {
       const std::int64_t i = matrix.row[at(k)];
       const double a = std::abs(matrix.value[at(k)]) * scale[at(i)] * scale[at(j)];
@@ -30,8 +30,8 @@ double scaled_norm(const SparseSymmetric& matrix, const std::vector<double>& sca
 
 }  // namespace
 
-void check_sparse(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed) {
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
+void check_sparse(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
+  for (std::int64_t j = 0; j < matrix.columns; ++j) {
     const std::int64_t first = matrix.start[at(j)];
     if (first == matrix.start[at(j + 1)] || matrix.row[at(first)] != j)
       fail(Status::err_internal, "sparse matrix: column %lld does not start with its diagonal",
@@ -41,12 +41,12 @@ void check_sparse(const SparseSymmetric& matrix, std::span<const std::int64_t> c
         fail(Status::err_nonfinite, "sparse matrix: entry (%lld, %lld) is not finite",
              static_cast<long long>(matrix.row[at(k)]), static_cast<long long>(j));
   }
-  std::vector<bool> seen(at(matrix.n));
+  std::vector<bool> seen(at(matrix.columns));
   for (const std::int64_t c : condensed) {
-    if (c < 0 || c >= matrix.n || seen[at(c)])
+    if (c < 0 || c >= matrix.columns || seen[at(c)])
       fail(Status::err_internal,
            "sparse matrix: condensed unknown %lld is listed twice or not among 0..%lld",
-           static_cast<long long>(c), static_cast<long long>(matrix.n - 1));
+           static_cast<long long>(c), static_cast<long long>(matrix.columns - 1));
     seen[at(c)] = true;
   }
 }
@@ -64,20 +64,19 @@ void out_of_memory(std::int64_t unknowns, double bytes) {
        static_cast<long long>(unknowns), 1e-9 * bytes, remedy);
 }
 
-std::vector<double> diagonal_scale(const SparseSymmetric& matrix) {
-  std::vector<double> scale(at(matrix.n));
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
+std::vector<double> diagonal_scale(const SparseMatrix& matrix) {
+  std::vector<double> scale(at(matrix.columns));
+  for (std::int64_t j = 0; j < matrix.columns; ++j) {
     const double d = std::abs(matrix.value[at(matrix.start[at(j)])]);
     scale[at(j)] = d > 0 ? 1 / std::sqrt(d) : 1;
   }
   return scale;
 }
 
-double estimate_condition(const SparseSymmetric& matrix,
-                          const std::function<void(double*)>& solve) {
-  if (matrix.n == 0) return 1;
+double estimate_condition(const SparseMatrix& matrix, const std::function<void(double*)>& solve) {
+  if (matrix.columns == 0) return 1;
   const std::vector<double> scale = diagonal_scale(matrix);
-  std::vector<double> x(at(matrix.n));
+  std::vector<double> x(at(matrix.columns));
   // A start without pattern: no mode of a structure is orthogonal to it.
   std::uint64_t state = 1;
   for (double& value : x) {
@@ -86,11 +85,11 @@ double estimate_condition(const SparseSymmetric& matrix,
   }
   double growth = 0;
   for (int step = 0; step < 2; ++step) {
-    const double before = norm2(x.data(), matrix.n);
+    const double before = norm2(x.data(), matrix.columns);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] /= scale[i] * before;
     solve(x.data());
     for (std::size_t i = 0; i < x.size(); ++i) x[i] /= scale[i];
-    growth = norm2(x.data(), matrix.n);
+    growth = norm2(x.data(), matrix.columns);
     if (!std::isfinite(growth)) return std::numeric_limits<double>::infinity();
   }
   return growth * scaled_norm(matrix, scale);

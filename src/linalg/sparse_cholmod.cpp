@@ -36,9 +36,9 @@ Supernode supernode(const cholmod_factor& l, std::size_t s) {
           static_cast<const double*>(l.x) + px[s]};
 }
 
-cholmod_sparse lower_view(SparseSymmetric& matrix) {
+cholmod_sparse lower_view(SparseMatrix& matrix) {
   cholmod_sparse a{};
-  a.nrow = a.ncol = at(matrix.n);
+  a.nrow = a.ncol = at(matrix.columns);
   a.nzmax = matrix.row.size();
   a.p = matrix.start.data();
   a.i = matrix.row.data();
@@ -58,8 +58,8 @@ struct FreeFactor {
 
 class CholmodFactor final : public SparseFactor {
  public:
-  CholmodFactor(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed)
-      : size_(matrix.n), condensed_(static_cast<std::int64_t>(condensed.size())) {
+  CholmodFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed)
+      : size_(matrix.columns), condensed_(static_cast<std::int64_t>(condensed.size())) {
     check_sparse(matrix, condensed);
     check_diagonal(matrix);
     {
@@ -96,17 +96,17 @@ class CholmodFactor final : public SparseFactor {
   }
 
  private:
-  static void check_diagonal(const SparseSymmetric& matrix) {
-    for (std::int64_t j = 0; j < matrix.n; ++j)
+  static void check_diagonal(const SparseMatrix& matrix) {
+    for (std::int64_t j = 0; j < matrix.columns; ++j)
       if (!(matrix.value[at(matrix.start[at(j)])] > 0)) throw ZeroPivot(j);
   }
   std::size_t own_bytes() const {
     return sizeof(double) * (at(condensed_ * condensed_) + work_.size()) +
            sizeof(std::int64_t) * (unknown_.size() + place_.size());
   }
-  void factorise(const SparseSymmetric& matrix);
-  void copy_condensed(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed);
-  void judge(const SparseSymmetric& matrix);
+  void factorise(const SparseMatrix& matrix);
+  void copy_condensed(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
+  void judge(const SparseMatrix& matrix);
   void solve_block(double* b, std::int64_t count);
 
   std::int64_t size_, condensed_;
@@ -119,12 +119,9 @@ class CholmodFactor final : public SparseFactor {
   SparseStatistics statistics_;
 };
 
-void CholmodFactor::factorise(const SparseSymmetric& matrix) {
+void CholmodFactor::factorise(const SparseMatrix& matrix) {
   if (size_ == 0) return;
-  SparseSymmetric ordered = permuted(matrix, unknown_);
-  const std::size_t ordered_bytes =
-      sizeof(std::int64_t) * (ordered.start.size() + ordered.row.size()) +
-      sizeof(double) * ordered.value.size();
+  SparseMatrix ordered = permuted(matrix, unknown_);
   cholmod_sparse view = lower_view(ordered);
   cholmod_common& c = common_.c;
   c.nmethods = 1;
@@ -136,27 +133,27 @@ void CholmodFactor::factorise(const SparseSymmetric& matrix) {
 
   const SerialLoops serial;
   factor_.reset(cholmod_l_analyze(&view, &c));
-  if (!factor_) out_of_memory(matrix.n, static_cast<double>(c.memory_usage));
+  if (!factor_) out_of_memory(matrix.columns, static_cast<double>(c.memory_usage));
   const double condensed_bytes =
       8.0 * static_cast<double>(condensed_) * static_cast<double>(condensed_);
   const double need =
       8.0 * static_cast<double>(factor_->xsize) +
-      std::max(8.0 * static_cast<double>(factor_->maxcsize) + static_cast<double>(ordered_bytes),
+      std::max(8.0 * static_cast<double>(factor_->maxcsize) + static_cast<double>(ordered.bytes()),
                condensed_bytes);
-  require_memory(matrix.n, need);
+  require_memory(matrix.columns, need);
   statistics_.nonzeros = static_cast<std::int64_t>(c.lnz);
   statistics_.flops = c.fl;
 
   cholmod_l_factorize(&view, factor_.get(), &c);
   statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, c.memory_usage + ordered_bytes + own_bytes());
+      std::max(statistics_.peak_bytes, c.memory_usage + ordered.bytes() + own_bytes());
   if (c.status == CHOLMOD_NOT_POSDEF) throw ZeroPivot(unknown_[factor_->minor]);
   if (c.status == CHOLMOD_OUT_OF_MEMORY || c.status == CHOLMOD_TOO_LARGE)
-    out_of_memory(matrix.n, need);
+    out_of_memory(matrix.columns, need);
   if (c.status < 0) fail(Status::err_internal, "CHOLMOD failed with status %d", c.status);
 }
 
-void CholmodFactor::copy_condensed(const SparseSymmetric& matrix,
+void CholmodFactor::copy_condensed(const SparseMatrix& matrix,
                                    std::span<const std::int64_t> condensed) {
   if (condensed_ == 0) return;
   const std::int64_t first = size_ - condensed_;
@@ -168,7 +165,7 @@ void CholmodFactor::copy_condensed(const SparseSymmetric& matrix,
   try {
     trailing_ = std::make_unique<double[]>(entries);
   } catch (const std::bad_alloc&) {
-    out_of_memory(matrix.n, 8.0 * static_cast<double>(entries));
+    out_of_memory(matrix.columns, 8.0 * static_cast<double>(entries));
   }
   for (std::size_t s = factor_->nsuper; s-- > 0;) {
     const Supernode node = supernode(*factor_, s);
@@ -184,7 +181,7 @@ void CholmodFactor::copy_condensed(const SparseSymmetric& matrix,
 }
 
 // Cholesky stops at pivots that are not positive only; rounding may leave a small positive one.
-void CholmodFactor::judge(const SparseSymmetric& matrix) {
+void CholmodFactor::judge(const SparseMatrix& matrix) {
   if (size_ == 0) {
     statistics_.condition = 1;
     return;
@@ -237,7 +234,7 @@ void CholmodFactor::solve_block(double* b, std::int64_t count) {
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& matrix,
+std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix,
                                                 std::span<const std::int64_t> condensed) {
   return std::make_unique<CholmodFactor>(matrix, condensed);
 }

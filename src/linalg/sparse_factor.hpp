@@ -10,15 +10,9 @@
 #include <span>
 #include <vector>
 
-namespace rollcon {
+#include "linalg/sparse_matrix.hpp"
 
-/// Lower triangle with diagonal, by columns; rows ascending.
-struct SparseSymmetric {
-  std::int64_t n = 0;
-  std::vector<std::int64_t> start;  ///< n + 1
-  std::vector<std::int64_t> row;
-  std::vector<double> value;
-};
+namespace rollcon {
 
 /// Thrown when a pivot vanishes (or, by CHOLMOD, is not positive), and when the factorisation
 /// passes but the condition is that of a singular matrix: then it names the unknown of the smallest
@@ -71,14 +65,14 @@ class SparseFactor {
   virtual SparseStatistics statistics() const = 0;
 };
 
-/// condensed: distinct unknowns, may be empty. Throw ZeroPivot; Error: err_memory with the need,
-/// err_nonfinite, err_unsupported in a build without the method. BLAS threads are the caller's
-/// matter; CHOLMOD starts no others.
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseSymmetric& matrix,
+/// matrix: the lower triangle. condensed: distinct unknowns, may be empty. Throw ZeroPivot; Error:
+/// err_memory with the need, err_nonfinite, err_unsupported in a build without the method. BLAS
+/// threads are the caller's matter; CHOLMOD starts no others.
+std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix,
                                                 std::span<const std::int64_t> condensed);
 /// threads: for full right sides, which are solved side by side. The first call of solve_condensed
 /// or keep_condensed inverts the condensed matrix; meanwhile one of the two factors is held twice.
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& matrix,
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix,
                                                 std::span<const std::int64_t> condensed,
                                                 int threads = 1);
 

@@ -19,10 +19,10 @@ std::uint64_t scatter(std::uint64_t x) {
 
 // Sum over the neighbours, the unknown itself included. Equal sums of different sets are next to
 // impossible, and would cost fill only.
-std::vector<std::uint64_t> neighbourhood_keys(const SparseSymmetric& matrix,
+std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix,
                                               std::span<const std::int64_t> condensed) {
-  std::vector<std::uint64_t> key(at(matrix.n));
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
+  std::vector<std::uint64_t> key(at(matrix.columns));
+  for (std::int64_t j = 0; j < matrix.columns; ++j) {
     const std::uint64_t own = scatter(static_cast<std::uint64_t>(j));
     key[at(j)] += own;
     for (std::int64_t k = matrix.start[at(j)]; k < matrix.start[at(j + 1)]; ++k) {
@@ -69,7 +69,7 @@ void list_members(const std::vector<std::int64_t>& group, SparseGroups& groups) 
 
 // Calls visit(g, h), g > h, for neighbouring groups: those whose first members are neighbours.
 template <class Visit>
-void for_edges(const SparseSymmetric& matrix, const std::vector<std::int64_t>& group,
+void for_edges(const SparseMatrix& matrix, const std::vector<std::int64_t>& group,
                const SparseGroups& groups, Visit visit) {
   const auto first = [&](std::int64_t g) { return groups.member[at(groups.member_start[at(g)])]; };
   for (std::int64_t h = 0; h < groups.count; ++h) {
@@ -83,8 +83,7 @@ void for_edges(const SparseSymmetric& matrix, const std::vector<std::int64_t>& g
 
 }  // namespace
 
-SparseGroups group_unknowns(const SparseSymmetric& matrix,
-                            std::span<const std::int64_t> condensed) {
+SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   SparseGroups groups;
   const std::vector<std::int64_t> group =
       group_numbers(neighbourhood_keys(matrix, condensed), &groups.count);

@@ -18,7 +18,7 @@ struct SparseGroups {
   std::vector<char> condensed;                     ///< groups are of one kind
 };
 
-SparseGroups group_unknowns(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed);
+SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
 
 /// Parents in the elimination tree when groups are eliminated in this order; -1 at roots. All
 /// numbers are positions in the order.

@@ -25,9 +25,9 @@ struct FreeNumeric {
 void check_status(Long status, const double* info, const SparseMatrix& matrix) {
   if (status >= 0) return;
   if (status == UMFPACK_ERROR_out_of_memory)
-    out_of_memory(matrix.n, info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]);
+    out_of_memory(matrix.columns, info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]);
   fail(Status::err_internal, "UMFPACK failed with status %lld on a matrix of %lld unknowns",
-       static_cast<long long>(status), static_cast<long long>(matrix.n));
+       static_cast<long long>(status), static_cast<long long>(matrix.columns));
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ bool SparseLu::factor(const SparseMatrix& matrix) {
   for (const double v : matrix.value)
     if (!std::isfinite(v))
       fail(Status::err_nonfinite, "sparse matrix: an entry is not finite (%lld unknowns)",
-           static_cast<long long>(matrix.n));
+           static_cast<long long>(matrix.columns));
   double info[UMFPACK_INFO] = {};
   const auto same = [](const std::vector<Long>& a, const std::vector<std::int64_t>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end());
@@ -79,16 +79,18 @@ bool SparseLu::factor(const SparseMatrix& matrix) {
     f.row.assign(matrix.row.begin(), matrix.row.end());
     // METIS dissects a mesh with a fifth of minimum degree's operations; it has nothing to gain,
     // and takes its time, where much of the matrix is dense.
-    const bool dense = static_cast<double>(f.row.size()) > 300 * static_cast<double>(matrix.n);
+    const bool dense =
+        static_cast<double>(f.row.size()) > 300 * static_cast<double>(matrix.columns);
     f.control[UMFPACK_ORDERING] = dense ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
     void* symbolic = nullptr;
     const MetisRandom random;
-    const Long status = umfpack_dl_symbolic(matrix.n, matrix.n, f.start.data(), f.row.data(),
-                                            matrix.value.data(), &symbolic, f.control, info);
+    const Long status =
+        umfpack_dl_symbolic(matrix.columns, matrix.columns, f.start.data(), f.row.data(),
+                            matrix.value.data(), &symbolic, f.control, info);
     f.symbolic.reset(symbolic);
     ++statistics_.analyses;
     check_status(status, info, matrix);
-    const auto n = static_cast<std::size_t>(matrix.n);
+    const auto n = static_cast<std::size_t>(matrix.columns);
     f.x.resize(n);
     f.work.resize(n);
     f.rows.resize(n);

@@ -5,21 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <vector>
+
+#include "linalg/sparse_matrix.hpp"
 
 namespace rollcon {
-
-/// Square, compressed columns, rows ascending.
-struct SparseMatrix {
-  std::int64_t n = 0;
-  std::vector<std::int64_t> start;  ///< n + 1
-  std::vector<std::int64_t> row;
-  std::vector<double> value;
-  std::size_t bytes() const {
-    return sizeof(std::int64_t) * (start.capacity() + row.capacity()) +
-           sizeof(double) * value.capacity();
-  }
-};
 
 struct SparseLuStatistics {
   std::int64_t nonzeros = 0;  ///< of both factors

@@ -31,10 +31,10 @@ struct SparseOrder {
   std::size_t peak_bytes = 0;
 };
 
-SparseOrder order_unknowns(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed,
+SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
                            GraphOrder (*dissect)(const SparseGroups&));
 
 /// The matrix in that order; rows are not sorted.
-SparseSymmetric permuted(const SparseSymmetric& matrix, std::span<const std::int64_t> unknown);
+SparseMatrix permuted(const SparseMatrix& matrix, std::span<const std::int64_t> unknown);
 
 }  // namespace rollcon

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
-#include <numeric>
 
 #include "linalg/condensed_factor.hpp"
 #include "linalg/sparse_checks.hpp"
@@ -25,45 +24,6 @@ namespace {
 using Long = SuiteSparse_long;
 static_assert(sizeof(Long) == sizeof(std::int64_t));
 
-/// Both triangles, rows ascending.
-struct FullMatrix {
-  std::vector<Long> start, row;
-  std::vector<double> value;
-  std::size_t bytes() const {
-    return sizeof(Long) * (start.size() + row.size()) + sizeof(double) * value.size();
-  }
-};
-
-FullMatrix both_triangles(const SparseSymmetric& matrix) {
-  FullMatrix full;
-  full.start.assign(at(matrix.n + 1), 0);
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
-    for (std::int64_t k = matrix.start[at(j)]; k < matrix.start[at(j + 1)]; ++k) {
-      const std::int64_t i = matrix.row[at(k)];
-      ++full.start[at(j + 1)];
-      if (i != j) ++full.start[at(i + 1)];
-    }
-  }
-  std::partial_sum(full.start.begin(), full.start.end(), full.start.begin());
-  full.row.resize(at(full.start.back()));
-  full.value.resize(full.row.size());
-  // Columns in turn: what column j sends to a later one precedes that one's own entries.
-  std::vector<Long> next(full.start.begin(), full.start.end() - 1);
-  for (std::int64_t j = 0; j < matrix.n; ++j) {
-    for (std::int64_t k = matrix.start[at(j)]; k < matrix.start[at(j + 1)]; ++k) {
-      const std::int64_t i = matrix.row[at(k)];
-      const std::size_t own = at(next[at(j)]++);
-      full.row[own] = i;
-      full.value[own] = matrix.value[at(k)];
-      if (i == j) continue;
-      const std::size_t mirrored = at(next[at(i)]++);
-      full.row[mirrored] = j;
-      full.value[mirrored] = matrix.value[at(k)];
-    }
-  }
-  return full;
-}
-
 /// Of one right side: x from b.
 struct Workspace {
   std::vector<double> b, x, work;
@@ -77,8 +37,8 @@ struct FreeNumeric {
 
 class UmfpackFactor final : public SparseFactor {
  public:
-  UmfpackFactor(const SparseSymmetric& matrix, std::span<const std::int64_t> condensed, int threads)
-      : size_(matrix.n), threads_(threads), condensed_(condensed.begin(), condensed.end()) {
+  UmfpackFactor(const SparseMatrix& matrix, std::span<const std::int64_t> condensed, int threads)
+      : size_(matrix.columns), threads_(threads), condensed_(condensed.begin(), condensed.end()) {
     check_sparse(matrix, condensed);
     statistics_.condition = 1;
     if (size_ == 0) return;
@@ -106,8 +66,8 @@ class UmfpackFactor final : public SparseFactor {
   }
 
  private:
-  void factorise(const SparseSymmetric& matrix);
-  void check_status(Long status, const double* info, const SparseSymmetric& matrix) const;
+  void factorise(const SparseMatrix& matrix);
+  void check_status(Long status, const double* info, const SparseMatrix& matrix) const;
   std::int64_t smallest_pivot() const;
   void solve_one(Workspace& w) const;
   /// Calls one(right side, workspace) within the thread budget.
@@ -127,10 +87,10 @@ class UmfpackFactor final : public SparseFactor {
 };
 
 void UmfpackFactor::check_status(Long status, const double* info,
-                                 const SparseSymmetric& matrix) const {
+                                 const SparseMatrix& matrix) const {
   if (status >= 0) return;
   if (status == UMFPACK_ERROR_out_of_memory)
-    out_of_memory(matrix.n, info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]);
+    out_of_memory(matrix.columns, info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]);
   const char* what = "an internal error";
   if (status == UMFPACK_ERROR_ordering_failed) what = "no order of the unknowns found";
   if (status == UMFPACK_ERROR_invalid_matrix) what = "columns of the matrix are not in order";
@@ -138,14 +98,14 @@ void UmfpackFactor::check_status(Long status, const double* info,
        what);
 }
 
-void UmfpackFactor::factorise(const SparseSymmetric& matrix) {
+void UmfpackFactor::factorise(const SparseMatrix& matrix) {
   SparseOrder order;
   {
     const Stopwatch watch(statistics_.seconds_order);
     order = order_unknowns(matrix, condensed_, dissect_by_umfpack);
   }
   const Stopwatch watch(statistics_.seconds_factor);
-  const FullMatrix full = both_triangles(matrix);
+  const SparseMatrix full = both_triangles(matrix);
   double info[UMFPACK_INFO] = {};
   void *symbolic = nullptr, *numeric = nullptr;
   Long status =
@@ -246,7 +206,7 @@ void UmfpackFactor::keep_condensed() {
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& matrix,
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix,
                                                 std::span<const std::int64_t> condensed,
                                                 int threads) {
   return std::make_unique<UmfpackFactor>(matrix, condensed, threads);

@@ -14,7 +14,7 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseSymmetric& /*matrix*/,
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& /*matrix*/,
                                                 std::span<const std::int64_t> /*condensed*/,
                                                 int /*threads*/) {
   refuse();

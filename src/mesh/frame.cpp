@@ -6,8 +6,7 @@
 
 #include "mesh/dual_cells.hpp"
 #include "mesh/frame_check.hpp"
-#include "mesh/quadrature.hpp"
-#include "mesh/shape.hpp"
+#include "mesh/plane_quadrature.hpp"
 #include "mesh/topology.hpp"
 #include "support/error.hpp"
 
@@ -45,53 +44,16 @@ void check_range(const SurfaceMesh& mesh, const Axes& axes) {
          smallest, largest);
 }
 
-/// Rule exact for N_i times the Jacobian of the projection.
-PlaneRule weight_rule(ElementType type) {
-  if (corner_count(type) == 3) return triangle_rule(is_quadratic(type) ? 4 : 1);
-  return square_rule(is_quadratic(type) ? 5 : 2);
-}
-
-struct Rule {
-  std::vector<Shape> shape;
-  std::vector<double> w;
-};
-
-Rule tabulate(ElementType type) {
-  const PlaneRule plane = weight_rule(type);
-  Rule rule{std::vector<Shape>(plane.size()), plane.w};
-  for (std::size_t q = 0; q < plane.size(); ++q)
-    evaluate_shape(type, plane.xi[q], plane.eta[q], rule.shape[q]);
-  return rule;
-}
-
 void integrate_weights(Frame& frame) {
-  const SurfaceMesh& mesh = frame.mesh;
-  std::map<ElementType, Rule> rules;
-  frame.weight.assign(static_cast<std::size_t>(mesh.nodes()), 0);
+  constexpr int degree = 5;  // N_i times the Jacobian of the projection, of any element
+  frame.weight.assign(static_cast<std::size_t>(frame.nodes()), 0);
   frame.area = 0;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
-    const auto nodes = mesh.element(e);
-    Rule& rule = rules[type];
-    if (rule.w.empty()) rule = tabulate(type);
-    const double x0 = frame.x[static_cast<std::size_t>(nodes[0])];
-    const double y0 = frame.y[static_cast<std::size_t>(nodes[0])];
-    for (std::size_t q = 0; q < rule.w.size(); ++q) {
-      const Shape& s = rule.shape[q];
-      double x_xi = 0, x_eta = 0, y_xi = 0, y_eta = 0;
-      for (std::size_t i = 0; i < nodes.size(); ++i) {
-        const auto k = static_cast<std::size_t>(nodes[i]);
-        x_xi += s.d_xi[i] * (frame.x[k] - x0);
-        x_eta += s.d_eta[i] * (frame.x[k] - x0);
-        y_xi += s.d_xi[i] * (frame.y[k] - y0);
-        y_eta += s.d_eta[i] * (frame.y[k] - y0);
-      }
-      const double w = rule.w[q] * (x_xi * y_eta - x_eta * y_xi);
-      frame.area += w;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        frame.weight[static_cast<std::size_t>(nodes[i])] += w * s.value[i];
-    }
-  }
+  integrate_projection(
+      frame, degree, [&](auto nodes, const Shape& shape, double, double, double area) {
+        frame.area += area;
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+          frame.weight[static_cast<std::size_t>(nodes[i])] += area * shape.value[i];
+      });
 }
 
 }  // namespace

@@ -1,83 +1,106 @@
 #include "mesh/mesh_errors.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
+#include <cmath>
+#include <iterator>
 #include <utility>
-#include <vector>
+
+#include "support/index.hpp"
 
 namespace rollcon {
 
 const char* name(ElementType type) {
-  switch (type) {
-    case ElementType::tri3:
-      return "tri3";
-    case ElementType::tri6:
-      return "tri6";
-    case ElementType::quad4:
-      return "quad4";
-    case ElementType::quad8:
-      return "quad8";
-    case ElementType::quad9:
-      return "quad9";
-  }
+  static constexpr std::pair<ElementType, const char*> names[] = {{ElementType::tri3, "tri3"},
+                                                                  {ElementType::tri6, "tri6"},
+                                                                  {ElementType::quad4, "quad4"},
+                                                                  {ElementType::quad8, "quad8"},
+                                                                  {ElementType::quad9, "quad9"}};
+  for (const auto& [known, text] : names)
+    if (known == type) return text;
   return "?";
 }
 
 const char* name(VolumeType type) {
-  switch (type) {
-    case VolumeType::tet4:
-      return "tet4";
-    case VolumeType::tet10:
-      return "tet10";
-    case VolumeType::wedge6:
-      return "wedge6";
-    case VolumeType::wedge15:
-      return "wedge15";
-    case VolumeType::hex8:
-      return "hex8";
-    case VolumeType::hex20:
-      return "hex20";
-  }
+  static constexpr std::pair<VolumeType, const char*> names[] = {
+      {VolumeType::tet4, "tet4"},     {VolumeType::tet10, "tet10"},
+      {VolumeType::wedge6, "wedge6"}, {VolumeType::wedge15, "wedge15"},
+      {VolumeType::hex8, "hex8"},     {VolumeType::hex20, "hex20"}};
+  for (const auto& [known, text] : names)
+    if (known == type) return text;
   return "?";
 }
 
-void check_connectivity(const SurfaceMesh& mesh, const char* where) {
-  const int base = mesh.index_base;
+template <class Elements>
+void check_connectivity(const Names<Elements>& names, std::int64_t count) {
   Tally range, repeated, twice;
-  std::vector<std::pair<std::array<std::int32_t, 4>, std::int64_t>> corners;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const auto nodes = mesh.element(e);
-    const ElementType type = mesh.type[static_cast<std::size_t>(e)];
-    const auto id = static_cast<long long>(e + base);
-    for (std::int32_t k : nodes)
-      if (k < 0 || k >= mesh.nodes()) {
-        range.add("element %lld (%s), node %lld of %d..%lld", id, name(type),
-                  static_cast<long long>(k) + base, base,
-                  static_cast<long long>(mesh.nodes() - 1 + base));
+  std::vector<std::pair<std::array<std::int32_t, 8>, std::int64_t>> corners;
+  corners.reserve(names.mesh.type.size());
+  for (std::int64_t e = 0; e < names.mesh.elements(); ++e) {
+    const auto nodes = names.mesh.element(e);
+    const auto out = std::find_if(nodes.begin(), nodes.end(),
+                                  [&](std::int32_t k) { return k < 0 || k >= count; });
+    if (out != nodes.end())
+      range.add("element %lld (%s), node %lld of %d..%lld", names.element(e), names.type(e),
+                names.node(*out), names.base, names.node(count - 1));
+    for (auto k = nodes.begin(); k != nodes.end(); ++k)
+      if (std::find(nodes.begin(), k, *k) != k) {
+        repeated.add("element %lld (%s), node %lld", names.element(e), names.type(e),
+                     names.node(*k));
         break;
       }
-    for (std::size_t i = 1; i < nodes.size(); ++i)
-      if (std::find(nodes.begin(), nodes.begin() + static_cast<std::ptrdiff_t>(i), nodes[i]) !=
-          nodes.begin() + static_cast<std::ptrdiff_t>(i)) {
-        repeated.add("element %lld (%s), node %lld", id, name(type),
-                     static_cast<long long>(nodes[i]) + base);
-        break;
-      }
-    // The same corners are the same element, whatever its order of interpolation.
-    std::array<std::int32_t, 4> corner{-1, -1, -1, -1};
-    std::copy_n(nodes.begin(), corner_count(type), corner.begin());
+    // The same corners are the same element, whatever its order of
+    // interpolation.
+    std::array<std::int32_t, 8> corner;
+    corner.fill(-1);
+    std::copy_n(nodes.begin(), corner_count(names.mesh.type[at(e)]), corner.begin());
     std::sort(corner.begin(), corner.end());
     corners.emplace_back(corner, e);
   }
   std::sort(corners.begin(), corners.end());
   for (std::size_t i = 1; i < corners.size(); ++i)
     if (corners[i - 1].first == corners[i].first)
-      twice.add("elements %lld and %lld", static_cast<long long>(corners[i - 1].second + base),
-                static_cast<long long>(corners[i].second + base));
-  range.fail_if_any("an element refers to a node that does not exist", where, base);
-  repeated.fail_if_any("a node is repeated within an element", where, base);
-  twice.fail_if_any("the same element is given twice", where, base);
+      twice.add("elements %lld and %lld", names.element(corners[i - 1].second),
+                names.element(corners[i].second));
+  names.refuse(range, "an element refers to a node that does not exist");
+  names.refuse(repeated, "a node is repeated within an element");
+  names.refuse(twice, "the same element is given twice");
+}
+
+template void check_connectivity(const Names<SurfaceMesh>&, std::int64_t);
+template void check_connectivity(const Names<VolumeElements>&, std::int64_t);
+
+NodeExtent measure_nodes(std::span<const Vec3> point) {
+  NodeExtent extent;
+  extent.own.fill(extent.nearest);
+  for (std::size_t i = 0; i < point.size(); ++i) {
+    for (const double c : point[i]) extent.magnitude = std::max(extent.magnitude, std::abs(c));
+    for (std::size_t j = 0; j < i; ++j) {
+      const double d = length(point[i] - point[j]);
+      extent.size = std::max(extent.size, d);
+      extent.own[i] = std::min(extent.own[i], d);
+      extent.own[j] = std::min(extent.own[j], d);
+      if (d < extent.nearest) extent.nearest = d, extent.near_i = j, extent.near_j = i;
+    }
+  }
+  return extent;
+}
+
+std::vector<CheckPoint> check_points(ElementType type) {
+  const bool triangle = corner_count(type) == 3;
+  const int steps = is_quadratic(type) ? 8 : 1;
+  const auto nodes = reference_nodes(type);
+  std::vector<CheckPoint> points;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= (triangle ? steps - i : steps); ++j) {
+      CheckPoint p;
+      const double u = static_cast<double>(i) / steps, v = static_cast<double>(j) / steps;
+      p.at = triangle ? ReferencePoint{u, v} : ReferencePoint{2 * u - 1, 2 * v - 1};
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (nodes[k].xi == p.at.xi && nodes[k].eta == p.at.eta) p.node = static_cast<int>(k);
+      evaluate_shape(type, p.at.xi, p.at.eta, p.shape);
+      points.push_back(p);
+    }
+  return points;
 }
 
 }  // namespace rollcon

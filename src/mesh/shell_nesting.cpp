@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "mesh/box.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "mesh/surface_geometry.hpp"
 
@@ -19,28 +20,12 @@ const Vec3& first_node(const SurfaceMesh& mesh, std::int64_t element) {
   return mesh.node[static_cast<std::size_t>(mesh.element(element)[0])];
 }
 
-struct Box {
-  Vec3 low, high;
-  bool holds(const Vec3& x) const {
-    for (std::size_t k = 0; k < 3; ++k)
-      if (x[k] < low[k] || x[k] > high[k]) return false;
-    return true;
-  }
-};
-
 /// Boxes of the shells' nodes, larger by half: curved elements leave the box of their nodes.
 std::vector<Box> boxes(const SurfaceMesh& mesh, const Shells& shells) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  std::vector<Box> box(shells.size(), {{inf, inf, inf}, {-inf, -inf, -inf}});
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    Box& b = box[static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)])];
-    for (std::int32_t node : mesh.element(e))
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double c = mesh.node[static_cast<std::size_t>(node)][k];
-        b.low[k] = std::min(b.low[k], c);
-        b.high[k] = std::max(b.high[k], c);
-      }
-  }
+  std::vector<Box> box(shells.size());
+  for (std::int64_t e = 0; e < mesh.elements(); ++e)
+    box[static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)])].add(
+        box_of(mesh.node, mesh.element(e)));
   for (Box& b : box)
     for (std::size_t k = 0; k < 3; ++k) {
       const double margin = 0.25 * (b.high[k] - b.low[k]);

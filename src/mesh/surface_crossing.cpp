@@ -5,15 +5,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "mesh/box.hpp"
 #include "mesh/mesh_errors.hpp"
 #include "mesh/topology.hpp"
 
 namespace rollcon {
 namespace {
-
-struct Box {
-  Vec3 low, high;
-};
 
 bool meet(const Box& a, const Box& b) {
   for (std::size_t c = 0; c < 3; ++c)
@@ -89,24 +86,17 @@ double stray(const SurfaceMesh& mesh, std::span<const std::int32_t> facet, std::
 void check_crossing(const SurfaceMesh& mesh) {
   const LinearCells cells = split_elements(mesh);
   std::vector<Facet> facet;
-  Vec3 low = mesh.node[0], high = low;
+  Box all;
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto node = cells[c];
     const std::int64_t element = cells.element[static_cast<std::size_t>(c)];
-    Box box{mesh.node[static_cast<std::size_t>(node[0])],
-            mesh.node[static_cast<std::size_t>(node[0])]};
-    for (const std::int32_t k : node)
-      for (std::size_t i = 0; i < 3; ++i) {
-        box.low[i] = std::min(box.low[i], mesh.node[static_cast<std::size_t>(k)][i]);
-        box.high[i] = std::max(box.high[i], mesh.node[static_cast<std::size_t>(k)][i]);
-        low[i] = std::min(low[i], box.low[i]), high[i] = std::max(high[i], box.high[i]);
-      }
-    facet.push_back({node, element, box, stray(mesh, node, element)});
+    facet.push_back({node, element, box_of(mesh.node, node), stray(mesh, node, element)});
+    all.add(facet.back().box);
   }
   // Along the longest side only neighbours in that direction can meet.
   std::size_t axis = 0;
   for (std::size_t i = 1; i < 3; ++i)
-    if (high[i] - low[i] > high[axis] - low[axis]) axis = i;
+    if (all.size()[i] > all.size()[axis]) axis = i;
   std::sort(facet.begin(), facet.end(),
             [&](const Facet& a, const Facet& b) { return a.box.low[axis] < b.box.low[axis]; });
   Tally crossing;

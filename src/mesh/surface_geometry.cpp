@@ -7,45 +7,17 @@
 #include <vector>
 
 #include "mesh/quadrature.hpp"
+#include "mesh/surface_quadrature.hpp"
 
 namespace rollcon {
 namespace {
-
-struct Point {
-  double weight;
-  Shape shape;
-};
-
-std::vector<Point> tabulate(ElementType type, const PlaneRule& rule) {
-  std::vector<Point> table(rule.size());
-  for (std::size_t q = 0; q < rule.size(); ++q) {
-    table[q].weight = rule.w[q];
-    evaluate_shape(type, rule.xi[q], rule.eta[q], table[q].shape);
-  }
-  return table;
-}
-
-constexpr int types = 5;
-constexpr ElementType all_types[types] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                          ElementType::quad8, ElementType::quad9};
-
-std::array<std::vector<Point>, types> tabulate_all(int degree) {
-  std::array<std::vector<Point>, types> tables;
-  for (std::size_t i = 0; i < types; ++i)
-    tables[i] = tabulate(all_types[i], corner_count(all_types[i]) == 3 ? triangle_rule(degree)
-                                                                       : square_rule(degree));
-  return tables;
-}
-
-std::size_t index(ElementType type) {
-  return static_cast<std::size_t>(std::find(all_types, all_types + types, type) - all_types);
-}
 
 const Vec3& position(const SurfaceMesh& mesh, std::int32_t node) {
   return mesh.node[static_cast<std::size_t>(node)];
 }
 
-/// Coordinates relative to `origin`: those of a small element far away keep their digits.
+}  // namespace
+
 SurfaceFrame combine(const SurfaceMesh& mesh, std::int64_t element, const Shape& s,
                      const Vec3& origin) {
   const auto nodes = mesh.element(element);
@@ -62,7 +34,15 @@ SurfaceFrame combine(const SurfaceMesh& mesh, std::int64_t element, const Shape&
   return f;
 }
 
-}  // namespace
+std::vector<TabulatedPoint> tabulate(ElementType type, int degree) {
+  const PlaneRule rule = corner_count(type) == 3 ? triangle_rule(degree) : square_rule(degree);
+  std::vector<TabulatedPoint> table(rule.size());
+  for (std::size_t q = 0; q < rule.size(); ++q) {
+    table[q].weight = rule.w[q];
+    evaluate_shape(type, rule.xi[q], rule.eta[q], table[q].shape);
+  }
+  return table;
+}
 
 SurfaceFrame evaluate_surface(const SurfaceMesh& mesh, std::int64_t element, double xi,
                               double eta) {
@@ -105,21 +85,17 @@ double angle_at_node(const SurfaceMesh& mesh, std::int64_t element, int local) {
 }
 
 double element_area(const SurfaceMesh& mesh, std::int64_t element) {
-  static const auto tables = tabulate_all(11);
-  const Vec3 origin = position(mesh, mesh.element(element)[0]);
   double area = 0;
-  for (const Point& p : tables[index(mesh.type[static_cast<std::size_t>(element)])])
-    area += p.weight * length(combine(mesh, element, p.shape, origin).normal);
+  integrate_element(mesh, element, [&](const Shape&, const Vec3&, double part) { area += part; });
   return area;
 }
 
 double cone_volume(const SurfaceMesh& mesh, std::int64_t element, const Vec3& apex) {
   // x . (d_xi x d_eta) has degree 5 in each variable for quad9, 4 in all for tri6.
-  static const auto tables = tabulate_all(5);
   double volume = 0;
-  for (const Point& p : tables[index(mesh.type[static_cast<std::size_t>(element)])]) {
-    const SurfaceFrame f = combine(mesh, element, p.shape, apex);
-    volume += p.weight * dot(f.x, f.normal);
+  for (const auto& [weight, shape] : tabulated<5>(mesh.type[static_cast<std::size_t>(element)])) {
+    const SurfaceFrame f = combine(mesh, element, shape, apex);
+    volume += weight * dot(f.x, f.normal);
   }
   return volume / 3;
 }

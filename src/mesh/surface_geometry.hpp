@@ -13,6 +13,10 @@ struct SurfaceFrame {
   Vec3 normal;          ///< d_xi x d_eta, not normalised: its length is the surface Jacobian
 };
 
+/// The element's point for these shape functions, relative to `origin`: coordinates of a small
+/// element far away keep their digits.
+SurfaceFrame combine(const SurfaceMesh& mesh, std::int64_t element, const Shape& shape,
+                     const Vec3& origin);
 SurfaceFrame evaluate_surface(const SurfaceMesh& mesh, std::int64_t element, double xi, double eta);
 /// Unit normal; the zero vector where the Jacobian vanishes.
 Vec3 unit_normal(const SurfaceMesh& mesh, std::int64_t element, double xi, double eta);

@@ -3,12 +3,30 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
-#include "mesh/quadrature.hpp"
-#include "mesh/shape.hpp"
-#include "mesh/surface_mesh.hpp"
+#include "mesh/surface_geometry.hpp"
 
 namespace rollcon {
+
+struct TabulatedPoint {
+  double weight;
+  Shape shape;
+};
+/// A rule exact to this degree with the shape functions at its points; made once.
+std::vector<TabulatedPoint> tabulate(ElementType type, int degree);
+template <int degree>
+const std::vector<TabulatedPoint>& tabulated(ElementType type) {
+  static const std::vector<TabulatedPoint> all[] = {
+      tabulate(ElementType::tri3, degree), tabulate(ElementType::tri6, degree),
+      tabulate(ElementType::quad4, degree), tabulate(ElementType::quad8, degree),
+      tabulate(ElementType::quad9, degree)};
+  const bool triangle = corner_count(type) == 3;
+  return all[triangle                     ? (is_quadratic(type) ? 1 : 0)
+             : type == ElementType::quad4 ? 2
+             : type == ElementType::quad8 ? 3
+                                          : 4];
+}
 
 /// Calls f(shape, point, area) at the points of a rule on an element; area: weight times the
 /// surface Jacobian. That is the root of a polynomial and exact on flat elements only; on quadratic
@@ -16,23 +34,10 @@ namespace rollcon {
 /// degrees to 6e-9.
 template <class F>
 void integrate_element(const SurfaceMesh& mesh, std::int64_t element, F f) {
-  constexpr int degree = 11;
-  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  const ElementType type = mesh.type[static_cast<std::size_t>(element)];
-  const auto nodes = mesh.element(element);
-  const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
-  const Vec3 origin = mesh.node[static_cast<std::size_t>(nodes[0])];
-  Shape shape;
-  for (std::size_t q = 0; q < rule.size(); ++q) {
-    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-    Vec3 x{}, u{}, v{};  // relative to a node: elements far from the origin lose no digits
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const Vec3 r = mesh.node[static_cast<std::size_t>(nodes[i])] - origin;
-      x = x + shape.value[i] * r;
-      u = u + shape.d_xi[i] * r;
-      v = v + shape.d_eta[i] * r;
-    }
-    f(shape, origin + x, rule.w[q] * length(cross(u, v)));
+  const Vec3 origin = mesh.node[static_cast<std::size_t>(mesh.element(element)[0])];
+  for (const auto& [weight, shape] : tabulated<11>(mesh.type[static_cast<std::size_t>(element)])) {
+    const SurfaceFrame here = combine(mesh, element, shape, origin);
+    f(shape, origin + here.x, weight * length(here.normal));
   }
 }
 

@@ -12,25 +12,19 @@
 namespace rollcon {
 namespace {
 
-constexpr const char* where = "surface";
-
-/// Numbers and names as the caller knows them.
-struct Names {
-  const SurfaceMesh& mesh;
-  long long node(std::int32_t k) const { return static_cast<long long>(k) + mesh.index_base; }
-  long long element(std::int64_t e) const { return static_cast<long long>(e) + mesh.index_base; }
-  const char* type(std::int64_t e) const { return name(mesh.type[static_cast<std::size_t>(e)]); }
-};
+Names<SurfaceMesh> names_of(const SurfaceMesh& mesh) {
+  return {mesh, mesh.index_base, "surface"};
+}
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 Edge edge_of(std::int32_t a, std::int32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// A side without a partner whose halves are sides without partner too: its elements interpolate
-/// the edge differently although they may look closed.
+/// A side without a partner whose halves are sides without partner too: its
+/// elements interpolate the edge differently although they may look closed.
 void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   std::vector<std::pair<Edge, std::int64_t>> open;
   for_each_edge(sides, [&](const Side& s, std::size_t count) {
     if (count == 1) open.emplace_back(edge_of(s.from, s.to), s.cell);
@@ -50,13 +44,14 @@ void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
                  names.node(s.low()), names.node(mid), names.node(s.high()), names.element(s.cell),
                  names.type(s.cell), names.element(other), names.type(other));
   });
-  halved.fail_if_any(
-      "a quadratic element's edge lies on shorter edges of its neighbours: elements on both sides "
-      "of an edge must share all of its nodes",
-      where, mesh.index_base);
+  names.refuse(halved,
+               "a quadratic element's edge lies on shorter edges of "
+               "its neighbours: elements on both sides "
+               "of an edge must share all of its nodes");
 }
 
-/// Elements joined across edges, and whether each looks to the same side as its root.
+/// Elements joined across edges, and whether each looks to the same side as its
+/// root.
 class SignedForest {
  public:
   explicit SignedForest(std::size_t n) : parent_(n), sign_(n, 1) {
@@ -98,7 +93,7 @@ class SignedForest {
 }  // namespace
 
 void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   Tally crowded, differ;
   for_each_edge(sides, [&](const Side& s, std::size_t count) {
     const Side* all = &s;
@@ -111,25 +106,26 @@ void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
                  names.node(s.high()), names.element(all[0].cell), names.type(all[0].cell),
                  names.element(all[1].cell), names.type(all[1].cell));
   });
-  crowded.fail_if_any("more than two elements share an edge", where, mesh.index_base);
-  differ.fail_if_any("two elements share an edge but not its midside node", where, mesh.index_base);
+  names.refuse(crowded, "more than two elements share an edge");
+  names.refuse(differ, "two elements share an edge but not its midside node");
   check_halved_edges(mesh, sides);
 }
 
 void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   Tally open;
   for_each_edge(sides, [&](const Side& s, std::size_t count) {
     if (count == 1)
       open.add("edge %lld-%lld of element %lld (%s)", names.node(s.low()), names.node(s.high()),
                names.element(s.cell), names.type(s.cell));
   });
-  open.fail_if_any("open edge: only one element has it, but a body's surface must be closed", where,
-                   mesh.index_base);
+  names.refuse(open,
+               "open edge: only one element has it, but a body's surface "
+               "must be closed");
 }
 
 void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   NodeFans fans(mesh);
   for_each_edge(sides, [&](const Side& s, std::size_t count) {
     if (count == 2) fans.join_across(s, *(&s + 1));
@@ -151,12 +147,11 @@ void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
       touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]),
                    names.element(e));
     }
-  touching.fail_if_any("two parts of the surface touch at a node without sharing an edge", where,
-                       mesh.index_base);
+  names.refuse(touching, "two parts of the surface touch at a node without sharing an edge");
 }
 
 Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   const auto n = static_cast<std::size_t>(mesh.elements());
   SignedForest forest(n);
   Tally twisted;
@@ -168,8 +163,9 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
       twisted.add("edge %lld-%lld of elements %lld and %lld", names.node(a.low()),
                   names.node(a.high()), names.element(a.cell), names.element(b.cell));
   });
-  twisted.fail_if_any("one-sided surface (a Moebius strip): its elements cannot all look outwards",
-                      where, mesh.index_base);
+  names.refuse(twisted,
+               "one-sided surface (a Moebius strip): its elements "
+               "cannot all look outwards");
   Shells shells;
   shells.shell.resize(n);
   shells.sign.resize(n);
@@ -188,7 +184,7 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
 }
 
 void check_neighbours(const SurfaceMesh& mesh, const Shells& shells) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   std::vector<std::int64_t> balance(shells.size(), 0);
   for (std::size_t e = 0; e < shells.sign.size(); ++e)
     balance[static_cast<std::size_t>(shells.shell[e])] += shells.sign[e];
@@ -197,14 +193,14 @@ void check_neighbours(const SurfaceMesh& mesh, const Shells& shells) {
     if (shells.sign[e] != (balance[static_cast<std::size_t>(shells.shell[e])] < 0 ? -1 : 1))
       flipped.add("element %lld (%s)", names.element(static_cast<std::int64_t>(e)),
                   names.type(static_cast<std::int64_t>(e)));
-  flipped.fail_if_any(
-      "flipped element: its normal is opposite to that of most elements it hangs together with; "
-      "reverse the order of its nodes",
-      where, mesh.index_base);
+  names.refuse(flipped,
+               "flipped element: its normal is opposite to that of "
+               "most elements it hangs together with; "
+               "reverse the order of its nodes");
 }
 
 void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
-  const Names names{mesh};
+  const Names names = names_of(mesh);
   const std::vector<double> volume = shell_volumes(mesh, shells);
   const std::vector<int> depth = nesting_depths(mesh, shells, volume);
 
@@ -217,7 +213,8 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
   }
   if (bodies > 1)
     fail(Status::err_mesh,
-         "the surface encloses %lld bodies that do not hang together; give each its own body; "
+         "the surface encloses %lld bodies that do not hang together; give "
+         "each its own body; "
          "first: those of elements %lld and %lld (counting from %d)",
          static_cast<long long>(bodies), names.element(first), names.element(second),
          mesh.index_base);
@@ -231,14 +228,14 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
                names.type(static_cast<std::int64_t>(e)), cavity ? " on the wall of a cavity" : "");
   }
   if (inward.count == mesh.elements())
-    inward.fail_if_any(
-        "the normals of all elements look into the body: reverse the order of their nodes "
-        "(counter-clockwise seen from outside)",
-        where, mesh.index_base);
-  inward.fail_if_any(
-      "flipped element: its normal looks into the body; reverse the order of its nodes "
-      "(counter-clockwise seen from outside)",
-      where, mesh.index_base);
+    names.refuse(inward,
+                 "the normals of all elements look into the body: "
+                 "reverse the order of their nodes "
+                 "(counter-clockwise seen from outside)");
+  names.refuse(inward,
+               "flipped element: its normal looks into the body; "
+               "reverse the order of its nodes "
+               "(counter-clockwise seen from outside)");
 }
 
 }  // namespace rollcon

@@ -18,78 +18,21 @@ namespace {
 
 constexpr const char* where = "volume";
 
-/// Numbers and names as the caller knows them.
-struct Names {
-  const VolumeElements& volume;
-  std::int32_t base;
+using Numbers = Names<VolumeElements>;
 
-  long long node(std::int32_t k) const { return static_cast<long long>(k) + base; }
-  long long element(std::int64_t e) const { return static_cast<long long>(e) + base; }
-  const char* type(std::int64_t e) const { return name(volume.type[static_cast<std::size_t>(e)]); }
-  std::string corners(const CornerFace& f) const {
-    std::string text;
-    for (std::int32_t k : f.corner)
-      if (k >= 0) {
-        if (!text.empty()) text += '-';
-        text += std::to_string(node(k));
-      }
-    return text;
+std::string corners(const Numbers& names, const CornerFace& f) {
+  std::string text;
+  for (const std::int32_t k : f.corner) {
+    if (k < 0) continue;
+    if (!text.empty()) text += '-';
+    text += std::to_string(names.node(k));
   }
-};
-
-void check_elements(std::int64_t nodes, const VolumeElements& volume, const Names& names) {
-  Tally range, repeated;
-  for (std::int64_t e = 0; e < volume.elements(); ++e) {
-    const auto of = volume.element(e);
-    const auto out =
-        std::find_if(of.begin(), of.end(), [nodes](std::int32_t k) { return k < 0 || k >= nodes; });
-    if (out != of.end())
-      range.add("element %lld (%s), node %lld of %d..%lld", names.element(e), names.type(e),
-                names.node(*out), names.base, static_cast<long long>(nodes) - 1 + names.base);
-    for (std::size_t i = 1; i < of.size(); ++i) {
-      const auto end = of.begin() + static_cast<std::ptrdiff_t>(i);
-      if (std::find(of.begin(), end, of[i]) == end) continue;
-      repeated.add("element %lld (%s), node %lld", names.element(e), names.type(e),
-                   names.node(of[i]));
-      break;
-    }
-  }
-  range.fail_if_any("an element refers to a node that does not exist", where, names.base);
-  repeated.fail_if_any("a node is repeated within an element", where, names.base);
+  return text;
 }
 
-/// The same corners are the same element, whatever its order of interpolation.
-void check_repeated_elements(const VolumeElements& volume, const Names& names) {
-  std::vector<std::pair<std::array<std::int32_t, 8>, std::int64_t>> corners;
-  corners.reserve(volume.type.size());
-  for (std::int64_t e = 0; e < volume.elements(); ++e) {
-    std::array<std::int32_t, 8> corner;
-    corner.fill(-1);
-    std::copy_n(volume.element(e).begin(), corner_count(volume.type[static_cast<std::size_t>(e)]),
-                corner.begin());
-    std::sort(corner.begin(), corner.end());
-    corners.emplace_back(corner, e);
-  }
-  std::sort(corners.begin(), corners.end());
-  Tally twice;
-  for (std::size_t i = 1; i < corners.size(); ++i)
-    if (corners[i - 1].first == corners[i].first)
-      twice.add("elements %lld and %lld", names.element(corners[i - 1].second),
-                names.element(corners[i].second));
-  twice.fail_if_any("the same element is given twice", where, names.base);
-}
-
-void check_nodes_used(std::size_t nodes, const VolumeElements& volume, const Names& names) {
-  std::vector<char> used(nodes, 0);
-  for (std::int32_t k : volume.connectivity) used[static_cast<std::size_t>(k)] = 1;
-  Tally unused;
-  for (std::size_t k = 0; k < used.size(); ++k)
-    if (!used[k]) unused.add("node %lld", names.node(static_cast<std::int32_t>(k)));
-  unused.fail_if_any("a node belongs to no element", where, names.base);
-}
-
-/// Midside nodes that are corners elsewhere: there a quadratic element lies on shorter ones.
-void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const Names& names) {
+/// Midside nodes that are corners elsewhere: there a quadratic element lies on
+/// shorter ones.
+void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const Numbers& names) {
   std::vector<std::int64_t> corner_of(nodes, -1);
   for (std::int64_t e = volume.elements() - 1; e >= 0; --e) {
     const int corners = corner_count(volume.type[static_cast<std::size_t>(e)]);
@@ -104,10 +47,10 @@ void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const 
         halved.add("node %lld of element %lld (%s), a corner of element %lld (%s)", names.node(k),
                    names.element(e), names.type(e), names.element(other), names.type(other));
   }
-  halved.fail_if_any(
-      "a midside node of one element is a corner of another: elements on both sides of a face must "
-      "share all of its nodes",
-      where, names.base);
+  names.refuse(halved,
+               "a midside node of one element is a corner of another: "
+               "elements on both sides of a face must "
+               "share all of its nodes");
 }
 
 enum class Match { same, midsides, own_side, twisted };
@@ -134,8 +77,9 @@ Match match_faces(const VolumeElements& volume, const CornerFace& f, const Corne
   return forward ? Match::own_side : Match::twisted;
 }
 
-/// Faces on the boundary: quadrilaterals three of whose corners are those of a triangle there.
-void check_halved_faces(std::span<const CornerFace> boundary, const Names& names) {
+/// Faces on the boundary: quadrilaterals three of whose corners are those of a
+/// triangle there.
+void check_halved_faces(std::span<const CornerFace> boundary, const Numbers& names) {
   Tally halved;
   for (const CornerFace& f : boundary) {
     if (f.corner[3] < 0) continue;
@@ -147,27 +91,27 @@ void check_halved_faces(std::span<const CornerFace> boundary, const Names& names
           boundary.begin(), boundary.end(), triangle,
           [](const CornerFace& a, const std::array<std::int32_t, 4>& b) { return a.corner < b; });
       if (at == boundary.end() || at->corner != triangle) continue;
-      halved.add("face %s of element %lld (%s) on element %lld (%s)", names.corners(f).c_str(),
+      halved.add("face %s of element %lld (%s) on element %lld (%s)", corners(names, f).c_str(),
                  names.element(f.of.element), names.type(f.of.element),
                  names.element(at->of.element), names.type(at->of.element));
       break;
     }
   }
-  halved.fail_if_any(
-      "a quadrilateral face lies on triangles of its neighbours: elements on both sides of a face "
-      "must share all of its nodes",
-      where, names.base);
+  names.refuse(halved,
+               "a quadrilateral face lies on triangles of its "
+               "neighbours: elements on both sides of a face "
+               "must share all of its nodes");
 }
 
 void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces,
-                 const Names& names) {
+                 const Numbers& names) {
   Tally crowded, overlapping, twisted, differ;
   std::vector<CornerFace> boundary;
   for_each_face(faces, [&](std::span<const CornerFace> same) {
     const CornerFace &f = same.front(), &g = same.back();
     if (same.size() == 1) boundary.push_back(f);
     if (same.size() > 2)
-      crowded.add("face %s of %lld elements (%lld, %lld, %lld%s)", names.corners(f).c_str(),
+      crowded.add("face %s of %lld elements (%lld, %lld, %lld%s)", corners(names, f).c_str(),
                   static_cast<long long>(same.size()), names.element(same[0].of.element),
                   names.element(same[1].of.element), names.element(same[2].of.element),
                   same.size() > 3 ? ", ..." : "");
@@ -177,21 +121,19 @@ void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces
     Tally& tally = match == Match::midsides   ? differ
                    : match == Match::own_side ? overlapping
                                               : twisted;
-    tally.add("face %s of elements %lld (%s) and %lld (%s)", names.corners(f).c_str(),
+    tally.add("face %s of elements %lld (%s) and %lld (%s)", corners(names, f).c_str(),
               names.element(f.of.element), names.type(f.of.element), names.element(g.of.element),
               names.type(g.of.element));
   });
-  crowded.fail_if_any("more than two elements share a face", where, names.base);
-  overlapping.fail_if_any("two elements overlap: they lie on the same side of a face they share",
-                          where, names.base);
-  twisted.fail_if_any("two elements share the corners of a face but not its edges", where,
-                      names.base);
-  differ.fail_if_any("two elements share a face but not its midside nodes", where, names.base);
+  names.refuse(crowded, "more than two elements share a face");
+  names.refuse(overlapping, "two elements overlap: they lie on the same side of a face they share");
+  names.refuse(twisted, "two elements share the corners of a face but not its edges");
+  names.refuse(differ, "two elements share a face but not its midside nodes");
   check_halved_faces(boundary, names);
 }
 
 void check_connected(const VolumeElements& volume, std::span<const CornerFace> faces,
-                     const Names& names) {
+                     const Numbers& names) {
   std::vector<std::size_t> parent(volume.type.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&parent](std::size_t i) {
@@ -209,22 +151,23 @@ void check_connected(const VolumeElements& volume, std::span<const CornerFace> f
   for (std::size_t e = 0; e < parent.size(); ++e)
     if (parent[e] == e && ++parts == 2) second = static_cast<long long>(e);
   if (parts > 1)
-    fail(
-        Status::err_mesh,
-        "the volume consists of %lld parts that share no face; join them by common nodes or give "
-        "each its own body; first element of the second part: element %lld (%s) (counting from %d)",
-        parts, names.element(second), names.type(second), names.base);
+    fail(Status::err_mesh,
+         "the volume consists of %lld parts that share no face; join them by "
+         "common nodes or give "
+         "each its own body; first element of the second part: element %lld "
+         "(%s) (counting from %d)",
+         parts, names.element(second), names.type(second), names.base);
 }
 
 }  // namespace
 
 void check_volume(std::span<const Vec3> node, const VolumeElements& volume,
                   std::int32_t index_base) {
-  const Names names{volume, index_base};
+  const Numbers names{volume, index_base, where};
   if (volume.elements() == 0) fail(Status::err_mesh, "the volume has no elements");
-  check_elements(static_cast<std::int64_t>(node.size()), volume, names);
-  check_repeated_elements(volume, names);
-  check_nodes_used(node.size(), volume, names);
+  const auto nodes = static_cast<std::int64_t>(node.size());
+  check_connectivity(names, nodes);
+  check_nodes_used(names, nodes);
   const std::vector<double> nearest = check_shapes(node, volume, index_base);
   check_coinciding_nodes(node, nearest, index_base, where);
   const std::vector<CornerFace> faces = sorted_faces(volume);

@@ -8,12 +8,14 @@
 
 #include "mesh/mesh_errors.hpp"
 #include "mesh/volume_shape.hpp"
+#include "support/index.hpp"
 
 namespace rollcon {
 namespace {
 
-/// Smallest distance of two nodes over the element's length; smallest Jacobian over the product of
-/// its columns' lengths, which does not see how slender the element is.
+/// Smallest distance of two nodes over the element's length; smallest Jacobian
+/// over the product of its columns' lengths, which does not see how slender the
+/// element is.
 constexpr double smallest_ratio = 1e-10;
 /// Smallest Jacobian within an element over its mean.
 constexpr double smallest_jacobian = 1e-6;
@@ -26,7 +28,7 @@ struct Jacobian {
   double scale() const { return length(u) * length(v) * length(w); }
 };
 
-struct CheckPoint {
+struct VolumePoint {
   Vec3 at;
   int node = -1;  ///< local node that lies there
   VolumeShape shape;
@@ -35,7 +37,7 @@ struct CheckPoint {
 
 /// Where the Jacobian of one type is looked at.
 struct CheckPoints {
-  std::vector<CheckPoint> point;
+  std::vector<VolumePoint> point;
   VolumeShape centre;
   Vec3 centre_at{};
   double gradient = 0;  ///< largest sum over the nodes of |grad N_i| at a point
@@ -64,7 +66,7 @@ struct CheckPoints {
 
  private:
   void add(VolumeType type, const Vec3& at) {
-    CheckPoint p;
+    VolumePoint p;
     p.at = at;
     const auto nodes = reference_nodes(type);
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -81,9 +83,7 @@ struct CheckPoints {
 struct Element {
   std::array<Vec3, max_volume_nodes> x;
   std::size_t n = 0;
-  double size = 0, magnitude = 0;
-  double nearest = std::numeric_limits<double>::infinity();
-  std::size_t near_i = 0, near_j = 0;
+  NodeExtent extent;
 
   Jacobian jacobian(const VolumeShape& s) const {
     Jacobian j;
@@ -97,31 +97,17 @@ struct Element {
   }
 };
 
-/// Also lowers nearest[k], the least distance of node k to another one of its elements.
-Element measure(std::span<const Vec3> node, std::span<const std::int32_t> of,
-                std::vector<double>& nearest) {
+Element measure(std::span<const Vec3> node, std::span<const std::int32_t> of) {
   Element e;
-  for (std::int32_t k : of) {
-    const Vec3& x = node[static_cast<std::size_t>(k)];
-    for (double c : x) e.magnitude = std::max(e.magnitude, std::abs(c));
-    e.x[e.n++] = x - node[static_cast<std::size_t>(of[0])];
-  }
-  for (std::size_t i = 0; i < e.n; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const double d = length(e.x[i] - e.x[j]);
-      e.size = std::max(e.size, d);
-      if (d < e.nearest) e.nearest = d, e.near_i = j, e.near_j = i;
-      for (const std::size_t k : {i, j}) {
-        double& least = nearest[static_cast<std::size_t>(of[k])];
-        least = std::min(least, d);
-      }
-    }
+  for (const std::int32_t k : of) e.x[e.n++] = node[at(k)];
+  e.extent = measure_nodes({e.x.data(), e.n});
+  for (std::size_t i = e.n; i-- > 0;) e.x[i] = e.x[i] - e.x[0];
   return e;
 }
 
-/// A cheap sufficient condition: the element differs from an affine image of the reference element
-/// by displacements d_i there, so that J = J_0 (1 + sum d_i grad N_i), and the sum's norm is well
-/// below 1 at all points.
+/// A cheap sufficient condition: the element differs from an affine image of
+/// the reference element by displacements d_i there, so that J = J_0 (1 + sum
+/// d_i grad N_i), and the sum's norm is well below 1 at all points.
 bool surely_sound(const Element& e, const CheckPoints& points, std::span<const Vec3> reference) {
   constexpr double bound = 0.9;
   const Jacobian j = e.jacobian(points.centre);
@@ -140,7 +126,7 @@ bool surely_sound(const Element& e, const CheckPoints& points, std::span<const V
     largest = std::max(largest, d[i]);
   }
   if (largest * points.gradient < bound) return true;
-  return std::all_of(points.point.begin(), points.point.end(), [&](const CheckPoint& p) {
+  return std::all_of(points.point.begin(), points.point.end(), [&](const VolumePoint& p) {
     double sum = 0;
     for (std::size_t i = 0; i < e.n; ++i) sum += d[i] * p.slope[i];
     return sum < bound;
@@ -159,9 +145,10 @@ Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst
     mean += det / static_cast<double>(points.point.size());
     if (det < least) least = det, worst = p;
     most = std::max(most, det);
-    // Coordinates carry the rounding of their magnitude, whatever the columns' lengths.
+    // Coordinates carry the rounding of their magnitude, whatever the columns'
+    // lengths.
     const double shortest = std::min({length(j.u), length(j.v), length(j.w)});
-    const double noise = std::max(smallest_ratio * shortest, rounding * e.magnitude);
+    const double noise = std::max(smallest_ratio * shortest, rounding * e.extent.magnitude);
     flat = flat && !(std::abs(det) * shortest > noise * j.scale());
   }
   if (flat) return Defect::flat;
@@ -173,20 +160,24 @@ Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst
 
 std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume,
                                  std::int32_t index_base) {
-  const auto base = static_cast<long long>(index_base);
+  const Names<VolumeElements> names{volume, index_base, "volume"};
   std::vector<double> nearest(node.size(), std::numeric_limits<double>::infinity());
   std::map<VolumeType, CheckPoints> tables;
   Tally coincident, flat, inverted, folded;
   for (std::int64_t i = 0; i < volume.elements(); ++i) {
     const VolumeType type = volume.type[static_cast<std::size_t>(i)];
     const auto nodes = volume.element(i);
-    const long long id = i + base;
-    const Element e = measure(node, nodes, nearest);
-    // Coordinates carry the rounding of their magnitude: what is below it cannot be told from zero.
-    const double noise = rounding * e.magnitude / e.size;
-    if (!(e.nearest > std::max(smallest_ratio, noise) * e.size)) {
+    const long long id = names.element(i);
+    const Element e = measure(node, nodes);
+    const NodeExtent& extent = e.extent;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      nearest[at(nodes[k])] = std::min(nearest[at(nodes[k])], extent.own[k]);
+    // Coordinates carry the rounding of their magnitude: what is below it
+    // cannot be told from zero.
+    const double noise = rounding * extent.magnitude / extent.size;
+    if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
       coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type),
-                     nodes[e.near_i] + base, nodes[e.near_j] + base);
+                     names.node(nodes[extent.near_i]), names.node(nodes[extent.near_j]));
       continue;
     }
     const CheckPoints& points = tables.try_emplace(type, type).first->second;
@@ -196,25 +187,27 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
     if (defect == Defect::flat) flat.add("element %lld (%s)", id, name(type));
     if (defect == Defect::inverted) inverted.add("element %lld (%s)", id, name(type));
     if (defect != Defect::folded) continue;
-    const CheckPoint& at = points.point[worst];
-    if (at.node >= 0)
+    const VolumePoint& there = points.point[worst];
+    if (there.node >= 0)
       folded.add("element %lld (%s) at node %lld", id, name(type),
-                 nodes[static_cast<std::size_t>(at.node)] + base);
+                 names.node(nodes[static_cast<std::size_t>(there.node)]));
     else
-      folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), at.at[0],
-                 at.at[1], at.at[2]);
+      folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), there.at[0],
+                 there.at[1], there.at[2]);
   }
-  coincident.fail_if_any("degenerate element: two of its nodes coincide", "volume", base);
-  flat.fail_if_any("degenerate element: it has no volume", "volume", base);
-  inverted.fail_if_any(
-      "element turned inside out: its Jacobian is negative; mirror the order of its nodes "
-      "(exchange the bottom and the top face of wedges and hexahedra, the second and the third "
-      "corner of tetrahedra, and their midside nodes with them)",
-      "volume", base);
-  folded.fail_if_any(
-      "degenerate element: its Jacobian is not positive everywhere (folded, corners of 180 degrees "
-      "or more, nodes in a wrong order, or a midside node at or beyond the quarter of its edge)",
-      "volume", base);
+  names.refuse(coincident, "degenerate element: two of its nodes coincide");
+  names.refuse(flat, "degenerate element: it has no volume");
+  names.refuse(inverted,
+               "element turned inside out: its Jacobian is negative; mirror "
+               "the order of its nodes "
+               "(exchange the bottom and the top face of wedges and hexahedra, "
+               "the second and the third "
+               "corner of tetrahedra, and their midside nodes with them)");
+  names.refuse(folded,
+               "degenerate element: its Jacobian is not positive "
+               "everywhere (folded, corners of 180 degrees "
+               "or more, nodes in a wrong order, or a midside node at "
+               "or beyond the quarter of its edge)");
   return nearest;
 }
 

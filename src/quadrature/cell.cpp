@@ -44,30 +44,6 @@ int Cell::split(bool first, bool second, Cell* parts) const {
   return 2;
 }
 
-int Cell::cut(bool other, Cell* parts) const {
-  const std::size_t i = other ? 1 : 0;
-  parts[0] = {3, {corner[i], corner[i + 1], corner[i + 2], {}}, depth + 1};
-  parts[1] = {3, {corner[i], corner[i + 2], corner[(i + 3) % 4], {}}, depth + 1};
-  return 2;
-}
-
-int Cell::split_at_foot(int side, double part, Cell* parts) const {
-  const Vec2 a = corner[side], b = corner[(side + 1) % 3], c = corner[(side + 2) % 3];
-  const Vec2 foot = a + part * (b - a);
-  parts[0] = {3, {a, foot, c, {}}, depth + 1};
-  parts[1] = {3, {foot, b, c, {}}, depth + 1};
-  return 2;
-}
-
-int Cell::split_needle(int side, bool other, Cell* parts) const {
-  const Vec2 a = corner[side], b = corner[(side + 1) % 3], tip = corner[(side + 2) % 3];
-  const Vec2 right = 0.5 * (b + tip), left = 0.5 * (a + tip);
-  parts[0] = {3, {left, right, tip, {}}, depth + 2};
-  parts[1] = {3, {a, b, other ? left : right, {}}, depth + 1};
-  parts[2] = {3, {other ? b : a, right, left, {}}, depth + 1};
-  return 3;
-}
-
 double Cell::distance_outside(Vec2 point) const {
   const Vec2 a = corner[1] - corner[0], b = corner[corners - 1] - corner[0], d = point - corner[0];
   const double area = cross(a, b), s = cross(d, b) / area, t = cross(a, d) / area;

@@ -4,80 +4,161 @@
 #include <cmath>
 
 #include "mesh/shape.hpp"
+#include "quadrature/ellipse.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::quadrature {
 namespace {
 
-/// Largest distance of the midside and centre nodes from where a straight-sided element has them.
-double curvature(const ElementShape& e) {
-  const int corners = corner_count(e.type);
+Vec3 node_of(const ElementGeometry& e, int k) {
+  return {e.node[0][k], e.node[1][k], e.node[2][k]};
+}
+
+/// Largest distance of the nodes from where the affine map through three corners has them, or, with
+/// `straight`, of the midside and centre nodes from the bilinear map of the corners.
+double departure(const ElementGeometry& e, bool straight) {
+  const int corners = e.corners;
+  Vec3 corner[4];
+  for (int i = 0; i < corners; ++i) corner[i] = node_of(e, i);
   double worst = 0;
-  for (int i = corners; i < node_count(e.type); ++i) {
-    double x = 0, y = 0;
-    if (i < 2 * corners) {
-      const int a = i - corners, b = (a + 1) % corners;
-      x = 0.5 * (e.x[a] + e.x[b]);
-      y = 0.5 * (e.y[a] + e.y[b]);
-    } else {
-      for (int k = 0; k < corners; ++k) {
-        x += e.x[k] / corners;
-        y += e.y[k] / corners;
-      }
-    }
-    worst = std::max(worst, std::hypot(e.x[i] - x, e.y[i] - y));
+  if (!straight && corners == 4)
+    worst = 0.25 * length(corner[0] - corner[1] + corner[2] - corner[3]);
+  for (int i = corners; i < e.nodes; ++i) {
+    Vec3 x{};
+    if (i < 2 * corners)
+      x = 0.5 * (corner[i - corners] + corner[(i + 1) % corners]);
+    else
+      for (const Vec3& c : corner) x = x + 0.25 * c;
+    worst = std::max(worst, length(node_of(e, i) - x));
   }
   return worst;
 }
 
-/// Distance of the corners from a parallelogram.
-double skewness(const ElementShape& e) {
-  if (corner_count(e.type) == 3) return 0;
-  return std::hypot(e.x[0] - e.x[1] + e.x[2] - e.x[3], e.y[0] - e.y[1] + e.y[2] - e.y[3]);
+/// How far normal vector and Jacobian are from constants; `off`: the nodes from an affine map.
+void measure_map(ElementGeometry& e, double off) {
+  e.degree = direction_degree(e.type, MapKind::affine);
+  if (e.map == MapKind::affine) return;
+  e.extra = direction_degree(e.type, e.map) - e.degree;
+  const Cell cell = whole_element(e.type);
+  const int corners = e.corners;
+  auto normal = [&e](Vec2 at) {
+    Vec3 x, u, v;
+    e.tangents(at, x, u, v);
+    return cross(u, v);
+  };
+  Vec3 c[4], m[4];
+  const Vec3 centre = normal(cell.centre());
+  double change = 2 * off / e.shape.half_length;
+  for (int i = 0; i < corners; ++i) {
+    c[i] = normal(cell.corner[i]);
+    m[i] = normal(0.5 * (cell.corner[i] + cell.corner[(i + 1) % corners]));
+    for (const Vec3& n : {c[i], m[i]}) {
+      const Vec3 turn = 1 / length(n) * n - 1 / length(centre) * centre;
+      change = std::max(change, length(n - centre) / length(centre));
+      e.bend = std::max(e.bend, dot(turn, turn));
+    }
+  }
+  e.log_departure = std::min(std::log(change), -0.05);
+  double axis[2] = {1e300, 1e300};
+  if (corners == 3) {
+    for (int i = 0; i < 3; ++i)
+      axis[0] = std::min(axis[0], ellipse_axis(c[i], m[i], c[(i + 1) % 3]));
+    axis[1] = axis[0];
+  } else {
+    axis[0] = std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], centre, m[1]),
+                        ellipse_axis(c[3], m[2], c[2])});
+    axis[1] = std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], centre, m[2]),
+                        ellipse_axis(c[1], m[1], c[2])});
+  }
+  // The parabola through three normals only approximates; below the least value given here the
+  // element is cut anyway.
+  for (int k = 0; k < 2; ++k) e.jacobian_log_rho[k] = std::max(0.8 * log_rho(axis[k]), 0.3);
+}
+
+double path(const Vec3& a, const Vec3& b, const Vec3& c) {
+  return length(b - a) + length(c - b);
 }
 
 }  // namespace
 
-ElementShape element_shape(const Frame& frame, std::int64_t element) {
-  constexpr double negligible = 1e-13;  // rounding of the coordinates; no effect on 1e-9
-  ElementShape e;
-  e.type = frame.mesh.type[static_cast<std::size_t>(element)];
-  const auto nodes = frame.mesh.element(element);
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    e.x[i] = frame.x[static_cast<std::size_t>(nodes[i])];
-    e.y[i] = frame.y[static_cast<std::size_t>(nodes[i])];
-  }
-  const int corners = corner_count(e.type);
-  const double centre = corners == 3 ? 1.0 / 3 : 0.0;
-  Shape shape;
-  evaluate_shape(e.type, centre, centre, shape);
-  double xu = 0, xv = 0, yu = 0, yv = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    e.centre_x += shape.value[i] * e.x[i];
-    e.centre_y += shape.value[i] * e.y[i];
-    xu += shape.d_xi[i] * e.x[i];
-    yu += shape.d_xi[i] * e.y[i];
-    xv += shape.d_eta[i] * e.x[i];
-    yv += shape.d_eta[i] * e.y[i];
-  }
-  // Twice the triangle's or a quarter of the quadrilateral's area, were the Jacobian constant.
-  e.area = std::abs(xu * yv - xv * yu) * (corners == 3 ? 0.5 : 4.0);
-  double longest = 0;
-  for (int i = 0; i < corners; ++i) {
-    const int j = (i + 1) % corners;
-    double side = std::hypot(e.x[j] - e.x[i], e.y[j] - e.y[i]);
-    if (is_quadratic(e.type)) {
-      const int m = corners + i;
-      side = std::hypot(e.x[m] - e.x[i], e.y[m] - e.y[i]) +
-             std::hypot(e.x[j] - e.x[m], e.y[j] - e.y[m]);
+void ElementGeometry::tangents(Vec2 reference, Vec3& x, Vec3& d_xi, Vec3& d_eta) const {
+  Shape s;
+  evaluate_shape(type, reference.x, reference.y, s);
+  for (std::size_t j = 0; j < 3; ++j) {
+    double a = 0, b = 0, c = 0;
+    for (int k = 0; k < nodes; ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      a += s.value[i] * node[j][k];
+      b += s.d_xi[i] * node[j][k];
+      c += s.d_eta[i] * node[j][k];
     }
-    longest = std::max(longest, side);
+    x[j] = a;
+    d_xi[j] = b;
+    d_eta[j] = c;
   }
-  e.half_length = 0.5 * longest;
-  if (curvature(e) > negligible * longest)
+}
+
+Vec3 ElementGeometry::position(Vec2 reference) const {
+  Vec3 x, d_xi, d_eta;
+  tangents(reference, x, d_xi, d_eta);
+  return x;
+}
+
+CellShape measure(const ElementGeometry& element, const Cell& cell) {
+  CellShape g;
+  const int n = g.corners = cell.corners;
+  g.depth = cell.depth;
+  for (int i = 0; i < n; ++i) {
+    g.corner[i] = element.position(cell.corner[i]);
+    g.middle[i] = element.position(0.5 * (cell.corner[i] + cell.corner[(i + 1) % n]));
+  }
+  g.centre = element.position(cell.centre());
+  double longest = 0;
+  for (int i = 0; i < n; ++i)
+    longest = std::max(longest, path(g.corner[i], g.middle[i], g.corner[(i + 1) % n]));
+  g.half_length = 0.5 * longest;
+  const Vec3 a = n == 3 ? g.corner[1] - g.corner[0] : g.corner[2] - g.corner[0];
+  const Vec3 b = n == 3 ? g.corner[2] - g.corner[0] : g.corner[3] - g.corner[1];
+  g.area = 0.5 * length(cross(a, b));
+  return g;
+}
+
+ElementGeometry element_geometry(ElementType type, std::span<const Vec3> node) {
+  constexpr double negligible = 1e-13;  // rounding of the coordinates; no effect on 1e-9
+  ElementGeometry e;
+  e.type = type;
+  e.nodes = node_count(type);
+  e.corners = corner_count(type);
+  for (int k = 0; k < max_element_nodes; ++k)
+    for (std::size_t j = 0; j < 3; ++j) e.node[j][k] = node[at(std::min(k, e.nodes - 1))][j];
+  e.shape = measure(e, whole_element(e.type));
+  const CellShape& s = e.shape;
+  if (e.corners == 4) {
+    e.half[0] = 0.5 * std::max({path(s.corner[0], s.middle[0], s.corner[1]),
+                                path(s.middle[3], s.centre, s.middle[1]),
+                                path(s.corner[3], s.middle[2], s.corner[2])});
+    e.half[1] = 0.5 * std::max({path(s.corner[0], s.middle[3], s.corner[3]),
+                                path(s.middle[0], s.centre, s.middle[2]),
+                                path(s.corner[1], s.middle[1], s.corner[2])});
+  } else {
+    e.half[0] = e.half[1] = s.half_length;
+  }
+  for (int i = 0; i < e.corners; ++i)
+    e.radius = std::max({e.radius, length(s.corner[i] - s.centre), length(s.middle[i] - s.centre)});
+  const double curved = departure(e, true), any = departure(e, false);
+  if (curved > negligible * s.half_length)
     e.map = MapKind::curved;
-  else if (skewness(e) > negligible * longest)
+  else if (any > negligible * s.half_length)
     e.map = MapKind::straight;
+  measure_map(e, any);
   return e;
+}
+
+ElementGeometry element_geometry(const SurfaceMesh& mesh, std::int64_t element, double scale) {
+  Vec3 node[max_element_nodes];
+  const auto ids = mesh.element(element);
+  for (std::size_t k = 0; k < ids.size(); ++k) node[k] = scale * mesh.node[at(ids[k])];
+  return element_geometry(mesh.type[at(element)], {node, ids.size()});
 }
 
 int direction_degree(ElementType type, MapKind map) {

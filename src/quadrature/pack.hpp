@@ -7,6 +7,8 @@
 #include <immintrin.h>
 #endif
 
+#include "quadrature/near_points.hpp"
+
 namespace {
 
 #if defined(__AVX512F__)
@@ -90,6 +92,15 @@ inline double sum(Pack a) {
   double s = v[0];
   for (int i = 1; i < lanes; ++i) s += v[i];
   return s;
+}
+
+/// Fills the last pack with the last point, weight 0.
+inline void pad(rollcon::quadrature::NearPoints& points) {
+  for (int q = points.n; q % lanes != 0; ++q) {
+    points.xi[q] = points.xi[points.n - 1];
+    points.eta[q] = points.eta[points.n - 1];
+    points.w[q] = 0;
+  }
 }
 
 }  // namespace

@@ -109,4 +109,36 @@ struct PackShape<ElementType::quad9> {
   }
 };
 
+/// Calls run.operator()<type>() for a type known at run time only.
+template <class Run>
+inline void for_type(ElementType type, Run run) {
+  switch (type) {
+    case ElementType::tri3:
+      return run.template operator()<ElementType::tri3>();
+    case ElementType::tri6:
+      return run.template operator()<ElementType::tri6>();
+    case ElementType::quad4:
+      return run.template operator()<ElementType::quad4>();
+    case ElementType::quad8:
+      return run.template operator()<ElementType::quad8>();
+    case ElementType::quad9:
+      return run.template operator()<ElementType::quad9>();
+  }
+}
+
+/// Likewise for one of some numbers, the last where it is none of the others.
+template <int first, int... others, class Run>
+inline void for_number(int number, Run run) {
+  if constexpr (sizeof...(others) == 0) {
+    run.template operator()<first>();
+  } else {
+    if (number == first) return run.template operator()<first>();
+    for_number<others...>(number, run);
+  }
+}
+template <class Run>
+inline void for_nodes(int nodes, Run run) {
+  for_number<3, 4, 6, 8, 9>(nodes, run);
+}
+
 }  // namespace

@@ -12,4 +12,11 @@ InstructionSet instruction_set();
 void force_instruction_set(InstructionSet set);
 InstructionSet best_instruction_set();
 
+/// Of what was compiled for each, that for a set.
+template <class Kernels>
+constexpr const Kernels& chosen(InstructionSet set, const Kernels& baseline, const Kernels& avx2,
+                                const Kernels& avx512) {
+  return set == InstructionSet::avx512 ? avx512 : set == InstructionSet::avx2 ? avx2 : baseline;
+}
+
 }  // namespace rollcon

@@ -64,7 +64,7 @@ class ForgedFiles : public ::testing::Test {
   }
   void check(StaticBody& body, const std::vector<std::int64_t>& face) {
     body.body().prepare();
-    body.body().response()->faces(face, 1);
+    body.body().response()->rows({face, {}, {}}, 1);
     body.body().save(path);
     std::ifstream in(path, std::ios::binary);
     std::stringstream all;

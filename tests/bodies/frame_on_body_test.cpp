@@ -68,7 +68,7 @@ TEST(frame_on_body, nodes_of_the_other_body_are_recognised_in_any_pose) {
         const FrameOnBody own = lay_on_body(frame, *lower, scene.pose(0), 0),
                           other = lay_on_body(frame, *upper, scene.pose(1), 1);
         for (const FrameOnBody* on : {&own, &other}) {
-          EXPECT_TRUE(on->matches()) << name_of(type);
+          EXPECT_TRUE(on->of_faces()) << name_of(type);
           EXPECT_EQ(on->face.size(), static_cast<std::size_t>(frame.elements()));
         }
         for (std::int64_t k = 0; k < frame.nodes(); ++k) {
@@ -94,7 +94,7 @@ TEST(frame_on_body, nodes_that_coincide_only_in_part) {
     auto body = standing(std::make_shared<Context>(), joined(5), {});
     const Frame frame = build_frame(joined(7), {});
     const FrameOnBody on = lay_on_body(frame, *body, {}, 0);
-    EXPECT_FALSE(on.matches());
+    EXPECT_FALSE(on.of_faces());
     for (std::size_t k = 0; k < on.node.size(); ++k) {
       const Vec3& x = frame.mesh.node[k];
       if (x[0] <= 0) {
@@ -121,7 +121,7 @@ TEST(frame_on_body, nodes_as_near_as_rounded_coordinates_are_one) {
                                       }),
                     {});
     if (off < 1e-6) {
-      EXPECT_TRUE(lay_on_body(frame, *body, {}, 0).matches()) << off;
+      EXPECT_TRUE(lay_on_body(frame, *body, {}, 0).of_faces()) << off;
     } else {
       EXPECT_THROW(lay_on_body(frame, *body, {}, 0), Error) << off;
     }
@@ -143,7 +143,7 @@ TEST(frame_on_body_long, five_thousand_nodes_on_twenty_thousand_faces) {
       const auto built = Clock::now();
       const FrameOnBody on = lay_on_body(frame, *body, {}, 0);
       const auto end = Clock::now();
-      EXPECT_EQ(on.matches(), matching);
+      EXPECT_EQ(on.of_faces(), matching);
       const double tree = std::chrono::duration<double>(built - start).count(),
                    lay = std::chrono::duration<double>(end - built).count();
       std::printf("%lld nodes on %lld %s: tree %.3f s, frame laid %.3f s%s\n",

@@ -32,17 +32,10 @@ class Counted final : public ResponseCache {
   void save(SectionWriter& file) const override { save_kept(file); }
 
  private:
-  void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int /*threads*/) override {
-    fill(static_cast<double>(face[0]), rows);
+  void respond(const LoadedSurface& on, SurfaceRows& rows, int /*threads*/) override {
+    fill(on.of_faces() ? static_cast<double>(on.face[0]) : on.layer.node[0][0], rows);
   }
-  void respond(const SurfaceMesh& layer, SurfaceRows& rows, int /*threads*/) override {
-    fill(layer.node[0][0], rows);
-  }
-  void load(std::span<const std::int64_t> /*face*/, SurfaceLoads& /*loads*/,
-            int /*threads*/) override {
-    ++asked;
-  }
-  void load(const SurfaceMesh& /*layer*/, SurfaceLoads& /*loads*/, int /*threads*/) override {
+  void load(const LoadedSurface& /*on*/, SurfaceLoads& /*loads*/, int /*threads*/) override {
     ++asked;
   }
   void fill(double mark, SurfaceRows& rows) {
@@ -59,16 +52,14 @@ class Cache : public ::testing::Test {
  protected:
   /// A face by itself; all have as many rows and columns in the middle of a side.
   double ask(Counted& cache, std::int64_t face) const {
-    const std::int64_t key[1] = {face};
-    return cache.faces(key, 1)->u.data()[0];
+    return cache.rows({{face}, {}, {}}, 1)->u.data()[0];
   }
   double lay(Counted& cache, double x) const {
     SurfaceMesh layer;
     layer.node = {{x, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     layer.type = {ElementType::tri3};
     layer.connectivity = {0, 1, 2};
-    const std::int32_t row[2] = {0, 1};
-    return cache.layer(layer, row, 1)->u.data()[0];
+    return cache.rows({{}, layer, {0, 1}}, 1)->u.data()[0];
   }
   std::size_t bytes_of_one() const {
     Counted cache(surface, 0);
@@ -128,8 +119,7 @@ TEST_F(Cache, keeps_the_last_one_whatever_its_size) {
 
 TEST_F(Cache, what_was_dropped_lives_as_long_as_someone_holds_it) {
   Counted cache(surface, 0);
-  const std::int64_t key[1] = {3};
-  const auto held = cache.faces(key, 1);
+  const auto held = cache.rows({{3}, {}, {}}, 1);
   for (std::int64_t face = 10; face < 20; ++face) ask(cache, face);
   EXPECT_EQ(held->u.data()[0], 3);
 }

@@ -111,12 +111,12 @@ class RandomBodies final : public Compliance {
       std::copy(dense_[b].begin(), dense_[b].end(), k.prepare(m));
       k.factor();
       std::vector<double> x(at(m * 3 * n));
-      const SparseColumns& load = e.body[at(b)].load;
+      const SparseMatrix& load = e.body[at(b)].load;
       for (std::int64_t j = 0; j < 3 * n; ++j)
         for (std::int64_t i = load.start[at(j)]; i < load.start[at(j + 1)]; ++i)
           x[at(load.row[at(i)] + j * m)] += load.value[at(i)];
       k.solve(x.data(), 3 * n);
-      const SparseColumns& d = e.body[at(b)].displacement;
+      const SparseMatrix& d = e.body[at(b)].displacement;
       for (std::int64_t r = 0; r < 3 * p; ++r)
         for (std::int64_t i = d.start[at(r)]; i < d.start[at(r + 1)]; ++i)
           for (std::int64_t j = 0; j < 3 * n; ++j)

@@ -30,14 +30,14 @@ class sparse_factor : public testing::Test {
 };
 
 using Unknowns = std::vector<std::int64_t>;
-using Factor = std::unique_ptr<SparseFactor> (*)(const SparseSymmetric&,
+using Factor = std::unique_ptr<SparseFactor> (*)(const SparseMatrix&,
                                                  std::span<const std::int64_t>);
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-std::unique_ptr<SparseFactor> by_umfpack(const SparseSymmetric& a,
+std::unique_ptr<SparseFactor> by_umfpack(const SparseMatrix& a,
                                          std::span<const std::int64_t> condensed) {
   return factor_by_umfpack(a, condensed, 2);
 }
@@ -56,7 +56,7 @@ std::vector<Method> methods() {
 
 /// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every
 /// point; `ground` holds the points of the lowest layer.
-SparseSymmetric springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
+SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
   const std::int64_t points = n * n * n;
   std::vector<std::vector<std::pair<std::int64_t, double>>> column(at(points * fields));
   std::vector<double> diagonal(at(points * fields));
@@ -81,10 +81,10 @@ SparseSymmetric springs(std::int64_t n, std::int64_t fields, double ground, doub
     if (z == 0)
       for (std::int64_t a = 0; a < fields; ++a) diagonal[at(p * fields + a)] += ground;
   }
-  SparseSymmetric a;
-  a.n = points * fields;
+  SparseMatrix a;
+  a.columns = points * fields;
   a.start = {0};
-  for (std::int64_t j = 0; j < a.n; ++j) {
+  for (std::int64_t j = 0; j < a.columns; ++j) {
     std::sort(column[at(j)].begin(), column[at(j)].end());
     a.row.push_back(j);
     a.value.push_back(diagonal[at(j)]);
@@ -98,10 +98,10 @@ SparseSymmetric springs(std::int64_t n, std::int64_t fields, double ground, doub
 }
 
 /// Random pattern, diagonally dominant.
-SparseSymmetric random_matrix(std::int64_t n, double density) {
+SparseMatrix random_matrix(std::int64_t n, double density) {
   frames::Random random(11);
-  SparseSymmetric a;
-  a.n = n;
+  SparseMatrix a;
+  a.columns = n;
   a.start = {0};
   for (std::int64_t j = 0; j < n; ++j) {
     a.row.push_back(j);
@@ -117,9 +117,9 @@ SparseSymmetric random_matrix(std::int64_t n, double density) {
   return a;
 }
 
-std::vector<double> multiply(const SparseSymmetric& a, const std::vector<double>& x) {
+std::vector<double> multiply(const SparseMatrix& a, const std::vector<double>& x) {
   std::vector<double> y(x.size());
-  for (std::int64_t j = 0; j < a.n; ++j) {
+  for (std::int64_t j = 0; j < a.columns; ++j) {
     for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k) {
       const std::int64_t i = a.row[at(k)];
       y[at(i)] += a.value[at(k)] * x[at(j)];
@@ -130,17 +130,17 @@ std::vector<double> multiply(const SparseSymmetric& a, const std::vector<double>
 }
 
 /// Columns of the inverse for these unknowns, by LAPACK.
-std::vector<double> dense_columns(const SparseSymmetric& a, const Unknowns& unknowns) {
+std::vector<double> dense_columns(const SparseMatrix& a, const Unknowns& unknowns) {
   FactoredMatrix dense;
-  double* entry = dense.prepare(a.n);
-  std::fill_n(entry, a.n * a.n, 0.0);
-  for (std::int64_t j = 0; j < a.n; ++j)
+  double* entry = dense.prepare(a.columns);
+  std::fill_n(entry, a.columns * a.columns, 0.0);
+  for (std::int64_t j = 0; j < a.columns; ++j)
     for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
-      entry[a.row[at(k)] + j * a.n] = entry[j + a.row[at(k)] * a.n] = a.value[at(k)];
+      entry[a.row[at(k)] + j * a.columns] = entry[j + a.row[at(k)] * a.columns] = a.value[at(k)];
   EXPECT_TRUE(dense.factor());
   const auto count = static_cast<std::int64_t>(unknowns.size());
-  std::vector<double> b(at(a.n * count));
-  for (std::int64_t r = 0; r < count; ++r) b[at(r * a.n + unknowns[at(r)])] = 1;
+  std::vector<double> b(at(a.columns * count));
+  for (std::int64_t r = 0; r < count; ++r) b[at(r * a.columns + unknowns[at(r)])] = 1;
   dense.solve(b.data(), count);
   return b;
 }
@@ -178,18 +178,18 @@ bool report(const char* method, const char* what, double error, double bound) {
 }
 
 // Full solutions, condensed ones before and after the factor is dropped: all against LAPACK.
-void compare_with_dense(const char* what, const SparseSymmetric& a, const Unknowns& condensed,
+void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns& condensed,
                         double bound) {
   const std::vector<double> exact = dense_columns(a, condensed);
   const auto count = static_cast<std::int64_t>(condensed.size());
   std::vector<double> condensed_exact;
   for (std::int64_t r = 0; r < count; ++r)
-    for (const std::int64_t u : condensed) condensed_exact.push_back(exact[at(r * a.n + u)]);
+    for (const std::int64_t u : condensed) condensed_exact.push_back(exact[at(r * a.columns + u)]);
   for (const Method& method : methods()) {
     const auto factor = method.factor(a, condensed);
-    EXPECT_EQ(factor->size(), a.n);
+    EXPECT_EQ(factor->size(), a.columns);
     std::vector<double> full(exact.size());
-    for (std::int64_t r = 0; r < count; ++r) full[at(r * a.n + condensed[at(r)])] = 1;
+    for (std::int64_t r = 0; r < count; ++r) full[at(r * a.columns + condensed[at(r)])] = 1;
     factor->solve(full.data(), count);
     EXPECT_TRUE(report(method.name, what, difference(full, exact), bound));
     std::vector<double> before = identity(condensed.size());
@@ -204,40 +204,41 @@ void compare_with_dense(const char* what, const SparseSymmetric& a, const Unknow
 }
 
 TEST_F(sparse_factor, springs_on_a_grid_against_dense) {
-  const SparseSymmetric a = springs(7, 3, 1);
-  compare_with_dense("7 x 7 x 7 points, 3 unknowns each", a, scattered(a.n), 1e-12);
+  const SparseMatrix a = springs(7, 3, 1);
+  compare_with_dense("7 x 7 x 7 points, 3 unknowns each", a, scattered(a.columns), 1e-12);
 }
 
 TEST_F(sparse_factor, random_pattern_against_dense) {
-  const SparseSymmetric a = random_matrix(600, 0.02);
-  compare_with_dense("600 unknowns, random", a, scattered(a.n), 1e-13);
+  const SparseMatrix a = random_matrix(600, 0.02);
+  compare_with_dense("600 unknowns, random", a, scattered(a.columns), 1e-13);
 }
 
 /// Both on the diagonal of one matrix.
-SparseSymmetric side_by_side(const SparseSymmetric& a, const SparseSymmetric& b) {
-  SparseSymmetric both = a;
-  both.n += b.n;
-  for (std::int64_t j = 1; j <= b.n; ++j) both.start.push_back(a.start.back() + b.start[at(j)]);
-  for (const std::int64_t i : b.row) both.row.push_back(a.n + i);
+SparseMatrix side_by_side(const SparseMatrix& a, const SparseMatrix& b) {
+  SparseMatrix both = a;
+  both.columns += b.columns;
+  for (std::int64_t j = 1; j <= b.columns; ++j)
+    both.start.push_back(a.start.back() + b.start[at(j)]);
+  for (const std::int64_t i : b.row) both.row.push_back(a.columns + i);
   both.value.insert(both.value.end(), b.value.begin(), b.value.end());
   return both;
 }
 
 TEST_F(sparse_factor, bodies_apart_have_a_condensed_matrix_in_blocks) {
-  const SparseSymmetric a = side_by_side(springs(4, 3, 1), springs(5, 2, 0.3));
-  compare_with_dense("two bodies", a, scattered(a.n), 1e-12);
+  const SparseMatrix a = side_by_side(springs(4, 3, 1), springs(5, 2, 0.3));
+  compare_with_dense("two bodies", a, scattered(a.columns), 1e-12);
 }
 
 TEST_F(sparse_factor, all_unknowns_condensed) {
-  const SparseSymmetric a = springs(4, 3, 1);
-  Unknowns all(at(a.n));
+  const SparseMatrix a = springs(4, 3, 1);
+  Unknowns all(at(a.columns));
   std::iota(all.rbegin(), all.rend(), 0);
   compare_with_dense("192 of 192 condensed", a, all, 1e-12);
 }
 
 TEST_F(sparse_factor, no_unknown_condensed) {
-  const SparseSymmetric a = springs(6, 3, 1);
-  std::vector<double> exact(at(a.n));
+  const SparseMatrix a = springs(6, 3, 1);
+  std::vector<double> exact(at(a.columns));
   for (std::size_t k = 0; k < exact.size(); ++k) exact[k] = std::sin(static_cast<double>(k));
   for (const Method& method : methods()) {
     const auto factor = method.factor(a, {});
@@ -251,7 +252,7 @@ TEST_F(sparse_factor, no_unknown_condensed) {
 }
 
 TEST_F(sparse_factor, no_unknown_at_all) {
-  SparseSymmetric a;
+  SparseMatrix a;
   a.start = {0};
   for (const Method& method : methods()) {
     const auto factor = method.factor(a, {});
@@ -264,18 +265,18 @@ TEST_F(sparse_factor, no_unknown_at_all) {
 
 // More right sides than are solved at a time, and not a multiple of that.
 TEST_F(sparse_factor, many_right_sides) {
-  const SparseSymmetric a = springs(5, 3, 1);
+  const SparseMatrix a = springs(5, 3, 1);
   const std::int64_t count = 71;
-  std::vector<double> exact(at(a.n * count)), b;
+  std::vector<double> exact(at(a.columns * count)), b;
   for (std::size_t k = 0; k < exact.size(); ++k) exact[k] = std::sin(static_cast<double>(k));
   for (std::int64_t r = 0; r < count; ++r) {
-    const auto from = exact.begin() + r * a.n;
-    const std::vector<double> y = multiply(a, std::vector<double>(from, from + a.n));
+    const auto from = exact.begin() + r * a.columns;
+    const std::vector<double> y = multiply(a, std::vector<double>(from, from + a.columns));
     b.insert(b.end(), y.begin(), y.end());
   }
   for (const Method& method : methods()) {
     std::vector<double> x = b;
-    method.factor(a, scattered(a.n))->solve(x.data(), count);
+    method.factor(a, scattered(a.columns))->solve(x.data(), count);
     EXPECT_TRUE(report(method.name, "71 right sides", difference(x, exact), 1e-12));
   }
 }
@@ -283,8 +284,8 @@ TEST_F(sparse_factor, many_right_sides) {
 // Springs of 1e-3 to 1e3 on a soft ground.
 TEST_F(sparse_factor, both_methods_agree_on_an_ill_conditioned_matrix) {
   if (methods().size() < 2) GTEST_SKIP() << "needs CHOLMOD and UMFPACK";
-  const SparseSymmetric a = springs(9, 3, 1e-3, 1e3);
-  const Unknowns condensed = scattered(a.n);
+  const SparseMatrix a = springs(9, 3, 1e-3, 1e3);
+  const Unknowns condensed = scattered(a.columns);
   std::vector<std::vector<double>> solution;
   for (const Method& method : methods()) {
     const auto factor = method.factor(a, condensed);
@@ -297,7 +298,7 @@ TEST_F(sparse_factor, both_methods_agree_on_an_ill_conditioned_matrix) {
   EXPECT_TRUE(report("both", "ill conditioned", difference(solution[0], solution[1]), 1e-9));
 }
 
-std::int64_t zero_pivot(Factor factor, const SparseSymmetric& a, const Unknowns& condensed) {
+std::int64_t zero_pivot(Factor factor, const SparseMatrix& a, const Unknowns& condensed) {
   try {
     factor(a, condensed);
   } catch (const ZeroPivot& pivot) {
@@ -309,23 +310,24 @@ std::int64_t zero_pivot(Factor factor, const SparseSymmetric& a, const Unknowns&
 // A body on the ground and one in the air: rounding may leave the pivots of the latter small and
 // positive.
 TEST_F(sparse_factor, a_body_in_the_air_is_found) {
-  const SparseSymmetric held = springs(5, 3, 1);
+  const SparseMatrix held = springs(5, 3, 1);
   for (const std::int64_t n : {2, 3, 5, 8, 12}) {
-    const SparseSymmetric a = side_by_side(held, springs(n, 3, 0));
+    const SparseMatrix a = side_by_side(held, springs(n, 3, 0));
     for (const Method& method : methods()) {
-      for (const Unknowns& condensed : {Unknowns{}, Unknowns{0, a.n - 1}, scattered(a.n)}) {
+      for (const Unknowns& condensed :
+           {Unknowns{}, Unknowns{0, a.columns - 1}, scattered(a.columns)}) {
         const std::int64_t unknown = zero_pivot(method.factor, a, condensed);
-        EXPECT_GE(unknown, held.n) << method.name << ", " << n;
-        EXPECT_LT(unknown, a.n) << method.name << ", " << n;
+        EXPECT_GE(unknown, held.columns) << method.name << ", " << n;
+        EXPECT_LT(unknown, a.columns) << method.name << ", " << n;
       }
     }
   }
 }
 
 TEST_F(sparse_factor, an_unknown_without_stiffness_is_named) {
-  SparseSymmetric a = springs(5, 3, 1);
+  SparseMatrix a = springs(5, 3, 1);
   const std::int64_t dead = 217;
-  for (std::int64_t j = 0; j < a.n; ++j)
+  for (std::int64_t j = 0; j < a.columns; ++j)
     for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
       if (j == dead || a.row[at(k)] == dead) a.value[at(k)] = 0;
   for (const Method& method : methods())
@@ -333,9 +335,9 @@ TEST_F(sparse_factor, an_unknown_without_stiffness_is_named) {
 }
 
 TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
-  SparseSymmetric a = springs(4, 3, 1);
+  SparseMatrix a = springs(4, 3, 1);
   a.value[at(a.start[50])] *= -1;
-  std::vector<double> exact(at(a.n), 1.0);
+  std::vector<double> exact(at(a.columns), 1.0);
   for (const Method& method : methods()) {
     if (method.factor == factor_by_cholmod) {
       EXPECT_EQ(zero_pivot(method.factor, a, {}), 50);
@@ -346,8 +348,8 @@ TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
     EXPECT_TRUE(report(method.name, "indefinite", difference(x, exact), 1e-12));
   }
   // Positive diagonal, negative eigenvalue.
-  SparseSymmetric pair;
-  pair.n = 2;
+  SparseMatrix pair;
+  pair.columns = 2;
   pair.start = {0, 2, 3};
   pair.row = {0, 1, 1};
   pair.value = {1, 2, 1};
@@ -360,20 +362,20 @@ TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
 // only one left to come last: the end of the factors is not that of the condensed matrix.
 TEST_F(sparse_factor, pivots_off_the_diagonal_still_condense) {
   if (!ROLLCON_BUILD_UMFPACK) GTEST_SKIP() << "needs UMFPACK";
-  SparseSymmetric a = random_matrix(60, 0.3);
-  for (std::int64_t j = 0; j < a.n; j += 2) a.value[at(a.start[at(j)])] = 0;
-  SparseSymmetric pair;
-  pair.n = 2;
+  SparseMatrix a = random_matrix(60, 0.3);
+  for (std::int64_t j = 0; j < a.columns; j += 2) a.value[at(a.start[at(j)])] = 0;
+  SparseMatrix pair;
+  pair.columns = 2;
   pair.start = {0, 2, 3};
   pair.row = {0, 1, 1};
   pair.value = {0, 2, 3};
   for (const bool apart : {false, true}) {
-    const SparseSymmetric b = apart ? side_by_side(a, pair) : a;
-    const Unknowns condensed = {30, 2, apart ? a.n + 1 : 4, 51};
+    const SparseMatrix b = apart ? side_by_side(a, pair) : a;
+    const Unknowns condensed = {30, 2, apart ? a.columns + 1 : 4, 51};
     const std::vector<double> columns = dense_columns(b, condensed);
     std::vector<double> exact;
     for (std::int64_t r = 0; r < 4; ++r)
-      for (const std::int64_t u : condensed) exact.push_back(columns[at(r * b.n + u)]);
+      for (const std::int64_t u : condensed) exact.push_back(columns[at(r * b.columns + u)]);
     const auto factor = factor_by_umfpack(b, condensed, 2);
     std::vector<double> x = identity(4);
     factor->solve_condensed(x.data(), 4);
@@ -395,7 +397,7 @@ Status status_of(const std::function<void()>& call, std::string* message) {
 TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
   std::string message;
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
-    SparseSymmetric a = springs(4, 3, 1);
+    SparseMatrix a = springs(4, 3, 1);
     const std::int64_t column = 7, entry = a.start[7] + 1;
     a.value[at(entry)] = bad;
     for (const Method& method : methods()) {
@@ -409,7 +411,7 @@ TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
 
 // Finite entries, infinite products.
 TEST_F(sparse_factor, overflow_does_not_pass_for_a_solution) {
-  SparseSymmetric a = springs(4, 3, 1);
+  SparseMatrix a = springs(4, 3, 1);
   for (double& value : a.value) value *= 1e308;
   std::string message;
   for (const Method& method : methods()) {
@@ -424,10 +426,10 @@ TEST_F(sparse_factor, overflow_does_not_pass_for_a_solution) {
 }
 
 TEST_F(sparse_factor, condensed_unknowns_are_checked) {
-  const SparseSymmetric a = springs(3, 3, 1);
+  const SparseMatrix a = springs(3, 3, 1);
   std::string message;
   for (const Method& method : methods()) {
-    for (const Unknowns& wrong : {Unknowns{-1}, Unknowns{a.n}, Unknowns{4, 4}}) {
+    for (const Unknowns& wrong : {Unknowns{-1}, Unknowns{a.columns}, Unknowns{4, 4}}) {
       EXPECT_EQ(status_of([&] { method.factor(a, wrong); }, &message), Status::err_internal);
       EXPECT_NE(message.find(std::to_string(wrong[0])), std::string::npos) << message;
     }
@@ -436,12 +438,12 @@ TEST_F(sparse_factor, condensed_unknowns_are_checked) {
 
 // A condensed matrix of 8 TB.
 TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
-  SparseSymmetric a;
-  a.n = 1000000;
-  a.start.resize(at(a.n + 1));
+  SparseMatrix a;
+  a.columns = 1000000;
+  a.start.resize(at(a.columns + 1));
   std::iota(a.start.begin(), a.start.end(), 0);
   a.row.assign(a.start.begin(), a.start.end() - 1);
-  a.value.assign(at(a.n), 1.0);
+  a.value.assign(at(a.columns), 1.0);
   for (const Method& method : methods()) {
     std::string message;
     const auto call = [&] { method.factor(a, a.row)->keep_condensed(); };
@@ -456,14 +458,14 @@ TEST_F(sparse_factor, too_large_a_condensed_matrix_is_refused_with_the_need) {
 }
 
 TEST_F(sparse_factor, statistics) {
-  const SparseSymmetric a = springs(12, 3, 1);
+  const SparseMatrix a = springs(12, 3, 1);
   const Unknowns condensed = {5, 4, 3, 100, 101, 102};
   for (const Method& method : methods()) {
     const auto factor = method.factor(a, condensed);
     const SparseStatistics full = factor->statistics();
     const auto entries = static_cast<std::int64_t>(a.row.size());
     EXPECT_GT(full.nonzeros, 2 * entries);
-    EXPECT_LT(full.nonzeros, a.n * a.n / 4);
+    EXPECT_LT(full.nonzeros, a.columns * a.columns / 4);
     EXPECT_GT(full.flops, static_cast<double>(full.nonzeros));
     EXPECT_GT(full.condition, 10);
     EXPECT_LT(full.condition, 1e4);
@@ -479,7 +481,7 @@ TEST_F(sparse_factor, statistics) {
 }
 
 TEST_F(sparse_factor, a_build_without_a_method_says_so) {
-  const SparseSymmetric a = springs(2, 3, 1);
+  const SparseMatrix a = springs(2, 3, 1);
   std::string message;
   if (!ROLLCON_BUILD_CHOLMOD) {
     EXPECT_EQ(status_of([&] { factor_by_cholmod(a, {}); }, &message), Status::err_unsupported);
@@ -493,15 +495,15 @@ TEST_F(sparse_factor, a_build_without_a_method_says_so) {
 
 // The order of the unknowns is drawn by a generator that belongs to the process.
 TEST_F(sparse_factor, threads_give_the_same_bits_and_leave_random_numbers_alone) {
-  const SparseSymmetric a = springs(10, 3, 1);
-  const Unknowns condensed = scattered(a.n);
+  const SparseMatrix a = springs(10, 3, 1);
+  const Unknowns condensed = scattered(a.columns);
   srand(5);
   const int first = rand(), second = rand();
   for (const Method& method : methods()) {
     srand(5);
     EXPECT_EQ(rand(), first);
     const auto run = [&](std::vector<double>& x) {
-      x.assign(at(a.n), 1.0);
+      x.assign(at(a.columns), 1.0);
       method.factor(a, condensed)->solve(x.data(), 1);
     };
     std::vector<double> alone;
@@ -525,10 +527,10 @@ std::int64_t threads_alive() {
 TEST_F(sparse_factor, cholmod_starts_no_threads) {
   if (!ROLLCON_BUILD_CHOLMOD || !std::filesystem::exists("/proc/self/task"))
     GTEST_SKIP() << "needs CHOLMOD and /proc";
-  const SparseSymmetric a = springs(14, 3, 1);
+  const SparseMatrix a = springs(14, 3, 1);
   const std::int64_t before = threads_alive();
-  const auto factor = factor_by_cholmod(a, scattered(a.n));
-  std::vector<double> x(at(a.n), 1.0);
+  const auto factor = factor_by_cholmod(a, scattered(a.columns));
+  std::vector<double> x(at(a.columns), 1.0);
   factor->solve(x.data(), 1);
   EXPECT_EQ(threads_alive(), before);
 }

@@ -23,14 +23,14 @@ std::size_t at(std::int64_t i) {
 
 /// Pattern of a rectangular grid of points with `fields` unknowns each, nine-point neighbourhoods.
 /// Unknown f of point p is f * points + p: members of a group are far apart.
-SparseSymmetric grid(std::int64_t nx, std::int64_t ny, std::int64_t fields) {
+SparseMatrix grid(std::int64_t nx, std::int64_t ny, std::int64_t fields) {
   const std::int64_t points = nx * ny;
-  SparseSymmetric a;
-  a.n = points * fields;
+  SparseMatrix a;
+  a.columns = points * fields;
   a.start = {0};
-  for (std::int64_t j = 0; j < a.n; ++j) {
+  for (std::int64_t j = 0; j < a.columns; ++j) {
     const std::int64_t p = j % points;
-    for (std::int64_t i = j; i < a.n; ++i) {
+    for (std::int64_t i = j; i < a.columns; ++i) {
       const std::int64_t q = i % points;
       if (std::abs(p % nx - q % nx) > 1 || std::abs(p / nx - q / nx) > 1) continue;
       a.row.push_back(i);
@@ -61,7 +61,7 @@ std::int64_t fill(const SparseGroups& groups, const Numbers& order) {
 }
 
 TEST(sparse_groups, unknowns_of_a_point_are_one_group) {
-  const SparseSymmetric a = grid(6, 5, 3);
+  const SparseMatrix a = grid(6, 5, 3);
   const SparseGroups groups = group_unknowns(a, {});
   ASSERT_EQ(groups.count, 30);
   for (std::int64_t g = 0; g < 30; ++g) {
@@ -133,7 +133,7 @@ TEST(sparse_groups, postorder_keeps_the_fill_and_brings_families_together) {
 }
 
 TEST(sparse_order, is_a_permutation_with_the_condensed_last_and_little_fill) {
-  const SparseSymmetric a = grid(40, 40, 1);
+  const SparseMatrix a = grid(40, 40, 1);
   const Numbers condensed = {5, 1405, 17, 300};
   std::vector<GraphOrder (*)(const SparseGroups&)> all;
 #if ROLLCON_BUILD_CHOLMOD
@@ -144,7 +144,8 @@ TEST(sparse_order, is_a_permutation_with_the_condensed_last_and_little_fill) {
 #endif
   for (const auto dissect : all) {
     const SparseOrder order = order_unknowns(a, condensed, dissect);
-    EXPECT_EQ(std::set<std::int64_t>(order.unknown.begin(), order.unknown.end()).size(), at(a.n));
+    EXPECT_EQ(std::set<std::int64_t>(order.unknown.begin(), order.unknown.end()).size(),
+              at(a.columns));
     const std::set<std::int64_t> last(order.unknown.end() - 4, order.unknown.end());
     EXPECT_EQ(last, std::set<std::int64_t>(condensed.begin(), condensed.end()));
     EXPECT_GT(order.peak_bytes, 0U);
@@ -160,12 +161,12 @@ TEST(sparse_order, is_a_permutation_with_the_condensed_last_and_little_fill) {
 }
 
 TEST(sparse_order, permuted_matrix) {
-  SparseSymmetric a;
-  a.n = 3;
+  SparseMatrix a;
+  a.columns = 3;
   a.start = {0, 3, 4, 5};
   a.row = {0, 1, 2, 1, 2};
   a.value = {1, 2, 3, 4, 5};
-  const SparseSymmetric b = permuted(a, Numbers{2, 0, 1});
+  const SparseMatrix b = permuted(a, Numbers{2, 0, 1});
   EXPECT_EQ(b.start, (Numbers{0, 2, 4, 5}));
   // Columns 2, 0, 1 of a; entries as they come.
   EXPECT_EQ(b.row, (Numbers{1, 0, 1, 2, 2}));

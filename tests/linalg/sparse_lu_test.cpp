@@ -22,13 +22,13 @@ using validation::expect_error;
 SparseMatrix grid_matrix(int side, std::uint32_t seed) {
   frames::Random random(seed);
   SparseMatrix a;
-  a.n = side * side;
+  a.columns = side * side;
   a.start.push_back(0);
-  for (std::int64_t j = 0; j < a.n; ++j) {
+  for (std::int64_t j = 0; j < a.columns; ++j) {
     for (const std::int64_t step : {-std::int64_t{side}, std::int64_t{-1}, std::int64_t{0},
                                     std::int64_t{1}, std::int64_t{side}}) {
       const std::int64_t i = j + step;
-      if (i < 0 || i >= a.n) continue;
+      if (i < 0 || i >= a.columns) continue;
       a.row.push_back(i);
       a.value.push_back(step != 0 ? -1 + 0.3 * random() : j % 6 == 0 ? 0 : 4 + random());
     }
@@ -39,12 +39,12 @@ SparseMatrix grid_matrix(int side, std::uint32_t seed) {
 
 std::vector<double> dense_solution(const SparseMatrix& a, const std::vector<double>& b) {
   Lu<double> lu;
-  double* to = lu.prepare(a.n);
-  std::fill_n(to, a.n * a.n, 0.0);
-  for (std::int64_t j = 0; j < a.n; ++j)
+  double* to = lu.prepare(a.columns);
+  std::fill_n(to, a.columns * a.columns, 0.0);
+  for (std::int64_t j = 0; j < a.columns; ++j)
     for (std::int64_t k = a.start[static_cast<std::size_t>(j)];
          k < a.start[static_cast<std::size_t>(j + 1)]; ++k)
-      to[a.row[static_cast<std::size_t>(k)] * a.n + j] = a.value[static_cast<std::size_t>(k)];
+      to[a.row[static_cast<std::size_t>(k)] * a.columns + j] = a.value[static_cast<std::size_t>(k)];
   EXPECT_TRUE(lu.factor());
   std::vector<double> x(b);
   lu.solve(x.data());
@@ -59,7 +59,7 @@ TEST(sparse_lu, solves_like_dense_lu_and_keeps_its_analysis) {
   }
   for (const std::uint32_t seed : {1u, 2u, 3u}) {
     const SparseMatrix a = grid_matrix(23, seed);
-    std::vector<double> b(static_cast<std::size_t>(a.n));
+    std::vector<double> b(static_cast<std::size_t>(a.columns));
     frames::Random random(9);
     for (double& v : b) v = random();
     const std::vector<double> expected = dense_solution(a, b);

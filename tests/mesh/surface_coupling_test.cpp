@@ -48,7 +48,7 @@ std::vector<double> loads(const SurfaceCoupling& m, const SurfaceMesh& body,
   std::vector<double> f(at(body.nodes()), 0.0);
   for (std::size_t r = 0; r < m.node.size(); ++r)
     for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k)
-      f[at(m.node[r])] += m.value[at(k)] * traction[at(m.column[at(k)])];
+      f[at(m.node[r])] += m.value[at(k)] * traction[at(m.row[at(k)])];
   return f;
 }
 
@@ -90,7 +90,7 @@ double difference(const std::vector<double>& a, const std::vector<double>& b) {
 double column_error(const SurfaceCoupling& m, const SurfaceMesh& layer) {
   const std::vector<double> expected = integrals(layer, one);
   std::vector<double> sum(at(layer.nodes()), 0.0);
-  for (std::size_t k = 0; k < m.value.size(); ++k) sum[at(m.column[k])] += m.value[k];
+  for (std::size_t k = 0; k < m.value.size(); ++k) sum[at(m.row[k])] += m.value[k];
   return difference(sum, expected) / largest(expected);
 }
 
@@ -186,12 +186,11 @@ TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
     double worst = 0;
     for (std::size_t r = 0; r < m.node.size(); ++r)
       for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k) {
-        const auto first = own.column.begin() + own.start[r],
-                   last = own.column.begin() + own.start[r + 1];
-        const auto found = std::lower_bound(first, last, n - 1 - m.column[at(k)]);
-        ASSERT_TRUE(found != last && *found == n - 1 - m.column[at(k)]);
-        worst =
-            std::max(worst, std::abs(m.value[at(k)] - own.value[at(found - own.column.begin())]));
+        const auto first = own.row.begin() + own.start[r],
+                   last = own.row.begin() + own.start[r + 1];
+        const auto found = std::lower_bound(first, last, n - 1 - m.row[at(k)]);
+        ASSERT_TRUE(found != last && *found == n - 1 - m.row[at(k)]);
+        worst = std::max(worst, std::abs(m.value[at(k)] - own.value[at(found - own.row.begin())]));
       }
     expect_error("matching " + name_of(type) + " on a sphere", worst / largest(own.value), 1e-14);
     // Symmetric, and its rows are int N_i.

@@ -17,7 +17,7 @@ Answer loaded(StaticBody& body, Load kind) {
   Answer a;
   a.mesh = &mesh;
   a.node = nodes_near_patch(mesh);
-  const auto rows_of_layer = body.body().response()->layer(patch, a.node, 1);
+  const auto rows_of_layer = body.body().response()->rows({{}, patch, a.node}, 1);
   std::vector<double> t;
   for (const Vec3& x : patch.node) {
     const Vec3 value = traction(kind, x);

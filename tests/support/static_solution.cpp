@@ -190,7 +190,7 @@ Vec3 Loaded::at(std::int32_t node_of_body) const {
 
 Loaded load_faces(Body& body, std::span<const std::int64_t> faces,
                   const std::function<Vec3(const Vec3&)>& traction, int threads) {
-  const auto rows = body.response()->faces(faces, threads);
+  const auto rows = body.response()->rows({{faces.begin(), faces.end()}, {}, {}}, threads);
   std::vector<double> t;
   for (const std::int32_t k : rows->column) {
     const Vec3 value = traction(body.mesh().surface.node[at(k)]);

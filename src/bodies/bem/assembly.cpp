@@ -1,6 +1,7 @@
 /// Matrix and right sides of boundary elements, from the integrals' rows.
 
 #include <algorithm>
+#include <optional>
 
 #include "bodies/bem/system.hpp"
 #include "support/index.hpp"
@@ -144,9 +145,14 @@ void System::assemble(int threads, double* matrix, std::vector<double>& own_load
       });
 }
 
-std::vector<double> System::right_sides(const BoundaryIntegrals& integrals,
-                                        const LiftedColumns& g_columns, bool on_the_mesh,
-                                        int threads) const {
+std::vector<double> System::right_sides(const LoadedSurface& surface, const SurfaceOutline& outline,
+                                        int threads) {
+  const bool on_the_mesh = surface.of_faces();
+  std::optional<BoundaryIntegrals> of_layer;  // its tractions are taken as they are, not lifted
+  if (!on_the_mesh) of_layer.emplace(surface.layer, poisson_, options_.accuracy);
+  const BoundaryIntegrals& integrals = on_the_mesh ? integrals_ : *of_layer;
+  const LiftedColumns g_columns =
+      on_the_mesh ? columns_of_faces(surface.face, outline) : columns_of_layer(surface.layer);
   const std::int64_t n = unknowns_.columns, columns = g_columns.own;
   std::vector<double> b(at(n * 3 * columns), 0.0);
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
@@ -168,6 +174,7 @@ std::vector<double> System::right_sides(const BoundaryIntegrals& integrals,
               if (row[3 * p + i] >= 0)
                 b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
       });
+  if (of_layer) statistics_.kernel_evaluations += of_layer->kernel_evaluations();
   return b;
 }
 

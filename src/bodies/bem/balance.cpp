@@ -108,12 +108,16 @@ void System::note_own_imbalance(std::span<const double> load) {
     imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
 }
 
-void System::check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
-                           std::span<const std::int64_t> face) {
-  const SurfaceMesh& geometry = &surface == &surface_ ? lifted_.mesh : surface;
+void System::check_balance(const std::vector<double>& b, const LoadedSurface& loaded) {
+  const bool faces = loaded.of_faces();
+  const SurfaceMesh &surface = faces ? surface_ : loaded.layer,
+                    &geometry = faces ? lifted_.mesh : loaded.layer;
   double area = 0;
   Vec3 first{0, 0, 0}, normal{0, 0, 0};
-  for (const std::int64_t e : face) {
+  const std::int64_t count =
+      faces ? static_cast<std::int64_t>(loaded.face.size()) : surface.elements();
+  for (std::int64_t i = 0; i < count; ++i) {
+    const std::int64_t e = faces ? loaded.face[at(i)] : i;
     double of_element = 0;
     for_points(surface, geometry, e, [&](double part, const Vec3& x, const Shape&) {
       of_element += part;

@@ -10,6 +10,7 @@
 #include "bodies/bem/kelvin.hpp"
 #include "bodies/bem/near_field.hpp"
 #include "bodies/bem/rule_tables.hpp"
+#include "mesh/box.hpp"
 #include "mesh/shape.hpp"
 #include "support/error.hpp"
 
@@ -26,15 +27,7 @@ constexpr double free_term = 0.5;
 
 /// A power of two near the size of the mesh: coordinates divided by it lose nothing.
 double mesh_size(const SurfaceMesh& mesh) {
-  double size = 0;
-  for (std::size_t j = 0; j < 3; ++j) {
-    double low = infinity, high = -infinity;
-    for (const Vec3& x : mesh.node) {
-      low = std::min(low, x[j]);
-      high = std::max(high, x[j]);
-    }
-    size = std::max(size, high - low);
-  }
+  const double size = box_of(mesh.node).longest();
   return size > 0 ? std::exp2(std::round(std::log2(size))) : 1;
 }
 
@@ -179,7 +172,7 @@ class BoundaryIntegrals::Rows {
     for (std::size_t p = 0; p < points_.size(); ++p) {
       const OnElement on = locate(e, p);
       if (!on.known) {
-        const Selection s = select_rule(element, element.shape, x_[p], tolerance);
+        const Selection s = select_rule(element, seen_from(element.shape, x_[p]), tolerance);
         if (s.gauss && (element.corners == 3 || std::max(s.first, s.second) <= most_far_points)) {
           shared |= 1u << p;
           rule = {std::max(rule.first, s.first), std::max(rule.second, s.second)};

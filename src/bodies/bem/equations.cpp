@@ -35,32 +35,21 @@ void System::write_loads(const std::vector<double>& b, SurfaceLoads& loads) cons
     for (std::size_t c = 0; c < 3; ++c)
       loads.unknown.push_back(unknowns_.displacement[3 * at(k) + c]);
   const std::int64_t n = unknowns_.columns;
-  SparseColumns& to = loads.load;
-  to.rows = n;
-  to.columns = 3 * static_cast<std::int64_t>(loads.column.size());
-  to.start.push_back(0);
+  SparseMatrix& to = loads.load;
+  to.begin(n);
   const auto count =
       static_cast<std::size_t>(std::count_if(b.begin(), b.end(), [](double v) { return v != 0; }));
   to.row.reserve(count);
   to.value.reserve(count);
-  for (std::int64_t k = 0; k < to.columns; ++k) {
+  for (std::size_t k = 0; k < 3 * loads.column.size(); ++k) {
     for (std::int64_t i = 0; i < n; ++i)
-      if (const double v = b[at(i + k * n)]; v != 0) {
-        to.row.push_back(i);
-        to.value.push_back(v);
-      }
-    to.start.push_back(static_cast<std::int64_t>(to.row.size()));
+      if (const double v = b[at(i) + k * at(n)]; v != 0) to.push(i, v);
+    to.end_column();
   }
 }
 
-void System::load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) {
-  write_loads(right_sides(integrals_, columns_of_faces(face, loads), true, threads), loads);
-}
-
-void System::load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) {
-  const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  write_loads(right_sides(integrals, columns_of_layer(layer), false, threads), loads);
-  statistics_.kernel_evaluations += integrals.kernel_evaluations();
+void System::load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) {
+  write_loads(right_sides(surface, loads, threads), loads);
 }
 
 }  // namespace rollcon::bem

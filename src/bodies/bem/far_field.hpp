@@ -5,10 +5,11 @@
 
 #include <vector>
 
-#include "bodies/bem/element_geometry.hpp"
-#include "bodies/bem/rule_selection.hpp"
+#include "quadrature/rule_selection.hpp"
 
 namespace rollcon::bem {
+
+using namespace quadrature;
 
 /// Rules tried: 1 to this many points per direction, or triangle rules of degree 1 to twice that.
 inline constexpr int far_levels = 6;

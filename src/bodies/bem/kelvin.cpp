@@ -13,15 +13,7 @@ KelvinConstants::KelvinConstants(double poisson)
       single(1 / (16 * std::numbers::pi * (1 - poisson))) {}
 
 const Kernels& kelvin_kernels(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return kelvin_avx512;
-    case InstructionSet::avx2:
-      return kelvin_avx2;
-    case InstructionSet::baseline:
-      break;
-  }
-  return kelvin_baseline;
+  return chosen(set, kelvin_baseline, kelvin_avx2, kelvin_avx512);
 }
 
 }  // namespace rollcon::bem

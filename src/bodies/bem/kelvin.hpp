@@ -8,9 +8,13 @@
 #include <cstdint>
 
 #include "mesh/element_type.hpp"
+#include "quadrature/near_points.hpp"
 #include "support/instruction_set.hpp"
 
 namespace rollcon::bem {
+
+using quadrature::near_capacity;
+using quadrature::NearPoints;
 
 /// Collocation points of one call of far().
 inline constexpr int pack_points = 8;
@@ -18,9 +22,6 @@ inline constexpr int pack_points = 8;
 inline constexpr int point_padding = 8;
 /// Quadrature points of the largest rule of the far field, padding included.
 inline constexpr int far_capacity = 64;
-/// Quadrature points in one call of near().
-inline constexpr int near_capacity = 128;
-
 /// Which integrals are wanted: those of T (double layer), of U (single layer), or both.
 enum Terms : int { double_layer = 1, single_layer = 2, both_layers = 3 };
 
@@ -56,12 +57,6 @@ struct PointPack {
 struct NearElement {
   ElementType type = ElementType::tri3;
   double node[3][max_element_nodes];
-};
-
-/// Quadrature points in reference coordinates; weights without the Jacobian. Room for padding.
-struct NearPoints {
-  int n = 0;
-  alignas(64) double xi[near_capacity], eta[near_capacity], w[near_capacity];
 };
 
 /// Integrals over one element seen from one point; entry (c, i) of T with shape function k is

@@ -115,18 +115,7 @@ void place_points(const RuleTable& rule, const double (*node)[max_element_nodes]
 
 void place(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes],
            FarPoints& points) {
-  switch (nodes) {
-    case 3:
-      return place_points<3>(rule, node, points);
-    case 4:
-      return place_points<4>(rule, node, points);
-    case 6:
-      return place_points<6>(rule, node, points);
-    case 8:
-      return place_points<8>(rule, node, points);
-    default:
-      return place_points<9>(rule, node, points);
-  }
+  for_nodes(nodes, [&]<int n>() { place_points<n>(rule, node, points); });
 }
 
 /// Kernel values of a block of quadrature points, staged between the kernel and the product with
@@ -220,33 +209,16 @@ void far_points(const FarPoints& points, const RuleTable& rule, const PointPack&
   }
 }
 
-template <int nodes>
-void far_terms(const FarPoints& points, const RuleTable& rule, const PointPack& pack,
-               const KelvinConstants& constants, int terms, double* const* h, double* const* g) {
-  switch (terms) {
-    case double_layer:
-      return far_points<nodes, double_layer>(points, rule, pack, constants, h, g);
-    case single_layer:
-      return far_points<nodes, single_layer>(points, rule, pack, constants, h, g);
-    default:
-      return far_points<nodes, both_layers>(points, rule, pack, constants, h, g);
-  }
+template <class Run>
+void for_layers(int terms, Run run) {
+  for_number<double_layer, single_layer, both_layers>(terms, run);
 }
 
 void far(const FarPoints& points, const RuleTable& rule, int nodes, const PointPack& pack,
          const KelvinConstants& constants, int terms, double* const* h, double* const* g) {
-  switch (nodes) {
-    case 3:
-      return far_terms<3>(points, rule, pack, constants, terms, h, g);
-    case 4:
-      return far_terms<4>(points, rule, pack, constants, terms, h, g);
-    case 6:
-      return far_terms<6>(points, rule, pack, constants, terms, h, g);
-    case 8:
-      return far_terms<8>(points, rule, pack, constants, terms, h, g);
-    default:
-      return far_terms<9>(points, rule, pack, constants, terms, h, g);
-  }
+  for_nodes(nodes, [&]<int n>() {
+    for_layers(terms, [&]<int t>() { far_points<n, t>(points, rule, pack, constants, h, g); });
+  });
 }
 
 /// rows x nodes dot products over packs of quadrature points, three rows at once.
@@ -289,38 +261,13 @@ void near_points(const NearElement& element, const NearPoints& points,
     products<nodes>(f + 9 * (terms & 1), 6, shape, packs, integrals.u);
 }
 
-template <ElementType type>
-void near_terms(const NearElement& element, const NearPoints& points,
-                const KelvinConstants& constants, int terms, NearIntegrals& integrals) {
-  switch (terms) {
-    case double_layer:
-      return near_points<type, double_layer>(element, points, constants, integrals);
-    case single_layer:
-      return near_points<type, single_layer>(element, points, constants, integrals);
-    default:
-      return near_points<type, both_layers>(element, points, constants, integrals);
-  }
-}
-
 void near(const NearElement& element, NearPoints& points, const KelvinConstants& constants,
           int terms, NearIntegrals& integrals) {
-  for (int q = points.n; q % lanes != 0; ++q) {
-    points.xi[q] = points.xi[points.n - 1];
-    points.eta[q] = points.eta[points.n - 1];
-    points.w[q] = 0;
-  }
-  switch (element.type) {
-    case ElementType::tri3:
-      return near_terms<ElementType::tri3>(element, points, constants, terms, integrals);
-    case ElementType::tri6:
-      return near_terms<ElementType::tri6>(element, points, constants, terms, integrals);
-    case ElementType::quad4:
-      return near_terms<ElementType::quad4>(element, points, constants, terms, integrals);
-    case ElementType::quad8:
-      return near_terms<ElementType::quad8>(element, points, constants, terms, integrals);
-    case ElementType::quad9:
-      return near_terms<ElementType::quad9>(element, points, constants, terms, integrals);
-  }
+  pad(points);
+  for_type(element.type, [&]<ElementType type>() {
+    for_layers(terms,
+               [&]<int t>() { near_points<type, t>(element, points, constants, integrals); });
+  });
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "bodies/bem/rule_selection.hpp"
 #include "mesh/shape.hpp"
+#include "quadrature/rule_selection.hpp"
 #include "quadrature/rules.hpp"
 
 namespace rollcon::bem {
@@ -60,7 +60,7 @@ std::vector<Table> tables_of(ElementType type) {
         tables.push_back(tabulate(type, product(n1, n2)));
     return tables;
   }
-  for (int degree = 0; degree <= most_triangle_degree; ++degree) {
+  for (int degree = 0; degree <= quadrature::most_triangle_degree; ++degree) {
     if (degree < 2) {
       tables.push_back(tabulate(type, {{1.0 / 3}, {1.0 / 3}, {0.5}}));
       continue;

@@ -7,6 +7,7 @@
 
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -28,16 +29,6 @@ Vec3 middle_of_held(const BodyMesh& mesh) {
       ++count;
     }
   return (1 / std::max(count, 1.0)) * sum;
-}
-
-double half_diagonal(const SurfaceMesh& mesh) {
-  Vec3 low = mesh.node.front(), high = low;
-  for (const Vec3& x : mesh.node)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], x[c]);
-      high[c] = std::max(high[c], x[c]);
-    }
-  return 0.5 * length(high - low);
 }
 
 void require_matrix(std::int64_t unknowns) {
@@ -71,7 +62,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
       of_fan = std::max(of_fan, size);
     }
   }
-  reach_ = half_diagonal(mesh.surface);
+  reach_ = 0.5 * length(box_of(mesh.surface.node).size());
   held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
   const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
@@ -143,14 +134,14 @@ void System::solve_own_load(std::vector<double>& b) {
   if (!moved) note_own_imbalance(loaded);
 }
 
-void System::condense(std::vector<double> b, const SurfaceMesh& surface,
-                      std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
+void System::condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows,
+                      int threads) {
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
   const auto columns = static_cast<std::int64_t>(rows.column.size());
   matrix_.eliminate(b.data(), 3 * columns);
-  check_balance(b, surface, face);
+  check_balance(b, surface);
   std::int64_t first = n;  // of the unknowns asked for
   for (const std::int32_t k : rows.row)
     for (std::size_t c = 0; c < 3; ++c)
@@ -170,22 +161,10 @@ void System::condense(std::vector<double> b, const SurfaceMesh& surface,
   if (options_.keep_factors == 0) matrix_.release();
 }
 
-void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
+void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) {
   if (!matrix_.factored()) factorize(threads);
   const Stopwatch watch(statistics_.seconds_condense);
-  condense(right_sides(integrals_, columns_of_faces(face, rows), true, threads), surface_, face,
-           rows, threads);
-}
-
-void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
-  if (!matrix_.factored()) factorize(threads);
-  const Stopwatch watch(statistics_.seconds_condense);
-  const BoundaryIntegrals integrals(layer, poisson_, options_.accuracy);
-  std::vector<std::int64_t> all(layer.type.size());
-  std::iota(all.begin(), all.end(), std::int64_t{0});
-  condense(right_sides(integrals, columns_of_layer(layer), false, threads), layer, all, rows,
-           threads);
-  statistics_.kernel_evaluations += integrals.kernel_evaluations();
+  condense(right_sides(surface, rows, threads), surface, rows, threads);
 }
 
 Imbalances System::imbalances() const {

@@ -31,10 +31,8 @@ class System final : public ResponseCache, public MayMissLoads {
   void save(SectionWriter& file) const override;
 
  private:
-  void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
-  void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
-  void load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) override;
-  void load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) override;
+  void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
+  void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
   void factorize(int threads);
   void restore(SectionReader& file);
   /// Of the order of unknowns and equations, which factors belong to.
@@ -55,21 +53,19 @@ class System final : public ResponseCache, public MayMissLoads {
   /// held; centre: where it acts.
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
   void note_own_imbalance(std::span<const double> load);
-  /// Of uniform tractions on faces of `surface`, all of whose nodes have columns in b, right sides
-  /// after elimination; err_mesh where a pressure gets no answer that can be trusted. (No load may
-  /// act along the faces.)
-  void check_balance(const std::vector<double>& b, const SurfaceMesh& surface,
-                     std::span<const std::int64_t> face);
+  /// Of uniform tractions on the surface that b was made for, right sides after elimination;
+  /// err_mesh where a pressure gets no answer that can be trusted. (No load may act along the
+  /// faces.)
+  void check_balance(const std::vector<double>& b, const LoadedSurface& loaded);
   std::vector<double> given_tractions() const;
   LiftedColumns columns_of_faces(std::span<const std::int64_t> face,
                                  const SurfaceOutline& outline) const;
-  /// Unit tractions, whose single-layer rows `integrals` gives: unknowns x (3 columns).
-  std::vector<double> right_sides(const BoundaryIntegrals& integrals,
-                                  const LiftedColumns& g_columns, bool on_the_mesh,
-                                  int threads) const;
-  /// Solves for them, tractions on faces of `surface`, and keeps some rows.
-  void condense(std::vector<double> b, const SurfaceMesh& surface,
-                std::span<const std::int64_t> face, SurfaceRows& rows, int threads);
+  /// Of unit tractions: unknowns x (3 columns).
+  std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline,
+                                  int threads);
+  /// Solves for them, and keeps some rows.
+  void condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows,
+                int threads);
   void write_loads(const std::vector<double>& b, SurfaceLoads& loads) const;
 
   const BodyMesh& mesh_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "mesh/box.hpp"
 #include "mesh/shape.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/index.hpp"
@@ -50,18 +51,14 @@ std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
 
 /// Position along a space-filling (Morton) curve through the box of all points.
 std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& point) {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (const CollocationPoint& p : point)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], p.x[c]);
-      high[c] = std::max(high[c], p.x[c]);
-    }
-  const double extent = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+  Box box;
+  for (const CollocationPoint& p : point) box.add(p.x);
+  const double extent = box.longest();
   constexpr int bits = 20;
   std::vector<std::uint64_t> position(point.size(), 0);
   for (std::size_t k = 0; k < point.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
-      const double part = extent > 0 ? (point[k].x[c] - low[c]) / extent : 0;
+      const double part = extent > 0 ? (point[k].x[c] - box.low[c]) / extent : 0;
       const auto cell = static_cast<std::uint64_t>(part * ((1U << bits) - 1));
       for (unsigned b = 0; b < bits; ++b)
         position[k] |= ((cell >> b) & 1U) << (3 * b + static_cast<unsigned>(c));
@@ -106,6 +103,28 @@ void find_others(const SurfaceMesh& mesh, const TractionNodes& fans,
       }
     }
   }
+}
+
+/// Neighbours in space together; a row for each component wanted.
+void sort_points(Unknowns& u, const std::vector<std::uint8_t>& wanted) {
+  const std::vector<std::uint64_t> position = curve_positions(u.point);
+  std::vector<std::size_t> order(u.point.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
+  std::vector<CollocationPoint> sorted;
+  sorted.reserve(order.size());
+  u.row.assign(3 * order.size(), -1);
+  std::int32_t row = 0;
+  // Rows of a pack run over its points first: the integrals come in that order.
+  for (std::size_t first = 0; first < order.size(); first += lanes) {
+    const std::size_t last = std::min(order.size(), first + lanes);
+    for (std::size_t k = first; k < last; ++k) sorted.push_back(u.point[order[k]]);
+    for (unsigned c = 0; c < 3; ++c)
+      for (std::size_t k = first; k < last; ++k)
+        if (wanted[order[k]] & (1U << c)) u.row[3 * k + c] = row++;
+  }
+  u.point = std::move(sorted);
 }
 
 }  // namespace
@@ -175,24 +194,7 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
     u.point.push_back(inner_point(surface, of_fan[f].element, of_fan[f].local));
     wanted.push_back(extra[f]);
   }
-  const std::vector<std::uint64_t> position = curve_positions(u.point);
-  std::vector<std::size_t> order(u.point.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
-  std::vector<CollocationPoint> sorted;
-  sorted.reserve(order.size());
-  u.row.assign(3 * order.size(), -1);
-  std::int32_t row = 0;
-  // Rows of a pack run over its points first: the integrals come in that order.
-  for (std::size_t first = 0; first < order.size(); first += lanes) {
-    const std::size_t last = std::min(order.size(), first + lanes);
-    for (std::size_t k = first; k < last; ++k) sorted.push_back(u.point[order[k]]);
-    for (unsigned c = 0; c < 3; ++c)
-      for (std::size_t k = first; k < last; ++k)
-        if (wanted[order[k]] & (1U << c)) u.row[3 * k + c] = row++;
-  }
-  u.point = std::move(sorted);
+  sort_points(u, wanted);
   return u;
 }
 

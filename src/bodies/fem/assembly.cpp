@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "mesh/quadrature.hpp"
-#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
@@ -76,10 +75,9 @@ class EntryPlaces {
   std::vector<std::int64_t> before_;
 };
 
-SparseSymmetric empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) {
-  SparseSymmetric matrix;
-  matrix.n = unknowns.count;
-  matrix.start.push_back(0);
+SparseMatrix empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) {
+  SparseMatrix matrix;
+  matrix.begin(unknowns.count);
   for (std::size_t k = 0; k + 1 < pattern.start.size(); ++k)
     for (std::size_t c = 0; c < 3; ++c) {
       if (unknowns.of[3 * k + c] < 0) continue;
@@ -90,14 +88,14 @@ SparseSymmetric empty_matrix(const NodePattern& pattern, const Unknowns& unknown
       add(k, c);
       for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i)
         add(at(pattern.neighbour[at(i)]), 0);
-      matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+      matrix.end_column();
     }
   matrix.value.assign(matrix.row.size(), 0.0);
   return matrix;
 }
 
 void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes,
-             const Unknowns& unknowns, const EntryPlaces& places, SparseSymmetric& matrix) {
+             const Unknowns& unknowns, const EntryPlaces& places, SparseMatrix& matrix) {
   const std::size_t width = 3 * nodes.size();
   for (std::size_t a = 0; a < nodes.size(); ++a)
     for (std::size_t b = 0; b < nodes.size(); ++b) {
@@ -166,11 +164,11 @@ std::vector<std::vector<std::int64_t>> Assembly::colours() const {
   return colour;
 }
 
-SparseSymmetric Assembly::stiffness(const Unknowns& unknowns, int threads) const {
+SparseMatrix Assembly::stiffness(const Unknowns& unknowns, int threads) const {
   const NodePattern pattern =
       node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
   const EntryPlaces places(pattern, unknowns);
-  SparseSymmetric matrix = empty_matrix(pattern, unknowns);
+  SparseMatrix matrix = empty_matrix(pattern, unknowns);
   std::vector<std::vector<double>> own(at(std::max(threads, 1)));
   for (const std::vector<std::int64_t>& elements : colours()) {
     const auto count = static_cast<std::int64_t>(elements.size());
@@ -205,20 +203,15 @@ std::vector<double> Assembly::forces_at_supports(const std::vector<double>& u) c
 std::vector<double> Assembly::surface_loads(double reference) const {
   std::vector<double> force(3 * mesh_.held.size(), 0.0);
   constexpr int degree = 7;  // N_i times the vector area, a polynomial
-  const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  Shape shape;
   const SurfaceMesh& surface = mesh_.surface;
   for (const FaceLoad& load : mesh_.load)
     for (std::int64_t e = 0; e < surface.elements(); ++e) {
       if (surface.tag[at(e)] != load.tag) continue;
-      const ElementType type = surface.type[at(e)];
-      const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
       const auto nodes = surface.element(e);
-      for (std::size_t q = 0; q < rule.size(); ++q) {
-        evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-        const SurfaceFrame there = evaluate_surface(surface, e, rule.xi[q], rule.eta[q]);
-        const Vec3 part = (rule.w[q] / reference) *
-                          (length(there.normal) * load.traction - load.pressure * there.normal);
+      for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(e)])) {
+        const Vec3 normal = combine(surface, e, shape, surface.node[at(nodes[0])]).normal;
+        const Vec3 part =
+            (weight / reference) * (length(normal) * load.traction - load.pressure * normal);
         for (std::size_t a = 0; a < nodes.size(); ++a)
           for (std::size_t c = 0; c < 3; ++c)
             force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];

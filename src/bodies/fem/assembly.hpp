@@ -31,7 +31,7 @@ class Assembly {
     return material_[static_cast<std::size_t>(element)];
   }
   /// Sums are taken in an order that does not depend on the number of threads.
-  SparseSymmetric stiffness(const Unknowns& unknowns, int threads) const;
+  SparseMatrix stiffness(const Unknowns& unknowns, int threads) const;
   /// Nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.
   std::vector<double> forces_at_supports(const std::vector<double>& u) const;
   /// Consistent nodal loads of the tractions and pressures given, over the reference modulus.

@@ -3,25 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/quadrature.hpp"
-#include "mesh/surface_geometry.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/index.hpp"
 
 namespace rollcon::fem {
 namespace {
 
 /// Lower triangle of a coupling of faces with themselves, nodes numbered by place.
-SparseSymmetric symmetric(const SurfaceCoupling& mass, const std::vector<std::int64_t>& place) {
-  SparseSymmetric matrix;  // the rows of a symmetric matrix are its columns
-  matrix.n = static_cast<std::int64_t>(mass.node.size());
-  matrix.start.push_back(0);
-  for (std::int64_t i = 0; i < matrix.n; ++i) {
+SparseMatrix symmetric(const SurfaceCoupling& mass, const std::vector<std::int64_t>& place) {
+  SparseMatrix matrix;
+  matrix.begin(mass.columns);
+  for (std::int64_t i = 0; i < mass.columns; ++i) {
     for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
-      if (const std::int64_t j = place[at(mass.column[at(k)])]; j >= i) {
-        matrix.row.push_back(j);
-        matrix.value.push_back(mass.value[at(k)]);
-      }
-    matrix.start.push_back(static_cast<std::int64_t>(matrix.row.size()));
+      if (const std::int64_t j = place[at(mass.row[at(k)])]; j >= i)
+        matrix.push(j, mass.value[at(k)]);
+    matrix.end_column();
   }
   return matrix;
 }
@@ -29,23 +25,18 @@ SparseSymmetric symmetric(const SurfaceCoupling& mass, const std::vector<std::in
 /// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size
 /// in each direction: by the coordinates of a square or an equilateral triangle of unit sides.
 void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share, double* out) {
-  constexpr int degree = 5;
-  static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
-  const ElementType type = surface.type[at(e)];
-  const bool three = corner_count(type) == 3;
-  const PlaneRule& rule = three ? triangle : square;
-  const std::size_t n = surface.element(e).size();
+  const bool three = corner_count(surface.type[at(e)]) == 3;
+  const auto nodes = surface.element(e);
+  const std::size_t n = nodes.size();
   std::fill_n(out, n * n, 0.0);
-  Shape shape;
   double du[max_element_nodes], dv[max_element_nodes];
-  for (std::size_t q = 0; q < rule.size(); ++q) {
-    evaluate_shape(type, rule.xi[q], rule.eta[q], shape);
-    const double area = length(evaluate_surface(surface, e, rule.xi[q], rule.eta[q]).normal);
+  for (const auto& [weight, shape] : tabulated<5>(surface.type[at(e)])) {
+    const double area = length(combine(surface, e, shape, surface.node[at(nodes[0])]).normal);
     for (std::size_t i = 0; i < n; ++i) {
       du[i] = three ? shape.d_xi[i] : 2 * shape.d_xi[i];
       dv[i] = three ? (2 * shape.d_eta[i] - shape.d_xi[i]) / std::sqrt(3.0) : 2 * shape.d_eta[i];
     }
-    const double w = rule.w[q] * area * share * share;
+    const double w = weight * area * share * share;
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) out[i * n + j] += w * (du[i] * du[j] + dv[i] * dv[j]);
   }
@@ -53,7 +44,7 @@ void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share,
 
 void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> face,
                    std::span<const double> share, const std::vector<std::int64_t>& place,
-                   SparseSymmetric& matrix) {
+                   SparseMatrix& matrix) {
   double part[max_element_nodes * max_element_nodes];
   for (std::size_t f = 0; f < face.size(); ++f) {
     if (share[f] == 0) continue;
@@ -74,16 +65,16 @@ void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> fac
 /// Mean square of the spacing of the columns' nodes around each row's: their areas, weighted.
 std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t nodes) {
   std::vector<double> area;  // of the frame's nodes
-  for (std::size_t k = 0; k < coupling.column.size(); ++k) {
-    if (area.size() <= at(coupling.column[k])) area.resize(at(coupling.column[k]) + 1, 0.0);
-    area[at(coupling.column[k])] += coupling.value[k];
+  for (std::size_t k = 0; k < coupling.row.size(); ++k) {
+    if (area.size() <= at(coupling.row[k])) area.resize(at(coupling.row[k]) + 1, 0.0);
+    area[at(coupling.row[k])] += coupling.value[k];
   }
   std::vector<double> spacing(at(nodes), 0.0);
   for (std::size_t r = 0; r < coupling.node.size(); ++r) {
     double sum = 0, weight = 0;
     for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k) {
       const double w = std::abs(coupling.value[at(k)]);
-      sum += w * std::abs(area[at(coupling.column[at(k)])]);
+      sum += w * std::abs(area[at(coupling.row[at(k)])]);
       weight += w;
     }
     if (weight > 0) spacing[at(coupling.node[r])] = sum / weight;
@@ -100,7 +91,7 @@ RowMatrix<double> columns_of(const SurfaceCoupling& coupling,
               static_cast<std::int64_t>(column.size()));
   for (std::size_t r = 0; r < coupling.node.size(); ++r)
     for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k) {
-      const auto found = std::lower_bound(column.begin(), column.end(), coupling.column[at(k)]);
+      const auto found = std::lower_bound(column.begin(), column.end(), coupling.row[at(k)]);
       load.row(static_cast<std::int64_t>(r))[found - column.begin()] = coupling.value[at(k)];
     }
   return load;
@@ -138,7 +129,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   const auto columns = static_cast<std::int64_t>(column.size());
   std::vector<std::int64_t> place(at(surface.nodes()), -1);
   for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
-  SparseSymmetric matrix = symmetric(mass, place);
+  SparseMatrix matrix = symmetric(mass, place);
   add_smoothing(surface, face, share, place, matrix);
   const auto factor = by_cholmod ? factor_by_cholmod(matrix, {}) : factor_by_umfpack(matrix, {});
 
@@ -151,7 +142,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   std::vector<double> b(at(n * columns), 0.0);
   for (std::size_t r = 0; r < coupling.node.size(); ++r)
     for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k)
-      b[at(number[at(coupling.column[at(k)])] * n + place[at(coupling.node[r])])] =
+      b[at(number[at(coupling.row[at(k)])] * n + place[at(coupling.node[r])])] =
           coupling.value[at(k)];
   factor->solve(b.data(), columns);
   felt.traction.resize(n, columns);
@@ -164,7 +155,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
       traction[c] = s[i];
       double sum = 0;
       for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
-        sum += mass.value[at(k)] * s[place[at(mass.column[at(k)])]];
+        sum += mass.value[at(k)] * s[place[at(mass.row[at(k)])]];
       load[c] = sum;
     }
   }

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "bodies/model/surface_response.hpp"
 #include "geometry/surface_coupling.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/sparse_factor.hpp"
@@ -21,6 +22,13 @@ struct FeltTractions {
   std::vector<std::int32_t> node;  ///< of the faces, ascending
   RowMatrix<double> traction;  ///< s at these nodes for each column of the coupling; empty: s is t
   RowMatrix<double> load;      ///< M s
+
+  /// Moves s to where compliances look for it.
+  void tell(SurfaceOutline& outline) {
+    if (traction.rows() == 0) return;
+    outline.seen_node = std::move(node);
+    outline.seen = std::move(traction);
+  }
 };
 
 /// The coupling as a dense matrix: one row for each of its nodes; column: its columns, ascending.

@@ -133,12 +133,4 @@ FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) co
   return felt_tractions(surface_, outline.seen_face, share, coupling, outline.column, by_cholmod());
 }
 
-void System::respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) {
-  FeltTractions felt = feel(layer, rows);
-  condense(felt.node, felt.load, rows, threads);
-  if (felt.traction.rows() == 0) return;
-  rows.seen_node = std::move(felt.node);
-  rows.seen = std::move(felt.traction);
-}
-
 }  // namespace rollcon::fem

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <utility>
 
-#include "bodies/fem/equations.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
+#include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -42,17 +42,13 @@ std::vector<Material> by_element(const BodyMesh& mesh,
 
 /// Diagonal of the box around a body over the thickness that it has on the average.
 double length_over_thickness(const SurfaceMesh& surface) {
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  Box box;
   double area = 0;
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
     area += element_area(surface, e);
-    for (const std::int32_t k : surface.element(e))
-      for (std::size_t c = 0; c < 3; ++c) {
-        low[c] = std::min(low[c], surface.node[at(k)][c]);
-        high[c] = std::max(high[c], surface.node[at(k)][c]);
-      }
+    box.add(box_of(surface.node, surface.element(e)));
   }
-  return length(high - low) * area / (2 * enclosed_volume(surface));
+  return length(box.size()) * area / (2 * enclosed_volume(surface));
 }
 
 }  // namespace
@@ -98,7 +94,7 @@ std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& n
 }
 
 void System::require_matrix(int threads) {
-  if (matrix_.n > 0) return;
+  if (matrix_.columns > 0) return;
   const Stopwatch watch(statistics_.seconds_assembly);
   matrix_ = assembly_.stiffness(unknowns_, threads);
   ++statistics_.assemblies;
@@ -130,7 +126,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   statistics_.nonzeros = s.nonzeros;
   statistics_.condition = s.condition;
   statistics_.condensed = static_cast<std::int64_t>(condensed.size());
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes, bytes_of(matrix_) + s.peak_bytes);
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + s.peak_bytes);
   place_condensed(std::move(condensed));
   if (own_displacement_.empty()) solve_own_load();
   factor_->keep_condensed();
@@ -246,21 +242,26 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
       }
   }
   statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, bytes_of(matrix_) + factor_->statistics().bytes +
+      std::max(statistics_.peak_bytes, matrix_.bytes() + factor_->statistics().bytes +
                                            b.capacity() * sizeof(double) + rows.u.bytes());
   if (options_.keep_factors == 0) factor_.reset();
 }
 
-void System::respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) {
-  const SurfaceCoupling mass = couple_faces(surface_, face);
-  condense(mass.node, columns_of(mass, rows.column), rows, threads);
+void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) {
+  if (surface.of_faces()) {
+    const SurfaceCoupling mass = couple_faces(surface_, surface.face);
+    return condense(mass.node, columns_of(mass, rows.column), rows, threads);
+  }
+  FeltTractions felt = feel(surface.layer, rows);
+  condense(felt.node, felt.load, rows, threads);
+  felt.tell(rows);
 }
 
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   BodyStatistics s = statistics_;
-  s.bytes = bytes_of(matrix_) + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
-  if (const auto equations = equations_.lock()) s.bytes += bytes_of(equations->matrix);
+  s.bytes = matrix_.bytes() + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
+  if (const auto equations = equations_.lock()) s.bytes += equations->matrix.bytes();
   count_kept(s);
   return s;
 }

@@ -35,12 +35,10 @@ class System final : public ResponseCache {
   void save(SectionWriter& file) const override;
 
  private:
-  void respond(std::span<const std::int64_t> face, SurfaceRows& rows, int threads) override;
-  void respond(const SurfaceMesh& layer, SurfaceRows& rows, int threads) override;
-  void load(std::span<const std::int64_t> face, SurfaceLoads& loads, int threads) override;
-  void load(const SurfaceMesh& layer, SurfaceLoads& loads, int threads) override;
+  void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
+  void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
   /// From entries by place in `loaded` and by column to the unknowns, component by component.
-  void write_loads(const std::vector<std::int32_t>& loaded, const SparseColumns& entries,
+  void write_loads(const std::vector<std::int32_t>& loaded, const SparseMatrix& entries,
                    SurfaceLoads& loads) const;
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   bool by_cholmod() const;
@@ -74,7 +72,7 @@ class System final : public ResponseCache {
   Resultant reaction_;
 
   /// Empty until needed, once freed, and once all that contact may need is condensed.
-  SparseSymmetric matrix_;
+  SparseMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::unique_ptr<SparseFactor> factor_;
   std::vector<std::int64_t> condensed_;     ///< unknowns, ascending

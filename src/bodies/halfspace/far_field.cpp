@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bodies/halfspace/error_model.hpp"
 #include "mesh/shape.hpp"
 #include "quadrature/rules.hpp"
+#include "support/index.hpp"
 
 namespace rollcon::halfspace {
 namespace {
@@ -33,14 +33,22 @@ PlaneRule product_rule(int n) {
 
 }  // namespace
 
+ElementGeometry plane_geometry(const Frame& frame, std::int64_t element) {
+  Vec3 node[max_element_nodes];
+  const auto ids = frame.mesh.element(element);
+  for (std::size_t k = 0; k < ids.size(); ++k)
+    node[k] = {frame.x[at(ids[k])], frame.y[at(ids[k])], 0};
+  return element_geometry(frame.mesh.type[at(element)], {node, ids.size()});
+}
+
 FarGroup::FarGroup(const Frame& frame, std::vector<std::int64_t> elements, ElementType type,
                    MapKind map)
     : type_(type), map_(map), elements_(std::move(elements)) {
   for (const std::int64_t e : elements_) {
-    const ElementShape s = element_shape(frame, e);
-    shapes_.push_back(s);
-    centre_x_.push_back(s.centre_x);
-    centre_y_.push_back(s.centre_y);
+    shapes_.push_back(plane_geometry(frame, e));
+    const CellShape& s = shapes_.back().shape;
+    centre_x_.push_back(s.centre[0]);
+    centre_y_.push_back(s.centre[1]);
     half2_.push_back(s.half_length * s.half_length);
     area_.push_back(s.area);
     for (const std::int32_t node : frame.mesh.element(e)) connectivity_.push_back(node);
@@ -69,19 +77,19 @@ FarGroup::Level FarGroup::make_level(const PlaneRule& rule, int degree) const {
     std::copy_n(s.value.begin(), nodes(),
                 level.shape.begin() + static_cast<std::ptrdiff_t>(q * stride));
   }
-  for (const ElementShape& e : shapes_) {
+  for (const ElementGeometry& e : shapes_) {
     for (std::size_t q = 0; q < static_cast<std::size_t>(level.padded); ++q) {
       const std::size_t k = std::min(q, rule.size() - 1);  // padding repeats the last point
       Shape s;
       evaluate_shape(type_, rule.xi[k], rule.eta[k], s);
       double x = 0, y = 0, xu = 0, xv = 0, yu = 0, yv = 0;
       for (std::size_t i = 0; i < static_cast<std::size_t>(nodes()); ++i) {
-        x += s.value[i] * e.x[i];
-        y += s.value[i] * e.y[i];
-        xu += s.d_xi[i] * e.x[i];
-        yu += s.d_xi[i] * e.y[i];
-        xv += s.d_eta[i] * e.x[i];
-        yv += s.d_eta[i] * e.y[i];
+        x += s.value[i] * e.node[0][i];
+        y += s.value[i] * e.node[1][i];
+        xu += s.d_xi[i] * e.node[0][i];
+        yu += s.d_xi[i] * e.node[1][i];
+        xv += s.d_eta[i] * e.node[0][i];
+        yv += s.d_eta[i] * e.node[1][i];
       }
       level.x.push_back(x);
       level.y.push_back(y);
@@ -89,8 +97,8 @@ FarGroup::Level FarGroup::make_level(const PlaneRule& rule, int degree) const {
     }
     // R^(m+1) >= C area (a/1.9)^m / tolerance; the tolerance is the observer's.
     const int m = level.exponent;
-    level.factor.push_back(
-        std::pow(rule_constant * e.area * std::pow(e.half_length / 1.9, m), 2.0 / (m + 1)));
+    level.factor.push_back(std::pow(
+        far_constant * e.shape.area * std::pow(e.shape.half_length / 1.9, m), 2.0 / (m + 1)));
   }
   return level;
 }
@@ -174,7 +182,7 @@ FarForces FarGroup::sources(int level, const Forces& forces) const {
 std::size_t FarGroup::bytes() const {
   std::size_t doubles = 4 * shapes_.size();
   for (const Level& l : levels_) doubles += l.shape.size() + 3 * l.x.size() + l.factor.size();
-  return doubles * sizeof(double) + shapes_.size() * sizeof(ElementShape) +
+  return doubles * sizeof(double) + shapes_.size() * sizeof(ElementGeometry) +
          connectivity_.size() * sizeof(std::int32_t) + elements_.size() * sizeof(std::int64_t);
 }
 

@@ -4,19 +4,28 @@
 ///
 /// The rule of an element is the smallest one with
 ///   C area/R (1.9 R/a)^-m <= tolerance,   m = degree of exactness + 1 - degree of N J,
-/// R the distance, a the half-length of the longest side (see error_model.hpp): one comparison of
-/// R^2 with a product of an element's and an observer's factor.
+/// R the distance, a the half-length of the longest side (see rule_selection.hpp): one comparison
+/// of R^2 with a product of an element's and an observer's factor.
 
 #include <cstdint>
 #include <vector>
 
 #include "bodies/halfspace/kernels.hpp"
+#include "mesh/frame.hpp"
 #include "mesh/quadrature.hpp"
 #include "quadrature/element.hpp"
 
 namespace rollcon::halfspace {
 
 using namespace quadrature;
+
+/// C above.
+inline constexpr double far_constant = 6;
+/// Share of the tolerance given to one element; the rest is for the sum at a node.
+inline constexpr double element_share = 0.1;
+
+/// Of an element of the frame, on the plane.
+ElementGeometry plane_geometry(const Frame& frame, std::int64_t element);
 
 /// Elements of one type and one kind of map.
 class FarGroup {
@@ -26,7 +35,9 @@ class FarGroup {
   std::int64_t size() const { return static_cast<std::int64_t>(elements_.size()); }
   int nodes() const { return node_count(type_); }
   int levels() const { return static_cast<int>(levels_.size()); }
-  const ElementShape& shape(std::int64_t e) const { return shapes_[static_cast<std::size_t>(e)]; }
+  const ElementGeometry& shape(std::int64_t e) const {
+    return shapes_[static_cast<std::size_t>(e)];
+  }
   const std::int32_t* connectivity(std::int64_t e) const {
     return connectivity_.data() + e * nodes();
   }
@@ -62,7 +73,7 @@ class FarGroup {
   ElementType type_;
   MapKind map_;
   std::vector<std::int64_t> elements_;
-  std::vector<ElementShape> shapes_;
+  std::vector<ElementGeometry> shapes_;
   std::vector<std::int32_t> connectivity_;
   std::vector<double> centre_x_, centre_y_, half2_, area_;
   std::vector<Level> levels_;

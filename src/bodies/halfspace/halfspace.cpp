@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <atomic>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numbers>
 #include <vector>
 
-#include "bodies/halfspace/error_model.hpp"
 #include "bodies/halfspace/far_field.hpp"
 #include "bodies/halfspace/kernels.hpp"
-#include "bodies/halfspace/near_field.hpp"
+#include "quadrature/near_field.hpp"
 #include "quadrature/rules.hpp"
 #include "support/parallel.hpp"
 
@@ -32,6 +32,23 @@ struct Workspace {
   NearWorkspace near;
   std::int64_t far_evaluations = 0;
 };
+
+/// For an observer on the element or near it, each integral off by about `tolerance` (a length).
+void near_integrals(const ElementGeometry& element, double px, double py, double tolerance,
+                    int terms, const Kernels& kernels, NearWorkspace& workspace, double* integral) {
+  std::fill_n(integral, integral_count * max_shape_stride, 0.0);
+  NearElement relative;
+  relative.type = element.type;
+  for (int k = 0; k < element.nodes; ++k) {
+    relative.x[k] = element.node[0][k] - px;
+    relative.y[k] = element.node[1][k] - py;
+  }
+  // The rules are those of Kelvin's single layer, 1/(4 pi r).
+  const Tolerance length{std::numeric_limits<double>::infinity(),
+                         tolerance / (4 * std::numbers::pi)};
+  near_field(element, {px, py, 0}, {}, length, false, workspace,
+             [&] { kernels.near(relative, workspace.points, terms, integral); });
+}
 
 class HalfspaceCompliance final : public Compliance {
  public:
@@ -99,7 +116,7 @@ void HalfspaceCompliance::require_groups() const {
     groups_.clear();  // of an attempt that ran out of memory
     std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
     for (std::int64_t e = 0; e < frame_.elements(); ++e) {
-      const ElementShape shape = element_shape(frame_, e);
+      const ElementGeometry shape = plane_geometry(frame_, e);
       kinds[{shape.type, shape.map}].push_back(e);
     }
     for (auto& [kind, elements] : kinds) {
@@ -148,7 +165,6 @@ void HalfspaceCompliance::integrate_row(double px, double py, int terms, const K
         kernels.far(sources, e, px, py, terms, integral);
         w.far_evaluations += sources.n;
       } else {
-        std::fill(std::begin(integral), std::end(integral), 0.0);
         near_integrals(group.shape(e), px, py, tolerance, terms, kernels, w.near, integral);
       }
       const std::int32_t* node = group.connectivity(e);
@@ -269,7 +285,6 @@ void HalfspaceCompliance::apply(Points points, const double* traction, double* d
           set.push(sources, e, px, py, constants, terms, u);
           w.far_evaluations += sources.n;
         } else {
-          std::fill(std::begin(integral), std::end(integral), 0.0);
           near_integrals(group.shape(e), px, py, tolerance, terms, set, w.near, integral);
           add_near(integral, terms, group.connectivity(e), group.nodes(), traction, u);
         }

@@ -64,36 +64,17 @@ void far_rule(const FarSources& rule, std::int64_t element, double px, double py
     for (int i = 0; i < packs; ++i) store(integral + k * max_shape_stride + i * lanes, total[k][i]);
 }
 
-template <int packs>
-void far_terms(const FarSources& rule, std::int64_t element, double px, double py, int terms,
-               double* integral) {
-  switch (terms) {
-    case normal_only:
-      return far_rule<normal_only, packs>(rule, element, px, py, integral);
-    case with_shear:
-      return far_rule<with_shear, packs>(rule, element, px, py, integral);
-    case with_coupling:
-      return far_rule<with_coupling, packs>(rule, element, px, py, integral);
-    default:
-      return far_rule<all_terms, packs>(rule, element, px, py, integral);
-  }
+template <class Run>
+void for_terms(int terms, Run run) {
+  for_number<normal_only, with_shear, with_coupling, all_terms>(terms, run);
 }
 
 void far(const FarSources& rule, std::int64_t element, double px, double py, int terms,
          double* integral) {
-  constexpr auto packs = [](int nodes) { return (nodes + lanes - 1) / lanes; };
-  switch (rule.nodes) {
-    case 3:
-      return far_terms<packs(3)>(rule, element, px, py, terms, integral);
-    case 4:
-      return far_terms<packs(4)>(rule, element, px, py, terms, integral);
-    case 6:
-      return far_terms<packs(6)>(rule, element, px, py, terms, integral);
-    case 8:
-      return far_terms<packs(8)>(rule, element, px, py, terms, integral);
-    default:
-      return far_terms<packs(9)>(rule, element, px, py, terms, integral);
-  }
+  for_nodes(rule.nodes, [&]<int nodes>() {
+    constexpr int packs = (nodes + lanes - 1) / lanes;
+    for_terms(terms, [&]<int t>() { far_rule<t, packs>(rule, element, px, py, integral); });
+  });
 }
 
 template <int terms>
@@ -127,16 +108,7 @@ void push_forces(const FarForces& rule, std::int64_t element, double px, double 
 
 void push(const FarForces& rule, std::int64_t element, double px, double py,
           const double* constants, int terms, double* u) {
-  switch (terms) {
-    case normal_only:
-      return push_forces<normal_only>(rule, element, px, py, constants, u);
-    case with_shear:
-      return push_forces<with_shear>(rule, element, px, py, constants, u);
-    case with_coupling:
-      return push_forces<with_coupling>(rule, element, px, py, constants, u);
-    default:
-      return push_forces<all_terms>(rule, element, px, py, constants, u);
-  }
+  for_terms(terms, [&]<int t>() { push_forces<t>(rule, element, px, py, constants, u); });
 }
 
 template <ElementType type, int terms>
@@ -168,38 +140,11 @@ void near_rule(const NearElement& element, const NearPoints& points, double* int
     for (int i = 0; i < nodes; ++i) integral[k * max_shape_stride + i] += sum(total[k][i]);
 }
 
-template <ElementType type>
-void near_terms(const NearElement& element, const NearPoints& points, int terms, double* integral) {
-  switch (terms) {
-    case normal_only:
-      return near_rule<type, normal_only>(element, points, integral);
-    case with_shear:
-      return near_rule<type, with_shear>(element, points, integral);
-    case with_coupling:
-      return near_rule<type, with_coupling>(element, points, integral);
-    default:
-      return near_rule<type, all_terms>(element, points, integral);
-  }
-}
-
 void near(const NearElement& element, NearPoints& points, int terms, double* integral) {
-  for (int q = points.n; q % lanes != 0; ++q) {
-    points.xi[q] = points.xi[points.n - 1];
-    points.eta[q] = points.eta[points.n - 1];
-    points.w[q] = 0;
-  }
-  switch (element.type) {
-    case ElementType::tri3:
-      return near_terms<ElementType::tri3>(element, points, terms, integral);
-    case ElementType::tri6:
-      return near_terms<ElementType::tri6>(element, points, terms, integral);
-    case ElementType::quad4:
-      return near_terms<ElementType::quad4>(element, points, terms, integral);
-    case ElementType::quad8:
-      return near_terms<ElementType::quad8>(element, points, terms, integral);
-    case ElementType::quad9:
-      return near_terms<ElementType::quad9>(element, points, terms, integral);
-  }
+  pad(points);
+  for_type(element.type, [&]<ElementType type>() {
+    for_terms(terms, [&]<int t>() { near_rule<type, t>(element, points, integral); });
+  });
 }
 
 }  // namespace

@@ -8,9 +8,12 @@
 #include <cstdint>
 
 #include "mesh/element_type.hpp"
+#include "quadrature/near_points.hpp"
 #include "support/instruction_set.hpp"
 
 namespace rollcon::halfspace {
+
+using quadrature::NearPoints;
 
 inline constexpr int integral_count = 5;
 /// Arrays of quadrature points are padded to a multiple of this.
@@ -18,8 +21,6 @@ inline constexpr int point_padding = 8;
 /// Rows of a table of shape functions are padded to a multiple of this.
 inline constexpr int shape_padding = 8;
 inline constexpr int max_shape_stride = 16;
-/// Points in one call of near().
-inline constexpr int near_capacity = 256;
 /// Largest rule of the far field.
 inline constexpr int far_capacity = 64;
 
@@ -46,12 +47,6 @@ struct FarForces {
 struct NearElement {
   ElementType type = ElementType::tri3;
   double x[max_element_nodes], y[max_element_nodes];
-};
-
-/// Quadrature points in reference coordinates; weights without the Jacobian. Room for padding.
-struct NearPoints {
-  int n = 0;
-  alignas(64) double xi[near_capacity], eta[near_capacity], w[near_capacity];
 };
 
 struct Kernels {

@@ -4,6 +4,7 @@
 
 #include "bodies/halfspace/lattice_far.hpp"
 #include "quadrature/pack.hpp"
+#include "quadrature/pack_shape.hpp"
 
 namespace {
 
@@ -82,16 +83,8 @@ void far_row(const LatticeFar& job) {
 }
 
 inline void far_any(const LatticeFar& job, int terms) {
-  switch (terms) {
-    case normal_only:
-      return far_row<normal_only>(job);
-    case with_shear:
-      return far_row<with_shear>(job);
-    case with_coupling:
-      return far_row<with_coupling>(job);
-    default:
-      return far_row<all_terms>(job);
-  }
+  for_number<normal_only, with_shear, with_coupling, all_terms>(terms,
+                                                                [&]<int t>() { far_row<t>(job); });
 }
 
 }  // namespace

@@ -11,15 +11,7 @@ namespace rollcon::halfspace {
 extern const LatticeFarFunction lattice_far_baseline, lattice_far_avx2, lattice_far_avx512;
 
 LatticeFarFunction lattice_far(InstructionSet set) {
-  switch (set) {
-    case InstructionSet::avx512:
-      return lattice_far_avx512;
-    case InstructionSet::avx2:
-      return lattice_far_avx2;
-    case InstructionSet::baseline:
-      break;
-  }
-  return lattice_far_baseline;
+  return chosen(set, lattice_far_baseline, lattice_far_avx2, lattice_far_avx512);
 }
 
 namespace {

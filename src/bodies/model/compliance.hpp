@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "bodies/model/expanded_compliance.hpp"
 
@@ -27,6 +28,28 @@ struct Points {
 struct ComplianceBlock {
   double* a[3][3] = {};
   std::ptrdiff_t stride = 0;
+};
+
+/// Memory for the blocks that `wanted` asks for, with `columns` nodes; zero.
+class BlockBuffer {
+ public:
+  BlockBuffer(const ComplianceBlock& wanted, std::size_t points, std::int64_t columns) {
+    block_.stride = static_cast<std::ptrdiff_t>(columns);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        if (wanted.a[i][j]) {
+          memory_[i][j].assign(points * static_cast<std::size_t>(columns), 0.0);
+          block_.a[i][j] = memory_[i][j].data();
+        }
+  }
+  const ComplianceBlock& block() const { return block_; }
+  const double* row(std::size_t i, std::size_t j, std::size_t point) const {
+    return block_.a[i][j] + static_cast<std::ptrdiff_t>(point) * block_.stride;
+  }
+
+ private:
+  std::vector<double> memory_[3][3];
+  ComplianceBlock block_;
 };
 
 class Compliance {

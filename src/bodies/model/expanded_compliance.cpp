@@ -27,25 +27,21 @@ void add_block(const Compliance& local, Points points, std::span<const std::size
                RowMatrix<double>& direct) {
   const std::int64_t n = local.nodes();
   constexpr std::size_t slab = 256;  // points at a time
-  std::vector<double> buffer[3][3];
-  ComplianceBlock block;
-  block.stride = static_cast<std::ptrdiff_t>(n);
-  const std::size_t most = std::min(slab, points.size()) * static_cast<std::size_t>(n);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) {
-      if (!local.couples() && (i == 2) != (j == 2)) continue;
-      buffer[i][j].resize(most);
-      block.a[i][j] = buffer[i][j].data();
-    }
+  double some = 0;
+  ComplianceBlock wanted;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (local.couples() || (i == 2) == (j == 2)) wanted.a[i][j] = &some;
+  const BlockBuffer buffer(wanted, std::min(slab, points.size()), n);
   for (std::size_t first = 0; first < points.size(); first += slab) {
     const std::size_t count = std::min(slab, points.size() - first);
-    local.block({points.x.subspan(first, count), points.y.subspan(first, count)}, block);
+    local.block({points.x.subspan(first, count), points.y.subspan(first, count)}, buffer.block());
     for (std::size_t p = 0; p < count; ++p)
       for (std::size_t i = 0; i < 3; ++i) {
         double* row = direct.row(static_cast<std::int64_t>(3 * target[first + p] + i));
         for (std::size_t j = 0; j < 3; ++j) {
-          if (block.a[i][j] == nullptr) continue;
-          const double* from = block.a[i][j] + p * static_cast<std::size_t>(n);
+          if (!wanted.a[i][j]) continue;
+          const double* from = buffer.row(i, j, p);
           for (std::int64_t k = 0; k < n; ++k) row[3 * k + static_cast<std::int64_t>(j)] += from[k];
         }
       }

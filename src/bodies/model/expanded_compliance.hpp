@@ -15,35 +15,23 @@
 #include <vector>
 
 #include "linalg/dense.hpp"
+#include "linalg/sparse_matrix.hpp"
 
 namespace rollcon {
-
-/// Compressed columns, rows ascending.
-struct SparseColumns {
-  std::int64_t rows = 0, columns = 0;
-  std::vector<std::int64_t> start;  ///< columns + 1
-  std::vector<std::int64_t> row;
-  std::vector<double> value;
-};
-
-inline std::size_t bytes_of(const SparseColumns& matrix) {
-  return matrix.value.capacity() * sizeof(double) +
-         (matrix.row.capacity() + matrix.start.capacity()) * sizeof(std::int64_t);
-}
 
 /// K of a body: sparse (finite elements) or dense (boundary elements). Without loads and given
 /// displacements of its own, which Compliance::offset() adds.
 struct BodyEquations {
   std::int64_t unknowns = 0;
   bool symmetric = false;     ///< positive definite
-  SparseColumns matrix;       ///< whole, both triangles; empty when dense
+  SparseMatrix matrix;        ///< whole, both triangles; empty when dense
   std::vector<double> dense;  ///< unknowns squared, column-major; empty when sparse
 };
 
 struct ExpandedBody {
   std::shared_ptr<const BodyEquations> equations;
-  SparseColumns load;          ///< B: unknowns x (3 nodes of the frame)
-  SparseColumns displacement;  ///< P transposed: unknowns x (3 points)
+  SparseMatrix load;          ///< B: unknowns x (3 nodes of the frame)
+  SparseMatrix displacement;  ///< P transposed: unknowns x (3 points)
 };
 
 struct ExpandedCompliance {

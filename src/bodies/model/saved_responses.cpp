@@ -17,13 +17,12 @@ bool within(const auto& ids, std::int64_t count) {
 }  // namespace
 
 // Of faces, rows and columns follow from the mesh.
-template <class Archive, class Entry>
-void ResponseCache::content(Archive& ar, Entry& entry) const {
-  ar(entry.face);
-  ar(entry.layer.node);
-  ar(entry.layer.type);
-  ar(entry.layer.connectivity);
-  auto& rows = *entry.rows;
+template <class Archive, class Rows>
+void ResponseCache::content(Archive& ar, auto& surface, Rows& rows) const {
+  ar(surface.face);
+  ar(surface.layer.node);
+  ar(surface.layer.type);
+  ar(surface.layer.connectivity);
   ar(rows.row);
   ar(rows.seen_face);
   ar(rows.seen_node);
@@ -37,37 +36,35 @@ void ResponseCache::save_kept(SectionWriter& file) const {
   file.begin("kept");
   OutArchive ar(file);
   ar.count(kept_.size());
-  for (const Kept& entry : kept_) content(ar, entry);
+  for (const Kept& entry : kept_) content(ar, entry.surface, *entry.rows);
 }
 
 void ResponseCache::add_kept(SectionReader& file) {
   struct Read {
-    std::vector<std::int64_t> face;
-    SurfaceMesh layer;
+    LoadedSurface surface;
     std::shared_ptr<SurfaceRows> rows = std::make_shared<SurfaceRows>();
   };
   constexpr std::size_t least = 100;
   file.begin("kept");
   InArchive ar(file);
   std::vector<Read> all(ar.count(least));
-  for (Read& entry : all) content(ar, entry);
+  for (Read& entry : all) content(ar, entry.surface, *entry.rows);
   file.end();
-
   const std::lock_guard lock(mutex_);
   std::list<Kept> more;
-  for (Read& entry : all) {
-    SurfaceRows& rows = *entry.rows;
-    const bool of_faces = entry.layer.type.empty();
-    if (of_faces) {
-      const std::vector<std::int32_t> given = rows.row;
-      bool good = within(entry.face, surface_.elements()) &&
-                  std::is_sorted(entry.face.begin(), entry.face.end());
-      if (good) outline_faces(entry.face, rows);
-      if (!good || given != rows.row) file.fail_here("a kept response is of other faces");
+  for (auto& [surface, read] : all) {
+    SurfaceRows& rows = *read;
+    const std::vector<std::int32_t> given = rows.row;
+    if (surface.layer.type.empty()) {
+      if (!within(surface.face, surface_.elements()) ||
+          !std::is_sorted(surface.face.begin(), surface.face.end()))
+        file.fail_here("a kept response is of other faces");
     } else {
-      rows.column.resize(entry.layer.node.size());
-      std::iota(rows.column.begin(), rows.column.end(), 0);
+      surface.face.clear();
+      surface.row = given;
     }
+    set_outline(surface, rows);
+    if (given != rows.row) file.fail_here("a kept response is of other faces");
     const auto columns = static_cast<std::int64_t>(rows.column.size());
     const auto seen = static_cast<std::int64_t>(rows.seen_node.size());
     if (!within(rows.row, surface_.nodes()) || !within(rows.seen_node, surface_.nodes()) ||
@@ -76,8 +73,7 @@ void ResponseCache::add_kept(SectionReader& file) {
         rows.u.columns() != 3 * columns || rows.seen.rows() != seen ||
         (seen > 0 && rows.seen.columns() != columns))
       file.fail_here("a kept response does not fit the body");
-    if (of_faces ? find(entry.face) : find(entry.layer, rows.row)) continue;
-    more.push_back({std::move(entry.face), std::move(entry.layer), std::move(entry.rows)});
+    if (!find(surface)) more.push_back({std::move(surface), std::move(read)});
   }
   kept_.splice(kept_.end(), more);
   drop();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "linalg/lapack.hpp"
+#include "mesh/box.hpp"
 #include "mesh/shell_nesting.hpp"
 #include "support/error.hpp"
 
@@ -14,25 +15,12 @@ namespace {
 /// root) of what it moves the body.
 constexpr double least_eigenvalue = 1e-13;
 
-struct Box {
-  Vec3 middle{0, 0, 0};
-  double size = 0;
-};
-
-Box bounding_box(const SurfaceMesh& mesh) {
-  Vec3 low{1e300, 1e300, 1e300}, high{-1e300, -1e300, -1e300};
-  for (const Vec3& x : mesh.node)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], x[c]);
-      high[c] = std::max(high[c], x[c]);
-    }
-  return {0.5 * (low + high), 0.5 * length(high - low)};
-}
-
 }  // namespace
 
 void require_supports(const BodyMesh& mesh) {
-  const Box box = bounding_box(mesh.surface);
+  const Box box = box_of(mesh.surface.node);
+  const Vec3 middle = 0.5 * (box.low + box.high);
+  const double size = 0.5 * length(box.size());
   // Motions: translations e_c, rotations about the middle scaled by the size. gram = sum of r r^T
   // over the held components, r = what each motion moves them by.
   double gram[6][6] = {};
@@ -41,13 +29,13 @@ void require_supports(const BodyMesh& mesh) {
     for (std::size_t c = 0; c < 3; ++c) {
       if (!(mesh.held[k] & (1U << c))) continue;
       ++held;
-      const Vec3 arm = mesh.surface.node[k] - box.middle;
+      const Vec3 arm = mesh.surface.node[k] - middle;
       double r[6] = {};
       r[c] = 1;
       Vec3 unit{0, 0, 0};
       unit[c] = 1;
       const Vec3 moment = cross(arm, unit);
-      for (std::size_t j = 0; j < 3; ++j) r[3 + j] = moment[j] / box.size;
+      for (std::size_t j = 0; j < 3; ++j) r[3 + j] = moment[j] / size;
       for (int i = 0; i < 6; ++i)
         for (int j = 0; j < 6; ++j) gram[i][j] += r[i] * r[j];
     }
@@ -76,7 +64,7 @@ void require_supports(const BodyMesh& mesh) {
        "the body is not held: %d rigid motion(s) are free, such as translation (%.3g, %.3g, %.3g) "
        "with rotation (%.3g, %.3g, %.3g) about (%.6g, %.6g, %.6g) over its size; %s",
        static_cast<int>(free), shown[0], shown[1], shown[2], shown[3], shown[4], shown[5],
-       box.middle[0], box.middle[1], box.middle[2], remedy);
+       middle[0], middle[1], middle[2], remedy);
 }
 
 void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {

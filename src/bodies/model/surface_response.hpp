@@ -13,6 +13,18 @@
 
 namespace rollcon {
 
+/// Where a frame's tractions act: on faces of the body, interpolated by the faces' own shape
+/// functions and zero elsewhere; or on a mesh of its own that lies on the body's surface.
+struct LoadedSurface {
+  std::vector<std::int64_t> face;  ///< elements, ascending; empty: `layer`
+  SurfaceMesh layer;               ///< in the body's coordinates
+  /// Of a layer: the body's nodes whose displacements are wanted. Of faces these are their nodes
+  /// and those of all elements that touch them.
+  std::vector<std::int32_t> row;
+  bool of_faces() const { return !face.empty(); }
+  bool operator==(const LoadedSurface& other) const;
+};
+
 /// Whose tractions and displacements a frame's are, all in the body's axes.
 struct SurfaceOutline {
   std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
@@ -35,7 +47,7 @@ struct SurfaceRows : SurfaceOutline {
 /// The same before the body's unknowns are eliminated: right sides of its equations, and which
 /// unknowns the displacements are.
 struct SurfaceLoads : SurfaceOutline {
-  SparseColumns load;                 ///< unknowns x (3 * column.size())
+  SparseMatrix load;                  ///< unknowns x (3 * column.size())
   std::vector<std::int64_t> unknown;  ///< of (row, component): [3 * r + c]; -1: held
 };
 
@@ -63,23 +75,11 @@ class SectionWriter;
 class SurfaceResponse {
  public:
   virtual ~SurfaceResponse() = default;
-  /// Tractions on faces of the body (elements, ascending), interpolated by the faces' own shape
-  /// functions and zero elsewhere. Rows: the nodes of the faces and of all elements that touch
-  /// them. Kept, up to option cache_bytes: asking again for the same faces costs nothing.
-  virtual std::shared_ptr<const SurfaceRows> faces(std::span<const std::int64_t> face,
-                                                   int threads) = 0;
-  /// Tractions on a mesh of its own that lies on the body's surface (in the body's coordinates).
-  /// Kept likewise.
-  virtual std::shared_ptr<const SurfaceRows> layer(const SurfaceMesh& layer,
-                                                   std::span<const std::int32_t> row,
-                                                   int threads) = 0;
-  /// Right sides for the tractions that faces() and layer() take, with their rows. The body
-  /// factorises and condenses nothing for them. Shared as long as anyone holds them.
-  virtual std::shared_ptr<const SurfaceLoads> loads_of_faces(std::span<const std::int64_t> face,
-                                                             int threads) = 0;
-  virtual std::shared_ptr<const SurfaceLoads> loads_of_layer(const SurfaceMesh& layer,
-                                                             std::span<const std::int32_t> row,
-                                                             int threads) = 0;
+  /// Kept, up to option cache_bytes: asking again for the same surface costs nothing.
+  virtual std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) = 0;
+  /// Right sides for the same tractions. The body factorises and condenses nothing for them. Shared
+  /// as long as anyone holds them.
+  virtual std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) = 0;
   /// The matrix to these right sides, assembled once: shared like them, and kept by the body
   /// itself until it is factorised (unless option keep_factors is 0).
   virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;

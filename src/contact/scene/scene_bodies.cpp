@@ -90,10 +90,9 @@ void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag)
     const auto nodes = body.element(e);
     mesh.type.push_back(type);
     mesh.tag.push_back(tag);
-    const std::span<const int> order = turned_over(type);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const std::size_t from = which == 0 ? i : static_cast<std::size_t>(order[i]);
-      mesh.connectivity.push_back(number[static_cast<std::size_t>(nodes[from])]);
+      const int k = static_cast<int>(i), from = which == 0 ? k : turned_over(type, k);
+      mesh.connectivity.push_back(number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(from)])]);
     }
     mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
   }

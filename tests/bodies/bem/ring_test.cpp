@@ -112,7 +112,7 @@ TEST(RingLoads_long, by_faces_by_a_layer_and_by_tag_agree) {
         statics::load_faces(body.body(), patch, [&](const Vec3&) { return t; });
     std::vector<std::int32_t> node;
     const SurfaceMesh part = surfaces::part_of(mesh, patch, node);
-    const auto layer = body.body().response()->layer(part, faces.node, 1);
+    const auto layer = body.body().response()->rows({{}, part, faces.node}, 1);
     std::vector<double> loads, u(3 * faces.node.size());
     for (std::size_t k = 0; k < part.node.size(); ++k)
       loads.insert(loads.end(), t.begin(), t.end());

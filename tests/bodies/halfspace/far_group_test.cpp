@@ -8,7 +8,6 @@
 #include <numeric>
 #include <vector>
 
-#include "bodies/halfspace/error_model.hpp"
 #include "bodies/halfspace/far_field.hpp"
 #include "support/frames.hpp"
 
@@ -16,7 +15,7 @@ namespace rollcon {
 namespace {
 
 using halfspace::FarGroup;
-using quadrature::ElementShape;
+using quadrature::CellShape;
 using quadrature::MapKind;
 
 /// Rectangles of different sizes, far from the origin.
@@ -28,8 +27,8 @@ FarGroup group_off_the_origin() {
   return {frame, all, ElementType::quad4, MapKind::affine};
 }
 
-double distance2(const ElementShape& s, double px, double py) {
-  return (px - s.centre_x) * (px - s.centre_x) + (py - s.centre_y) * (py - s.centre_y);
+double distance2(const CellShape& s, double px, double py) {
+  return (px - s.centre[0]) * (px - s.centre[0]) + (py - s.centre[1]) * (py - s.centre[1]);
 }
 
 TEST(FarGroup, scale_is_the_largest_area_over_distance) {
@@ -40,7 +39,7 @@ TEST(FarGroup, scale_is_the_largest_area_over_distance) {
     const double px = 4.5 + 6 * random(), py = -6 + 6 * random();
     double expected = 0;
     for (std::int64_t e = 0; e < group.size(); ++e) {
-      const ElementShape& s = group.shape(e);
+      const CellShape& s = group.shape(e).shape;
       expected = std::max(expected,
                           s.area / std::sqrt(distance2(s, px, py) + s.half_length * s.half_length));
     }
@@ -63,14 +62,14 @@ TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
     const double tolerance = std::pow(10.0, -5 + 4 * random());
     group.select(px, py, tolerance, level.data());
     for (std::int64_t e = 0; e < group.size(); ++e) {
-      const ElementShape& s = group.shape(e);
+      const CellShape& s = group.shape(e).shape;
       const double d = std::sqrt(distance2(s, px, py)), a = s.half_length;
       int expected = d < 2.5 * a ? group.levels() : 0;
       bool close_call = std::abs(d / (2.5 * a) - 1) < 1e-12;
       while (expected < group.levels()) {
         const int m = 2 * (expected + 2) - 1;
         const double share =
-            halfspace::rule_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
+            halfspace::far_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
         close_call = close_call || std::abs(share - 1) < 1e-10;
         if (share <= 1) break;
         ++expected;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
-#include "bodies/halfspace/near_field.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
 

@@ -7,11 +7,11 @@
 /// the line at which r = 0. Elements that depart from an affine map by kappa (relative) raise p by
 /// up to k; every degree costs kappa rho. The Jacobian in U is no polynomial on curved elements: it
 /// has an ellipse of its own, through the point at which the normal vector vanishes. C is
-/// calibrated by the sweep in tests/bodies/bem/integrals/rule_selection_test.cpp.
+/// calibrated by the sweep in tests/quadrature/integrals/rule_selection_test.cpp.
 
-#include "bodies/bem/element_geometry.hpp"
+#include "quadrature/element.hpp"
 
-namespace rollcon::bem {
+namespace rollcon::quadrature {
 
 /// Allowed error of the integrals of T (a number) and of U (a length); infinite: not wanted.
 struct Tolerance {
@@ -31,7 +31,9 @@ struct Selection {
   bool gauss = false;  ///< false: needs the rules of the near field
 };
 
-Selection select_rule(const ElementGeometry& element, const CellShape& cell, const Vec3& point,
-                      Tolerance tolerance);
+/// The cell relative to the point.
+CellShape seen_from(const CellShape& cell, const Vec3& point);
+/// For the origin: the cell is relative to the point.
+Selection select_rule(const ElementGeometry& element, const CellShape& cell, Tolerance tolerance);
 
-}  // namespace rollcon::bem
+}  // namespace rollcon::quadrature

@@ -1,12 +1,12 @@
-#include "bodies/bem/rule_selection.hpp"
+#include "quadrature/rule_selection.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "bodies/bem/ellipse.hpp"
+#include "quadrature/ellipse.hpp"
 
-namespace rollcon::bem {
+namespace rollcon::quadrature {
 namespace {
 
 constexpr int too_many = 99;
@@ -23,17 +23,6 @@ Vec2 foot(const Vec3& centre, const Vec3& a, const Vec3& b) {
   if (!(det > 0)) return {0, 0};
   return {std::clamp((ca * bb - cb * ab) / det, -1.0, 1.0),
           std::clamp((cb * aa - ca * ab) / det, -1.0, 1.0)};
-}
-
-/// The cell relative to the observer.
-CellShape seen_from(const CellShape& cell, const Vec3& point) {
-  CellShape g = cell;
-  for (int i = 0; i < g.corners; ++i) {
-    g.corner[i] = g.corner[i] - point;
-    g.middle[i] = g.middle[i] - point;
-  }
-  g.centre = g.centre - point;
-  return g;
 }
 
 double triangle_axis(const CellShape& g) {
@@ -68,10 +57,18 @@ void square_axes(const CellShape& g, double& first, double& second) {
 
 }  // namespace
 
-Selection select_rule(const ElementGeometry& element, const CellShape& cell, const Vec3& point,
-                      Tolerance tolerance) {
+CellShape seen_from(const CellShape& cell, const Vec3& point) {
+  CellShape g = cell;
+  for (int i = 0; i < g.corners; ++i) {
+    g.corner[i] = g.corner[i] - point;
+    g.middle[i] = g.middle[i] - point;
+  }
+  g.centre = g.centre - point;
+  return g;
+}
+
+Selection select_rule(const ElementGeometry& element, const CellShape& g, Tolerance tolerance) {
   constexpr double pi = std::numbers::pi;
-  const CellShape g = seen_from(cell, point);
   const double distance = std::max(length(g.centre), 0.5 * g.half_length);
   const double ratio = g.area / distance;
   const double amplitude_t =
@@ -112,4 +109,4 @@ Selection select_rule(const ElementGeometry& element, const CellShape& cell, con
   return selection;
 }
 
-}  // namespace rollcon::bem
+}  // namespace rollcon::quadrature

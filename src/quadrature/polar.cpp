@@ -1,4 +1,4 @@
-#include "bodies/bem/polar.hpp"
+#include "quadrature/polar.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "quadrature/rules.hpp"
 
-namespace rollcon::bem {
+namespace rollcon::quadrature {
 namespace {
 
 constexpr double ray_constant = 20, height_constant = 200, angle_constant = 100;
@@ -22,10 +22,10 @@ double ray_decay(double length, double height) {
 template <class Points>
 void cheapest(int& points, int& pieces, Points needed) {
   double cost = 1e300;
-  points = quadrature::max_line_points;
+  points = max_line_points;
   for (int m = 1; m <= 24; ++m) {
     const double n = std::ceil(needed(m));
-    if (n <= quadrature::max_line_points && n * m < cost) {
+    if (n <= max_line_points && n * m < cost) {
       cost = n * m;
       points = static_cast<int>(n);
       pieces = m;
@@ -36,7 +36,7 @@ void cheapest(int& points, int& pieces, Points needed) {
 
 }  // namespace
 
-Foot find_foot(const ElementGeometry& element, const Vec3& point, Vec2 start, bool on) {
+Foot find_foot(const ElementGeometry& element, Vec2 start, bool on) {
   Foot foot;
   foot.reference = start;
   if (on) {
@@ -47,7 +47,6 @@ Foot find_foot(const ElementGeometry& element, const Vec3& point, Vec2 start, bo
   }
   for (int iteration = 0; iteration < 20; ++iteration) {
     element.tangents(foot.reference, foot.x, foot.d_xi, foot.d_eta);
-    foot.x = foot.x - point;
     const double aa = dot(foot.d_xi, foot.d_xi), bb = dot(foot.d_eta, foot.d_eta),
                  ab = dot(foot.d_xi, foot.d_eta), xa = dot(foot.x, foot.d_xi),
                  xb = dot(foot.x, foot.d_eta), det = aa * bb - ab * ab;
@@ -65,8 +64,8 @@ Foot find_foot(const ElementGeometry& element, const Vec3& point, Vec2 start, bo
   return foot;
 }
 
-EdgeView view_edge(const ElementGeometry& element, const Foot& foot, const Vec3& point, Vec2 begin,
-                   Vec2 end, Tolerance tolerance) {
+EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end,
+                   Tolerance tolerance) {
   EdgeView view;
   view.a = begin - foot.reference;
   view.b = end - begin;
@@ -93,7 +92,7 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, const Vec3&
   auto uneven = [&](double t) {
     const Vec2 ray = view.a + t * view.b;
     const Vec3 linear = foot.tangent(ray);
-    const Vec3 off = element.position(foot.reference + ray) - point - foot.x - linear;
+    const Vec3 off = element.position(foot.reference + ray) - foot.x - linear;
     view.uneven = std::max(view.uneven, std::sqrt(dot(off, off) / dot(linear, linear)));
   };
   const int steps = is_quadratic(element.type) ? 8 : 2;
@@ -111,7 +110,7 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
       std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
   // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular
   // at about s = 1/uneven; with a height, also singular at v = +- i pi/2.
-  const int p = quadrature::ray_degree(element.type, element.map);
+  const int p = ray_degree(element.type, element.map);
   double least = std::floor(0.5 * p) + 1;
   if (view.uneven > 0 && target < view.uneven) {
     const double z = 2 / view.uneven - 1, rho = z + std::sqrt(z * z - 1);
@@ -140,4 +139,4 @@ PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const Edg
   return rule;
 }
 
-}  // namespace rollcon::bem
+}  // namespace rollcon::quadrature

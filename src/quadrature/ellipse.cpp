@@ -1,9 +1,9 @@
-#include "bodies/bem/ellipse.hpp"
+#include "quadrature/ellipse.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace rollcon::bem {
+namespace rollcon::quadrature {
 namespace {
 
 constexpr double straight = 0.02;  ///< sag over distance at which a line counts as straight
@@ -56,4 +56,4 @@ double log_rho(double axis) {
   return std::log(axis + std::sqrt(std::max(0.0, axis * axis - 1)));
 }
 
-}  // namespace rollcon::bem
+}  // namespace rollcon::quadrature

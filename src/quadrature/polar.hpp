@@ -1,24 +1,24 @@
 #pragma once
-/// Polar coordinates about a foot on an element; see near_field.hpp.
+/// Polar coordinates about the foot of the origin on an element; see near_field.hpp.
 
-#include "bodies/bem/element_geometry.hpp"
-#include "bodies/bem/rule_selection.hpp"
+#include "quadrature/element.hpp"
+#include "quadrature/rule_selection.hpp"
 
-namespace rollcon::bem {
+namespace rollcon::quadrature {
 
-/// The foot of a point on an element and the tangent map there.
+/// The foot of the origin on an element and the tangent map there.
 struct Foot {
   bool found = false;
   Vec2 reference{0, 0};
-  Vec3 x{}, d_xi{}, d_eta{};  ///< x relative to the point
-  double height = 0;          ///< 0 when the point lies on the element
+  Vec3 x{}, d_xi{}, d_eta{};
+  double height = 0;  ///< 0 when the origin lies on the element
 
   Vec3 tangent(Vec2 v) const { return v.x * d_xi + v.y * d_eta; }
 };
 
-/// The foot closest to `start`; with `on`, start itself, the point being there. Not found when
+/// The foot closest to `start`; with `on`, start itself, the origin being there. Not found when
 /// Newton's method leaves the element's neighbourhood.
-Foot find_foot(const ElementGeometry& element, const Vec3& point, Vec2 start, bool on);
+Foot find_foot(const ElementGeometry& element, Vec2 start, bool on);
 
 /// An edge of a cell in the metric of the tangent map, seen from the foot.
 struct EdgeView {
@@ -31,8 +31,8 @@ struct EdgeView {
   double uneven = 0;                ///< largest relative departure of the map from its tangent
 };
 
-EdgeView view_edge(const ElementGeometry& element, const Foot& foot, const Vec3& point, Vec2 begin,
-                   Vec2 end, Tolerance tolerance);
+EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end,
+                   Tolerance tolerance);
 
 struct PolarRule {
   int ray = 1, ray_pieces = 1;      ///< points on each piece of a ray, pieces
@@ -41,4 +41,4 @@ struct PolarRule {
 PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view,
                      Tolerance tolerance);
 
-}  // namespace rollcon::bem
+}  // namespace rollcon::quadrature

@@ -1,0 +1,90 @@
+#include "bodies/body_kind.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "bodies/body_model.hpp"
+#include "bodies/contact_surface.hpp"
+#include "bodies/halfspace/halfspace.hpp"
+#include "bodies/meshed_compliance.hpp"
+#include "bodies/model/mesh_models.hpp"
+#include "bodies/model/supports.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+std::unique_ptr<Compliance> on_halfspace(const Frame& frame, const PairOfBodies& pair, int which,
+                                         double accuracy, int threads) {
+  const Body& body = *pair.body[at(which)];
+  return make_halfspace_compliance(
+      frame, halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1), accuracy,
+      threads);
+}
+
+std::unique_ptr<SurfaceResponse> by_finite_elements(BodyModel& model, int threads,
+                                                    SectionReader* saved) {
+  return fem::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads,
+                            saved);
+}
+
+std::unique_ptr<SurfaceResponse> by_boundary_elements(BodyModel& model, int threads,
+                                                      SectionReader* saved) {
+  const auto [young, poisson] = model.contact_material;
+  refuse_incompressible_cavities(model.mesh, poisson);
+  return bem::make_response(model.mesh, model.traction_nodes, young, poisson, model.options,
+                            threads, saved);
+}
+
+// Clamped plates under pressure lost two thirds of their deflection at a length of the elements of
+// 8 thicknesses (quadratic boundary elements), 17 (hex8) and 80 (hex20); of linear boundary
+// elements at one of 1.7. From the worst conditions on rounding (of boundary integrals: their
+// tolerance) shows in the fourth digit.
+constexpr BodyTraits kinds[] = {
+    {.kind = BodyKind::fem,
+     .name = "finite-element",
+     .parts = "finite elements",
+     .volume = true,
+     .surface = SurfaceKind::boundary,
+     .require_support = fem::require_support,
+     .make_compliance = make_meshed_compliance,
+     .make_response = by_finite_elements,
+     .worst_condition = 1e12,
+     .thin_linear = 10,
+     .thin_quadratic = 30},
+    {.kind = BodyKind::bem,
+     .name = "boundary-element",
+     .parts = "boundary elements",
+     .surface = SurfaceKind::closed,
+     .require_support = bem::require_support,
+     .make_compliance = make_meshed_compliance,
+     .make_response = by_boundary_elements,
+     .worst_condition = 1e10,
+     .dense = true,
+     .smooth_difference = true,
+     .thin_linear = 2,
+     .thin_quadratic = 6},
+    {.kind = BodyKind::halfspace,
+     .name = "half-space",
+     .parts = "half-space",
+     .meshed = false,
+     .make_compliance = on_halfspace},
+    {.kind = BodyKind::rigid, .name = "rigid", .parts = "rigid", .elastic = false},
+};
+
+}  // namespace
+
+const BodyTraits* find_traits(BodyKind kind) {
+  const auto* found = std::find_if(std::begin(kinds), std::end(kinds),
+                                   [&](const BodyTraits& row) { return row.kind == kind; });
+  return found == std::end(kinds) ? nullptr : found;
+}
+
+const BodyTraits& traits_of(BodyKind kind) {
+  if (const BodyTraits* found = find_traits(kind)) return *found;
+  fail(Status::err_argument, "kind is %d; allowed: 1 (FEM), 2 (BEM), 3 (half-space), 4 (rigid)",
+       static_cast<int>(kind));
+}
+
+}  // namespace rollcon

@@ -1,0 +1,48 @@
+#pragma once
+/// The models of bodies: a row for each in body_kind.cpp says all that tells it from the others.
+
+#include <cstdint>
+#include <memory>
+
+#include "mesh/surface_check.hpp"
+
+namespace rollcon {
+
+struct BodyModel;
+struct Frame;
+struct PairOfBodies;
+class Compliance;
+class SectionReader;
+class SurfaceResponse;
+
+enum class BodyKind : std::int32_t { fem = 1, bem = 2, halfspace = 3, rigid = 4 };
+
+struct BodyTraits {
+  BodyKind kind;
+  const char *name, *parts;  ///< "finite-element", "finite elements"
+  bool meshed = true;        ///< takes nodes and faces
+  bool elastic = true;       ///< takes a material, and with a mesh supports and loads
+  bool volume = false;       ///< its elements fill it, and their tags name materials
+  SurfaceKind surface = SurfaceKind::open;
+  /// Throws err_unsupported in a build without the component; null: always there.
+  void (*require_support)() = nullptr;
+  /// Its part of u1 - u2 on a frame; null: rigid.
+  std::unique_ptr<Compliance> (*make_compliance)(const Frame& frame, const PairOfBodies& pair,
+                                                 int which, double accuracy, int threads) = nullptr;
+  // Of bodies with equations; null: it has none.
+  std::unique_ptr<SurfaceResponse> (*make_response)(BodyModel& model, int threads,
+                                                    SectionReader* saved) = nullptr;
+  double worst_condition = 0;  ///< beyond it few digits of its displacements are left
+  bool dense = false;          ///< its matrix
+  /// Its displacement less that of a half-space is smooth between nodes, too.
+  bool smooth_difference = false;
+  /// Of linear and quadratic elements: length over thickness from which bending is lost.
+  double thin_linear = 0, thin_quadratic = 0;
+};
+
+/// Null for numbers that are no kind.
+const BodyTraits* find_traits(BodyKind kind);
+/// err_argument for those.
+const BodyTraits& traits_of(BodyKind kind);
+
+}  // namespace rollcon

@@ -1,0 +1,208 @@
+#include "quadrature/near_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "quadrature/polar.hpp"
+#include "quadrature/rules.hpp"
+
+namespace rollcon::quadrature {
+namespace {
+
+constexpr int max_depth = 100;  ///< halvings of area; what is left is smaller than rounding
+constexpr int too_many = 99;
+constexpr double most_uneven = 0.3;  ///< departure from the tangent map that polar takes
+constexpr double reach_affine = 2;   ///< how far outside polar works, in half sizes
+constexpr double reach_mapped = 0.3;
+
+class Integration {
+ public:
+  Integration(const ElementGeometry& element, Tolerance tolerance, bool strong,
+              NearWorkspace& workspace, const std::function<void()>& kernel)
+      : element_(element),
+        tolerance_(tolerance),
+        strong_(strong),
+        workspace_(workspace),
+        kernel_(kernel) {
+    workspace_.points.n = 0;
+  }
+
+  void run(const OnElement& on) {
+    if (on.known) set_foot(find_foot(element_, on.reference, true));
+    integrate(whole_element(element_.type), element_.shape);
+    flush();
+  }
+
+ private:
+  void integrate(const Cell& cell, const CellShape& shape) {
+    Selection selection{too_many, too_many, false};
+    const bool touched =
+        foot_inside_ && foot_.height == 0 && cell.distance_outside(foot_.reference) <= 1e-12;
+    if (!touched) selection = select_rule(element_, shape, tolerance_);
+    if (selection.gauss)
+      return cell.corners == 3 ? triangle_gauss(cell, selection.first)
+                               : square_gauss(cell, selection.first, selection.second);
+    if (cell.depth >= max_depth) return;
+    if (!foot_.found) set_foot(find_foot(element_, cell.centre(), false));
+    if (foot_.found && polar(cell)) return;
+    Cell parts[4];
+    const int n = cell.corners == 3 ? halve(cell, shape, parts)
+                                    : cell.split(selection.first > most_line_points,
+                                                 selection.second > most_line_points, parts);
+    for (int i = 0; i < n; ++i) integrate(parts[i], measure(element_, parts[i]));
+  }
+
+  /// Cuts a triangle across its longest side, so that parts of a slender one get better shapes.
+  static int halve(const Cell& cell, const CellShape& shape, Cell* parts) {
+    int longest = 0;
+    double most = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double side = length(shape.corner[(i + 1) % 3] - shape.corner[i]);
+      if (side > most) {
+        most = side;
+        longest = i;
+      }
+    }
+    const Vec2 a = cell.corner[longest], b = cell.corner[(longest + 1) % 3],
+               c = cell.corner[(longest + 2) % 3], middle = 0.5 * (a + b);
+    parts[0] = {3, {a, middle, c, {}}, cell.depth + 1};
+    parts[1] = {3, {middle, b, c, {}}, cell.depth + 1};
+    return 2;
+  }
+
+  void set_foot(const Foot& foot) {
+    foot_ = foot;
+    foot_inside_ =
+        foot.found && whole_element(element_.type).distance_outside(foot.reference) <= 1e-9;
+  }
+
+  void triangle_gauss(const Cell& cell, int degree) {
+    const Vec2 a = cell.corner[1] - cell.corner[0], b = cell.corner[2] - cell.corner[0];
+    const double area = cross(a, b);
+    for (const TriangleRule& rule : symmetric_triangle_rules())
+      if (rule.degree >= degree) {
+        for (std::size_t q = 0; q < rule.points.size(); ++q)
+          add(cell.corner[0] + rule.points.xi[q] * a + rule.points.eta[q] * b,
+              area * rule.points.w[q]);
+        return;
+      }
+  }
+
+  void square_gauss(const Cell& cell, int n1, int n2) {
+    const LineRule &rule1 = line_rule(n1), &rule2 = line_rule(n2);
+    const Vec2 a = 0.5 * (cell.corner[1] - cell.corner[0]);
+    const Vec2 b = 0.5 * (cell.corner[3] - cell.corner[0]);
+    const Vec2 c = cell.centre();
+    const double area = cross(a, b);
+    for (std::size_t i = 0; i < rule1.x.size(); ++i)
+      for (std::size_t j = 0; j < rule2.x.size(); ++j)
+        add(c + rule1.x[i] * a + rule2.x[j] * b, area * rule1.w[i] * rule2.w[j]);
+  }
+
+  /// With the foot outside of the cell, its surroundings are added and taken away again: no loss
+  /// where the integrand there is no larger than on the cell itself.
+  bool foot_serves(const Cell& cell) const {
+    const double outside = cell.distance_outside(foot_.reference);
+    if (outside <= 1e-12) return true;
+    const double reach = element_.map == MapKind::affine ? reach_affine : reach_mapped;
+    if (outside > reach) return false;
+    const bool weak = !strong_ || (foot_.height == 0 && foot_inside_);
+    return weak || foot_.height > outside_length(cell);
+  }
+
+  /// About how far outside of the cell the foot lies.
+  double outside_length(const Cell& cell) const {
+    double longest = 0;
+    for (int i = 0; i < cell.corners; ++i)
+      longest = std::max(
+          longest, length(foot_.tangent(cell.corner[(i + 1) % cell.corners] - cell.corner[i])));
+    return 0.5 * longest * cell.distance_outside(foot_.reference);
+  }
+
+  /// Signed triangles from the foot to the cell's edges.
+  bool polar(const Cell& cell) {
+    if (!foot_serves(cell)) return false;
+    EdgeView view[4];
+    for (int i = 0; i < cell.corners; ++i) {
+      view[i] = view_edge(element_, foot_, cell.corner[i], cell.corner[(i + 1) % cell.corners],
+                          tolerance_);
+      if (view[i].uneven > most_uneven) return false;
+    }
+    for (int i = 0; i < cell.corners; ++i)
+      if (view[i].counts) polar_edge(view[i]);
+    return true;
+  }
+
+  void polar_edge(const EdgeView& view) {
+    const PolarRule rule = polar_rule(element_, foot_, view, tolerance_);
+    const LineRule& around = line_rule(rule.angle);
+    const double half = 0.5 * (view.u2 - view.u1) / rule.angle_pieces;
+    const double area = cross(view.a, view.b);
+    for (int k = 0; k < rule.angle_pieces; ++k) {
+      const double middle = view.u1 + (2 * k + 1) * half;
+      for (std::size_t j = 0; j < around.x.size(); ++j) {
+        const double e = std::exp(middle + half * around.x[j]);
+        const double t = view.t0 + 0.5 * view.eta * (e - 1 / e);
+        const double weight = area * around.w[j] * half * 0.5 * view.eta * (e + 1 / e);
+        ray(view.a + t * view.b, weight, rule);
+      }
+    }
+  }
+
+  void ray(Vec2 direction, double weight, const PolarRule& rule) {
+    const LineRule& line = line_rule(rule.ray);
+    const double d = foot_.height;
+    const double scale = d / length(foot_.tangent(direction));
+    const double half = 0.5 * (d > 0 ? std::asinh(1 / scale) : 1) / rule.ray_pieces;
+    for (int k = 0; k < rule.ray_pieces; ++k)
+      for (std::size_t i = 0; i < line.x.size(); ++i) {
+        const double v = half * (2 * k + 1 + line.x[i]);
+        double s = v, slope = 1;
+        if (d > 0) {
+          const double e = std::exp(v);
+          s = 0.5 * scale * (e - 1 / e);
+          slope = 0.5 * scale * (e + 1 / e);
+        }
+        add(foot_.reference + s * direction, weight * s * slope * half * line.w[i]);
+      }
+  }
+
+  void add(Vec2 reference, double weight) {
+    NearPoints& p = workspace_.points;
+    if (p.n == near_capacity) flush();
+    p.xi[p.n] = reference.x;
+    p.eta[p.n] = reference.y;
+    p.w[p.n++] = weight;
+  }
+
+  void flush() {
+    if (workspace_.points.n == 0) return;
+    workspace_.evaluations += workspace_.points.n;
+    kernel_();
+    workspace_.points.n = 0;
+  }
+
+  const ElementGeometry& element_;
+  const Tolerance tolerance_;
+  const bool strong_;
+  NearWorkspace& workspace_;
+  const std::function<void()>& kernel_;
+  Foot foot_;
+  bool foot_inside_ = false;
+};
+
+}  // namespace
+
+void near_field(const ElementGeometry& element, const Vec3& point, const OnElement& on,
+                Tolerance tolerance, bool strong, NearWorkspace& workspace,
+                const std::function<void()>& kernel) {
+  // Relative to the point, as kernels see it: what is close to it loses no digits.
+  ElementGeometry relative = element;
+  for (std::size_t j = 0; j < 3; ++j)
+    for (double& node : relative.node[j]) node -= point[j];
+  relative.shape = seen_from(element.shape, point);
+  Integration(relative, tolerance, strong, workspace, kernel).run(on);
+}
+
+}  // namespace rollcon::quadrature
