@@ -89,10 +89,8 @@ class Watch final : public Monitor {
 };
 
 void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
-  LinearSolver& linear = s.newton.linear;
-  linear.method = s.procedure.linear;
-  linear.preconditioner = s.procedure.preconditioner;
-  s.newton.procedure = s.procedure;
+  LinearSolver& linear = s.newton.linear();
+  s.newton.use(s.procedure);
   s.newton.look_for_sliding = options.total_sliding != 0;
   s.newton.predict = options.prediction != 0;
   linear.unknowns = 0;  // where nothing needs a system
@@ -101,12 +99,12 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.factorizations = -linear.factorizations;
   s.timings.linear = -linear.seconds;
   start_on_lattice(s, monitor);
-  s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, options.tolerance,
+  s.report = s.newton.solve(s.problem, s.given, s.iterate, s.frictionless, options.tolerance,
                             options.max_iterations, monitor);
   // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
   while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
     const NewtonReport before = s.report;
-    s.report = s.newton.solve(s.problem, s.iterate, s.frictionless, options.tolerance,
+    s.report = s.newton.solve(s.problem, s.given, s.iterate, s.frictionless, options.tolerance,
                               options.max_iterations, monitor);
     s.report.add(before);
   }
@@ -149,10 +147,10 @@ std::int64_t nodes_at_rim(const SolverState& s) {
   return count;
 }
 
-void refuse_tangential_loads(const Problem& problem) {
+void refuse_tangential_loads(const Prescribed& given) {
   for (const int m : {xi1, xi2, spin})
-    if (problem.by_force[static_cast<std::size_t>(m)] &&
-        problem.value[static_cast<std::size_t>(m)] != 0)
+    if (given.by_force[static_cast<std::size_t>(m)] &&
+        given.value[static_cast<std::size_t>(m)] != 0)
       fail(Status::err_load,
            "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
            "at every node: there is no steady solution");
@@ -229,7 +227,7 @@ std::int64_t Contact::elements() const {
 void Contact::reset() {
   SolverState& s = *state_;
   s.iterate.clear();
-  s.newton.linear.forget();
+  s.newton.linear().forget();
   s.warm_usable = s.solved = s.derived = s.laws_checked = false;
   s.history.clear();
   s.merit.clear();
@@ -282,7 +280,7 @@ Status Contact::solve_scene() {
   s.warm_usable = false;
 
   s.settled = true;
-  if (s.frictionless) refuse_tangential_loads(s.problem);
+  if (s.frictionless) refuse_tangential_loads(s.given);
   refuse_overflow(s);
   s.settled = false;
   solve_prepared(s, scene.options, watch);

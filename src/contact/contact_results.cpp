@@ -166,7 +166,7 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 void Contact::motion(double* depth, double* creep) const {
   require_solution(*state_, scene);
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->problem.approach_of(m);
+  if (depth) *depth = state_->given.approach_of(m, state_->problem.datum);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 

@@ -175,7 +175,7 @@ constexpr Statistic table[] = {
      [](SolverState& s) {
        const double components = s.frictionless ? 1 : 3;
        return components * sum_in_contact(s, [](std::size_t) { return 1.0; }) +
-              number(std::count(s.problem.by_force.begin(), s.problem.by_force.end(), true));
+              number(std::count(s.given.by_force.begin(), s.given.by_force.end(), true));
      }},
 };
 

@@ -128,6 +128,7 @@ struct SolverState {
   bool table = false;  ///< dense rows are copied from a table of one node's influence
 
   Problem problem;
+  Prescribed given;
   Reach reach;
   Iterate iterate;
   Newton newton;
@@ -183,7 +184,7 @@ void require_rows(SolverState& state, const Options& options, std::span<const st
 void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);
 
 /// err_load if a frictionless problem prescribes what only friction can carry.
-void refuse_tangential_loads(const Problem& problem);
+void refuse_tangential_loads(const Prescribed& given);
 /// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what
 /// double precision can calculate with.
 void refuse_overflow(const SolverState& state);

@@ -18,78 +18,41 @@ constexpr double progress = 0.7;   // factor on the best residual that counts as
 constexpr int patience = 4;        // short steps in a row before a full one is taken
 constexpr double finest_linear_tolerance = 1e-12;
 
-}  // namespace
+/// Values of the laws at a point.
+struct AtPoint {
+  const Problem& p;
+  const Point& z;
 
-double Gnmls::Residual::worst() const {
-  return std::max({normal, tangential, load, imbalance});
-}
+  double lambda(int c, std::size_t k) const { return z.lambda[c][k]; }
+  SummedGap gap(std::size_t k) const {
+    return {p.rigid_gap(k, z.motion[approach]) - z.depth[k], 0};
+  }
+  static bool slip_known(std::size_t) { return true; }
+  SummedSlip slip(std::size_t k) const {
+    const auto i = static_cast<std::int64_t>(k);
+    return {p.rigid_slip1(i, z.motion) + z.slip[0][k], p.rigid_slip2(i, z.motion) + z.slip[1][k],
+            0};
+  }
+};
+
+}  // namespace
 
 // Laws (17)-(24) as projections of the augmented tractions, at every pair.
 Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   const Problem& p = *problem_;
-  Residual r;
-  double pressure = 0, traction = 0, bound_max = 0, worst_n = 0, worst_t = 0, sum_n = 0, sum_t = 0;
-  for (std::size_t k = 0; k < at(p.nodes); ++k) {
-    if (measure) step_.state[k] = p.used[k] ? PairState::open : PairState::unused;
-    if (!p.used[k]) continue;
-    const auto i = static_cast<std::int64_t>(k);
-    const double ln = z.lambda[2][k];
-    const double augmented = ln + p.rn[k] * (p.rigid_gap(k, z.motion[approach]) - z.depth[k]);
-    const double rest_n = ln - std::min(augmented, 0.0);
-    worst_n = std::max(worst_n, std::abs(rest_n));
-    sum_n += rest_n * rest_n;
-    pressure = std::max(pressure, -ln);
-    const bool touching = augmented < 0;
-    r.contact += touching;
-    if (measure && touching) step_.state[k] = PairState::stick;
-    if (!tangential_) continue;
-    const double l1 = z.lambda[0][k], l2 = z.lambda[1][k];
-    double t1 = 0, t2 = 0;
-    if (touching) {
-      const double a1 = l1 - p.rt[k] * (p.rigid_slip1(i, z.motion) + z.slip[0][k]);
-      const double a2 = l2 - p.rt[k] * (p.rigid_slip2(i, z.motion) + z.slip[1][k]);
-      const double bound = -p.mu[k] * augmented;
-      bound_max = std::max(bound_max, bound);
-      project_on_disk(a1, a2, bound, t1, t2);
-      if (!(std::hypot(a1, a2) < bound)) {
-        ++r.sliding;
-        if (measure) step_.state[k] = PairState::slip;
-      }
-    }
-    const double rest_t = std::hypot(l1 - t1, l2 - t2);
-    traction = std::max(traction, std::hypot(l1, l2));
-    worst_t = std::max(worst_t, rest_t);
-    sum_t += rest_t * rest_t;
-  }
-  if (measure) {
-    pressure_scale_ = pressure > 0 ? pressure : worst_n;
-    traction_scale_ = worst_t;
-    if (traction > 0) traction_scale_ = bound_max > 0 ? std::min(traction, bound_max) : traction;
-    if (!(pressure_scale_ > 0)) pressure_scale_ = 1;
-    if (!(traction_scale_ > 0)) traction_scale_ = 1;
-  }
-  r.normal = worst_n / pressure_scale_;
-  r.tangential = worst_t / traction_scale_;
-  r.load = load_residual(z);
-  const double imbalance = system_->imbalance(z) / pressure_scale_;
-  // A relative error of a load stands for that error of the traction at every pair.
-  r.merit = 0.5 * (sum_n / (pressure_scale_ * pressure_scale_) +
-                   sum_t / (traction_scale_ * traction_scale_) +
-                   r.load * r.load * static_cast<double>(r.contact) + imbalance * imbalance);
+  const Part part = tangential_ ? Part::full : Part::normal;
+  for (std::size_t k = 0; measure && k < at(p.nodes); ++k)
+    step_.state[k] = p.used[k] ? PairState::open : PairState::unused;
+  const LawSums sums =
+      sum_laws(p, p, part, AtPoint{p, z}, [&](std::size_t k, bool touching, bool sliding) {
+        if (measure && touching) step_.state[k] = sliding ? PairState::slip : PairState::stick;
+      });
+  if (measure) scales_ = scales_of(sums);
+  Residual r{residual_of(sums, scales_, load_error(p, p, part, z.lambda), sums.contact)};
+  const double imbalance = system_->imbalance(z) / scales_.pressure;
+  r.merit += 0.5 * imbalance * imbalance;
   r.imbalance = imbalance / std::sqrt(std::max(1.0, static_cast<double>(r.contact)));
   return r;
-}
-
-double Gnmls::load_residual(const Point& z) const {
-  const Problem& p = *problem_;
-  double worst = 0;
-  for (const int m : {xi1, xi2, approach, spin}) {
-    if (!p.by_force[at(m)] || (m != approach && !tangential_)) continue;
-    const LoadSum sum = load_on_body1(p, m, z.lambda);
-    const double scale = std::max(sum.magnitude, std::abs(p.value[at(m)]));
-    if (scale > 0) worst = std::max(worst, std::abs(sum.value - p.value[at(m)]) / scale);
-  }
-  return worst;
 }
 
 // Pressures are near those of the solution. What friction has a part in is not settled before the
@@ -99,10 +62,10 @@ bool Gnmls::beyond_friction() {
   constexpr double part_of_friction = 0.05, settling = 2e-3;
   const Problem& p = *problem_;
   const bool moment = p.by_force[spin], curved = !p.turn.empty() && p.by_force[approach];
-  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, z_.lambda[2]);
+  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, p, z_.lambda[2]);
   const double limit = 1 + (curved ? settling : -1e-12), far = 1 + part_of_friction;
-  if (!moment && share_of_forces(p, z_.lambda) < (sum_known ? limit : far)) return false;
-  report_.share = share_of_friction(p, z_.lambda);
+  if (!moment && share_of_forces(p, p, z_.lambda) < (sum_known ? limit : far)) return false;
+  report_.share = share_of_friction(p, p, z_.lambda);
   return report_.share.together >= (known ? limit : far) ||
          (sum_known && report_.share.force >= limit);
 }
@@ -137,12 +100,11 @@ void Gnmls::linearise() {
       continue;
     }
     const auto i = static_cast<std::int64_t>(k);
-    const double a1 = z_.lambda[0][k] - p.rt[k] * (p.rigid_slip1(i, z_.motion) + z_.slip[0][k]);
-    const double a2 = z_.lambda[1][k] - p.rt[k] * (p.rigid_slip2(i, z_.motion) + z_.slip[1][k]);
     const double pressure =
         -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion[approach]) - z_.depth[k]));
     TangentialLaw& law = step_.law[k];
-    law = linearise_coulomb(a1, a2, p.mu[k], p.mu[k] * pressure, true);
+    law = linearise_friction(p, p, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
+                             p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
     if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative)
       continue;
     // (77)-(82): the direction of friction stays that of the last iterate.
@@ -227,7 +189,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(z_, true);
-    const double worst = residual.worst();
+    const double worst = residual.greatest();
     record.iteration = k;
     record.residual_normal = report_.residual_normal = residual.normal;
     record.residual_tangential = report_.residual_tangential = residual.tangential;
@@ -244,14 +206,14 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
       // All pairs opened: from zero tractions again, at an approach that touches.
       raised = !loaded;
       for (auto& component : z_.lambda) std::fill(component.begin(), component.end(), 0.0);
-      guess_approach(p, z_.motion);
+      guess_approach(p, p, z_.motion);
       system_->update(z_);
       if (k >= max_iterations) return Outcome::not_converged;
       continue;
     }
     if (worst <= tolerance) {
-      if (!tangential_ || !friction_overdrawn(p, z_.lambda)) return Outcome::converged;
-      report_.share = share_of_friction(p, z_.lambda);
+      if (!tangential_ || !friction_overdrawn(p, p, z_.lambda)) return Outcome::converged;
+      report_.share = share_of_friction(p, p, z_.lambda);
       return Outcome::no_solution;
     }
     // A warm start that leads nowhere is left for a cold one.
@@ -259,7 +221,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
     if (k >= max_iterations) return Outcome::not_converged;
-    if (tangential_ && pressures_settled(p, z_.lambda, residual.normal) && beyond_friction())
+    if (tangential_ && pressures_settled(p, p, z_.lambda, residual.normal) && beyond_friction())
       return Outcome::no_solution;
     const double eta = next_tolerance(residual, worst, tolerance);
     linearise();
@@ -304,9 +266,9 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
     for (const int m : {xi1, xi2, spin})
       if (p.by_force[at(m)]) iterate.motion[at(m)] = 0;
     if (procedure_.jacobian == Jacobian::exact)
-      guess_start(p, iterate);
+      guess_start(p, p, iterate);
     else
-      guess_approach(p, iterate.motion);
+      guess_approach(p, p, iterate.motion);
   }
   for (int c = 0; c < 3; ++c) z_.lambda[c] = iterate.lambda[c];
   for (int c = 0; c < 2; ++c) {
@@ -336,7 +298,7 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   report_ = {};
   best_worst_ = INFINITY;
   if (problem.by_force[approach] && !(problem.value[approach] > 0)) {
-    start_cold(problem, iterate);
+    start_cold(problem, problem, iterate);
     report_.outcome = Outcome::no_contact;
     return report_;
   }
@@ -345,7 +307,7 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
   const std::int64_t left = max_iterations - report_.full_iterations - report_.normal_iterations;
   if (report_.outcome == Outcome::not_converged && warm_ && left > 0) {
     ++report_.fallbacks;
-    start_cold(problem, iterate);
+    start_cold(problem, problem, iterate);
     begin(iterate, frictionless);
     report_.outcome = run(tolerance, left, monitor);
   }
@@ -358,7 +320,7 @@ NewtonReport Gnmls::solve(Problem& problem, Iterate& iterate, StepSystem& system
     report_.residual_tangential = best.tangential;
   }
   if (report_.outcome == Outcome::not_converged && !std::isfinite(best_worst_)) {
-    start_cold(problem, iterate);
+    start_cold(problem, problem, iterate);
     return report_;
   }
   for (int c = 0; c < 3; ++c) iterate.lambda[c] = z_.lambda[c];

@@ -2,7 +2,8 @@
 /// The generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal
 /// (2010), section 11.1, on either form of the system and with any of its Jacobians.
 
-#include "contact/newton/newton.hpp"
+#include "contact/laws/residual.hpp"
+#include "contact/newton/report.hpp"
 #include "contact/scene/procedure.hpp"
 #include "procedures/step_system.hpp"
 
@@ -18,16 +19,14 @@ class Gnmls {
                      std::int64_t max_iterations, Monitor& monitor);
 
  private:
-  struct Residual {
-    double normal = 0, tangential = 0, load = 0, imbalance = 0, merit = 0;
-    std::int64_t contact = 0, sliding = 0;
-    double worst() const;
+  struct Residual : LawResidual {
+    double imbalance = 0;
+    double greatest() const { return std::max({normal, tangential, load, imbalance}); }
   };
   void begin(Iterate& iterate, bool frictionless);
   Outcome run(double tolerance, std::int64_t max_iterations, Monitor& monitor);
   /// Laws at a point; fixes the scales that residuals are relative to when `measure`.
   Residual evaluate(const Point& z, bool measure);
-  double load_residual(const Point& z) const;
   void linearise();
   bool beyond_friction();
   bool creepage_unknown() const;
@@ -45,7 +44,7 @@ class Gnmls {
   double best_worst_ = 0;
   Step step_;
   std::vector<double> merits_;
-  double pressure_scale_ = 1, traction_scale_ = 1;
+  LawScales scales_;
   double eta_ = 0, last_merit_ = 0;
   double sharpening_ = 1;  ///< of linear tolerances, after short steps
 };

@@ -8,10 +8,9 @@ namespace {
 class Published final : public PublishedSolver {
  public:
   void run(SolverState& s, const Options& options, Monitor& monitor) override {
-    LinearSolver& linear = s.newton.linear;
-    linear.method = s.procedure.linear;
-    linear.preconditioner = s.procedure.preconditioner;
-    linear.forget_exact();
+    s.newton.use(s.procedure);
+    s.newton.linear().forget_exact();
+    static_cast<Prescribed&>(s.problem) = s.given;
     s.newton.forget_prediction();
     const Tangential tangential = s.frictionless                              ? Tangential::none
                                   : s.procedure.jacobian == Jacobian::reduced ? Tangential::shift

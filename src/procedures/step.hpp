@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "contact/laws/coulomb.hpp"
+#include "contact/laws/friction_law.hpp"
 
 namespace rollcon {
 

@@ -49,16 +49,17 @@ struct Example {
     p.by_force = {by_force, false, by_force, by_force};
     std::vector<std::int32_t> active;
     for (std::int32_t k = 0; k < nodes; k += 1 + (k % 5 == 0)) active.push_back(k);
-    system.gather(p, part, active, lambda, true);
+    system.gather(p, p, part, active, lambda, true);
     if (part != Part::normal) slide(part);
     for (std::int64_t i = 0; i < system.size(); ++i) b.push_back(random());
   }
 
   void slide(Part part) {
     for (std::int64_t a = 0; a < system.active(); ++a) {
-      const double bound = a % 3 == 0 ? 10 : 0.3;
-      system.law(a) = linearise_coulomb(a == 4 ? 0 : random(), a == 4 ? 0 : random(), 0.3,
-                                        a == 4 ? 0 : bound, part == Part::full);
+      const double pressure = a % 3 == 0 ? 30 : 1;
+      system.law(a) = coulomb().linearise(
+          {0.3, a == 4 ? 0 : pressure, a == 4 ? 0 : random(), a == 4 ? 0 : random()},
+          part == Part::full);
     }
   }
 
@@ -127,8 +128,8 @@ TEST(free_system, factors_serve_a_system_in_another_state) {
     ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-10, x));
     const std::int64_t fresh = solver.iterations;
     // One node lets go, another turns.
-    e.system.law(3) = linearise_coulomb(1, 0.5, 0.3, 0.3, part == Part::full);
-    e.system.law(1) = linearise_coulomb(0.1, 1, 0.3, 0.3, part == Part::full);
+    e.system.law(3) = coulomb().linearise({0.3, 1, 1, 0.5}, part == Part::full);
+    e.system.law(1) = coulomb().linearise({0.3, 1, 0.1, 1}, part == Part::full);
     ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-10, x));
     const std::int64_t kept = solver.iterations - fresh;
     std::printf("%lld iterations with fresh factors, %lld with kept ones\n",

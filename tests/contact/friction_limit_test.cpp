@@ -78,11 +78,11 @@ TEST(friction_limit, full_sliding_is_the_limit) {
           for (const double part : {1.0, 0.25}) {
             for (const int m : {xi1, xi2, spin})
               p.value[static_cast<std::size_t>(m)] = part * load_on_body1(p, m, l.lambda).value;
-            const FrictionShare share = share_of_friction(p, l.lambda);
+            const FrictionShare share = share_of_friction(p, p, l.lambda);
             worst = std::max(worst, std::abs(share.together / part - 1));
             worst_sliding = std::max(worst_sliding, 1 - share.sliding / part);
             if (!by_force[spin]) {
-              EXPECT_NEAR(share_of_forces(p, l.lambda), part, 1e-12);
+              EXPECT_NEAR(share_of_forces(p, p, l.lambda), part, 1e-12);
               EXPECT_EQ(share.together, share.force);
             }
           }
@@ -114,7 +114,7 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
         }
         for (const int m : {xi1, xi2, spin})
           p.value[static_cast<std::size_t>(m)] = load_on_body1(p, m, l.lambda).value;
-        const FrictionShare share = share_of_friction(p, l.lambda);
+        const FrictionShare share = share_of_friction(p, p, l.lambda);
         most = std::max(most, share.together);
         for (int sample = 0; sample < 300; ++sample) {
           std::array<double, 4> a{};
@@ -147,12 +147,12 @@ TEST(friction_limit, quadratic_frames_carry_mu_times_the_integrated_pressure) {
     Problem& p = l.problem;
     const double most = 0.3 * load_on_body1(p, approach, l.lambda).value;
     p.value = {0.6 * most, 0.8 * most, 0, 0};
-    EXPECT_NEAR(share_of_friction(p, l.lambda).together, 1, 1e-12);
-    EXPECT_NEAR(share_of_forces(p, l.lambda), 1, 1e-12);
-    EXPECT_EQ(friction_overdrawn(p, l.lambda), type == ElementType::quad8);
+    EXPECT_NEAR(share_of_friction(p, p, l.lambda).together, 1, 1e-12);
+    EXPECT_NEAR(share_of_forces(p, p, l.lambda), 1, 1e-12);
+    EXPECT_EQ(friction_overdrawn(p, p, l.lambda), type == ElementType::quad8);
     p.value[xi1] *= 0.99;
     p.value[xi2] *= 0.99;
-    EXPECT_FALSE(friction_overdrawn(p, l.lambda));
+    EXPECT_FALSE(friction_overdrawn(p, p, l.lambda));
   }
 }
 

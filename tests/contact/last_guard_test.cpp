@@ -124,11 +124,11 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   Spoiler spoiler;
   spoiler.iterate = &s.iterate;
   if (again) {
-    EXPECT_EQ(newton.solve(p, s.iterate, false, 1e-10, 500, spoiler).outcome, Outcome::converged);
+    EXPECT_EQ(newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler).outcome, Outcome::converged);
     p.value[xi1] = 25;
   }
   spoiler.what = what;
-  s.report = newton.solve(p, s.iterate, false, 1e-10, 500, spoiler);
+  s.report = newton.solve(p, p, s.iterate, false, 1e-10, 500, spoiler);
   s.load = load_on_body1(p, approach, s.iterate.lambda).value;
   return s;
 }

@@ -81,8 +81,8 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame,
     c.step.state[k] = slips ? PairState::slip : PairState::stick;
     const double bound = 0.3 * c.traction * (1 + 0.2 * random());
     const double size = slips ? bound * 1.3 : 0.5 * bound, angle = 3 + random();
-    c.step.law[k] =
-        linearise_coulomb(size * std::cos(angle), size * std::sin(angle), 0.3, bound, true);
+    c.step.law[k] = coulomb().linearise(
+        {0.3, bound / 0.3, size * std::cos(angle), size * std::sin(angle)}, true);
   }
   return c;
 }
@@ -191,7 +191,7 @@ void shift_states(Case& c) {
       ++flips;
     } else if (state == PairState::stick && k % 2 == 0) {
       state = PairState::slip;
-      c.step.law[k] = linearise_coulomb(-1, 0.2, 0.3, 0.8, true);
+      c.step.law[k] = coulomb().linearise({0.3, 0.8 / 0.3, -1, 0.2}, true);
       if (c.tangential == Tangential::shift) {
         c.step.law[k] = TangentialLaw{};
         c.step.law[k].own[0][0] = c.step.law[k].own[1][1] = 1;

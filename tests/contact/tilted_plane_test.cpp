@@ -105,7 +105,7 @@ struct Setting {
     s.iterate.resize(p.nodes);
     Newton newton;
     Quiet quiet;
-    s.report = newton.solve(p, s.iterate, mu == 0, 1e-11, 200, quiet);
+    s.report = newton.solve(p, p, s.iterate, mu == 0, 1e-11, 200, quiet);
     return s;
   }
 };

@@ -62,6 +62,7 @@ std::unique_ptr<SolverState> share(SolverState& from) {
   to->lattice_known = from.lattice_known;
   to->table = from.table;
   to->problem = share(from.problem);
+  to->given = from.given;
   to->reach = from.reach;
   to->reach.fixed = true;
   to->reach.known = false;
@@ -80,12 +81,7 @@ bool can_share(const SolverState& state) {
 }
 
 CaseSolver::CaseSolver(SolverState& scene, const Options& options)
-    : options_(options),
-      state_(share(scene)),
-      friction_(scene.problem.mu),
-      scale_(scene.problem.rt),
-      value_(scene.problem.value),
-      frictionless_(scene.frictionless) {}
+    : options_(options), state_(share(scene)), frictionless_(scene.frictionless) {}
 
 CaseSolver::~CaseSolver() = default;
 
@@ -95,30 +91,19 @@ void CaseSolver::begin_chain() {
   warm_ = false;
 }
 
-// Fallbacks change scales, friction and loads for a while.
-void CaseSolver::recover() {
-  begin_chain();
-  state_->problem.rt = scale_;
-  state_->problem.mu = friction_;
-  state_->problem.value = value_;
-  factor_ = 1;
-}
-
 void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* value) {
   SolverState& s = *state_;
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     const double v = value[j] + 0.0;  // no negative zero
-    if (parameter[j] != Parameter::friction) {
-      const auto m = static_cast<std::size_t>(parameter[j]) - 1;
-      s.problem.value[m] = v;
-      if (m == approach) s.problem.prescribe_normal(s.problem.by_force[m], v);
-      continue;
-    }
-    if (v != factor_)
-      for (std::size_t k = 0; k < friction_.size(); ++k) s.problem.mu[k] = v * friction_[k];
-    factor_ = v;
+    const auto m = static_cast<std::size_t>(parameter[j]) - 1;
+    if (parameter[j] == Parameter::friction)
+      s.given.friction = v;
+    else if (m == approach)
+      s.given.prescribe_normal(s.given.by_force[m], v, s.problem.datum);
+    else
+      s.given.value[m] = v;
   }
-  const bool frictionless = frictionless_ || !(factor_ > 0);
+  const bool frictionless = frictionless_ || !(s.given.friction > 0);
   if (frictionless && !s.frictionless) {
     for (int c = 0; c < 2; ++c)
       std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
@@ -136,7 +121,7 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   if (!warm_ || options_.warm_start == 0) s.iterate.clear();
   warm_ = false;
   prescribe(parameter, value);
-  if (s.frictionless) refuse_tangential_loads(s.problem);
+  if (s.frictionless) refuse_tangential_loads(s.given);
   refuse_overflow(s);
   solve_prepared(s, options_, monitor);
   s.outcome = s.report.outcome;
@@ -157,7 +142,7 @@ void CaseSolver::resultant(double* force, double* moment) const {
 
 void CaseSolver::motion(double* depth, double* creep) const {
   const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->problem.approach_of(m);
+  if (depth) *depth = state_->given.approach_of(m, state_->problem.datum);
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 

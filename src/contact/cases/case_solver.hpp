@@ -29,8 +29,6 @@ class CaseSolver {
 
   /// The next case starts cold, whatever was solved before.
   void begin_chain();
-  /// After an exception out of solve(): as begin_chain(), and the problem is the scene's again.
-  void recover();
   /// Solves one case, starting from the last one of the chain if that converged. parameter: what
   /// value[i] is of. Returns its status >= 0; throws Error.
   Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor);
@@ -56,10 +54,7 @@ class CaseSolver {
 
   const Options& options_;
   std::unique_ptr<SolverState> state_;
-  std::vector<double> friction_, scale_;  ///< mu and rt as the scene has them
-  std::array<double, 4> value_{};         ///< likewise
-  double factor_ = 1;                     ///< on the friction, now
-  bool frictionless_ = false;             ///< the scene
+  bool frictionless_ = false;  ///< the scene
   bool warm_ = false;
 };
 

@@ -225,7 +225,7 @@ bool ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor)
   } catch (...) {
     fail_case(i, Status::err_internal, "an unknown exception");
   }
-  solver.recover();
+  solver.begin_chain();
   return true;
 }
 
@@ -365,28 +365,24 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
 
 void reach_for_cases(SolverState& s, const Options& options, const CaseList& list) {
   if (!s.procedure.standard() || s.problem.op.field || list.cases == 0) return;
-  const std::array<double, 4> value = s.problem.value;
-  const std::vector<double> mu = s.problem.mu;
+  const Prescribed given = s.given;
   const auto width = static_cast<std::int64_t>(list.parameter.size());
   for (std::size_t j = 0; j < list.parameter.size(); ++j) {
     double most = -INFINITY;
     for (std::int64_t i = 0; i < list.cases; ++i)
       most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
     if (list.parameter[j] == Parameter::normal)
-      s.problem.value[approach] = s.problem.by_force[approach] ? most : most - s.problem.datum;
-    if (list.parameter[j] == Parameter::friction)
-      for (double& m : s.problem.mu) m *= most;
+      s.given.prescribe_normal(s.given.by_force[approach], most, s.problem.datum);
+    if (list.parameter[j] == Parameter::friction) s.given.friction = most;
   }
   try {
     choose_reach(s, options);
     require_rows(s, options, s.reach.wanted);
   } catch (...) {
-    s.problem.value = value;
-    s.problem.mu = mu;
+    s.given = given;
     throw;
   }
-  s.problem.value = value;
-  s.problem.mu = mu;
+  s.given = given;
 }
 
 Status solve_cases(SolverState& s, const Options& options, const CaseList& cases,

@@ -104,7 +104,7 @@ void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
   // Under a given load friction does not feel that the approach was off.
   const auto carry_the_load = [&](Iterate& it) {
     const double carried = sums_of(s, it.lambda).normal;
-    if (!s.problem.by_force[approach] || !(carried > 0)) return;
+    if (!s.given.by_force[approach] || !(carried > 0)) return;
     for (auto& lambda : it.lambda)
       for (double& l : lambda) l *= whole.normal / carried;
   };
@@ -148,8 +148,8 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   if (same->pressure_rate(rate)) e.normal = ratio(std::abs(gap_force(s, rate)), whole.normal);
 
   // Fewer nodes, and the same scheme.
-  const std::optional<Variant> coarse = solved(s, s.problem.by_force[approach], step,
-                                               [&](double d) { return Variant::coarse(s, d); });
+  const std::optional<Variant> coarse =
+      solved(s, s.given.by_force[approach], step, [&](double d) { return Variant::coarse(s, d); });
   if (!coarse || coarse->space().node.size() == s.frame.used.size()) return;
   const Sums change = difference(s, coarse->tractions(),
                                  friction && !characteristic ? same->tractions() : solution);

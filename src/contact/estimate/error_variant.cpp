@@ -126,29 +126,29 @@ Variant Variant::coarse(const SolverState& s, double step) {
 }
 
 bool Variant::solve(const SolverState& s, bool given_load) {
-  Problem& p = problem_;
-  p.value = s.iterate.motion;
-  p.by_force = {};
-  p.by_force[approach] = given_load;
-  if (given_load) p.value[approach] = s.problem.value[approach];
+  given_ = s.given;
+  given_.value = s.iterate.motion;
+  given_.by_force = {};
+  given_.by_force[approach] = given_load;
+  if (given_load) given_.value[approach] = s.given.value[approach];
   Silent silent;
   const NewtonReport report =
-      newton_->solve(p, iterate_, frictionless_, tolerance, max_iterations, silent);
+      newton_->solve(problem_, given_, iterate_, frictionless_, tolerance, max_iterations, silent);
   for (std::size_t c = 0; c < 3; ++c) traction_[c] = spread(*space_, iterate_.lambda[c]);
   return report.outcome == Outcome::converged || report.outcome == Outcome::no_contact ||
          std::max(report.residual_normal, report.residual_tangential) < good_enough;
 }
 
 bool Variant::pressure_rate(std::vector<double>& rate) {
-  Problem& p = problem_;
-  p.by_force[approach] = false;
+  const Problem& p = problem_;
+  given_.by_force[approach] = false;
   newton_->operators_changed();
-  ReducedSystem& system = newton_->linearise(p, iterate_, Part::normal);
+  ReducedSystem& system = newton_->linearise(p, given_, iterate_, Part::normal);
   const std::size_t active = at(system.active());
   std::vector<double> gap(active), none(active, 0.0), b, x;
   for (std::size_t a = 0; a < active; ++a) gap[a] = -p.closing(at(system.nodes()[a]));
   system.rate_side(gap, none, none, none, none, {}, b);
-  if (!newton_->linear.solve(system, p.nodes, b, good_enough, x)) return false;
+  if (!newton_->linear().solve(system, p.nodes, b, good_enough, x)) return false;
   std::vector<double> own(at(p.nodes), 0.0);
   for (std::size_t a = 0; a < active; ++a) own[at(system.nodes()[a])] = x[a];
   rate = spread(*space_, own);

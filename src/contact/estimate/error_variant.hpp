@@ -39,6 +39,7 @@ class Variant {
   std::unique_ptr<Newton> newton_;
   bool frictionless_ = false;
   Problem problem_;
+  Prescribed given_;
   Iterate iterate_;
   std::vector<double> traction_[3];
 };

@@ -80,7 +80,7 @@ std::string describe_few_nodes(const SolverState& s) {
       static_cast<long long>(
           std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
       static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
-      s.problem.approach_of(s.iterate.motion));
+      s.given.approach_of(s.iterate.motion, s.problem.datum));
   return text;
 }
 

@@ -5,7 +5,8 @@
 
 namespace rollcon {
 
-void ReducedSystem::gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
+void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part part,
+                           std::span<const std::int32_t> active,
                            const std::vector<double> (&lambda)[3], bool changed) {
   const bool same = !changed && part == part_ && active.size() == nodes_.size() &&
                     std::equal(active.begin(), active.end(), nodes_.begin());
@@ -27,13 +28,13 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
     for (std::size_t a = 0; a < nodes_.size(); ++a) {
       const auto i = static_cast<std::size_t>(nodes_[a]);
       rn_[a] = problem.rn[i];
-      rt_[a] = problem.rt.empty() ? 0 : problem.rt[i];
+      rt_[a] = problem.rt.empty() ? 0 : given.slip_scale * problem.rt[i];
     }
     if (field_) {
       for (int c = 0; c < count_; ++c)
         for (std::vector<double>* v : {&field_lambda_[component(c)], &field_image_[component(c)]})
           v->assign(static_cast<std::size_t>(problem.nodes), 0.0);
-      gather_borders(problem, lambda);
+      gather_borders(problem, given, lambda);
       return;
     }
     if (matrix_.bytes() < static_cast<std::size_t>(rows * rows) * sizeof(double))
@@ -57,19 +58,20 @@ void ReducedSystem::gather(const Problem& problem, Part part, std::span<const st
         }
       }
   }
-  gather_borders(problem, lambda);
+  gather_borders(problem, given, lambda);
 }
 
-void ReducedSystem::gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]) {
+void ReducedSystem::gather_borders(const Problem& problem, const Prescribed& given,
+                                   const std::vector<double> (&lambda)[3]) {
   borders_ = 0;
   if (tangential())
     for (const int m : {xi1, xi2, spin})
-      if (problem.by_force[static_cast<std::size_t>(m)]) add_border(problem, m, lambda);
-  if (normal() && problem.by_force[approach]) add_border(problem, approach, lambda);
+      if (given.by_force[static_cast<std::size_t>(m)]) add_border(problem, given, m, lambda);
+  if (normal() && given.by_force[approach]) add_border(problem, given, approach, lambda);
   size_ = count_ * active() + borders_;
 }
 
-void ReducedSystem::add_border(const Problem& problem, int m,
+void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, int m,
                                const std::vector<double> (&lambda)[3]) {
   Border& border = border_[static_cast<std::size_t>(borders_++)];
   const std::size_t na = nodes_.size();
@@ -84,7 +86,7 @@ void ReducedSystem::add_border(const Problem& problem, int m,
   const double unit = m == spin ? area * problem.length : area;
   const double sign = m == approach ? -1 : 1;  // of the load row: symmetric with the column
   border.per_load = sign / unit;
-  border.right = sign * problem.value[static_cast<std::size_t>(m)] / unit;
+  border.right = sign * given.value[static_cast<std::size_t>(m)] / unit;
   for (int c = 0; c < 3; ++c) {
     border.column[c].clear();
     border.row[c].clear();
@@ -288,11 +290,11 @@ void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
     }
 }
 
-double ReducedSystem::motion(const Problem& problem, int m, const double* x) const {
+double ReducedSystem::motion(const Prescribed& given, int m, const double* x) const {
   for (int k = 0; k < borders_; ++k)
     if (border_[static_cast<std::size_t>(k)].motion == m)
       return x[rows_ + k] / border_[static_cast<std::size_t>(k)].scale;
-  return problem.value[static_cast<std::size_t>(m)];
+  return given.value[static_cast<std::size_t>(m)];
 }
 
 }  // namespace rollcon

@@ -7,14 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "contact/laws/coulomb.hpp"
+#include "contact/laws/friction_law.hpp"
 #include "contact/problem/problem.hpp"
 #include "linalg/gmres.hpp"
 
 namespace rollcon {
-
-/// Which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
-enum class Part : std::int32_t { normal = 2, tangential = 3, full = 4 };
 
 class ReducedSystem final : public LinearOperator {
  public:
@@ -22,8 +19,9 @@ class ReducedSystem final : public LinearOperator {
   /// Nothing is copied when part and nodes are those of the last call and `changed` is false.
   /// lambda: current tractions; on a curved frame those that the part holds fixed carry a share of
   /// its loads.
-  void gather(const Problem& problem, Part part, std::span<const std::int32_t> active,
-              const std::vector<double> (&lambda)[3], bool changed);
+  void gather(const Problem& problem, const Prescribed& given, Part part,
+              std::span<const std::int32_t> active, const std::vector<double> (&lambda)[3],
+              bool changed);
 
   /// Linearised law of active node a; to be set for all before use when tangential.
   TangentialLaw& law(std::int64_t a) { return law_[static_cast<std::size_t>(a)]; }
@@ -51,6 +49,8 @@ class ReducedSystem final : public LinearOperator {
 
   /// Operators that are not formed, or null: then there are no rows.
   FieldOperator* field() const { return field_; }
+  /// Of the rows of traction component c at active node a.
+  double scale_of(int c, std::size_t a) const { return c == 2 ? rn_[a] : rt_[a]; }
   double normal_scale(std::int64_t a) const { return rn_[static_cast<std::size_t>(a)]; }
   double slip_scale(std::int64_t a) const { return rt_[static_cast<std::size_t>(a)]; }
   int borders() const { return borders_; }
@@ -81,7 +81,7 @@ class ReducedSystem final : public LinearOperator {
   void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
              std::vector<double>& x) const;
   /// Value of the unknown motion m, if it is one, in physical units; else the given value.
-  double motion(const Problem& problem, int m, const double* x) const;
+  double motion(const Prescribed& given, int m, const double* x) const;
 
   Part part() const { return part_; }
   std::int64_t size() const { return size_; }
@@ -105,12 +105,14 @@ class ReducedSystem final : public LinearOperator {
     double per_load = 1;            ///< right side per unit of the load
     double right = 0;
   };
-  void gather_borders(const Problem& problem, const std::vector<double> (&lambda)[3]);
-  void add_border(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
+  void gather_borders(const Problem& problem, const Prescribed& given,
+                      const std::vector<double> (&lambda)[3]);
+  void add_border(const Problem& problem, const Prescribed& given, int motion,
+                  const std::vector<double> (&lambda)[3]);
   void apply_field(const double* x);
   void add_laws(const double* x, double* y) const;
-  bool tangential() const { return part_ != Part::normal; }
-  bool normal() const { return part_ != Part::tangential; }
+  bool tangential() const { return has_tangential(part_); }
+  bool normal() const { return has_normal(part_); }
 
   Part part_ = Part::normal;
   int count_ = 0;

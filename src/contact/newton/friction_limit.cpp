@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/laws/friction_law.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -37,22 +38,23 @@ struct Node {
 /// Spin and moment count by the frame's length.
 class Limit {
  public:
-  Limit(const Problem& p, const std::vector<double> (&lambda)[3]) : problem_(p) {
+  Limit(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3])
+      : problem_(p), given_(given) {
     for (std::size_t i = 0; i < 3; ++i) unit_[i] = motions[i] == spin ? 1 / p.length : 1;
     double scale = 1;
-    if (p.by_force[approach]) {  // to the load that will be carried in the end
+    if (given.by_force[approach]) {  // to the load that will be carried in the end
       const double carried = load_on_body1(p, approach, lambda).value;
-      if (carried > 0) scale = p.value[approach] / carried;
+      if (carried > 0) scale = given.value[approach] / carried;
     }
     for (std::size_t i = 0; i < 3; ++i) {
       const auto m = at(motions[i]);
-      if (!p.by_force[m]) continue;
+      if (!given.by_force[m]) continue;
       const double by_pressures = load_of_pressures(p, motions[i], lambda[2]);
-      loads_[i] = (p.value[m] - scale * by_pressures) * unit_[i];
+      loads_[i] = (given.value[m] - scale * by_pressures) * unit_[i];
     }
     for (std::size_t k = 0; k < at(p.nodes); ++k) {
-      const double bound = -scale * p.mu[k] * lambda[2][k];
-      if (bound > 0) add(k, bound);
+      const double bound = -scale * given.friction * p.mu[k] * lambda[2][k];
+      if (bound > 0) add(k, -scale * lambda[2][k]);
     }
   }
 
@@ -78,14 +80,15 @@ class Limit {
   Three least(const Three& to, const std::array<bool, 3>& wanted) const;
 
  private:
-  void add(std::size_t k, double bound) {
+  void add(std::size_t k, double pressure) {
     Node n{};
+    const auto most = coulomb().capacity(given_.friction * problem_.mu[k], pressure);
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!problem_.by_force[at(motions[i])]) continue;
+      if (!given_.by_force[at(motions[i])]) continue;
       const auto row = problem_.load_row(motions[i], k);
       const auto column = problem_.slip_column(motions[i], k);
       for (std::size_t c = 0; c < 2; ++c) {
-        n.row[c][i] = bound * row[c] * unit_[i];
+        n.row[c][i] = (most[0][c] * row[0] + most[1][c] * row[1]) * unit_[i];
         n.slip[c][i] = column[c] * unit_[i];
       }
     }
@@ -104,6 +107,7 @@ class Limit {
   Value value(const Three& a, const Three (&along)[2], std::size_t count, double round) const;
 
   const Problem& problem_;
+  const Prescribed& given_;
   std::vector<Node> nodes_;
   Three loads_{}, unit_{};
 };
@@ -211,13 +215,14 @@ double share_of(const Limit& limit, Three loads, const std::array<bool, 3>& want
 
 }  // namespace
 
-FrictionShare share_of_friction(const Problem& p, const std::vector<double> (&lambda)[3]) {
+FrictionShare share_of_friction(const Problem& p, const Prescribed& given,
+                                const std::vector<double> (&lambda)[3]) {
   FrictionShare share;
-  const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2], m = p.by_force[spin];
+  const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2], m = given.by_force[spin];
   share.by_force = f1 || f2;
   share.by_moment = m;
   if (!f1 && !f2 && !m) return share;
-  const Limit limit(p, lambda);
+  const Limit limit(p, given, lambda);
   share.together = share_of(limit, limit.loads(), {f1, f2, m}, &share.direction);
   if (share.by_force)
     share.force = m ? share_of(limit, limit.loads(), {f1, f2, false}) : share.together;
@@ -230,40 +235,44 @@ FrictionShare share_of_friction(const Problem& p, const std::vector<double> (&la
 }
 
 // On a flat frame every node's share acts in the direction of the force.
-double share_of_forces(const Problem& p, const std::vector<double> (&lambda)[3]) {
-  const bool f1 = p.by_force[xi1], f2 = p.by_force[xi2];
+double share_of_forces(const Problem& p, const Prescribed& given,
+                       const std::vector<double> (&lambda)[3]) {
+  const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2];
   if (!f1 && !f2) return 0;
   if (!p.turn.empty()) {
-    const Limit limit(p, lambda);
+    const Limit limit(p, given, lambda);
     return share_of(limit, limit.loads(), {f1, f2, false});
   }
   double friction = 0;
   for (std::size_t k = 0; k < at(p.nodes); ++k)
-    friction -= std::min(lambda[2][k], 0.0) * p.mu[k] * p.weight[k];
-  if (p.by_force[approach]) {
+    friction -= std::min(lambda[2][k], 0.0) * given.friction * p.mu[k] * p.weight[k];
+  if (given.by_force[approach]) {
     const double carried = load_on_body1(p, approach, lambda).value;
-    if (carried > 0) friction *= p.value[approach] / carried;
+    if (carried > 0) friction *= given.value[approach] / carried;
   }
-  return over(std::hypot(f1 ? p.value[xi1] : 0, f2 ? p.value[xi2] : 0), friction);
+  return over(std::hypot(f1 ? given.value[xi1] : 0, f2 ? given.value[xi2] : 0), friction);
 }
 
-bool friction_overdrawn(const Problem& p, const std::vector<double> (&lambda)[3]) {
-  if (!p.by_force[xi1] && !p.by_force[xi2] && !p.by_force[spin]) return false;
+bool friction_overdrawn(const Problem& p, const Prescribed& given,
+                        const std::vector<double> (&lambda)[3]) {
+  if (!given.by_force[xi1] && !given.by_force[xi2] && !given.by_force[spin]) return false;
   for (std::size_t k = 0; k < at(p.nodes); ++k)
     if (lambda[2][k] < 0 && takes_away(p, k))
-      return share_of_friction(p, lambda).together >= at_limit;
+      return share_of_friction(p, given, lambda).together >= at_limit;
   return false;
 }
 
-bool pressures_settled(const Problem& p, const std::vector<double> (&lambda)[3], double residual) {
+bool pressures_settled(const Problem& p, const Prescribed& given,
+                       const std::vector<double> (&lambda)[3], double residual) {
   if (!(residual < settled)) return false;
-  if (!p.by_force[approach]) return true;
-  const double load = p.value[approach];
+  if (!given.by_force[approach]) return true;
+  const double load = given.value[approach];
   return std::abs(load_on_body1(p, approach, lambda).value - load) <= settled * load;
 }
 
-bool friction_sum_known(const Problem& p, const std::vector<double>& normal) {
-  if (!p.turn.empty() || !p.by_force[approach]) return false;
+bool friction_sum_known(const Problem& p, const Prescribed& given,
+                        const std::vector<double>& normal) {
+  if (!p.turn.empty() || !given.by_force[approach]) return false;
   double mu = -1;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
     if (!(normal[k] < 0)) continue;

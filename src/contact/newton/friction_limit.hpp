@@ -27,20 +27,24 @@ struct FrictionShare {
 };
 
 /// Under the pressures of lambda. Where the normal load is given, they are scaled to it.
-FrictionShare share_of_friction(const Problem& problem, const std::vector<double> (&lambda)[3]);
+FrictionShare share_of_friction(const Problem& problem, const Prescribed& given,
+                                const std::vector<double> (&lambda)[3]);
 /// The forces alone, which takes no search.
-double share_of_forces(const Problem& problem, const std::vector<double> (&lambda)[3]);
+double share_of_forces(const Problem& problem, const Prescribed& given,
+                       const std::vector<double> (&lambda)[3]);
 
 /// Whether tractions carry the prescribed loads although friction under the integrated pressure
 /// cannot: nodes of negative weight (corners of quad8) can do that.
-bool friction_overdrawn(const Problem& problem, const std::vector<double> (&lambda)[3]);
+bool friction_overdrawn(const Problem& problem, const Prescribed& given,
+                        const std::vector<double> (&lambda)[3]);
 
 /// True when the normal part's residual and load are near those of the solution: what friction can
 /// carry may be judged by these pressures.
-bool pressures_settled(const Problem& problem, const std::vector<double> (&lambda)[3],
-                       double residual);
+bool pressures_settled(const Problem& problem, const Prescribed& given,
+                       const std::vector<double> (&lambda)[3], double residual);
 /// Whether the sum of mu p is known although pressures are still to change: the normal load is
 /// given, the frame flat, and all nodes in contact have the same coefficient.
-bool friction_sum_known(const Problem& problem, const std::vector<double>& normal);
+bool friction_sum_known(const Problem& problem, const Prescribed& given,
+                        const std::vector<double>& normal);
 
 }  // namespace rollcon

@@ -59,8 +59,7 @@ Coarser coarsen(const Frame& frame, const Lattice& lattice) {
   return c;
 }
 
-Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coarser& c,
-                        bool frictionless) {
+Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coarser& c) {
   Problem q;
   take_frame(q, c.frame);
   scene.make_operators(c.frame, c.lattice, q.op);
@@ -74,10 +73,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   sample(p.mu, q.mu);
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
-  q.by_force = p.by_force;
-  q.value = p.value;
   q.stiffness = p.stiffness;
-  if (frictionless) q.by_force[xi1] = q.by_force[xi2] = q.by_force[spin] = false;
   return q;
 }
 
@@ -106,23 +102,24 @@ class Quiet final : public Monitor {
   const std::function<bool()>& cancelled_;
 };
 
-bool solve(Problem& problem, const LatticeScene& scene, bool frictionless, double tolerance,
-           Iterate& iterate) {
+bool solve(const Problem& problem, Prescribed given, const LatticeScene& scene, bool frictionless,
+           double tolerance, Iterate& iterate) {
+  if (frictionless) given.by_force[xi1] = given.by_force[xi2] = given.by_force[spin] = false;
   Newton newton;
   Quiet quiet(scene.cancelled);
   const NewtonReport report =
-      newton.solve(problem, iterate, frictionless, tolerance, coarse_iterations, quiet);
+      newton.solve(problem, given, iterate, frictionless, tolerance, coarse_iterations, quiet);
   return report.outcome == Outcome::converged;
 }
 
 /// Tractions and motions for a lattice from what `find` makes of the problem on the next coarser
 /// one. False: it found nothing.
 template <class Find>
-bool take_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
+bool take_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
                        Iterate& iterate, Find find) {
   const Coarser coarser = coarsen(scene.frame, scene.lattice);
   if (!coarser.lattice.has_inner_node()) return false;
-  Problem p = coarser_problem(problem, scene, coarser, frictionless);
+  const Problem p = coarser_problem(problem, scene, coarser);
   Iterate start;
   start.resize(p.nodes);
   start.motion = iterate.motion;
@@ -134,7 +131,8 @@ bool take_from_coarser(const Problem& problem, const LatticeScene& scene, bool f
     double& normal = iterate.lambda[2][k];
     normal = problem.used[k] ? std::min(normal, 0.0) : 0.0;
     double t1 = 0, t2 = 0;
-    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k], -problem.mu[k] * normal, t1, t2);
+    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k],
+                    -given.friction * problem.mu[k] * normal, t1, t2);
     iterate.lambda[0][k] = t1;
     iterate.lambda[1][k] = t2;
   }
@@ -145,27 +143,28 @@ bool take_from_coarser(const Problem& problem, const LatticeScene& scene, bool f
 
 }  // namespace
 
-bool start_from_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
-                        double tolerance, Iterate& iterate) {
+bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
+                        bool frictionless, double tolerance, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
-  return take_from_coarser(problem, scene, frictionless, iterate,
-                           [&](Problem& p, const LatticeScene& next, Iterate& start) {
-                             start_from_coarser(p, next, frictionless, start_tolerance, start);
-                             return solve(p, next, frictionless, tolerance, start);
+  return take_from_coarser(problem, given, scene, iterate,
+                           [&](const Problem& p, const LatticeScene& next, Iterate& start) {
+                             start_from_coarser(p, given, next, frictionless, start_tolerance,
+                                                start);
+                             return solve(p, given, next, frictionless, tolerance, start);
                            });
 }
 
-bool solve_on_coarser(const Problem& problem, const LatticeScene& scene, bool frictionless,
-                      double tolerance, int halvings, Iterate& iterate) {
+bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
+                      bool frictionless, double tolerance, int halvings, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest_compared) return false;
-  return take_from_coarser(problem, scene, frictionless, iterate,
-                           [&](Problem& p, const LatticeScene& next, Iterate& start) {
-                             if (halvings > 1)
-                               return solve_on_coarser(p, next, frictionless, tolerance,
-                                                       halvings - 1, start);
-                             start_from_coarser(p, next, frictionless, start_tolerance, start);
-                             return solve(p, next, frictionless, tolerance, start);
-                           });
+  return take_from_coarser(
+      problem, given, scene, iterate,
+      [&](const Problem& p, const LatticeScene& next, Iterate& start) {
+        if (halvings > 1)
+          return solve_on_coarser(p, given, next, frictionless, tolerance, halvings - 1, start);
+        start_from_coarser(p, given, next, frictionless, start_tolerance, start);
+        return solve(p, given, next, frictionless, tolerance, start);
+      });
 }
 
 }  // namespace rollcon

@@ -21,8 +21,8 @@ void Prediction::reserve(std::int64_t nodes) {
     }
 }
 
-void Prediction::begin(const Problem& problem, const Iterate& last) {
-  now_ = {problem.by_force, problem.value};
+void Prediction::begin(const Prescribed& given, const Iterate& last) {
+  now_ = given;
   if (!solved_) return;
   last_ = last;
 }
@@ -43,14 +43,16 @@ void Prediction::move_datum(double change) {
     if (!p->by_force[approach]) p->value[approach] -= change;
 }
 
-double Prediction::ratio(const Problem& p, const std::array<double, 4>& weight) const {
-  if (!known_ || at_before_.by_force != p.by_force || at_last_.by_force != p.by_force) return 0;
-  if (before_.lambda[2].size() != p.gap.size()) return 0;
+double Prediction::ratio(const Prescribed& given, std::size_t nodes,
+                         const std::array<double, 4>& weight) const {
+  if (!known_ || at_before_.by_force != given.by_force || at_last_.by_force != given.by_force)
+    return 0;
+  if (before_.lambda[2].size() != nodes) return 0;
   double along = 0, before = 0, now = 0;
   for (std::size_t m = 0; m < 4; ++m) {
     if (!(weight[m] > 0)) continue;
     const double a = (at_last_.value[m] - at_before_.value[m]) / weight[m];
-    const double b = (p.value[m] - at_last_.value[m]) / weight[m];
+    const double b = (given.value[m] - at_last_.value[m]) / weight[m];
     along += a * b, before += a * a, now += b * b;
   }
   if (!(before > 0) || !(now > 0) || !std::isfinite(along)) return 0;

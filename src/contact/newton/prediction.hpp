@@ -13,7 +13,7 @@ namespace rollcon {
 class Prediction {
  public:
   /// To be called with the last solution, before what is prescribed now gets into it.
-  void begin(const Problem& problem, const Iterate& last);
+  void begin(const Prescribed& given, const Iterate& last);
   void reserve(std::int64_t nodes);
   /// After a solve: the solution of begin() is then the one before the last.
   void solved();
@@ -23,7 +23,8 @@ class Prediction {
   /// Length of the step from the last solution over that to the last one; 0: none, the prescribed
   /// values did not change before or turn away from their line. weight[m]: a change of value m that
   /// would matter.
-  double ratio(const Problem& problem, const std::array<double, 4>& weight) const;
+  double ratio(const Prescribed& given, std::size_t nodes,
+               const std::array<double, 4>& weight) const;
   /// Extrapolated by `ratio`: images are those of the tractions, as both are linear. Nodes whose
   /// slip was not up to date in both solutions are not `valid`.
   void tractions(const Iterate& last, double ratio, int component,
@@ -37,10 +38,6 @@ class Prediction {
   std::size_t bytes() const;
 
  private:
-  struct Prescribed {
-    std::array<bool, 4> by_force{};
-    std::array<double, 4> value{};
-  };
   Iterate last_, before_;  ///< copies
   Prescribed now_, at_last_, at_before_;
   bool solved_ = false;  ///< at_last_ belongs to the last solution

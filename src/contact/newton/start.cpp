@@ -21,7 +21,7 @@ double gap_at(const Problem& p, std::size_t k) {
 }
 
 // An unknown approach is taken from Hertz's formula for a circle of the same overlap.
-Cut cut(const Problem& p, double given_approach) {
+Cut cut(const Problem& p, const Prescribed& given, double given_approach) {
   Cut c;
   double high = -INFINITY;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
@@ -41,8 +41,8 @@ Cut cut(const Problem& p, double given_approach) {
     return area > 0 ? 4 * p.stiffness * half / std::sqrt(std::numbers::pi * area) : 0.0;
   };
   c.half = 0.5 * (given_approach - c.low);
-  if (p.by_force[approach]) {
-    const double load = p.value[approach];
+  if (given.by_force[approach]) {
+    const double load = given.value[approach];
     const auto carried = [&](double depth) {
       const double area = overlap(depth);
       return 2.0 / 3.0 * peak(depth, area) * area;
@@ -64,22 +64,22 @@ Cut cut(const Problem& p, double given_approach) {
 
 }  // namespace
 
-GuessedContact guess_contact(const Problem& p) {
-  const Cut c = cut(p, p.value[approach]);
+GuessedContact guess_contact(const Problem& p, const Prescribed& given) {
+  const Cut c = cut(p, given, given.value[approach]);
   return {c.low, c.half};
 }
 
-void guess_approach(const Problem& p, std::array<double, 4>& motion) {
-  if (!p.by_force[approach]) return;
-  const Cut c = cut(p, motion[approach]);
+void guess_approach(const Problem& p, const Prescribed& given, std::array<double, 4>& motion) {
+  if (!given.by_force[approach]) return;
+  const Cut c = cut(p, given, motion[approach]);
   if (c.low < INFINITY) motion[approach] = c.low + 2 * c.half;
 }
 
 // The overlap gets the semi-elliptic pressure p0 sqrt(1 - h/(approach/2)), exact for a paraboloid.
-void guess_start(const Problem& p, Iterate& it) {
-  const Cut c = cut(p, it.motion[approach]);
+void guess_start(const Problem& p, const Prescribed& given, Iterate& it) {
+  const Cut c = cut(p, given, it.motion[approach]);
   if (!(c.low < INFINITY)) return;
-  if (p.by_force[approach]) it.motion[approach] = c.low + 2 * c.half;
+  if (given.by_force[approach]) it.motion[approach] = c.low + 2 * c.half;
   if (!(c.half > 0)) return;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     const double depth = p.used[k] ? 1 - (gap_at(p, k) - c.low) / c.half : 0;
@@ -88,11 +88,25 @@ void guess_start(const Problem& p, Iterate& it) {
   it.invalidate();
 }
 
-void start_cold(const Problem& p, Iterate& it) {
+double creep_scale(const Problem& p, const Prescribed& given, const Iterate& it, int m) {
+  double sum = 0, count = 0, slip = 0;
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    const double rt = given.slip_scale * p.rt[k];
+    if (!(it.lambda[2][k] < 0) || !(rt > 0)) continue;
+    sum += -given.friction * p.mu[k] * it.lambda[2][k] / rt;
+    ++count;
+    for (const auto& image : {it.image[0][k], it.image[1][k]})
+      if (std::isfinite(image)) slip = std::max(slip, std::abs(image));
+  }
+  if (!(sum > 0)) return 0;
+  return std::max(sum / count, slip) / (m == spin ? p.length : 1);
+}
+
+void start_cold(const Problem& p, const Prescribed& given, Iterate& it) {
   it.clear();
   for (std::size_t m = 0; m < 4; ++m)
-    if (!p.by_force[m]) it.motion[m] = p.value[m];
-  if (!p.by_force[approach]) return;
+    if (!given.by_force[m]) it.motion[m] = given.value[m];
+  if (!given.by_force[approach]) return;
   double low = INFINITY;
   for (std::size_t k = 0; k < p.gap.size(); ++k)
     if (p.used[k]) low = std::min(low, gap_at(p, k));

@@ -30,15 +30,15 @@ double influence(const Problem& p, std::int64_t i, std::int64_t j) {
 
 }  // namespace
 
-bool TotalSliding::given(const Problem& p, const Iterate& it) {
-  if (p.by_force[xi1] || p.by_force[xi2] || p.by_force[spin]) return false;
+bool TotalSliding::applies(const Problem& p, const Prescribed& given, const Iterate& it) {
+  if (given.by_force[xi1] || given.by_force[xi2] || given.by_force[spin]) return false;
   if (p.op.field || !p.op.tangential || p.op.coupled) return false;
   loaded_.clear();
   loaded_.reserve(at(p.nodes));
   row_sum_.reserve(at(p.nodes));
   for (auto& v : next_) v.reserve(at(p.nodes));
   for (std::int64_t i = 0; i < p.nodes; ++i) {
-    const double bound = -p.mu[at(i)] * it.lambda[2][at(i)];
+    const double bound = -given.friction * p.mu[at(i)] * it.lambda[2][at(i)];
     if (!(bound > 0)) continue;
     // Its own traction alone: nearly all scenes that do not slide altogether end here.
     if (influence(p, i, i) * bound > greatest_turn * rigid_speed(p, i, it)) return false;
@@ -48,14 +48,14 @@ bool TotalSliding::given(const Problem& p, const Iterate& it) {
   if (row_sum_.size() != at(p.nodes)) row_sum_.assign(at(p.nodes), -1.0);
   double largest = 0;
   for (const std::int32_t i : loaded_)
-    largest = std::max(largest, -p.mu[at(i)] * it.lambda[2][at(i)]);
+    largest = std::max(largest, -given.friction * p.mu[at(i)] * it.lambda[2][at(i)]);
   return std::all_of(loaded_.begin(), loaded_.end(),
-                     [&](std::int32_t i) { return bound_holds(p, it, i, largest); });
+                     [&](std::int32_t i) { return bound_holds(p, given, it, i, largest); });
 }
 
 // largest: greatest mu p.
-bool TotalSliding::bound_holds(const Problem& p, const Iterate& it, std::int64_t i,
-                               double largest) {
+bool TotalSliding::bound_holds(const Problem& p, const Prescribed& given, const Iterate& it,
+                               std::int64_t i, double largest) {
   const double most = greatest_turn * rigid_speed(p, i, it);
   double& sum = row_sum_[at(i)];
   if (sum < 0) {
@@ -65,17 +65,18 @@ bool TotalSliding::bound_holds(const Problem& p, const Iterate& it, std::int64_t
   if (sum * largest <= most) return true;
   double elastic = 0;
   for (const std::int32_t j : loaded_)
-    elastic -= influence(p, i, j) * p.mu[at(j)] * it.lambda[2][at(j)];
+    elastic -= influence(p, i, j) * given.friction * p.mu[at(j)] * it.lambda[2][at(j)];
   return elastic <= most;
 }
 
-std::int64_t TotalSliding::solve(const Problem& p, Iterate& it, double tolerance) {
+std::int64_t TotalSliding::solve(const Problem& p, const Prescribed& given, Iterate& it,
+                                 double tolerance) {
   for (auto& v : next_) v.resize(loaded_.size());
   // Tractions of an earlier solution tell elastic slip nearly; nodes that carry none now lose them.
   double largest = 0;
   for (std::size_t k = 0, a = 0; k < at(p.nodes); ++k) {
     if (a < loaded_.size() && at(loaded_[a]) == k) {
-      largest = std::max(largest, -p.mu[k] * it.lambda[2][k]);
+      largest = std::max(largest, -given.friction * p.mu[k] * it.lambda[2][k]);
       ++a;
     } else {
       it.lambda[0][k] = it.lambda[1][k] = 0;
@@ -90,7 +91,7 @@ std::int64_t TotalSliding::solve(const Problem& p, Iterate& it, double tolerance
       it.update_slip(p, i);
       const double s1 = p.rigid_slip1(i, it.motion) + it.image[0][k];
       const double s2 = p.rigid_slip2(i, it.motion) + it.image[1][k];
-      const double factor = p.mu[k] * it.lambda[2][k] / std::hypot(s1, s2);
+      const double factor = given.friction * p.mu[k] * it.lambda[2][k] / std::hypot(s1, s2);
       next_[0][a] = factor * s1;
       next_[1][a] = factor * s2;
       for (int c = 0; c < 2; ++c)

@@ -15,15 +15,17 @@ class TotalSliding {
   /// Whether every node in contact slides under these pressures, whatever the tractions that
   /// friction allows: elastic slip is at most the sum of |D A| mu p. False also where the fixed
   /// point would converge slowly. Needs given creepages and dense rows.
-  bool given(const Problem& problem, const Iterate& iterate);
-  /// After given(): tangential tractions to a relative change of `tolerance`. Leaves them and their
-  /// slip in the iterate. Number of steps; 0: not converged.
-  std::int64_t solve(const Problem& problem, Iterate& iterate, double tolerance);
+  bool applies(const Problem& problem, const Prescribed& given, const Iterate& iterate);
+  /// After applies(): tangential tractions to a relative change of `tolerance`. Leaves them and
+  /// their slip in the iterate. Number of steps; 0: not converged.
+  std::int64_t solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
+                     double tolerance);
   /// To be called when the operators were assembled anew.
   void operators_changed() { row_sum_.clear(); }
 
  private:
-  bool bound_holds(const Problem& problem, const Iterate& iterate, std::int64_t i, double bound);
+  bool bound_holds(const Problem& problem, const Prescribed& given, const Iterate& iterate,
+                   std::int64_t i, double bound);
 
   std::vector<std::int32_t> loaded_;  ///< nodes with friction and pressure
   std::vector<double> row_sum_;       ///< of |D A| over all nodes, by node; negative: not known

@@ -26,6 +26,15 @@ void follow_surface(const Frame& frame, ContactOperators& op) {
 
 }  // namespace
 
+double ContactOperators::product(int r, std::size_t k, const std::vector<double> (&lambda)[3],
+                                 int first, int last) const {
+  double sum = 0;
+  for (int c = first; c <= last; ++c)
+    if (!block[r][c].empty())
+      sum += dot(block[r][c].row(static_cast<std::int64_t>(k)), lambda[c].data(), nodes);
+  return sum;
+}
+
 std::size_t ContactOperators::bytes() const {
   std::size_t sum = 0;
   for (const auto& row : block)

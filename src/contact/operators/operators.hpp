@@ -42,6 +42,9 @@ struct ContactOperators {
   double path(std::size_t k) const {
     return upstream_path.empty() ? upstream[k] : upstream_path[k];
   }
+  /// Row r of node k times tractions, of the components first to last. Not with a field.
+  double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first = 0,
+                 int last = 2) const;
   bool has_row(std::size_t k) const { return there.empty() || there[k] != 0; }
   std::size_t bytes() const;
 };

@@ -128,18 +128,18 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
   const LatticeScene scene =
       scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
-  start_from_coarser(s.problem, scene, s.frictionless, start_tolerance, s.iterate);
+  start_from_coarser(s.problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
 }
 
 bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings,
                               Iterate& iterate) {
-  Problem p = s.problem;
-  p.by_force = {};
-  p.value = s.iterate.motion;
-  iterate.resize(p.nodes);
+  Prescribed given = s.given;
+  given.by_force = {};
+  given.value = s.iterate.motion;
+  iterate.resize(s.problem.nodes);
   iterate.motion = s.iterate.motion;
-  return solve_on_coarser(p, scene_of(s, *s.scheme, [] { return false; }), s.frictionless,
-                          tolerance, halvings, iterate);
+  return solve_on_coarser(s.problem, given, scene_of(s, *s.scheme, [] { return false; }),
+                          s.frictionless, tolerance, halvings, iterate);
 }
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {

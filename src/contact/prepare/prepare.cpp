@@ -361,12 +361,13 @@ void read_kinematics(SolverState& state, const Scene& scene) {
     }
     state.kinematics_revision = scene.revision.kinematics;
   }
+  Prescribed& given = state.given;
   for (const Direction d :
        {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
     const auto m = static_cast<std::size_t>(d) - 1;
-    p.by_force[m] = scene.load(d).how == How::by_force;
-    p.value[m] = scene.load(d).value;
-    if (d == Direction::normal) p.prescribe_normal(p.by_force[m], p.value[m]);
+    given.by_force[m] = scene.load(d).how == How::by_force;
+    given.value[m] = scene.load(d).value;
+    if (d == Direction::normal) given.prescribe_normal(given.by_force[m], given.value[m], p.datum);
   }
 }
 

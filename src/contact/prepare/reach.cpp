@@ -32,14 +32,13 @@ bool linear_elements(const SurfaceMesh& mesh) {
   });
 }
 
-double greatest_friction(const Problem& p) {
-  return *std::max_element(p.mu.begin(), p.mu.end());
+double greatest_friction(const SolverState& s) {
+  return s.given.friction * *std::max_element(s.problem.mu.begin(), s.problem.mu.end());
 }
 
 // Part of the normal displacements by pressures that coupling cannot take away.
 double sure_part(const SolverState& s) {
-  const double coupled =
-      s.compliance->couples() ? greatest_coupling * greatest_friction(s.problem) : 0;
+  const double coupled = s.compliance->couples() ? greatest_coupling * greatest_friction(s) : 0;
   return (1 - coupled) * (1 - 10 * s.accuracy);
 }
 
@@ -83,11 +82,12 @@ double level_of(const SolverState& s, double low) {
   const Problem& p = s.problem;
   const Reach& r = s.reach;
   if (!r.known) {
-    const GuessedContact guess = guess_contact(p);
+    const GuessedContact guess = guess_contact(p, s.given);
     return low + first_margin * std::max(guess.half, 0.0);
   }
-  const double ratio = p.by_force[approach] ? p.value[approach] / r.load
-                                            : (p.value[approach] - low) / (r.depth - r.low);
+  const double ratio = s.given.by_force[approach]
+                           ? s.given.value[approach] / r.load
+                           : (s.given.value[approach] - low) / (r.depth - r.low);
   return low + next_margin * (r.edge - r.low) * std::max(ratio, 0.0);
 }
 

@@ -50,13 +50,7 @@ void Iterate::update_slip(const Problem& problem, std::int64_t i) {
   const auto k = static_cast<std::size_t>(i);
   if (slip_valid[k]) return;
   if (problem.op.field) return update_field(problem, true, false);
-  for (int r = 0; r < 2; ++r) {
-    double sum = 0;
-    for (int c = 0; c < 3; ++c)
-      if (!problem.op.block[r][c].empty())
-        sum += dot(problem.op.block[r][c].row(i), lambda[c].data(), problem.nodes);
-    image[r][k] = sum;
-  }
+  for (int r = 0; r < 2; ++r) image[r][k] = problem.op.product(r, k, lambda);
   slip_valid[k] = 1;
 }
 
@@ -64,11 +58,7 @@ void Iterate::update_gap(const Problem& problem, std::int64_t i) {
   const auto k = static_cast<std::size_t>(i);
   if (gap_valid[k]) return;
   if (problem.op.field) return update_field(problem, false, true);
-  double sum = 0;
-  for (int c = 0; c < 3; ++c)
-    if (!problem.op.block[2][c].empty())
-      sum += dot(problem.op.block[2][c].row(i), lambda[c].data(), problem.nodes);
-  image[2][k] = sum;
+  image[2][k] = problem.op.product(2, k, lambda);
   gap_valid[k] = 1;
 }
 
@@ -173,6 +163,11 @@ LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&
     sum.magnitude += std::abs(term);
   }
   return sum;
+}
+
+double load_error(const Problem& p, const Prescribed& given, Part part,
+                  const std::vector<double> (&lambda)[3]) {
+  return load_error(given, part, [&](int m) { return load_on_body1(p, m, lambda); });
 }
 
 void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3],

@@ -10,21 +10,21 @@
 /// are projected on the local tangent plane, and the load rows are the same columns transposed
 /// times the nodes' weights.
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
 #include "contact/operators/operators.hpp"
+#include "contact/problem/prescribed.hpp"
 
 namespace rollcon {
 
 /// Local triad of a node in the axes: [i][j] = local direction i times axis j (t1, t2, n).
 using Turn = std::array<std::array<double, 3>, 3>;
 
-/// Indices of motions and of their conjugate loads (Direction minus one).
-enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3 };
-
-struct Problem {
+struct Problem : Prescribed {
   std::int64_t nodes = 0;
   ContactOperators op;
   std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
@@ -34,7 +34,6 @@ struct Problem {
   /// under the smallest load keeps its digits.
   std::vector<double> gap;
   double datum = 0;
-  double prescribed_approach = 0;
   /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
   /// does not depend on any traction: material enters the frame unstressed.
   std::vector<double> mu;
@@ -45,8 +44,6 @@ struct Problem {
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
   std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
   std::vector<std::uint8_t> used;          ///< nodes within reach that may carry traction
-  std::array<bool, 4> by_force{};          ///< motion unknown, conjugate load given
-  std::array<double, 4> value{};           ///< load (on body 1) where by force, else motion
   double length = 1;                       ///< of the frame; scales spin
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
@@ -67,16 +64,6 @@ struct Problem {
   /// Gap lost per unit of approach.
   double closing(std::size_t k) const { return turn.empty() ? 1 : turn[k][2][2]; }
   double rigid_gap(std::size_t k, double depth) const { return gap[k] - closing(k) * depth; }
-  /// What is prescribed in the normal direction: a load, or an approach from no approach on.
-  void prescribe_normal(bool force, double v) {
-    by_force[approach] = force;
-    prescribed_approach = v;
-    value[approach] = force ? v : v - datum;
-  }
-  /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
-  double approach_of(const std::array<double, 4>& motion) const {
-    return by_force[approach] ? motion[approach] + datum : prescribed_approach;
-  }
   /// Gaps at no approach.
   std::vector<double> undeformed_gaps() const;
   /// Slip of node k per unit of a motion (zero for the approach).
@@ -114,6 +101,21 @@ struct LoadSum {
   double value = 0, magnitude = 0;
 };
 LoadSum load_on_body1(const Problem& problem, int motion, const std::vector<double> (&lambda)[3]);
+/// Largest relative error of the part's prescribed loads; sum_of: a motion's LoadSum.
+template <class SumOf>
+double load_error(const Prescribed& given, Part part, SumOf sum_of) {
+  double worst = 0;
+  for (const int m : {xi1, xi2, approach, spin}) {
+    const double wanted = given.value[static_cast<std::size_t>(m)];
+    if (!given.by_force[static_cast<std::size_t>(m)] || !has_motion(part, m)) continue;
+    const LoadSum sum = sum_of(m);
+    const double scale = std::max(sum.magnitude, std::abs(wanted));
+    if (scale > 0) worst = std::max(worst, std::abs(sum.value - wanted) / scale);
+  }
+  return worst;
+}
+double load_error(const Problem& problem, const Prescribed& given, Part part,
+                  const std::vector<double> (&lambda)[3]);
 /// The part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
 double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
 

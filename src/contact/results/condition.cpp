@@ -41,11 +41,11 @@ double find_condition(SolverState& s) {
   const auto& pressures = s.iterate.lambda[2];
   const bool loaded =
       std::any_of(pressures.begin(), pressures.end(), [](double l) { return l < 0; });
-  const Part goal = Newton::goal(s.problem, s.frictionless);
+  const Part goal = Newton::goal(s.problem, s.given, s.frictionless);
   const bool formed = op.normal && (goal == Part::normal || op.tangential);
   if (op.field || !formed || !loaded) return 0;
   const auto of = [&](Part part) {
-    return estimate_condition(s.newton.linearise(s.problem, s.iterate, part));
+    return estimate_condition(s.newton.linearise(s.problem, s.given, s.iterate, part));
   };
   double worst = 0;
   try {

@@ -133,12 +133,9 @@ void derive_fields(SolverState& s) {
     s.slip[0][k] = s.speed * s1;
     s.slip[1][k] = s.speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
-    bool sliding = true;
-    if (!s.frictionless) {
-      const double bound = -p.mu[k] * (it.lambda[2][k] + p.rn[k] * s.gap[k]);
-      sliding =
-          !(std::hypot(it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2) < bound);
-    }
+    const FrictionPoint point{s.given.friction * p.mu[k], -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
+                              it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2};
+    const bool sliding = s.frictionless || coulomb().traction(point).sliding;
     s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }
   s.derived = true;
@@ -200,14 +197,7 @@ void check_laws(SolverState& s) {
       slip = std::max(slip, relative(s1[k] * e1 + s2[k] * e2, k));
     }
   }
-  double equilibrium = 0;
-  for (int m = 0; m < 4; ++m) {
-    if (!p.by_force[at(m)]) continue;
-    const LoadSum sum = load_on_body1(p, m, it.lambda);
-    const double scale = std::max(sum.magnitude, std::abs(p.value[at(m)]));
-    if (scale > 0)
-      equilibrium = std::max(equilibrium, std::abs(sum.value - p.value[at(m)]) / scale);
-  }
+  const double equilibrium = load_error(p, s.given, Part::full, it.lambda);
   s.laws = {normal, friction, slip, equilibrium};
   s.laws_checked = true;
 }

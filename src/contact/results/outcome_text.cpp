@@ -99,8 +99,8 @@ std::string describe_outcome(const SolverState& s) {
   }
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
     return text_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
-                   static_cast<long long>(rim), s.problem.approach_of(s.iterate.motion),
-                   cause_of_rim_contact(s));
+                   static_cast<long long>(rim),
+                   s.given.approach_of(s.iterate.motion, s.problem.datum), cause_of_rim_contact(s));
   return text_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
                  s.report.residual_tangential);
 }

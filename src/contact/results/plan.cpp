@@ -187,7 +187,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
                          "compliance");
   } else if (!s.procedure.standard()) {
     line(text, "the published iteration solves for all unknowns at once, coupled or not");
-  } else if (!op.coupled && s.frame.curved() && s.problem.by_force[approach]) {
+  } else if (!op.coupled && s.frame.curved() && s.given.by_force[approach]) {
     line(text,
          "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
          "solved together");
@@ -210,7 +210,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          : *s.scheme == Scheme::least_squares ? "least_squares"
                                               : "characteristic");
   for (int m = 0; m < 4; ++m)
-    if (s.problem.by_force[static_cast<std::size_t>(m)]) {
+    if (s.given.by_force[static_cast<std::size_t>(m)]) {
       static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",
                                               "approach", "spin"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);

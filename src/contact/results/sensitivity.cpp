@@ -26,7 +26,7 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter para
   for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]})
     v->assign(na, 0.0);
   const int m = motion_of(parameter);
-  const bool given = m != no_motion && !p.by_force[static_cast<std::size_t>(m)];
+  const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   for (std::size_t a = 0; a < na; ++a) {
     const auto k = static_cast<std::size_t>(system.nodes()[a]);
     if (given && m == approach) w.gap[a] = -p.closing(k);
@@ -50,12 +50,12 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter para
 
 void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
   Sensitivities& w = s.sensitivities;
-  ReducedSystem& system = s.newton.linearise(s.problem, s.iterate, part);
+  ReducedSystem& system = s.newton.linearise(s.problem, s.given, s.iterate, part);
   fill_right_side(s, system, parameter);
   // Nothing slides, or nothing is there that the parameter acts on.
   if (std::all_of(w.b.begin(), w.b.end(), [](double v) { return v == 0; })) return;
   ++w.right_sides;
-  if (!s.newton.linear.solve_exactly(system, w.b, w.x))
+  if (!s.newton.linear().solve_exactly(system, w.b, w.x))
     fail(Status::err_singular,
          "the linearised equations are singular: the solution does not change smoothly with what "
          "is prescribed (a load at the limit of friction, for instance)");
@@ -66,8 +66,8 @@ void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
           w.x[static_cast<std::size_t>(r) * na + a];
   for (int m = 0; m < 4; ++m) {
     const bool own = m == approach ? part != Part::tangential : part != Part::normal;
-    if (own && s.problem.by_force[static_cast<std::size_t>(m)])
-      rates.motion[static_cast<std::size_t>(m)] = system.motion(s.problem, m, w.x.data());
+    if (own && s.given.by_force[static_cast<std::size_t>(m)])
+      rates.motion[static_cast<std::size_t>(m)] = system.motion(s.given, m, w.x.data());
   }
 }
 
@@ -76,7 +76,7 @@ void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
   Sensitivities& w = s.sensitivities;
   rates = {};
   const int m = motion_of(parameter);
-  const bool given = m != no_motion && !p.by_force[static_cast<std::size_t>(m)];
+  const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   if (given) rates.motion[static_cast<std::size_t>(m)] = 1;
   if (s.outcome == Outcome::no_contact) return;
   const bool tangential_load = m != no_motion && m != approach && !given;
@@ -87,7 +87,7 @@ void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
          m + 1);
   w.reserve(at(p.nodes));
   for (auto& v : w.lambda) v.assign(at(p.nodes), 0.0);
-  const Part goal = Newton::goal(p, s.frictionless);
+  const Part goal = Newton::goal(p, s.given, s.frictionless);
   if (goal == Part::full) {
     solve_part(s, Part::full, parameter, rates);
   } else {
@@ -117,7 +117,7 @@ const Rates& find_rates(SolverState& s, Parameter parameter) {
   const auto which = static_cast<std::size_t>(parameter) - 1;
   if (w.known[which]) return w.rates[which];
   const Stopwatch watch(w.seconds);
-  LinearSolver& linear = s.newton.linear;
+  LinearSolver& linear = s.newton.linear();
   const std::int64_t factors = linear.factorizations, iterations = linear.iterations;
   try {
     solve_rates(s, parameter, w.rates[which]);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "contact/laws/node_solution.hpp"
-#include "contact/newton/newton.hpp"
+#include "contact/laws/friction_law.hpp"
+#include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
 namespace {
@@ -15,37 +15,28 @@ constexpr double enough = 1e-3;   // change of a sweep, of the largest traction
 constexpr double hopeless = 1e3;  // times the tractions at the start
 constexpr double smallest = 1e-300;
 
-}  // namespace
-
 // Every node's laws in turn with the tractions of the others held, from where material flows in to
 // where it leaves: slip depends on tractions near and upstream of it most. Motions stay.
-void Newton::sweep_along_flow() {
-  const Problem& p = *problem_;
-  Iterate& it = *iterate_;
+void sweep_along_flow(const Solve& s) {
+  const Problem& p = *s.problem;
+  Iterate& it = *s.iterate;
   std::vector<std::size_t> order(it.lambda[2].size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::erase_if(order, [&](std::size_t k) { return !p.used[k]; });
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return p.op.slip_x[a] > p.op.slip_x[b]; });
-  const auto product = [&](int r, std::size_t k) {
-    const auto i = static_cast<std::int64_t>(k);
-    double sum = 0;
-    for (int c = 0; c < 3; ++c)
-      if (!p.op.block[r][c].empty())
-        sum += dot(p.op.block[r][c].row(i), it.lambda[c].data(), p.nodes);
-    return sum;
-  };
   const auto own = [&](int r, int c, std::size_t k) {
     return p.op.block[r][c].row(static_cast<std::int64_t>(k))[k];
   };
   double first = 0;
-  for (int sweep = 0; sweep < most_sweeps && !monitor_->cancelled(); ++sweep) {
+  for (int sweep = 0; sweep < most_sweeps && !s.monitor->cancelled(); ++sweep) {
     double change_n = 0, change_t = 0, largest_n = smallest, largest_t = smallest;
     for (const std::size_t k : order) {
       double& normal = it.lambda[2][k];
-      if (goal_ == Part::full) {
+      if (s.goal == Part::full) {
         const double a = own(2, 2, k);
-        const double rest = p.rigid_gap(k, it.motion[approach]) - product(2, k) + a * normal;
+        const double rest =
+            p.rigid_gap(k, it.motion[approach]) - p.op.product(2, k, it.lambda) + a * normal;
         const double wanted = a > 0 ? std::min(0.0, rest / a) : normal;
         const double next = std::isfinite(wanted) ? wanted : normal;
         change_n = std::max(change_n, std::abs(next - normal));
@@ -55,12 +46,13 @@ void Newton::sweep_along_flow() {
       const auto i = static_cast<std::int64_t>(k);
       const std::array<double, 2> old{it.lambda[0][k], it.lambda[1][k]};
       const NodeResponse b{{{own(0, 0, k), own(0, 1, k)}, {own(1, 0, k), own(1, 1, k)}}};
-      const double bound = -p.mu[k] * normal;
+      const double mu = s.given.friction * p.mu[k];
       std::array<double, 2> next{};
-      if (bound > 0) {
-        const std::array<double, 2> slip{p.rigid_slip1(i, it.motion) + product(0, k),
-                                         p.rigid_slip2(i, it.motion) + product(1, k)};
-        next = solve_node(b, slip, old, bound);
+      if (mu * normal < 0) {
+        const std::array<double, 2> slip{
+            p.rigid_slip1(i, it.motion) + p.op.product(0, k, it.lambda),
+            p.rigid_slip2(i, it.motion) + p.op.product(1, k, it.lambda)};
+        next = coulomb().solve(b, slip, old, mu, -normal);
       }
       for (int c = 0; c < 2; ++c) {
         const auto at = static_cast<std::size_t>(c);
@@ -76,14 +68,14 @@ void Newton::sweep_along_flow() {
   it.invalidate();
 }
 
-Outcome Newton::relax(double tolerance, std::int64_t max_iterations) {
-  if (problem_->op.field) return Outcome::not_converged;
-  return_to_best();
-  sweep_along_flow();
-  free_steps_ = 1;
-  const Outcome outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
-  free_steps_ = 0;
-  return outcome;
+}  // namespace
+
+Outcome relax(NewtonIteration& newton) {
+  Solve& s = newton.solve();
+  if (s.problem->op.field) return Outcome::not_converged;
+  newton.return_to_best();
+  sweep_along_flow(s);
+  return newton.run(s.goal, s.given, {.free_steps = 1});
 }
 
 }  // namespace rollcon

@@ -6,7 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "contact/newton/newton.hpp"
+#include "contact/newton/start.hpp"
+#include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
 namespace {
@@ -62,31 +63,44 @@ void update(std::size_t count, const Few& x, const Few& next, const Few& before,
   }
 }
 
+// No tangential tractions; where pressures depend on them a new guess of those too, else those that
+// were found.
+void start_anew(Solve& s, const Prescribed& given) {
+  Iterate& it = *s.iterate;
+  if (s.goal == Part::full) {
+    it.clear_tractions();
+    guess_start(*s.problem, given, it);
+    return;
+  }
+  for (int c = 0; c < 2; ++c) std::fill(it.lambda[c].begin(), it.lambda[c].end(), 0.0);
+  std::fill(it.slip_valid.begin(), it.slip_valid.end(), std::uint8_t{0});
+}
+
 }  // namespace
 
-Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
-  Problem& p = *problem_;
-  Iterate& it = *iterate_;
+Outcome search_creep(NewtonIteration& newton) {
+  Solve& s = newton.solve();
+  const Problem& p = *s.problem;
+  Iterate& it = *s.iterate;
   std::array<std::size_t, 3> motion{};
   std::size_t count = 0;
   for (const int m : {xi1, xi2, spin})
-    if (p.by_force[static_cast<std::size_t>(m)]) motion[count++] = static_cast<std::size_t>(m);
+    if (s.given.by_force[static_cast<std::size_t>(m)])
+      motion[count++] = static_cast<std::size_t>(m);
   if (count < 2) return Outcome::not_converged;
-  return_to_best();
-  const double scale = creep_scale(xi1);
+  newton.return_to_best();
+  const double scale = creep_scale(p, s.given, it, xi1);
   if (!(scale > 0) || !std::isfinite(scale)) return Outcome::not_converged;
 
-  const std::array<bool, 4> by_force = p.by_force;
-  const std::array<double, 4> value = p.value;
+  Prescribed given = s.given;
   Few unit{}, target{}, x{};  // spin counts as the creepage at a frame's length
   for (std::size_t i = 0; i < count; ++i) {
     unit[i] = motion[i] == spin ? 1 / p.length : 1;
-    target[i] = value[motion[i]] * unit[i];
+    target[i] = given.value[motion[i]] * unit[i];
     x[i] = it.motion[motion[i]] / unit[i];
-    p.by_force[motion[i]] = false;
+    given.by_force[motion[i]] = false;
   }
-  continuing_ = true;
-  const std::int64_t for_others = iterations_left_ / 2;  // fallbacks after this one
+  const std::int64_t for_others = s.iterations_left / 2;  // fallbacks after this one
   Outcome outcome = Outcome::converged;
   int evaluations = 0;
   double carried = 0;  // terms of the loads
@@ -94,12 +108,10 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
   // Loads beyond those wanted.
   const auto excess = [&](const Few& at, Few& error) {
     for (std::size_t i = 0; i < count; ++i)
-      p.value[motion[i]] = it.motion[motion[i]] = at[i] * unit[i];
-    free_steps_ = 1;
-    outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
-    free_steps_ = 0;
+      given.value[motion[i]] = it.motion[motion[i]] = at[i] * unit[i];
+    outcome = newton.run(s.goal, given, {.free_steps = 1, .rehearsal = true});
     ++evaluations;
-    if (outcome == Outcome::not_converged && !kept[0].empty() && iterations_left_ > 0) {
+    if (outcome == Outcome::not_converged && !kept[0].empty() && s.iterations_left > 0) {
       // Too far: as bad as can be, and back.
       for (int c = 0; c < 3; ++c) it.lambda[c] = kept[c];
       it.invalidate();
@@ -121,15 +133,15 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
   if (!(size_of(x) < farthest * scale)) x = {};
   Few error{};
   bool there = excess(x, error);
-  if (outcome == Outcome::not_converged && iterations_left_ > 0) {
+  if (outcome == Outcome::not_converged && s.iterations_left > 0) {
     x = {};
-    start_anew();
+    start_anew(s, given);
     there = excess(x, error);
   }
   FewRows slope{};
   bool known = false;
-  while (there && size_of(error) > tolerance * carried && evaluations < most_evaluations &&
-         iterations_left_ > for_others) {
+  while (there && size_of(error) > s.tolerance * carried && evaluations < most_evaluations &&
+         s.iterations_left > for_others) {
     const double reach = std::max(scale, size_of(x));
     for (int c = 0; c < 3; ++c) kept[c] = it.lambda[c];
     if (!known) {
@@ -163,16 +175,10 @@ Outcome Newton::search_creep(double tolerance, std::int64_t max_iterations) {
     x = next;
     error = after;
   }
-  continuing_ = false;
-  p.by_force = by_force;
-  p.value = value;
   if (outcome != Outcome::converged) return outcome;
   // The iterate is that of the last motion tried.
   for (std::size_t i = 0; i < count; ++i) it.motion[motion[i]] = x[i] * unit[i];
-  free_steps_ = 2;
-  outcome = run(goal_, tolerance, max_iterations, iterations_of(goal_));
-  free_steps_ = 0;
-  return outcome;
+  return newton.run(s.goal, s.given, {.free_steps = 2});
 }
 
 }  // namespace rollcon

@@ -1,0 +1,64 @@
+#include "contact/laws/residual.hpp"
+
+namespace rollcon {
+
+double LawResidual::worst(Part part) const {
+  double worst = load;
+  if (has_normal(part)) worst = std::max(worst, normal);
+  if (has_tangential(part)) worst = std::max(worst, tangential);
+  return worst;
+}
+
+bool LawResidual::within(Part part, double tolerance) const {
+  constexpr double useless = 1e-6;  // so much rounding leaves nothing to call a solution
+  const auto small = [&](double residual, double rounding) {
+    return residual <= std::max(tolerance, std::min(rounding, useless));
+  };
+  return load <= tolerance && (!has_normal(part) || small(normal, normal_rounding)) &&
+         (!has_tangential(part) || small(tangential, tangential_rounding));
+}
+
+LawScales scales_of(const LawSums& s) {
+  LawScales scales;
+  scales.pressure = s.pressure > 0 ? s.pressure : s.worst_n;
+  scales.traction = s.worst_t;
+  if (s.traction > 0) scales.traction = s.bound > 0 ? std::min(s.traction, s.bound) : s.traction;
+  if (!(scales.pressure > 0)) scales.pressure = 1;
+  if (!(scales.traction > 0)) scales.traction = 1;
+  return scales;
+}
+
+double merit_of(const LawSums& s, const LawScales& scales, double load, std::int64_t nodes) {
+  return 0.5 *
+         (s.sum_n / (scales.pressure * scales.pressure) +
+          s.sum_t / (scales.traction * scales.traction) + load * load * static_cast<double>(nodes));
+}
+
+LawResidual residual_of(const LawSums& s, const LawScales& scales, double load,
+                        std::int64_t nodes) {
+  LawResidual r;
+  r.normal = s.worst_n / scales.pressure;
+  r.tangential = s.worst_t / scales.traction;
+  r.load = load;
+  // What rounding of gaps and slips alone makes of the tractions: no iteration gets below that.
+  r.normal_rounding = rounding_of_terms * s.gap_rounding / scales.pressure;
+  r.tangential_rounding =
+      rounding_of_terms * (s.slip_rounding + s.bound_rounding) / scales.traction;
+  r.merit = merit_of(s, scales, load, nodes);
+  r.pressure = s.pressure;
+  r.traction = s.traction;
+  r.contact = s.contact;
+  r.sliding = s.sliding;
+  return r;
+}
+
+TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std::size_t k,
+                                 const std::vector<double> (&lambda)[3], double s1, double s2,
+                                 double pressure, bool bound_follows) {
+  const double rt = given.slip_scale * p.rt[k];
+  return coulomb().linearise(
+      {given.friction * p.mu[k], pressure, lambda[0][k] - rt * s1, lambda[1][k] - rt * s2},
+      bound_follows);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,119 @@
+#pragma once
+/// The residual of the laws, written once: unilateral contact and friction as projections of the
+/// augmented tractions (docs/theory.md, section 6).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "contact/laws/friction_law.hpp"
+#include "contact/problem/problem.hpp"
+
+namespace rollcon {
+
+/// Of what gaps and slips are summed from.
+inline constexpr double rounding_of_terms = 8 * std::numeric_limits<double>::epsilon();
+
+/// A gap or a slip, and the size of the terms it is summed from.
+struct SummedGap {
+  double value = 0, terms = 0;
+};
+struct SummedSlip {
+  double s1 = 0, s2 = 0, terms = 0;
+};
+
+/// Over the nodes: greatest values and sums of squares of what the laws leave.
+struct LawSums {
+  double worst_n = 0, worst_t = 0, sum_n = 0, sum_t = 0;
+  double pressure = 0, traction = 0, bound = 0;                    ///< greatest
+  double gap_rounding = 0, slip_rounding = 0, bound_rounding = 0;  ///< of the terms, as tractions
+  std::int64_t contact = 0, sliding = 0;
+};
+
+/// What residuals are relative to.
+struct LawScales {
+  double pressure = 1, traction = 1;
+};
+
+/// Relative residuals.
+struct LawResidual {
+  double normal = 0, tangential = 0, load = 0;          ///< relative maxima
+  double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
+  double merit = 0;  ///< error function Psi: half the squared norm of the relative residuals
+  double pressure = 0, traction = 0;  ///< the largest
+  std::int64_t contact = 0, sliding = 0;
+
+  double worst(Part part) const;
+  /// Within the tolerance, or within what rounding leaves.
+  bool within(Part part, double tolerance) const;
+};
+
+/// `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and
+/// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch.
+/// `visit` is told of every used node, whether it touches and whether it slides.
+template <class Values, class Visit>
+LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& at, Visit&& visit) {
+  LawSums r;
+  const FrictionLaw& friction = coulomb();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
+    if (!p.used[k]) continue;
+    const double ln = at.lambda(2, k);
+    double augmented = ln, gap_terms = 0;
+    if (has_normal(part)) {
+      const SummedGap gap = at.gap(k);
+      augmented = ln + p.rn[k] * gap.value;
+      const double rest = ln - std::min(augmented, 0.0);
+      r.worst_n = std::max(r.worst_n, std::abs(rest));
+      r.sum_n += rest * rest;
+      gap_terms = p.rn[k] * gap.terms;
+    }
+    r.pressure = std::max(r.pressure, -ln);
+    const bool touching = augmented < 0;
+    bool sliding = false;
+    if (touching) {
+      ++r.contact;
+      r.gap_rounding = std::max(r.gap_rounding, gap_terms);
+    }
+    if (has_tangential(part)) {
+      const double l1 = at.lambda(0, k), l2 = at.lambda(1, k);
+      FrictionTraction t{};
+      if (touching && at.slip_known(k)) {
+        const double rt = given.slip_scale * p.rt[k], mu = given.friction * p.mu[k];
+        const SummedSlip s = at.slip(k);
+        const double a1 = l1 - rt * s.s1, a2 = l2 - rt * s.s2;
+        t = friction.traction({mu, -augmented, a1, a2});
+        // Where nodes slide only the share across the traction counts, which shrinks with the
+        // bound.
+        const double length = std::hypot(a1, a2), share = length > t.bound ? t.bound / length : 1;
+        r.slip_rounding = std::max(r.slip_rounding, share * rt * s.terms);
+        r.bound_rounding = std::max(r.bound_rounding, mu * gap_terms);
+        r.bound = std::max(r.bound, t.bound);
+        sliding = t.sliding;
+        r.sliding += sliding;
+      }
+      r.traction = std::max(r.traction, std::hypot(l1, l2));
+      const double rest = std::hypot(l1 - t.t1, l2 - t.t2);
+      r.worst_t = std::max(r.worst_t, rest);
+      r.sum_t += rest * rest;
+    }
+    visit(k, touching, sliding);
+  }
+  return r;
+}
+
+/// Tangential residuals hide under normal ones, so they are judged by the tangential tractions
+/// themselves as soon as there are any.
+LawScales scales_of(const LawSums& sums);
+/// Psi. load: greatest relative error of a load, which stands for that error of the traction at
+/// each of `nodes` nodes.
+double merit_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
+LawResidual residual_of(const LawSums& sums, const LawScales& scales, double load,
+                        std::int64_t nodes);
+
+/// The law of node k for a step; pressure: what bounds its friction.
+TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std::size_t k,
+                                 const std::vector<double> (&lambda)[3], double s1, double s2,
+                                 double pressure, bool bound_follows);
+
+}  // namespace rollcon

@@ -1,0 +1,78 @@
+#pragma once
+/// What a solve tells: its iterations as they happen, and how it ended.
+
+#include <array>
+#include <cstdint>
+
+#include "contact/newton/friction_limit.hpp"
+#include "contact/problem/prescribed.hpp"
+
+namespace rollcon {
+
+/// What one iteration looked like; residuals are relative to the largest pressure and to the
+/// largest tangential traction.
+struct StepRecord {
+  Part part = Part::normal;
+  std::int64_t iteration = 0;
+  double residual_normal = 0, residual_tangential = 0;
+  double merit = 0;  ///< error function Psi: half the squared norm of the relative residuals
+  double step = 0;
+  std::int64_t contact = 0, sliding = 0;
+};
+
+/// Told of every iteration; true asks to stop.
+struct Monitor {
+  virtual ~Monitor() = default;
+  virtual bool step(const StepRecord& record) = 0;
+  /// True once a stop was asked for; of work that has no iterations to tell of.
+  virtual bool cancelled() const { return false; }
+};
+
+enum class Outcome { converged, not_converged, cancelled, no_contact, no_solution };
+
+/// What is tried where the full step gets stuck.
+enum class Rung {
+  approach_of_pressures,  ///< a bracket of the approach, for the normal part alone
+  cold,                   ///< a warm start left for a cold one
+  bracket_creep,
+  relax,
+  search_creep,
+  bracket_approach,
+  rescale_slip,
+  friction_from_above,
+  alternate,
+  friction_from_below,
+};
+inline constexpr std::size_t rungs = 10;
+
+struct NewtonReport {
+  Outcome outcome = Outcome::not_converged;
+  std::int64_t normal_iterations = 0, tangential_iterations = 0, full_iterations = 0;
+  double residual_normal = 0, residual_tangential = 0;
+  double residual_load = 0;  ///< greatest relative error of a prescribed load
+  FrictionShare share;       ///< where the loads were found to be beyond friction
+  std::int64_t fallbacks = 0;
+  std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
+  std::int64_t refuted = 0;        ///< successes of a part that the last guard did not let pass
+  std::int64_t predictions = 0;    ///< parts that began from a predicted iterate
+  std::int64_t sliding_steps = 0;  ///< of total sliding; 0: the scene did not give that
+
+  std::int64_t& iterations_of(Part part) {
+    return part == Part::normal       ? normal_iterations
+           : part == Part::tangential ? tangential_iterations
+                                      : full_iterations;
+  }
+  /// Iterations of an earlier part of the same solve.
+  void add(const NewtonReport& earlier) {
+    normal_iterations += earlier.normal_iterations;
+    tangential_iterations += earlier.tangential_iterations;
+    full_iterations += earlier.full_iterations;
+    fallbacks += earlier.fallbacks;
+    for (std::size_t k = 0; k < rungs; ++k) saved[k] += earlier.saved[k];
+    refuted += earlier.refuted;
+    predictions += earlier.predictions;
+    sliding_steps += earlier.sliding_steps;
+  }
+};
+
+}  // namespace rollcon

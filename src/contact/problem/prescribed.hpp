@@ -1,0 +1,48 @@
+#pragma once
+/// What is prescribed of motions and loads, apart from the problem: a case of a list has its own,
+/// and strategies try others on a copy.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace rollcon {
+
+/// Indices of motions and of their conjugate loads (Direction minus one).
+enum Motion : int { xi1 = 0, xi2 = 1, approach = 2, spin = 3 };
+
+/// Which tractions are unknown: the normal ones, the tangential ones under a given bound, or all.
+enum class Part : std::int32_t { normal = 2, tangential = 3, full = 4 };
+
+inline bool has_normal(Part part) {
+  return part != Part::tangential;
+}
+inline bool has_tangential(Part part) {
+  return part != Part::normal;
+}
+/// Whether motion m (or its load) is the part's.
+inline bool has_motion(Part part, int m) {
+  return m == approach ? has_normal(part) : has_tangential(part);
+}
+
+struct Prescribed {
+  std::array<bool, 4> by_force{};  ///< motion unknown, conjugate load given
+  std::array<double, 4> value{};   ///< load (on body 1) where by force, else motion
+  double full_approach = 0;        ///< one that is prescribed, from no approach on, as it was given
+  double friction = 1;             ///< factor on the nodes' coefficients
+  double slip_scale = 1;  ///< factor on the nodes' scales of slip: another path, same solution
+
+  bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }
+  /// What is prescribed in the normal direction: a load, or an approach from no approach on.
+  void prescribe_normal(bool force, double v, double datum) {
+    by_force[approach] = force;
+    full_approach = v;
+    value[approach] = force ? v : v - datum;
+  }
+  /// Approach of an iterate from no approach on; a prescribed one exactly as it was given.
+  double approach_of(const std::array<double, 4>& motion, double datum) const {
+    return by_force[approach] ? motion[approach] + datum : full_approach;
+  }
+};
+
+}  // namespace rollcon

@@ -1,0 +1,151 @@
+/// Every friction law: its derivative against finite differences, its fixed points, what it admits,
+/// and its solution at one node. A law is one line of laws().
+
+#include "contact/laws/friction_law.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "support/frames.hpp"
+
+namespace rollcon {
+namespace {
+
+struct Named {
+  const char* name;
+  const FrictionLaw* law;
+};
+std::vector<Named> laws() {
+  return {{"Coulomb", &coulomb()}};
+}
+
+constexpr double mu = 0.4;
+
+// Residual lambda_t - P(lambda_t - s), slip already scaled.
+std::array<double, 2> residual(const FrictionLaw& law, const double (&x)[5]) {
+  const FrictionTraction t = law.traction({mu, -x[2], x[0] - x[3], x[1] - x[4]});
+  return {x[0] - t.t1, x[1] - t.t2};
+}
+
+TEST(friction_law, linearisation_is_the_derivative_of_the_projection) {
+  for (const auto& [name, law] : laws()) {
+    frames::Random random(3);
+    double worst = 0;
+    int sliding = 0, trials = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+      const double x[5] = {random(), random(), -1.5 - random(), 2 * random(), 2 * random()};
+      const FrictionPoint point{mu, -x[2], x[0] - x[3], x[1] - x[4]};
+      const double bound = law->traction(point).bound;
+      if (std::abs(std::hypot(point.a1, point.a2) - bound) < 1e-3) continue;
+      const TangentialLaw row = law->linearise(point, true);
+      EXPECT_EQ(row.sliding, law->traction(point).sliding);
+      sliding += row.sliding;
+      ++trials;
+      constexpr double h = 1e-6;
+      for (int column = 0; column < 5; ++column) {
+        double plus[5], minus[5];
+        for (int k = 0; k < 5; ++k) plus[k] = minus[k] = x[k];
+        plus[column] += h;
+        minus[column] -= h;
+        const auto up = residual(*law, plus), down = residual(*law, minus);
+        for (std::size_t i = 0; i < 2; ++i) {
+          const double exact = column < 3 ? row.own[i][column] : row.slip[i][column - 3];
+          worst = std::max(worst, std::abs((up[i] - down[i]) / (2 * h) - exact));
+        }
+      }
+    }
+    std::printf("%s: derivative off by %.1e (bound 1e-8), %d of %d points slide\n", name, worst,
+                sliding, trials);
+    EXPECT_LT(worst, 1e-8);
+    EXPECT_GT(sliding, trials / 4);
+    EXPECT_LT(sliding, trials);
+  }
+}
+
+TEST(friction_law, a_fixed_point_satisfies_the_linearised_row) {
+  for (const auto& [name, law] : laws()) {
+    frames::Random random(5);
+    double worst = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+      // Some traction that slides against its slip.
+      const double ln = -2 - random();
+      const FrictionTraction t = law->traction({mu, -ln, 40 * random(), 40 * random()});
+      if (!t.sliding) continue;
+      const double slip = 1.5 + random(), s1 = -slip * t.t1, s2 = -slip * t.t2;
+      for (const bool follows : {true, false}) {
+        const TangentialLaw row = law->linearise({mu, -ln, t.t1 - s1, t.t2 - s2}, follows);
+        for (int i = 0; i < 2; ++i)
+          worst = std::max(
+              worst, std::abs(row.own[i][0] * t.t1 + row.own[i][1] * t.t2 + row.own[i][2] * ln +
+                              row.slip[i][0] * s1 + row.slip[i][1] * s2 - row.constant[i]));
+      }
+    }
+    std::printf("%s: fixed points off by %.1e (bound 1e-14)\n", name, worst);
+    EXPECT_LT(worst, 1e-14);
+  }
+}
+
+// Tractions lie in the image of the unit disk, and reach as far as it does.
+TEST(friction_law, capacity_bounds_tractions_and_is_reached) {
+  for (const auto& [name, law] : laws()) {
+    const double pressure = 3;
+    const auto m = law->capacity(mu, pressure);
+    double beyond = 0, short_of = 0;
+    for (int i = 0; i < 64; ++i) {
+      const double s1 = std::cos(0.1 * i), s2 = std::sin(0.1 * i);
+      const double most = std::hypot(m[0][0] * s1 + m[1][0] * s2, m[0][1] * s1 + m[1][1] * s2);
+      double found = 0;
+      for (int j = 0; j < 720; ++j) {
+        const double angle = j * 0.0087266;
+        const FrictionTraction t =
+            law->traction({mu, pressure, 100 * std::cos(angle), 100 * std::sin(angle)});
+        found = std::max(found, t.t1 * s1 + t.t2 * s2);
+      }
+      beyond = std::max(beyond, found / most - 1);
+      short_of = std::max(short_of, 1 - found / most);
+    }
+    std::printf("%s: power beyond the capacity %.1e (bound 1e-12), short of it %.1e (bound 1e-4)\n",
+                name, beyond, short_of);
+    EXPECT_LT(beyond, 1e-12);
+    EXPECT_LT(short_of, 1e-4);
+  }
+}
+
+// The slip that is left belongs to the traction found: the projection leaves it where it is.
+TEST(friction_law, a_node_is_solved_with_its_own_response) {
+  for (const auto& [name, law] : laws()) {
+    frames::Random random(7);
+    double worst = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+      const double a = 1.5 + random(), b = 1.5 + random(), c = 0.4 * random();
+      const NodeResponse response{{{a, c}, {c, b}}};
+      const std::array<double, 2> old{random(), random()}, slip{3 * random(), 3 * random()};
+      const double pressure = 2 + random();
+      const auto t = law->solve(response, slip, old, mu, pressure);
+      const double d1 = t[0] - old[0], d2 = t[1] - old[1];
+      const double s1 = slip[0] + a * d1 + c * d2, s2 = slip[1] + c * d1 + b * d2;
+      const FrictionTraction back = law->traction({mu, pressure, t[0] - s1, t[1] - s2});
+      worst = std::max(worst, std::hypot(back.t1 - t[0], back.t2 - t[1]));
+    }
+    std::printf("%s: solution of a node off by %.1e (bound 1e-9)\n", name, worst);
+    EXPECT_LT(worst, 1e-9);
+    const auto none = law->solve({{{1, 0}, {0, 1}}}, {1, 2}, {0.1, 0.1}, 0, 2);
+    EXPECT_EQ(std::hypot(none[0], none[1]), 0);
+  }
+}
+
+TEST(friction_law, no_friction_means_no_traction) {
+  const TangentialLaw law = coulomb().linearise({0, 0, 0, 0}, true);
+  EXPECT_TRUE(law.sliding);
+  EXPECT_EQ(law.own[0][0], 1);
+  EXPECT_EQ(law.own[1][1], 1);
+  EXPECT_EQ(law.slip[0][0], 0);
+}
+
+}  // namespace
+}  // namespace rollcon
