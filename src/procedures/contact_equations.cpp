@@ -22,35 +22,61 @@ void ContactEquations::take(const Step& step) {
   contact_matrix(images_.blocks(), contact_);
 }
 
+namespace {
+
+// The row along the slip has the node's own tractions alone: it gives the one along it.
+bool along_is_given(const TangentialLaw& law) {
+  constexpr double rounding = 1e-12;
+  const double* e = law.direction;
+  double rest = 0;
+  for (int c = 0; c < 2; ++c) {
+    rest = std::max(rest, std::abs(e[0] * law.slip[0][c] + e[1] * law.slip[1][c]));
+    rest = std::max(rest, std::abs(e[0] * law.own[0][c] + e[1] * law.own[1][c] - e[c]));
+  }
+  return rest <= rounding && std::hypot(e[0], e[1]) > 0.5;
+}
+
+}  // namespace
+
+// A component of the traction, and the same one of the law's rows.
+void ContactEquations::add_row(std::int64_t k, double q0, double q1, const TangentialLaw& law) {
+  Unknown& row = unknown_.emplace_back();
+  row.node = k;
+  row.direction = row.traction = {q0, q1, 0};
+  for (std::size_t c = 0; c < 2; ++c)
+    row.image[c] = problem_.rt[at(k)] * (q0 * law.slip[0][c] + q1 * law.slip[1][c]);
+  for (std::size_t c = 0; c < 3; ++c) row.own[c] = q0 * law.own[0][c] + q1 * law.own[1][c];
+}
+
 void ContactEquations::add(const Step& step, std::int64_t k) {
-  const double rn = problem_.rn[at(k)], rt = problem_.rt[at(k)];
+  const double rn = problem_.rn[at(k)];
   const TangentialLaw& law = step.law[at(k)];
   const bool slides = step.state[at(k)] == PairState::slip;
-  const bool shift = images_.kind() == Tangential::shift;
+  const bool slip_counts = law.slip[0][0] != 0 || law.slip[0][1] != 0 || law.slip[1][1] != 0;
   Unknown normal{.node = k, .direction = {0, 0, 1}, .traction = {0, 0, 1}, .image = {0, 0, rn}};
-  if (images_.kind() != Tangential::none && !slides) {
+  if (images_.kind() == Tangential::none) {
+    unknown_.push_back(normal);
+    return;
+  }
+  if (!slides && images_.kind() == Tangential::shift) {
     for (std::size_t c = 0; c < 2; ++c) {
       Unknown& stick = unknown_.emplace_back();
       stick.node = k;
       stick.direction[c] = stick.traction[c] = 1;
-      stick.image[c] = shift ? rn : rt;
-      stick.reach = shift ? step.reach[at(k)] : 0;
+      stick.image[c] = rn;
+      stick.reach = step.reach[at(k)];
     }
-  } else if (images_.kind() != Tangential::none) {
-    const double e[2] = {law.direction[0], law.direction[1]}, q[2] = {-e[1], e[0]};
-    const double along = e[0] * law.own[0][2] + e[1] * law.own[1][2];
-    const bool slip_counts = law.slip[0][0] != 0 || law.slip[0][1] != 0 || law.slip[1][1] != 0;
-    for (std::size_t c = 0; c < 2; ++c)
-      normal.traction[c] = slip_counts ? -along * e[c] : -law.own[c][2];
-    if (slip_counts) {
-      Unknown& across = unknown_.emplace_back();
-      across.node = k;
-      for (std::size_t c = 0; c < 3; ++c) {
-        if (c < 2) across.direction[c] = across.traction[c] = q[c];
-        if (c < 2) across.image[c] = rt * (q[0] * law.slip[0][c] + q[1] * law.slip[1][c]);
-        across.own[c] = q[0] * law.own[0][c] + q[1] * law.own[1][c];
-      }
-    }
+  } else if (slides && !slip_counts) {
+    for (std::size_t c = 0; c < 2; ++c) normal.traction[c] = -law.own[c][2];
+  } else if (slides && along_is_given(law)) {
+    const double e0 = law.direction[0], e1 = law.direction[1];
+    const double along = e0 * law.own[0][2] + e1 * law.own[1][2];
+    add_row(k, -e1, e0, law);
+    normal.traction[0] = -along * e0;
+    normal.traction[1] = -along * e1;
+  } else {
+    add_row(k, 1, 0, law);
+    add_row(k, 0, 1, law);
   }
   unknown_.push_back(normal);
 }

@@ -72,6 +72,7 @@ class ContactEquations final : public LinearOperator {
     double per_load = 1;  ///< row per load
   };
   void add(const Step& step, std::int64_t k);
+  void add_row(std::int64_t k, double q0, double q1, const TangentialLaw& law);
   void take_motions();
   double motion_entry(const Unknown& row, const Motion& motion) const;
   double load_entry(const Motion& motion, const Unknown& column) const;

@@ -38,6 +38,20 @@ void KeptDirections::keep(const ContactEquations& equations) {
   motions_ = equations.motions();
 }
 
+int KeptDirections::changed(const ContactEquations& equations) const {
+  int count = 0;
+  std::size_t i = 0;
+  for (const auto& unknown : equations.unknowns()) {  // both ascend
+    const std::size_t node = 3 * at(unknown.node);
+    while (i < direction_.size() && direction_[i].node < node) ++i, ++count;
+    if (i < direction_.size() && direction_[i].node == node)
+      ++i;
+    else
+      ++count;
+  }
+  return count + static_cast<int>(direction_.size() - i);
+}
+
 void KeptDirections::to_kept(const ContactEquations& equations, const double* x,
                              std::vector<double>& kept) {
   nodal_.clear();

@@ -23,6 +23,8 @@ class OwnEntries final : public LinearOperator {
 class KeptDirections {
  public:
   void keep(const ContactEquations& equations);
+  /// Unknowns of another step that have no counterpart, or whose pair had other ones.
+  int changed(const ContactEquations& equations) const;
   /// Contact part x of the later step's right side to that of the earlier one, and back to y.
   void to_kept(const ContactEquations& equations, const double* x, std::vector<double>& kept);
   void from_kept(const ContactEquations& equations, const std::vector<double>& kept, double* y);
@@ -51,6 +53,7 @@ class KeptFactors final : public LinearOperator {
   /// Of this step. False: singular to single precision.
   bool factor(const ContactEquations& equations);
   bool valid() const { return valid_; }
+  int changed(const ContactEquations& equations) const { return directions_.changed(equations); }
   /// Iterations beyond good ones that cost as much as new factors.
   int price(const ContactEquations& equations) const;
   /// The step that vectors belong to.

@@ -150,13 +150,15 @@ bool StepSystem::solve_plainly(const std::vector<double>& residual, double eta) 
 }
 
 // Factors are made anew when the excess over iterations with fresh ones has added up to their
-// price.
+// price, or many unknowns have changed.
 bool StepSystem::solve_with_kept(const std::vector<double>& residual, double eta) {
   kept_->take(*equations_);
   const std::int64_t before = bodies_.factorizations();
   bool solved = false;
   for (int attempt = 0; attempt < 2 && !solved; ++attempt) {
-    const bool fresh = attempt == 1 || !kept_->valid() || excess_ > kept_->price(*equations_);
+    const int price = kept_->price(*equations_);
+    const bool fresh =
+        attempt == 1 || !kept_->valid() || excess_ > price || kept_->changed(*equations_) > 2 * price;
     if (fresh) {
       excess_ = 0;
       if (!options_.monolithic) ++counters_.factorizations;

@@ -4,7 +4,8 @@
 #include <cstdio>
 #include <vector>
 
-#include "capi/fixture.hpp"
+#include "capi/body_fixture.hpp"
+#include "capi/fem_fixture.hpp"
 
 namespace capi_test {
 namespace {
@@ -66,6 +67,71 @@ TEST_F(cancel_preparation, stops_a_list_of_cases) {
             ROLLCON_CANCELLED);
   for (int k = 0; k < 2; ++k) EXPECT_EQ(status[k], ROLLCON_CANCELLED);
   for (const double f : force) EXPECT_TRUE(std::isnan(f));
+}
+
+/// A regular frame by FFT, whose tables of one node's influence take some tenths of a second.
+class cancel_lattice : public Api {};
+
+TEST_F(cancel_lattice, stops_the_tables_of_influence) {
+  if (!rollcon_has_feature("fftw")) GTEST_SKIP() << "this build is without FFTW";
+  Watcher watcher;
+  frame = SquareFrame(400, 1.5);
+  set_scene();
+  ASSERT_EQ(rollcon_contact_set_progress(contact, stop_at_work, &watcher), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_CANCELLED);
+  EXPECT_EQ(watcher.at_work, 1);
+  double force[3];
+  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr),
+            ROLLCON_ERR_STATE);
+}
+
+/// A body that takes longer to assemble than the host waits to be told.
+template <class Fixture>
+class CancelBody : public Fixture {
+ protected:
+  void expect_cancelled(std::int32_t tag) {
+    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1}, mu = 0.3;
+    rollcon_contact* c = nullptr;
+    ASSERT_EQ(rollcon_contact_create(this->context, this->body, this->plane, &c), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, tag), ROLLCON_OK) << this->error();
+    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 1, 1, 0), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06), ROLLCON_OK);
+    Watcher watcher;
+    EXPECT_EQ(rollcon_contact_set_progress(c, stop_at_work, &watcher), ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_CANCELLED) << this->error();
+    EXPECT_EQ(watcher.at_work, 1);
+    // A body that was not finished is not there; one that was is told of once it is factorised.
+    double factorizations = 0;
+    const std::int32_t there = rollcon_body_get_stat(this->body, "factorizations", &factorizations);
+    EXPECT_TRUE(there == ROLLCON_OK || there == ROLLCON_ERR_STATE);
+    std::printf("%s, %g factorisation(s) (bound 1)\n", there == ROLLCON_OK ? "whole" : "unfinished",
+                factorizations);
+    EXPECT_LE(factorizations, 1);
+    rollcon_contact_release(c);
+  }
+};
+
+using cancel_boundary_elements = CancelBody<BodyApi>;
+using cancel_finite_elements = CancelBody<FemApi>;
+
+TEST_F(cancel_boundary_elements, stops_the_assembly) {
+  cube = CubeSurface(16);
+  set_mesh(body);
+  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  expect_cancelled(6);
+}
+
+TEST_F(cancel_finite_elements, stops_between_the_parts_of_the_work) {
+  box = BoxVolume(28);
+  set_mesh();
+  ASSERT_EQ(tag_top(6), ROLLCON_OK);
+  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
+  ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+  expect_cancelled(6);
 }
 
 }  // namespace capi_test

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "bodies/halfspace/lattice_antiderivatives.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon::halfspace {
 namespace {
@@ -154,6 +155,7 @@ void along_the_longer_side(const LatticeHat& hat, double shift_x, double shift_y
   for (auto& v : value) v.assign(columns * lines, 0.0);
   std::vector<Across> kink(columns + 2);
   for (std::size_t j = 0; j < lines; ++j) {
+    check_interrupt();
     const Line line(hat.y,
                     static_cast<Extended>(y.first) + static_cast<Extended>(j) + shift_y / unit);
     for (std::size_t i = 0; i < kink.size(); ++i)

@@ -1,5 +1,7 @@
 #include "contact/operators/lattice/lattice_entries.hpp"
 
+#include "support/interrupt.hpp"
+
 namespace rollcon {
 namespace {
 
@@ -51,6 +53,7 @@ EntryKinds LatticeEntries::kinds() const {
 
 void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count,
                          double* const (&entry)[3][3], Workspace& w) const {
+  check_interrupt();
   const auto n = static_cast<std::size_t>(count);
   double *here[integral_count], *slip[integral_count];
   bool any_slip = false, any_normal = false;
