@@ -32,10 +32,6 @@ class body_threads : public BodyApi {
   }
 };
 
-TEST_F(body_threads, one_body_is_assembled_once_for_contacts_in_many_threads) {
-  solve_in_many_threads();
-}
-
 TEST_F(body_threads, one_that_is_checked_only_is_factorised_by_the_first_contact) {
   const std::array<double, 3> at_once = solve_in_many_threads();
   rollcon_body_release(body);
@@ -92,15 +88,5 @@ TEST_F(body_threads, the_log_sink_may_ask_the_body_that_is_prepared) {
   EXPECT_GT(seen.messages, 0);
   EXPECT_EQ(seen.status, ROLLCON_ERR_STATE) << "prepared: refused, but answered";
   ASSERT_EQ(rollcon_context_set_log(context, 0, nullptr, nullptr), ROLLCON_OK);
-  rollcon_contact_release(c);
-}
-
-TEST_F(body_threads, a_body_held_all_over_carries_no_frame) {
-  std::vector<std::int32_t> all(static_cast<std::size_t>(cube.nodes()));
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-  ASSERT_EQ(rollcon_body_set_support(body, cube.nodes(), all.data(), 0, ROLLCON_DOF_XYZ, nullptr),
-            ROLLCON_OK);
-  rollcon_contact* c = roll(context);
-  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
   rollcon_contact_release(c);
 }

@@ -46,51 +46,8 @@ class fem_contact : public FemApi {
     EXPECT_LE(error, bound);
     EXPECT_LT(b[2], 0);
   }
-
-  /// u = stress / E (-nu x, -nu y, z), force and moment of the supports.
-  void expect_uniaxial(double stress, const double (&force)[3], const double (&moment)[3]) {
-    std::vector<double> u(box.x.size());
-    double f[3], m[3], error = 0, reaction_error = 0;
-    ASSERT_EQ(rollcon_body_get_displacements(body, box.nodes(), u.data()), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_get_reaction(body, f, m), ROLLCON_OK);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const double exact = stress / young * (i % 3 == 2 ? box.x[i] : -poisson * box.x[i]);
-      error = std::max(error, std::abs(u[i] - exact));
-    }
-    for (int c = 0; c < 3; ++c)
-      reaction_error =
-          std::max({reaction_error, std::abs(f[c] - force[c]), std::abs(m[c] - moment[c])});
-    const double bound = 1e-11 * stress / young, reaction_bound = 1e-10;
-    std::printf("uniaxial stress: error %.2e, bound %.2e; reaction: error %.2e, bound %.2e\n",
-                error, bound, reaction_error, reaction_bound);
-    EXPECT_LE(error, bound);
-    EXPECT_LE(reaction_error, reaction_bound);
-  }
 };
 using fem_contact_long = fem_contact;
-
-TEST_F(fem_contact, tension_by_traction_and_pressure) {
-  const double t[3] = {0, 0, 3};
-  set_two_materials(young, young, poisson);
-  hold_freely();
-  ASSERT_EQ(rollcon_body_set_traction(body, 6, t), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_set_pressure(body, 6, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
-  expect_uniaxial(2, {0, 0, -2}, {-1, 1, 0});
-}
-
-TEST_F(fem_contact, tension_by_given_displacements) {
-  set_two_materials(young, young, poisson);
-  hold_freely();
-  const std::vector<std::int32_t> top = box.nodes_at(2, 1);
-  std::vector<double> values(3 * top.size(), std::nan(""));
-  for (std::size_t i = 0; i < top.size(); ++i) values[3 * i + 2] = 2 / young;
-  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(top.size()), top.data(), 0,
-                                     ROLLCON_DOF_Z, values.data()),
-            ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
-  expect_uniaxial(2, {0, 0, 0}, {0, 0, 0});
-}
 
 // Two springs in series: without friction and lateral contraction the stress is uniform.
 TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
@@ -227,21 +184,6 @@ TEST_F(fem_contact_long, settings_of_the_discretisation_change_the_result_a_litt
     EXPECT_GT(std::abs(force[i][2] - force[0][2]), 1e-6 * std::abs(force[0][2]))
         << setting[i].first << " is not ignored";
   }
-}
-
-TEST_F(fem_contact, one_body_is_factorised_once_for_contacts_in_many_threads) {
-  set_block(5);
-  force_in_many_threads(3, [&](rollcon_context* own) { return roll(own); });
-  for (const char* name : {"assemblies", "factorizations", "condensations"})
-    EXPECT_EQ(statistic(name), 1) << name;
-}
-
-TEST_F(fem_contact, a_body_held_all_over_carries_no_frame) {
-  set_block(2);
-  ASSERT_EQ(hold(counting(box.nodes()), ROLLCON_DOF_XYZ), ROLLCON_OK);
-  rollcon_contact* c = roll(context);
-  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
-  rollcon_contact_release(c);
 }
 
 TEST_F(fem_contact, a_contact_whose_body_failed_is_solved_once_it_is_mended) {
