@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path.insert(0, str(ROOT / "bindings"))
 
-from generator import (c_header, capi_plain, cpp_tables, fortran_77, fortran_module,  # noqa: E402
+from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_module,  # noqa: E402
                        fortran_plain, fortran_tests, python_module, python_plain, python_tests,
                        recorder, reference, symbol_map, table)
 
@@ -44,6 +44,7 @@ def outputs(api):
         "fortran/README.md": with_list("fortran/README.md", fortran_77.call_list(api)),
         "bindings/python/rollcon/_api.py": python_module.write(api),
         "bindings/python/rollcon/_plain.py": python_plain.write(api),
+        "tests/capi/every_call.hpp": capi_tests.write(api),
         "tests/bindings/recorded_calls.c": recorder.write(api),
         "tests/fortran/mapping_test.f90": fortran_tests.write_2008(api),
         "tests/fortran/mapping_77_test.f90": fortran_tests.write_77(api),
