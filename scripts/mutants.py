@@ -221,9 +221,10 @@ def all_mutants(root):
 
 def sample(mutants, seed, size):
     """Shares of the groups, spread over each group's files, in an order that mixes the groups."""
-    total = sum(group[1] for group in GROUPS)
+    groups = [group for group in GROUPS if any(mutants[group[0]].values())]
+    total = sum(group[1] for group in groups)
     chosen = []
-    for name, share, _ in GROUPS:
+    for name, share, _ in groups:
         rng = random.Random(f"{seed} {name}")
         queues = []
         for file, candidates in sorted(mutants[name].items()):

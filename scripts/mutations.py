@@ -2,7 +2,7 @@
 """Mutation check: do the tests notice when a law or a kernel is changed?
 
     mutations.py --work DIR [--sample 170] [--seed 1] [--log FILE]    make mutants, run the tests
-                 --room mesh                                          of this room, shown to its two nearest programs
+                 --room mesh                                          of this room, shown to its nearest program
     mutations.py --work DIR --again [--only ID...]                    survivors, or these, again
                  --tests all                                          nightly tests as well
                  --least 95                                           fails where fewer per cent are noticed
@@ -75,8 +75,8 @@ def copy_tree(tree, also):
 
 
 def nearest_of(room):
-    """A trial: the mutants of one room, and the two programs that are nearest to it."""
-    programs = PROGRAMS[room][:2]
+    """A trial: the mutants of one room, and the program that is nearest to it."""
+    programs = PROGRAMS[room][:1]
     PROGRAMS.clear()
     PROGRAMS[room] = programs
 
@@ -263,7 +263,7 @@ def run(options):
     if options.only:
         chosen = [known[i] for i in options.only]
     else:
-        chosen = sample(mutants, options.seed, options.sample)[:options.sample if options.room else None]
+        chosen = sample(mutants, options.seed, options.sample)
     part, parts = map(int, options.part.split("/"))
     chosen = chosen[part - 1::parts]
     log = options.log or work / "log.jsonl"
