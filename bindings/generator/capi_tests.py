@@ -5,8 +5,8 @@ from generator.recorder import KINDS
 OPENING = """\
 #pragma once
 /// Generated from bindings/api.toml by bindings/generate.py; do not edit.
-/// One call of every function with an object: check(name, whether any thread may call it at any time,
-/// status). Their other arguments are harmless and no more.
+/// One call of every function with an object: check(name, whether any thread may call it at any
+/// time, status). Their other arguments are harmless and no more.
 
 #include <rollcon.h>
 

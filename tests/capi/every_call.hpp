@@ -1,7 +1,7 @@
 #pragma once
 /// Generated from bindings/api.toml by bindings/generate.py; do not edit.
-/// One call of every function with an object: check(name, whether any thread may call it at any time,
-/// status). Their other arguments are harmless and no more.
+/// One call of every function with an object: check(name, whether any thread may call it at any
+/// time, status). Their other arguments are harmless and no more.
 
 #include <rollcon.h>
 
