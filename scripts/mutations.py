@@ -89,8 +89,8 @@ def prepare(work, jobs):
     os.environ.update(CCACHE_DIR=str(work / "ccache"))
     os.environ.pop("CCACHE_DISABLE", None)
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF", "-DROLLCON_STATIC=ON",
-                    "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
+                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF",
+                    "-DROLLCON_STATIC=ON", "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
                     f"-DCMAKE_EXE_LINKER_FLAGS={linker}",
                     f"-DCMAKE_SHARED_LINKER_FLAGS={linker} -Wl,-Bsymbolic-functions"],
@@ -279,7 +279,8 @@ def run(options):
             if r.get("test"):
                 noticing[(r["by"], r["test"])].append(r["id"])
         stages = stages_of(mutant.file, times, suites, noticing)
-        record = {"id": mutant.id, "place": mutant.place, "group": group, "old": mutant.old[:200], "new": mutant.new[:200]}
+        record = {"id": mutant.id, "place": mutant.place, "group": group, "old": mutant.old[:200],
+                  "new": mutant.new[:200]}
         record.update(try_mutant(work, mutant, stages, options))
         with log.open("a") as out:
             out.write(json.dumps(record) + "\n")

@@ -51,11 +51,12 @@ def write(table):
                    f"  auto* object = static_cast<rollcon_{kind}*>(const_cast<void*>(handle));\n"
                    "  HarmlessArguments a;\n")
         for function in table.functions:
-            if function.returns != "status" or not function.args or function.args[0].base != kind or function.args[0].out:
+            first = function.args[0] if function.args else None
+            if function.returns != "status" or not first or first.base != kind or first.out:
                 continue
             words = ", ".join(["object"] + [value(arg) for arg in function.args[1:]])
             at_any_time = "true" if function.threads.startswith("any") else "false"
-            out.append(f'  check("{function.name}", {at_any_time}, {function.name}({words}));\n')
+            out.append(f'  check("{function.name}", {at_any_time},\n        {function.name}({words}));\n')
         out.append("}\n")
     out.append("// clang-format on\n\n}  // namespace capi_test\n")
     return "\n".join(out).replace("\n\n  check", "\n  check").replace(";\n\n}", ";\n}")

@@ -1,6 +1,6 @@
-!> One scene over the library itself from both Fortran layers: results that agree, callbacks, statuses that are no failures,
-!> derivatives and cases. Built with trapping of invalid operations, divisions by zero and overflows, which no call may
-!> trigger in the caller. What each argument means is the C tests' business, that it arrives is mapping_test's.
+!> One scene over the library itself from both Fortran layers: results that agree, callbacks, statuses that are no
+!> failures, derivatives and cases. Built with trapping of invalid operations, divisions by zero and overflows, which no
+!> call may trigger in the caller. What each argument means is the C tests' business, that it arrives is mapping_test's.
 module scene
   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
   use, intrinsic :: iso_c_binding, only: c_ptr
@@ -57,7 +57,8 @@ contains
     type(c_ptr), value :: event, user
     integer(rc_int) :: stop_now
     calls = calls + 1
-    call demand(rc_event_int(event, ROLLCON_EVENT_PHASE) >= 1 .and. rc_event_real(event, ROLLCON_EVENT_SECONDS) >= 0, 'event')
+    call demand(rc_event_int(event, ROLLCON_EVENT_PHASE) >= 1, 'phase')
+    call demand(rc_event_real(event, ROLLCON_EVENT_SECONDS) >= 0, 'seconds')
     call demand(rc_event_int(event, 7_rc_int) == -1, 'unknown key')
     call contact%set_rolling(11.0_rc_real, stat=status_inside)
     stop_now = 1
@@ -120,7 +121,8 @@ contains
     call contact%get_sensitivity(ROLLCON_NORMAL, by_load(1:3), by_load(4:6), by_load(7), by_load(8:10))
     call rcsens(icon, 3, f77, m77, approach77, creep77, ierr)
     call demand(all(.not. abs([f77, m77, approach77, creep77] - by_load) > 0), 'RCSENS')
-    call contact%solve_many([ROLLCON_NORMAL], reshape([load, 0.8_rc_real*load], [1, 2]), force=force, derivatives=slopes)
+    call contact%solve_many([ROLLCON_NORMAL], reshape([load, 0.8_rc_real*load], [1, 2]), force=force, &
+      derivatives=slopes)
     call demand(abs(force(3, 2) + 0.8_rc_real*load) < 1e-6_rc_real*load, 'force of a case')
     call demand(maxval(abs(slopes(:, 1, 1) - by_load)) < 1e-6_rc_real, 'derivatives of a case')
     call rccase(icon, 'NORMAL', 2, [load, 0.8_rc_real*load], 'FORCE DERIVATIVES', 13, table, n, status, ierr)

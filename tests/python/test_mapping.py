@@ -244,8 +244,8 @@ class Mapping(unittest.TestCase):
         self.assertEqual(cases.worst, rc.OK)
         few = self.contact.solve_many("longitudinal lateral spin", X, names="seconds")
         self.assertFalse(hasattr(few, "tractions") or hasattr(few, "derivatives"))
-        self.told("contact_solve_many", f"contact1 <longitudinal lateral spin> 2 {WRITTEN} <force moment approach creep "
-                  "seconds> 11 room null room")
+        self.told("contact_solve_many", f"contact1 <longitudinal lateral spin> 2 {WRITTEN} "
+                  "<force moment approach creep seconds> 11 room null room")
         self.refuses("shape", self.contact.solve_many, [rc.LATERAL], [1, 2, 3])
         with self.assertRaises(ValueError):
             self.contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])
