@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <limits>
 #include <stdexcept>
 
 namespace rollcon::bench {
@@ -28,25 +27,10 @@ void add_error_function(Record& record, const scenes::RollingPair& pair) {
 
 }  // namespace
 
-std::string Procedure::name() const {
-  return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " + preconditioner;
-}
-
-void Procedure::apply(scenes::RollingPair& pair) const {
-  pair.option("system", system.c_str()).option("jacobian", jacobian.c_str());
-  pair.option("slip_estimate", slip_estimate.c_str());
-  pair.option("linear_solver", linear_solver.c_str());
-  pair.option("preconditioner", preconditioner.c_str());
-  pair.option("max_iterations", max_iterations);
-}
-
-std::vector<Procedure> procedures_of(const std::string& system) {
-  std::vector<Procedure> all;
-  for (const char* jacobian : {"exact", "b_derivative", "simplified"})
-    for (const char* solver : linear_solvers) all.push_back({system, jacobian, "auto", solver});
-  for (const char* estimate : slip_estimates)
-    for (const char* solver : linear_solvers) all.push_back({system, "reduced", estimate, solver});
-  return all;
+void apply(const Procedure& procedure, scenes::RollingPair& pair) {
+  procedure.apply(pair);
+  pair.option("max_iterations",
+              procedure.max_iterations ? procedure.max_iterations : most_iterations);
 }
 
 void add_body_unknowns(Record& record, const scenes::RollingPair& pair) {
@@ -67,7 +51,7 @@ scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair,
   for (int k = 0; k < repeats; ++k) {
     Record attempt = blank;
     attempt.method = procedure.name();
-    procedure.apply(pair);
+    apply(procedure, pair);
     pair.reset();
     try {
       solution = timed_solve(pair, attempt, now());
@@ -89,19 +73,6 @@ scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair,
 double solving_seconds(const scenes::RollingPair& pair) {
   return pair.stat("seconds_total") - pair.stat("seconds_compliance") -
          pair.stat("seconds_convection");
-}
-
-double traction_difference(const scenes::Solution& a, const scenes::Solution& b) {
-  if (a.nodes() != b.nodes() || a.nodes() == 0) return std::numeric_limits<double>::quiet_NaN();
-  double scale[2] = {}, difference[2] = {};
-  for (std::size_t k = 0; k < a.nodes(); ++k) {
-    const auto &s = a.traction[k], &t = b.traction[k];
-    scale[0] = std::max(scale[0], std::abs(t[2]));
-    scale[1] = std::max(scale[1], std::hypot(t[0], t[1]));
-    difference[0] = std::max(difference[0], std::abs(s[2] - t[2]));
-    difference[1] = std::max(difference[1], std::hypot(s[0] - t[0], s[1] - t[1]));
-  }
-  return std::max(difference[0] / scale[0], scale[1] > 0 ? difference[1] / scale[1] : 0);
 }
 
 bool converged(const Record& record) {

@@ -6,30 +6,21 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "support/procedures.hpp"
 
 namespace rollcon::bench {
 
-/// Enough for the slowest procedure.
+/// Of procedures that name no other number: enough for the slowest.
 inline constexpr std::int64_t most_iterations = 3000;
 
-/// One way of solving, by the options of a contact.
-struct Procedure {
-  std::string system = "condensed", jacobian = "exact", slip_estimate = "auto";
-  std::string linear_solver = "auto", preconditioner = "auto";
-  std::int64_t max_iterations = most_iterations;
+using scenes::linear_solvers;
+using scenes::Procedure;
+using scenes::procedures_by_solver;
+using scenes::slip_estimates;
+using scenes::systems;
+using scenes::traction_difference;
 
-  /// The first five in this order, blanks between them.
-  std::string name() const;
-  void apply(scenes::RollingPair& pair) const;
-  bool operator==(const Procedure&) const = default;
-};
-
-inline constexpr const char* systems[] = {"condensed", "monolithic"};
-inline constexpr const char* linear_solvers[] = {"lu", "gmres", "gmres_adaptive"};
-inline constexpr const char* slip_estimates[] = {"jacobi", "pseudo_temporal", "extrapolation"};
-
-/// Jacobians, and with reduced unknowns the slip estimates, times the linear solvers.
-std::vector<Procedure> procedures_of(const std::string& system);
+void apply(const Procedure& procedure, scenes::RollingPair& pair);
 
 /// Solves from zero tractions on what is already prepared (`fresh`: from arrays, `began` says
 /// when) and fills the record but for quantity, value and error: method, sizes, time, the error
@@ -43,10 +34,6 @@ void add_body_unknowns(Record& record, const scenes::RollingPair& pair);
 
 /// Seconds of the last solve without the bodies' compliance and the frame's convection.
 double solving_seconds(const scenes::RollingPair& pair);
-
-/// Largest difference of nodal tractions, normal ones over the largest pressure and tangential ones
-/// over the largest tangential one. NaN: not the same frame.
-double traction_difference(const scenes::Solution& a, const scenes::Solution& b);
 
 /// The status of a record is that of a solution.
 bool converged(const Record& record);

@@ -43,7 +43,7 @@ void one_mesh(Runner& runner) {
   for (const char* scheme : {"godunov", "least_squares"}) {
     std::vector<Procedure> procedures;
     for (const char* system : systems)
-      for (const Procedure& p : procedures_of(system)) {
+      for (const Procedure& p : procedures_by_solver(system)) {
         if (scheme == std::string("godunov"))
           procedures.push_back(p);
         else if (p.system == "condensed" && p.linear_solver == "lu")

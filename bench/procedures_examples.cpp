@@ -28,7 +28,7 @@ void combinations(Runner& runner) {
     add(Procedure{});
     for (const char* system : systems) {
       if (example.condensed_only && system == std::string("monolithic")) continue;
-      for (const Procedure& procedure : procedures_of(system)) {
+      for (const Procedure& procedure : procedures_by_solver(system)) {
         const bool plain = procedure.linear_solver == "lu" && (procedure.slip_estimate == "auto" ||
                                                                procedure.slip_estimate == "jacobi");
         if (!runner.quick || (plain && procedure.system == "condensed")) add(procedure);
@@ -81,7 +81,7 @@ void speed(Runner& runner) {
       try {
         const double began = now();
         const auto pair = example.make(runner.threads);
-        procedure.apply(*pair);
+        apply(procedure, *pair);
         const scenes::Solution s = timed_solve(*pair, record, began);
         record.extra.emplace_back("factorizations", pair->stat("factorizations"));
         add_body_unknowns(record, *pair);

@@ -31,7 +31,7 @@ void solve(Runner& runner, scenes::RollingPair& pair, const std::string& model,
                             .jacobian = "b_derivative",
                             .linear_solver = "gmres",
                             .preconditioner = preconditioner};
-  procedure.apply(pair);
+  apply(procedure, pair);
   pair.option("linear_tolerance", tolerance);
   solve_by(procedure, pair, record);
   record.series.clear();

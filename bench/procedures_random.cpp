@@ -16,22 +16,19 @@ struct Drawn {
 /// Ellipse, materials, friction, and creepages or forces: everything from one seed.
 Drawn draw(std::uint32_t seed, int threads) {
   frames::Random random(seed);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * 0.5 * (1 + random());
-  };
   const auto either = [&] { return random() < 0; };
   using scenes::Elastic;
-  const Elastic first{.shear = 1, .poisson = between(0, 0.45)};
-  Elastic second{.shear = std::pow(10, between(-1, 1)), .poisson = between(0, 0.45)};
+  const Elastic first{.shear = 1, .poisson = random.between(0, 0.45)};
+  Elastic second{.shear = std::pow(10, random.between(-1, 1)), .poisson = random.between(0, 0.45)};
   const bool twins = either(), rigid = either();
   if (twins) second = first;
   const double e_star = twins || !rigid ? closed_forms::effective_modulus(first, second)
                                         : closed_forms::effective_modulus(first);
-  const double a = between(0.5, 2), b = 1, mu = between(0.05, 0.6);
+  const double a = random.between(0.5, 2), b = 1, mu = random.between(0.05, 0.6);
   const auto hertz = closed_forms::hertz_from_axes(a, b, 1e-3, e_star);
   auto pair = twins || !rigid ? std::make_unique<scenes::RollingPair>(first, second, threads)
                               : std::make_unique<scenes::RollingPair>(first, std::nullopt, threads);
-  const int n = 2 * static_cast<int>(between(5, 9));
+  const int n = 2 * static_cast<int>(random.between(5, 9));
   const auto lines = [&](double half) {
     return frames::uniform_lines(-1.25 * half, 1.25 * half, n);
   };
@@ -44,11 +41,11 @@ Drawn draw(std::uint32_t seed, int threads) {
   const bool force_given = either();
   // A creepage of about four times mu p0 / E* saturates friction; beside a given force less of it.
   const double full = (force_given ? 1 : 4) * mu * 1e-3;
-  const double longitudinal = full * between(-1, 1), lateral = full * between(-1, 1);
-  const double turning = either() ? full / std::sqrt(a * b) * between(-1, 1) : 0;
+  const double longitudinal = full * random.between(-1, 1), lateral = full * random.between(-1, 1);
+  const double turning = either() ? full / std::sqrt(a * b) * random.between(-1, 1) : 0;
   pair->creep(longitudinal, lateral, turning);
   if (force_given)
-    pair->tangential_force(ROLLCON_LONGITUDINAL, mu * hertz.load * between(-0.8, 0.8));
+    pair->tangential_force(ROLLCON_LONGITUDINAL, mu * hertz.load * random.between(-0.8, 0.8));
   return {std::move(pair), force_given};
 }
 
@@ -57,7 +54,7 @@ void run(Runner& runner) {
   constexpr std::int64_t patience = 600;  // what works takes less than a hundred iterations
   std::vector<Procedure> procedures{Procedure{}};
   for (const char* system : systems)
-    for (const Procedure& p : procedures_of(system))
+    for (const Procedure& p : procedures_by_solver(system))
       if (p.linear_solver != "gmres") procedures.push_back(p);
   for (Procedure& p : procedures) p.max_iterations = patience;
   for (std::uint32_t seed = 1; seed <= scenes; ++seed) {

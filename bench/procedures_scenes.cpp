@@ -78,21 +78,8 @@ Pair sphere(int threads) {
 }
 
 /// A part of the wheel of example 4 around its top: 20 x 20 x 14 mm, 9 x 9 elements in 6 x 6 mm.
-scenes::MeshedBody part_of_wheel() {
-  const SurfaceMesh flat = surfaces::zone_block({20, 14, 6, 9, 1, 2}, ElementType::quad4);
-  const auto bend = [](const Vec3& x) {
-    const double r = example4::radius + x[2] - example4::cone * x[1];
-    const double angle = x[0] / example4::radius;
-    return Vec3{r * std::sin(angle), x[1], r * std::cos(angle)};
-  };
-  scenes::MeshedBody wheel = scenes::meshed(surfaces::transform(flat, bend), example4::material);
-  wheel.held_tag = {3, 4, 5};
-  wheel.contact_tag = {1, 2};
-  return wheel;
-}
-
 Pair coarse_wheel(int threads) {
-  return example4::pair(part_of_wheel(), scheme, threads);
+  return example4::pair(example4::part_of_wheel({20, 14, 6, 9, 1, 2}), scheme, threads);
 }
 
 Pair rolling_wheel(Pair pair) {

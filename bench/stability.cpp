@@ -85,7 +85,7 @@ class Suite {
       const std::string name = procedure.jacobian + " " + procedure.linear_solver;
       const auto pair = begin(scene, name);
       if (!pair) continue;
-      procedure.apply(*pair);
+      apply(procedure, *pair);
       judge(scene, name, extremes::solve(*pair, scene));
     }
   }

@@ -1,8 +1,9 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 
-!> The life of a body and its plain procedures. rc_body (module rollcon_body) adds the others; programs use that type.
-!> A variable is one reference to the object: assignment adds a reference, `free` and the end of the variable's life drop it.
+!> The life of a body and its plain procedures. rc_body (module rollcon_body) adds the others; programs use
+!> that type. A variable is one reference to the object: assignment adds a reference, `free` and the end of the
+!> variable's life drop it.
 module rollcon_body_plain
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
     c_null_ptr, c_ptr
@@ -134,7 +135,8 @@ contains
     integer(c_int32_t), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%p, c_text(name), int(value, rc_long)), self%p, 'rc_body%set', stat, errmsg)
+    call finish(rollcon_body_set_int(self%p, c_text(name), int(value, rc_long)), self%p, &
+      'rc_body%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_body_option_info lists them.
@@ -144,7 +146,8 @@ contains
     integer(c_int64_t), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_int(self%p, c_text(name), value), self%p, 'rc_body%set', stat, errmsg)
+    call finish(rollcon_body_set_int(self%p, c_text(name), value), self%p, &
+      'rc_body%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_body_option_info lists them.
@@ -154,7 +157,8 @@ contains
     real(rc_real), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_real(self%p, c_text(name), value), self%p, 'rc_body%set', stat, errmsg)
+    call finish(rollcon_body_set_real(self%p, c_text(name), value), self%p, &
+      'rc_body%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_body_option_info lists them.
@@ -166,7 +170,8 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(rc_long) :: wide
     wide = 0
-    call finish(rollcon_body_get_int(self%p, c_text(name), wide), self%p, 'rc_body%get', stat, errmsg)
+    call finish(rollcon_body_get_int(self%p, c_text(name), wide), self%p, &
+      'rc_body%get', stat, errmsg)
     value = int(wide, c_int32_t)
   end subroutine
 
@@ -178,7 +183,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     value = 0
-    call finish(rollcon_body_get_int(self%p, c_text(name), value), self%p, 'rc_body%get', stat, errmsg)
+    call finish(rollcon_body_get_int(self%p, c_text(name), value), self%p, &
+      'rc_body%get', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_body_option_info lists them.
@@ -189,7 +195,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     value = 0
-    call finish(rollcon_body_get_real(self%p, c_text(name), value), self%p, 'rc_body%get', stat, errmsg)
+    call finish(rollcon_body_get_real(self%p, c_text(name), value), self%p, &
+      'rc_body%get', stat, errmsg)
   end subroutine
 
   !> Sets an isotropic linear elastic material.
@@ -203,19 +210,20 @@ contains
     integer :: tag_or_standard
     tag_or_standard = 0
     if (present(tag)) tag_or_standard = tag
-    call finish(rollcon_body_set_elastic(self%p, int(tag_or_standard, rc_int), young, poisson), self%p, 'rc_body%set_elastic', &
-      stat, errmsg)
+    call finish(rollcon_body_set_elastic(self%p, int(tag_or_standard, rc_int), young, poisson), self%p, &
+      'rc_body%set_elastic', stat, errmsg)
   end subroutine
 
-  !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and freezes
-  !> it. Optional: the first solve does it. Calling it again does nothing. (Finite elements with many contact faces and no
-  !> loads of their own are factorised when a frame tells which part of the faces takes part.) ROLLCON_ERR_MESH names the
-  !> offending elements or nodes: double nodes, degenerate or repeated elements, neighbours of opposite orientation, and for
-  !> elastic bodies open edges, normals that point inwards, more than one outer shell; for finite elements turned elements,
-  !> faces that meet without matching, parts that share no face, tagged faces that are not on the boundary. A body equal to
-  !> one that is prepared in the same context (mesh, tags, material, supports, loads, contact faces, options) shares its
-  !> equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports leave the body free to move, and the text
-  !> says how; hold it (three nodes not on a line, or a hub), since what is held is also what approach and creepage move.
+  !> Checks that the body is complete and its mesh and supports sound, assembles and factorises its equations, and
+  !> freezes it. Optional: the first solve does it. Calling it again does nothing. (Finite elements with many contact
+  !> faces and no loads of their own are factorised when a frame tells which part of the faces takes part.)
+  !> ROLLCON_ERR_MESH names the offending elements or nodes: double nodes, degenerate or repeated elements, neighbours
+  !> of opposite orientation, and for elastic bodies open edges, normals that point inwards, more than one outer shell;
+  !> for finite elements turned elements, faces that meet without matching, parts that share no face, tagged faces that
+  !> are not on the boundary. A body equal to one that is prepared in the same context (mesh, tags, material, supports,
+  !> loads, contact faces, options) shares its equations: nothing is assembled again. ROLLCON_ERR_SINGULAR: the supports
+  !> leave the body free to move, and the text says how; hold it (three nodes not on a line, or a hub), since what is
+  !> held is also what approach and creepage move.
   subroutine body_prepare(self, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -233,9 +241,10 @@ contains
     call finish(rollcon_body_get_kind(self%p, kind), self%p, 'rc_body%get_kind', stat, errmsg)
   end subroutine
 
-  !> Writes the body, prepared if it was not, to a file: all that was given, the factors, and the responses to frames that
-  !> it keeps (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses are the contacts'.
-  !> Every library of the same ABI number and format reads it, on any machine of the same byte order with IEEE numbers.
+  !> Writes the body, prepared if it was not, to a file: all that was given, the factors, and the responses to frames
+  !> that it keeps (option cache_bytes). The file appears whole or not at all; an older one is replaced. Poses are the
+  !> contacts'. Every library of the same ABI number and format reads it, on any machine of the same byte order with
+  !> IEEE numbers.
   subroutine body_save(self, path, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     character(len=*), intent(in) :: path
@@ -244,15 +253,16 @@ contains
     call finish(rollcon_body_save(self%p, c_text(path)), self%p, 'rc_body%save', stat, errmsg)
   end subroutine
 
-  !> Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the same tag is added to it.
-  !> Faces without load or support are free.
+  !> Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on the same tag is added to
+  !> it. Faces without load or support are free.
   subroutine body_set_traction(self, tag, traction, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(in) :: tag
     real(rc_real), intent(in) :: traction(3)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_traction(self%p, int(tag, rc_int), traction), self%p, 'rc_body%set_traction', stat, errmsg)
+    call finish(rollcon_body_set_traction(self%p, int(tag, rc_int), traction), self%p, 'rc_body%set_traction', stat, &
+      errmsg)
   end subroutine
 
   !> Prescribes a pressure on the faces with a tag, against their outward normals; replaces an earlier one and adds to a
@@ -263,11 +273,12 @@ contains
     real(rc_real), intent(in) :: pressure
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_body_set_pressure(self%p, int(tag, rc_int), pressure), self%p, 'rc_body%set_pressure', stat, errmsg)
+    call finish(rollcon_body_set_pressure(self%p, int(tag, rc_int), pressure), self%p, 'rc_body%set_pressure', stat, &
+      errmsg)
   end subroutine
 
-  !> Says which faces may come into contact: on them gaps are computed and frames laid. Standard: all faces that are neither
-  !> held nor loaded.
+  !> Says which faces may come into contact: on them gaps are computed and frames laid. Standard: all faces that are
+  !> neither held nor loaded.
   subroutine body_set_contact_faces(self, tags, stat, errmsg)
     class(rc_body_plain), intent(inout) :: self
     integer, intent(in) :: tags(:)
@@ -293,8 +304,9 @@ contains
     if (present(elements)) elements = int(elements_c)
   end subroutine
 
-  !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and its moment
-  !> about the origin of the body's axes. It balances the loads up to the error of the discretisation: a measure of it.
+  !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and its
+  !> moment about the origin of the body's axes. It balances the loads up to the error of the discretisation: a measure
+  !> of it.
   subroutine body_get_reaction(self, force, moment, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     real(rc_real), intent(out) :: force(3)
@@ -306,10 +318,10 @@ contains
     call finish(rollcon_body_get_reaction(self%p, force, moment), self%p, 'rc_body%get_reaction', stat, errmsg)
   end subroutine
 
-  !> One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for bodies without
-  !> equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a context share:
-  !> "shared" is 1 for a body for which nothing was assembled because an equal one was prepared before, "loaded" for one
-  !> from a file.
+  !> One number about a prepared body: unknowns, assemblies, factorisations, condition, seconds, bytes; 0 for bodies
+  !> without equations. Names: rollcon_body_stat_name. Counts are those of the equations, which equal bodies of a
+  !> context share: "shared" is 1 for a body for which nothing was assembled because an equal one was prepared before,
+  !> "loaded" for one from a file.
   subroutine body_get_stat(self, name, value, stat, errmsg)
     class(rc_body_plain), intent(in) :: self
     character(len=*), intent(in) :: name

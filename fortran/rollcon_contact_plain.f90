@@ -1,8 +1,9 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 
-!> The life of a contact and its plain procedures. rc_contact (module rollcon_contact) adds the others; programs use that type.
-!> A variable is one reference to the object: assignment adds a reference, `free` and the end of the variable's life drop it.
+!> The life of a contact and its plain procedures. rc_contact (module rollcon_contact) adds the others; programs use
+!> that type. A variable is one reference to the object: assignment adds a reference, `free` and the end of the
+!> variable's life drop it.
 module rollcon_contact_plain
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
     c_null_ptr, c_ptr
@@ -134,7 +135,8 @@ contains
     integer(c_int32_t), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_int(self%p, c_text(name), int(value, rc_long)), self%p, 'rc_contact%set', stat, errmsg)
+    call finish(rollcon_contact_set_int(self%p, c_text(name), int(value, rc_long)), self%p, &
+      'rc_contact%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -144,7 +146,8 @@ contains
     integer(c_int64_t), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_int(self%p, c_text(name), value), self%p, 'rc_contact%set', stat, errmsg)
+    call finish(rollcon_contact_set_int(self%p, c_text(name), value), self%p, &
+      'rc_contact%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -154,7 +157,8 @@ contains
     real(rc_real), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_real(self%p, c_text(name), value), self%p, 'rc_contact%set', stat, errmsg)
+    call finish(rollcon_contact_set_real(self%p, c_text(name), value), self%p, &
+      'rc_contact%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -164,7 +168,8 @@ contains
     character(len=*), intent(in) :: value
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_str(self%p, c_text(name), c_text(value)), self%p, 'rc_contact%set', stat, errmsg)
+    call finish(rollcon_contact_set_str(self%p, c_text(name), c_text(value)), self%p, &
+      'rc_contact%set', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -176,7 +181,8 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     integer(rc_long) :: wide
     wide = 0
-    call finish(rollcon_contact_get_int(self%p, c_text(name), wide), self%p, 'rc_contact%get', stat, errmsg)
+    call finish(rollcon_contact_get_int(self%p, c_text(name), wide), self%p, &
+      'rc_contact%get', stat, errmsg)
     value = int(wide, c_int32_t)
   end subroutine
 
@@ -188,7 +194,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     value = 0
-    call finish(rollcon_contact_get_int(self%p, c_text(name), value), self%p, 'rc_contact%get', stat, errmsg)
+    call finish(rollcon_contact_get_int(self%p, c_text(name), value), self%p, &
+      'rc_contact%get', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -199,7 +206,8 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     value = 0
-    call finish(rollcon_contact_get_real(self%p, c_text(name), value), self%p, 'rc_contact%get', stat, errmsg)
+    call finish(rollcon_contact_get_real(self%p, c_text(name), value), self%p, &
+      'rc_contact%get', stat, errmsg)
   end subroutine
 
   !> A setting by name; rc_option_info lists them.
@@ -218,17 +226,18 @@ contains
     deallocate (buffer)
     allocate (buffer(max(needed, 1_rc_long)))
     buffer(1) = c_null_char
-    if (status == ROLLCON_OK) status = rollcon_contact_get_str(self%p, c_text(name), size(buffer, kind=rc_long), buffer, &
-      needed)
+    if (status == ROLLCON_OK) &
+      status = rollcon_contact_get_str(self%p, c_text(name), size(buffer, kind=rc_long), buffer, needed)
     value = f_text(buffer)
-    call finish(status, self%p, 'rc_contact%get', stat, errmsg)
+    call finish(status, self%p, &
+      'rc_contact%get', stat, errmsg)
   end subroutine
 
   !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap
-  !> array and the creep and friction fields. Its nodes are those of the faces, in the order of their ids in the body, and
-  !> follow the body's pose. Of finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they are the
-  !> corners alone, and the frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2 are turned
-  !> over, so that the frame's normals point out of body 1.
+  !> array and the creep and friction fields. Its nodes are those of the faces, in the order of their ids in the body,
+  !> and follow the body's pose. Of finite-element bodies with tri6 among these faces (tet10, the ends of wedge15) they
+  !> are the corners alone, and the frame's elements linear: rollcon_contact_get_size tells how many. Faces of body 2
+  !> are turned over, so that the frame's normals point out of body 1.
   subroutine contact_frame_from_body(self, which, tag, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: which
@@ -239,8 +248,8 @@ contains
       'rc_contact%frame_from_body', stat, errmsg)
   end subroutine
 
-  !> Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0. Standard: identity and zero.
-  !> Half-spaces ignore it: their surface is the frame's.
+  !> Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0. Standard: identity and
+  !> zero. Half-spaces ignore it: their surface is the frame's.
   subroutine contact_set_pose(self, which, rotation, translation, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(in) :: which
@@ -252,8 +261,8 @@ contains
       'rc_contact%set_pose', stat, errmsg)
   end subroutine
 
-  !> Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent plane, t2 = n x t1. Vectors need
-  !> not have unit length. Creepages, spin and moments belong to the origin.
+  !> Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent plane, t2 = n x t1. Vectors
+  !> need not have unit length. Creepages, spin and moments belong to the origin.
   subroutine contact_set_axes(self, origin, rolling, normal, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: origin(3)
@@ -264,11 +273,11 @@ contains
     call finish(rollcon_contact_set_axes(self%p, origin, rolling, normal), self%p, 'rc_contact%set_axes', stat, errmsg)
   end subroutine
 
-  !> Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap. Where a body has a mesh
-  !> and no gap is given, it is measured along the frame's normals between the surfaces; a half-space or rigid body without
-  !> a mesh is then the plane through the origin of the axes. These normals are level along the rolling direction
-  !> (rollcon_contact_get_tractions): a gap along the surface's own would be longer by half the square of the angle between
-  !> them.
+  !> Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap. Where a body has a
+  !> mesh and no gap is given, it is measured along the frame's normals between the surfaces; a half-space or rigid body
+  !> without a mesh is then the plane through the origin of the axes. These normals are level along the rolling
+  !> direction (rollcon_contact_get_tractions): a gap along the surface's own would be longer by half the square of the
+  !> angle between them.
   subroutine contact_set_gap(self, gap, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: gap(:)
@@ -277,8 +286,8 @@ contains
     call finish(rollcon_contact_set_gap(self%p, size(gap, 1, rc_long), gap), self%p, 'rc_contact%set_gap', stat, errmsg)
   end subroutine
 
-  !> Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the axes (t1, t2); replaces a gap
-  !> array.
+  !> Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the axes (t1, t2); replaces a
+  !> gap array.
   subroutine contact_set_gap_quadratic(self, a, b, c, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: a
@@ -286,7 +295,8 @@ contains
     real(rc_real), intent(in) :: c
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_gap_quadratic(self%p, a, b, c), self%p, 'rc_contact%set_gap_quadratic', stat, errmsg)
+    call finish(rollcon_contact_set_gap_quadratic(self%p, a, b, c), self%p, 'rc_contact%set_gap_quadratic', stat, &
+      errmsg)
   end subroutine
 
   !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
@@ -298,8 +308,8 @@ contains
     call finish(rollcon_contact_set_rolling(self%p, speed), self%p, 'rc_contact%set_rolling', stat, errmsg)
   end subroutine
 
-  !> Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x) of body 1 relative
-  !> to body 2. The same as three calls of rollcon_contact_prescribe.
+  !> Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x) of body 1
+  !> relative to body 2. The same as three calls of rollcon_contact_prescribe.
   subroutine contact_set_creep(self, longitudinal, lateral, spin, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: longitudinal
@@ -307,22 +317,24 @@ contains
     real(rc_real), intent(in) :: spin
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_creep(self%p, longitudinal, lateral, spin), self%p, 'rc_contact%set_creep', stat, errmsg)
+    call finish(rollcon_contact_set_creep(self%p, longitudinal, lateral, spin), self%p, 'rc_contact%set_creep', stat, &
+      errmsg)
   end subroutine
 
-  !> Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame its components are along
-  !> the local axes of each node.
+  !> Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame its components are
+  !> along the local axes of each node.
   subroutine contact_set_creep_field(self, slip, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in), contiguous :: slip(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     if (size(slip, 1) /= 2) then
-      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%set_creep_field', stat, errmsg, 'the first extent of slip must be 2')
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%set_creep_field', stat, errmsg, &
+      'the first extent of slip must be 2')
       return
     end if
-    call finish(rollcon_contact_set_creep_field(self%p, size(slip, 2, rc_long), slip), self%p, 'rc_contact%set_creep_field', &
-      stat, errmsg)
+    call finish(rollcon_contact_set_creep_field(self%p, size(slip, 2, rc_long), slip), self%p, &
+      'rc_contact%set_creep_field', stat, errmsg)
   end subroutine
 
   !> Prescribes one direction by motion or by force; the other quantity is found by the solve. Forces act on body 1.
@@ -354,13 +366,13 @@ contains
     real(rc_real), intent(in), contiguous :: mu(:)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_friction_field(self%p, size(mu, 1, rc_long), mu), self%p, 'rc_contact%set_friction_field', &
-      stat, errmsg)
+    call finish(rollcon_contact_set_friction_field(self%p, size(mu, 1, rc_long), mu), self%p, &
+      'rc_contact%set_friction_field', stat, errmsg)
   end subroutine
 
   !> Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies and operators are prepared,
-  !> within moments; only a factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays usable.
-  !> What was cancelled during its preparation has no results, and the next solve prepares it anew.
+  !> within moments; only a factorisation runs to its end. The solve returns ROLLCON_CANCELLED; the contact stays
+  !> usable. What was cancelled during its preparation has no results, and the next solve prepares it anew.
   subroutine contact_request_cancel(self, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     integer, intent(out), optional :: stat
@@ -368,15 +380,16 @@ contains
     call finish(rollcon_contact_request_cancel(self%p), self%p, 'rc_contact%request_cancel', stat, errmsg)
   end subroutine
 
-  !> Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by force. Starts from the last
-  !> solution unless the option "warm_start" is 0. After ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best iterate can be
-  !> read. ROLLCON_COARSE, which goes before ROLLCON_RIM_CONTACT, says that no node in contact has all its neighbours in
-  !> contact (with friction: fewer than 5 have); the solution is that of the frame, not of the bodies. Log and plan tell
-  !> more. A failed solve leaves the scene as it was but discards the last solution. Bodies that are not prepared are
-  !> prepared first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR); the text names the
-  !> body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and approaches (to pressures of 1e150) that
-  !> double precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and what is allowed. Nodes that
-  !> are never to touch may have any gap, with the option "system" = monolithic up to that limit.
+  !> Solves the steady rolling contact: tractions, slip, and whatever motion was prescribed by force. Starts from the
+  !> last solution unless the option "warm_start" is 0. After ROLLCON_NOT_CONVERGED and ROLLCON_CANCELLED the best
+  !> iterate can be read. ROLLCON_COARSE, which goes before ROLLCON_RIM_CONTACT, says that no node in contact has all
+  !> its neighbours in contact (with friction: fewer than 5 have); the solution is that of the frame, not of the bodies.
+  !> Log and plan tell more. A failed solve leaves the scene as it was but discards the last solution. Bodies that are
+  !> not prepared are prepared first and may fail as rollcon_body_prepare does (ROLLCON_ERR_MESH, ROLLCON_ERR_SINGULAR);
+  !> the text names the body. Creepages (whose slip, times speed or stiffness, would come to 1e305) and approaches (to
+  !> pressures of 1e150) that double precision cannot calculate with are ROLLCON_ERR_ARGUMENT; the text names a node and
+  !> what is allowed. Nodes that are never to touch may have any gap, with the option "system" = monolithic up to that
+  !> limit.
   subroutine contact_solve(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -421,8 +434,8 @@ contains
     if (present(axes)) axes_or_standard = axes
     force = 0
     moment = 0
-    call finish(rollcon_contact_get_resultant(self%p, axes_or_standard, force, moment), self%p, 'rc_contact%get_resultant', stat, &
-      errmsg)
+    call finish(rollcon_contact_get_resultant(self%p, axes_or_standard, force, moment), self%p, &
+      'rc_contact%get_resultant', stat, errmsg)
   end subroutine
 
   !> Approach, creepages and spin, as given or as found for prescribed forces.
@@ -437,15 +450,15 @@ contains
     call finish(rollcon_contact_get_motion(self%p, approach, creep), self%p, 'rc_contact%get_motion', stat, errmsg)
   end subroutine
 
-  !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one parameter. A
-  !> direction stands for the value last solved with there: creepage, spin or approach where the motion was prescribed;
-  !> force, spin moment or compressive load where the force was; motions that were found then change with it. FRICTION
-  !> stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by mu. They are those of
-  !> Newton's system at the solution, the state of every node held: at most one factorisation for all parameters (one more
-  !> for NORMAL where pressures stand alone) and one right side each; kept until the next solve. After ROLLCON_NO_CONTACT
-  !> only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or
-  !> the parameter is a tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
-  !> friction.
+  !> Derivatives of what rollcon_contact_get_resultant (local axes) and rollcon_contact_get_motion give, by one
+  !> parameter. A direction stands for the value last solved with there: creepage, spin or approach where the motion was
+  !> prescribed; force, spin moment or compressive load where the force was; motions that were found then change with
+  !> it. FRICTION stands for a factor, now 1, on every friction coefficient: for d/dmu of a uniform mu divide by mu.
+  !> They are those of Newton's system at the solution, the state of every node held: at most one factorisation for all
+  !> parameters (one more for NORMAL where pressures stand alone) and one right side each; kept until the next solve.
+  !> After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution,
+  !> one that did not converge, or the parameter is a tangential force or spin moment without friction.
+  !> ROLLCON_ERR_SINGULAR: a load at the limit of friction.
   subroutine contact_get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     integer(rc_int), intent(in) :: parameter
@@ -464,8 +477,8 @@ contains
   end subroutine
 
   !> One number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes. Names:
-  !> rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its numbers is asked
-  !> for, at about the price of a solve.
+  !> rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is computed when one of its numbers is
+  !> asked for, at about the price of a solve.
   subroutine contact_get_stat(self, name, value, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     character(len=*), intent(in) :: name

@@ -230,7 +230,8 @@ subroutine rcbelm(ibody, itype, n, ic, ldc, itag, ierr)
   integer(c_int32_t), allocatable :: packed(:, :)
   call pack_77(body_of(ibody), 'RCBELM', itype, n, ic, ldc, packed, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_body_add_elements(body_of(ibody), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, narrow(itag))
+  ierr = rollcon_body_add_elements(body_of(ibody), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, &
+    narrow(itag))
 end subroutine
 
 !> Gives a tag to boundary faces of finite elements, by element and face.
@@ -244,7 +245,8 @@ subroutine rcbtgf(ibody, n, ielements, ifaces, itag, ierr)
   if (ierr /= ROLLCON_OK) return
   call pack_list_77(body_of(ibody), 'RCBTGF', n, ifaces, packed_faces, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_body_tag_faces(body_of(ibody), int(n, c_int64_t), packed_elements, packed_faces, 1_c_int32_t, narrow(itag))
+  ierr = rollcon_body_tag_faces(body_of(ibody), int(n, c_int64_t), packed_elements, packed_faces, 1_c_int32_t, &
+    narrow(itag))
 end subroutine
 
 !> Gives a tag to the faces all of whose nodes are given, midside nodes too.
@@ -267,7 +269,8 @@ subroutine rcsupp(ibody, n, nodes, idof_mask, values, ierr)
   integer(c_int32_t), allocatable :: packed_nodes(:)
   call pack_list_77(body_of(ibody), 'RCSUPP', n, nodes, packed_nodes, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), values)
+  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), &
+    values)
 end subroutine
 
 !> Holds displacement components of nodes, at zero or at given values.
@@ -290,7 +293,8 @@ subroutine rchold(ibody, n, nodes, idof_mask, ierr)
     return
   end if
   values = 0
-  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), values)
+  ierr = rollcon_body_set_support(body_of(ibody), int(n, c_int64_t), packed_nodes, 1_c_int32_t, narrow(idof_mask), &
+    values)
 end subroutine
 
 !> Prescribes the traction on the faces with a tag.
@@ -529,8 +533,8 @@ subroutine rcelem(icon, itype, n, ic, ldc, itag, ierr)
   integer(c_int32_t), allocatable :: packed(:, :)
   call pack_77(contact_of(icon), 'RCELEM', itype, n, ic, ldc, packed, ierr)
   if (ierr /= ROLLCON_OK) return
-  ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, 1_c_int32_t, &
-    narrow(itag))
+  ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, &
+    1_c_int32_t, narrow(itag))
 end subroutine
 
 !> Makes the faces of a body that carry a tag the frame.
@@ -846,7 +850,8 @@ subroutine rcfeld(icon, ifield, iaxes, maxn, v, nv, ierr)
   double precision :: v(*)
   integer(c_int64_t) :: n_values_c
   n_values_c = 0
-  ierr = rollcon_contact_get_field(contact_of(icon), narrow(ifield), narrow(iaxes), int(maxn, c_int64_t), v, n_values_c)
+  ierr = rollcon_contact_get_field(contact_of(icon), narrow(ifield), narrow(iaxes), int(maxn, c_int64_t), v, &
+    n_values_c)
   nv = int(n_values_c)
 end subroutine
 

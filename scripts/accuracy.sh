@@ -113,3 +113,4 @@ if wanted stability; then
   python3 bench/report_stability.py "$build/stability.jsonl" docs "$command stability"
   echo "wrote docs/stability.md"
 fi
+python3 scripts/wrap_docs.py

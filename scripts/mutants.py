@@ -63,6 +63,14 @@ class Mutant:
         column = begin - (text.rfind("\n", 0, begin) + 1) + 1
         self.id = f"{file}:{line}:{column}:{operator}"
         self.old = text[begin:end]
+        self.place = ""  # in the words of the source: see name_places
+
+    def words(self, text):
+        """The line with its place marked, and what comes there: holds while lines move."""
+        first, last = text.rfind("\n", 0, self.begin) + 1, text.find("\n", self.end)
+        before, after = text[first:self.begin][-30:].lstrip(), text[self.end:last][:30].rstrip()
+        shown, new = (" ".join(part.split())[:40] for part in (self.old, self.new))
+        return f"{self.file}: {before}«{shown}»{after} → {new}".rstrip()
 
     def apply(self, text):
         return text[:self.begin] + self.new + text[self.end:]
@@ -194,17 +202,29 @@ def sources(root, group):
     return [str(f.relative_to(root)) for f in dict.fromkeys(files)]
 
 
+def name_places(mutants, text):
+    """Gives each mutant of a file its place; equal ones are counted in their order."""
+    seen = {}
+    for mutant in sorted(mutants, key=lambda m: m.begin):
+        words = mutant.words(text)
+        seen[words] = seen.get(words, 0) + 1
+        mutant.place = words if seen[words] == 1 else f"{words} ({seen[words]})"
+    return mutants
+
+
 def all_mutants(root):
     """{group: {file: [mutants]}} of the tree at root."""
-    return {group[0]: {file: mutants_of(file, (root / file).read_text())
+    texts = {file: (root / file).read_text() for group in GROUPS for file in sources(root, group)}
+    return {group[0]: {file: name_places(mutants_of(file, texts[file]), texts[file])
                        for file in sources(root, group)} for group in GROUPS}
 
 
 def sample(mutants, seed, size):
     """Shares of the groups, spread over each group's files, in an order that mixes the groups."""
-    total = sum(group[1] for group in GROUPS)
+    groups = [group for group in GROUPS if any(mutants[group[0]].values())]
+    total = sum(group[1] for group in groups)
     chosen = []
-    for name, share, _ in GROUPS:
+    for name, share, _ in groups:
         rng = random.Random(f"{seed} {name}")
         queues = []
         for file, candidates in sorted(mutants[name].items()):
@@ -243,6 +263,11 @@ def self_test(root):
                    key=lambda i: (int(i.split(":")[0]), int(i.split(":")[1]), i))
     if found != EXPECTED:
         print("found   ", found, "\nexpected", EXPECTED)
+        return 1
+    moved = "\n\n" + SELF_TEST
+    before, after = ([m.place for m in name_places(mutants_of("f", text), text)] for text in (SELF_TEST, moved))
+    if before != after or len(set(before)) != len(before):
+        print("places change when lines move, or are not told apart:", before)
         return 1
     mutants = all_mutants(root)
     counts = {name: sum(map(len, files.values())) for name, files in mutants.items()}

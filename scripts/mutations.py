@@ -2,6 +2,7 @@
 """Mutation check: do the tests notice when a law or a kernel is changed?
 
     mutations.py --work DIR [--sample 170] [--seed 1] [--log FILE]    make mutants, run the tests
+                 --room mesh                                          of this room, shown to its nearest program
     mutations.py --work DIR --again [--only ID...]                    survivors, or these, again
                  --tests all                                          nightly tests as well
                  --least 95                                           fails where fewer per cent are noticed
@@ -25,7 +26,8 @@ template brackets, numbers with an exponent (tolerances), reserve(), and functio
 counts, no laws).
 
 An ID is file:line:column:operator. Mutants that change no behaviour are equivalent: they are listed
-with their reason, by ID, in the section "## Mutations" of the document given by --equivalent.
+with their reason in the section "## Mutations" of the document given by --equivalent, by their place in
+the words of the source (`--list` and the report print them), which holds while lines move.
 """
 import argparse
 import collections
@@ -72,6 +74,13 @@ def copy_tree(tree, also):
         shutil.copyfile(ROOT / file, tree / file)
 
 
+def nearest_of(room):
+    """A trial: the mutants of one room, and the program that is nearest to it."""
+    programs = PROGRAMS[room][:1]
+    PROGRAMS.clear()
+    PROGRAMS[room] = programs
+
+
 def prepare(work, jobs):
     tree, build = work / "tree", work / "build"
     linker = "-fuse-ld=lld" if shutil.which("ld.lld") else ""
@@ -80,8 +89,8 @@ def prepare(work, jobs):
     os.environ.update(CCACHE_DIR=str(work / "ccache"))
     os.environ.pop("CCACHE_DISABLE", None)
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF", "-DROLLCON_STATIC=ON",
-                    "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
+                    "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF",
+                    "-DROLLCON_STATIC=ON", "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
                     f"-DCMAKE_EXE_LINKER_FLAGS={linker}",
                     f"-DCMAKE_SHARED_LINKER_FLAGS={linker} -Wl,-Bsymbolic-functions"],
@@ -237,6 +246,13 @@ def run(options):
     work.mkdir(parents=True, exist_ok=True)
     copy_tree(work / "tree", options.also)
     mutants = all_mutants(work / "tree")
+    places = {m.place for files in mutants.values() for ms in files.values() for m in ms}
+    for place in sorted(equivalents(options.equivalent) - places):
+        print(f"called equivalent, but no longer in the sources: {place}")
+    if options.room:
+        nearest_of(options.room)
+        mutants = {group: {file: ms for file, ms in files.items() if file.startswith(f"src/{options.room}/")}
+                   for group, files in mutants.items()}
     prepare(work, options.jobs)
     times, suites = baseline(work), suites_of(work / "tree")
     if options.tests != "all":
@@ -263,7 +279,8 @@ def run(options):
             if r.get("test"):
                 noticing[(r["by"], r["test"])].append(r["id"])
         stages = stages_of(mutant.file, times, suites, noticing)
-        record = {"id": mutant.id, "group": group, "old": mutant.old[:200], "new": mutant.new[:200]}
+        record = {"id": mutant.id, "place": mutant.place, "group": group, "old": mutant.old[:200],
+                  "new": mutant.new[:200]}
         record.update(try_mutant(work, mutant, stages, options))
         with log.open("a") as out:
             out.write(json.dumps(record) + "\n")
@@ -280,8 +297,7 @@ def equivalents(document):
         return set()
     section = document.read_text().split("\n## Mutations", 1)[-1].split("\n## ", 1)[0]
     equivalent = section.split("\nEquivalent:\n", 1)[-1]  # after the table of survivors
-    return {found.replace("\\|", "|")
-            for found in re.findall(r"`(src/[^`]+:\d+:\d+:[^`]+)`", equivalent)}
+    return {found.replace("\\|", "|") for found in re.findall(r"^\| `(src/[^`]+)` \|", equivalent, re.M)}
 
 
 def report(log, document, least=0.0):
@@ -290,7 +306,7 @@ def report(log, document, least=0.0):
     table = collections.defaultdict(collections.Counter)
     for record in latest.values():
         result = record["result"]
-        if result == "survived" and record["id"] in same:
+        if result == "survived" and record["place"] in same:
             result = "equivalent"
         table[record["group"]][result] += 1
         table["in all"][result] += 1
@@ -302,8 +318,8 @@ def report(log, document, least=0.0):
               f"{c['equivalent']:11d} {100 * c['noticed'] / max(1, asked):9.1f}")
     print(f"not compiled: {table['in all']['invalid']}")
     for record in sorted(latest.values(), key=lambda r: r["id"]):
-        if record["result"] == "survived" and record["id"] not in same:
-            print(f"survived {record['id']}: {record['old']!r} -> {record['new']!r}")
+        if record["result"] == "survived" and record["place"] not in same:
+            print(f"survived {record['id']}: {record['place']}")
     c = table["in all"]
     if 100 * c["noticed"] < least * (c["noticed"] + c["survived"]):
         print(f"fewer than {least:g} per cent are noticed")
@@ -320,6 +336,7 @@ def main():
     parser.add_argument("--also", nargs="+", default=[], metavar="FILE",
                         help="taken from the working tree instead of HEAD: new tests")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at a time")
+    parser.add_argument("--room", choices=sorted(PROGRAMS), help="a trial: mutants and tests of one room alone")
     parser.add_argument("--log", type=pathlib.Path)
     parser.add_argument("--prepare", action="store_true", help="build, time the tests and stop")
     parser.add_argument("--part", default="1/1", metavar="K/N", help="every N-th mutant from the K-th")
@@ -346,7 +363,7 @@ def main():
         for files in all_mutants(ROOT).values():
             for found in files.values():
                 for m in found:
-                    print(m.id, repr(m.old[:60]), "->", repr(m.new[:60]))
+                    print(m.id, m.place)
         return 0
     if not options.work:
         parser.error("--work says where to build")

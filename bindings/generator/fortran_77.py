@@ -11,7 +11,7 @@ Arguments are those of the C function in their order; what FORTRAN 77 says other
 
 import re
 
-WIDTH = 128  # the language allows 132
+WIDTH = 118  # the language allows 132
 HANDLES = {"context": "ictx", "body": "ibody", "contact": "icon"}
 CALLBACKS = {"log_fn": "log", "progress_fn": "progress"}
 

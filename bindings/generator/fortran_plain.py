@@ -7,15 +7,16 @@ own, other numbers are default INTEGERs, texts have lengths, `defaults` are opti
 import re
 import textwrap
 
-WIDTH = 128  # the language allows 132
+WIDTH = 118  # the language allows 132
 USES = {"body": ["rollcon_context"], "contact": ["rollcon_context", "rollcon_body"]}
 
 OPENING = """\
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 
-!> The life of a {kind} and its plain procedures. rc_{kind} (module rollcon_{kind}) adds the others; programs use that type.
-!> A variable is one reference to the object: assignment adds a reference, `free` and the end of the variable's life drop it.
+!> The life of a {kind} and its plain procedures. rc_{kind} (module rollcon_{kind}) adds the others; programs use
+!> that type. A variable is one reference to the object: assignment adds a reference, `free` and the end of the
+!> variable's life drop it.
 module rollcon_{kind}_plain
   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
     c_null_ptr, c_ptr
@@ -168,7 +169,7 @@ def options(kind):
     for verb in ("set", "get"):
         for suffix, declared, c_name in option_names(kind):
             head = f"rollcon_{kind}_{verb}_{c_name}(self%p, c_text(name), "
-            what = f"self%p, 'rc_{kind}%{verb}', stat, errmsg)"
+            what = f"self%p, &\n      'rc_{kind}%{verb}', stat, errmsg)"
             if verb == "set":
                 value = {"int32": "int(value, rc_long)", "text": "c_text(value)"}.get(suffix, "value")
                 body = [f"call finish({head}{value}), {what}"]
@@ -181,8 +182,8 @@ def options(kind):
                         "integer(rc_int) :: status", "allocate (buffer(1))", "needed = 0",
                         f"status = {head}0_rc_long, buffer, needed)", "deallocate (buffer)",
                         "allocate (buffer(max(needed, 1_rc_long)))", "buffer(1) = c_null_char",
-                        f"if (status == ROLLCON_OK) status = {head}size(buffer, kind=rc_long), buffer, &",
-                        "  needed)",
+                        "if (status == ROLLCON_OK) &",
+                        f"  status = {head}size(buffer, kind=rc_long), buffer, needed)",
                         "value = f_text(buffer)", f"call finish(status, {what}"]
             else:
                 body = ["value = 0", f"call finish({head}value), {what}"]
@@ -344,7 +345,7 @@ class Procedure:
 
 def comment(doc):
     text = " ".join(doc.split())
-    return textwrap.wrap(text, 124, initial_indent="  !> ", subsequent_indent="  !> ", break_on_hyphens=False)
+    return textwrap.wrap(text, 120, initial_indent="  !> ", subsequent_indent="  !> ", break_on_hyphens=False)
 
 
 def write(table, kind):

@@ -1,11 +1,10 @@
 """docs/api.md: the contract (bindings/api_contract.md) followed by the reference list."""
 
-from generator.c_header import c_type, return_type
+from generator.c_header import c_type, declaration, return_type
 
 
 def prototype(function):
-    args = ", ".join(c_type(a) + a.name for a in function.args) or "void"
-    return f"{return_type(function.returns)}{function.name}({args})"
+    return declaration(return_type(function.returns) + function.name, function.args)[:-1].replace("\n", "\n    ")
 
 
 def argument_rows(args):

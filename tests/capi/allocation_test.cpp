@@ -136,18 +136,12 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
 
 class allocation_meshed : public allocation {
  protected:
-  /// A rigid sphere on the top of a unit cube, which has tag 6, with growing creepage.
-  void expect_none_in_warm_solves(rollcon_body* body, const char* what) {
-    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1},
-                 friction = 0.3;
-    rollcon_contact* c = nullptr;
+  /// A rigid sphere on the top of a unit cube held at its bottom, with growing creepage.
+  void expect_none_in_warm_solves(rollcon_body* body, const std::vector<std::int32_t>& bottom,
+                                  const char* what) {
     ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &friction), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06), ROLLCON_OK);
+    ASSERT_EQ(hold(body, bottom, ROLLCON_DOF_XYZ), ROLLCON_OK);
+    rollcon_contact* c = roll_on_top(context, body, plane);
     std::int64_t counted = 0;
     for (int step = 0; step <= 10; ++step) {
       ASSERT_EQ(rollcon_contact_set_creep(c, 1e-2 * (1 + 0.02 * step), 0, 0), ROLLCON_OK);
@@ -168,16 +162,8 @@ TEST_F(allocation_meshed, solves_with_boundary_elements_allocate_nothing) {
   rollcon_body* body = nullptr;
   ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_BEM, &body), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, 200, 0.3), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_set_nodes(body, cube.nodes(), cube.x.data(), 3, 1), ROLLCON_OK);
-  for (std::int32_t f = 0; f < 6; ++f)
-    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_QUAD4, cube.face_elements(),
-                                        cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1),
-              ROLLCON_OK);
-  const std::vector<std::int32_t> bottom = cube.nodes_at(2, 0);
-  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(bottom.size()), bottom.data(),
-                                     0, ROLLCON_DOF_XYZ, nullptr),
-            ROLLCON_OK);
-  expect_none_in_warm_solves(body, "boundary elements");
+  give_mesh(body, cube);
+  expect_none_in_warm_solves(body, cube.nodes_at(2, 0), "boundary elements");
   rollcon_body_release(body);
 }
 
@@ -188,18 +174,11 @@ TEST_F(allocation_meshed, solves_with_finite_elements_allocate_nothing) {
     rollcon_body* body = nullptr;
     ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, 200, 0.3), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(), box.connectivity.data(),
-                                        0, 0),
-              ROLLCON_OK);
-    const std::vector<std::int32_t> bottom = box.nodes_at(2, 0), top = box.nodes_at(2, 1);
-    const auto n = static_cast<std::int64_t>(top.size());
-    ASSERT_EQ(rollcon_body_tag_faces_of_nodes(body, n, top.data(), 0, 6), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_support(body, n, bottom.data(), 0, ROLLCON_DOF_XYZ, nullptr),
-              ROLLCON_OK);
+    give_mesh(body, box);
     ASSERT_EQ(rollcon_body_set_int(body, "between_nodes", between_nodes), ROLLCON_OK);
     expect_none_in_warm_solves(
-        body, between_nodes ? "finite elements, by shape functions" : "finite elements");
+        body, box.nodes_at(2, 0),
+        between_nodes ? "finite elements, by shape functions" : "finite elements");
     rollcon_body_release(body);
   }
 }

@@ -53,6 +53,15 @@ struct CubeSurface {
   }
 };
 
+/// Nodes and faces, those of face f with tag f + 1.
+inline void give_mesh(rollcon_body* b, const CubeSurface& cube) {
+  ASSERT_EQ(rollcon_body_set_nodes(b, cube.nodes(), cube.x.data(), 3, 1), ROLLCON_OK);
+  for (std::int32_t f = 0; f < 6; ++f)
+    ASSERT_EQ(rollcon_body_add_elements(b, ROLLCON_QUAD4, cube.face_elements(),
+                                        cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1),
+              ROLLCON_OK);
+}
+
 /// The scene of Api, and a cube of its own material without supports or loads.
 class BodyApi : public Api {
  protected:
@@ -68,19 +77,11 @@ class BodyApi : public Api {
     Api::TearDown();
   }
 
-  void set_mesh(rollcon_body* b) {
-    ASSERT_EQ(rollcon_body_set_nodes(b, cube.nodes(), cube.x.data(), 3, 1), ROLLCON_OK);
-    for (std::int32_t f = 0; f < 6; ++f)
-      ASSERT_EQ(rollcon_body_add_elements(b, ROLLCON_QUAD4, cube.face_elements(),
-                                          cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1),
-                ROLLCON_OK);
-  }
+  void set_mesh(rollcon_body* b) { give_mesh(b, cube); }
 
   /// Bottom z = 0 held, wholly or along z alone.
   std::int32_t hold_bottom(std::int32_t dof_mask) {
-    const std::vector<std::int32_t> bottom = cube.nodes_at(2, 0);
-    return rollcon_body_set_support(body, static_cast<std::int64_t>(bottom.size()), bottom.data(),
-                                    0, dof_mask, nullptr);
+    return hold(body, cube.nodes_at(2, 0), dof_mask);
   }
 
   void expect_size(std::int64_t nodes, std::int64_t elements) {

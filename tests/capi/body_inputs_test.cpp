@@ -244,28 +244,3 @@ TEST_F(body_inputs, bad_surfaces_are_refused) {
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "flipped element", "4 such",
                "element 20");
 }
-
-TEST_F(body_inputs, prepared_bodies_are_frozen) {
-  const std::int32_t tags[1] = {6}, nodes[1] = {0};
-  const double t[3] = {0, 0, 1};
-  set_mesh(body);
-  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_set_elastic(body, 0, 1, 0.3), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_nodes(body, 1, t, 3, 1), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, cube.face[0].data(), 0, 1),
-               ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, nodes, 0, 9), ROLLCON_ERR_STATE,
-               "prepared");
-  EXPECT_FAILS(rollcon_body_set_support(body, 1, nodes, 0, ROLLCON_DOF_X, nullptr),
-               ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_traction(body, 6, t), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_contact_faces(body, 1, tags), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_real(body, "accuracy", 1e-5), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_int(body, "keep_factors", 0), ROLLCON_ERR_STATE, "prepared");
-  double accuracy = 0;
-  EXPECT_EQ(rollcon_body_get_real(body, "accuracy", &accuracy), ROLLCON_OK);
-  EXPECT_EQ(accuracy, 1e-6);
-  expect_size(cube.nodes(), 6 * cube.face_elements());
-}

@@ -48,43 +48,16 @@ class Saved : public BodyApi {
     const BoxVolume box(4);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
     ASSERT_EQ(rollcon_body_set_int(body, "factorization", method), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(), box.connectivity.data(),
-                                        0, 0),
-              ROLLCON_OK);
-    const auto top = box.nodes_at(2, 1), bottom = box.nodes_at(2, 0);
-    ASSERT_EQ(rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(top.size()),
-                                              top.data(), 0, 6),
-              ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(bottom.size()),
-                                       bottom.data(), 0, ROLLCON_DOF_XYZ, nullptr),
-              ROLLCON_OK);
+    give_mesh(body, box);
+    ASSERT_EQ(hold(body, box.nodes_at(2, 0), ROLLCON_DOF_XYZ), ROLLCON_OK);
     const std::int32_t tag = 6;
     ASSERT_EQ(rollcon_body_set_contact_faces(body, 1, &tag), ROLLCON_OK);
   }
 
   /// A rigid sphere of radius 1 on the top: the frame is its faces, or a mesh laid on it.
   Rolled roll(rollcon_body* b, bool laid = false) {
-    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
-    const double mu = 0.3;
-    rollcon_contact* c = nullptr;
-    EXPECT_EQ(rollcon_contact_create(context, b, plane, &c), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    if (laid) {
-      SquareFrame frame(7, 0.35);
-      for (std::size_t k = 0; k < frame.x.size(); k += 3)
-        frame.x[k] += 0.5, frame.x[k + 1] += 0.5, frame.x[k + 2] = 1;
-      EXPECT_EQ(rollcon_contact_set_frame_nodes(c, frame.nodes, frame.x.data(), 3, 1), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, frame.elements,
-                                                   frame.connectivity.data(), 0, 0),
-                ROLLCON_OK);
-    } else {
-      EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK);
-    }
-    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.03), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
+    rollcon_contact* c = roll_on_top(context, b, plane, {.approach = 0.03, .tag = laid ? 0 : 6});
+    if (laid) give_frame(c, moved(SquareFrame(7, 0.35), 0.5, 0.5, 1));
     Rolled result;
     result.status = rollcon_contact_solve(c);
     EXPECT_GE(result.status, ROLLCON_OK) << error();

@@ -1,7 +1,6 @@
 /// A boundary-element body shared by contacts in many threads, and new creepages on it.
 
 #include <cmath>
-#include <thread>
 
 #include "body_fixture.hpp"
 
@@ -17,20 +16,7 @@ class body_threads : public BodyApi {
     ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
   }
 
-  /// A rigid sphere of radius 1 on the cube's top.
-  rollcon_contact* roll(rollcon_context* own) {
-    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
-    const double mu = 0.3;
-    rollcon_contact* c = nullptr;
-    EXPECT_EQ(rollcon_contact_create(own, body, plane, &c), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
-    return c;
-  }
+  rollcon_contact* roll(rollcon_context* own) { return roll_on_top(own, body, plane); }
 
   double count(const char* name) {
     double value = -1;
@@ -38,37 +24,13 @@ class body_threads : public BodyApi {
     return value;
   }
 
-  /// On a context each. Force on the body.
   std::array<double, 3> solve_in_many_threads() {
-    const int contacts = 3;
-    std::vector<std::array<double, 3>> force(contacts);
-    std::vector<std::thread> pool;
-    for (std::size_t i = 0; i < contacts; ++i) {
-      pool.emplace_back([&, i] {
-        rollcon_context* own = nullptr;
-        rollcon_context_create(ROLLCON_ABI, &own);
-        rollcon_context_set_threads(own, 1);
-        rollcon_contact* c = roll(own);
-        EXPECT_EQ(solve_small(c), ROLLCON_OK);
-        EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
-                  ROLLCON_OK);
-        rollcon_contact_release(c);
-        rollcon_context_release(own);
-      });
-    }
-    for (std::thread& t : pool) t.join();
-    EXPECT_LT(force[0][2], 0);
-    for (const auto& f : force)
-      for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
+    const auto force = force_in_many_threads(3, [&](rollcon_context* own) { return roll(own); });
     for (const char* name : {"assemblies", "factorizations", "condensations"})
       EXPECT_EQ(count(name), 1) << name;
-    return force[0];
+    return force;
   }
 };
-
-TEST_F(body_threads, one_body_is_assembled_once_for_contacts_in_many_threads) {
-  solve_in_many_threads();
-}
 
 TEST_F(body_threads, one_that_is_checked_only_is_factorised_by_the_first_contact) {
   const std::array<double, 3> at_once = solve_in_many_threads();
@@ -126,15 +88,5 @@ TEST_F(body_threads, the_log_sink_may_ask_the_body_that_is_prepared) {
   EXPECT_GT(seen.messages, 0);
   EXPECT_EQ(seen.status, ROLLCON_ERR_STATE) << "prepared: refused, but answered";
   ASSERT_EQ(rollcon_context_set_log(context, 0, nullptr, nullptr), ROLLCON_OK);
-  rollcon_contact_release(c);
-}
-
-TEST_F(body_threads, a_body_held_all_over_carries_no_frame) {
-  std::vector<std::int32_t> all(static_cast<std::size_t>(cube.nodes()));
-  for (std::size_t k = 0; k < all.size(); ++k) all[k] = static_cast<std::int32_t>(k);
-  ASSERT_EQ(rollcon_body_set_support(body, cube.nodes(), all.data(), 0, ROLLCON_DOF_XYZ, nullptr),
-            ROLLCON_OK);
-  rollcon_contact* c = roll(context);
-  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
   rollcon_contact_release(c);
 }

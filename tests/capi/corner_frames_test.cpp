@@ -23,24 +23,12 @@ class corner_frames : public FemApi {
 
   /// Status of a solve on a frame of that width from (x, y) on; its tractions are finite.
   std::int32_t press(double at_x, double at_y, double width) {
-    SquareFrame small(2, width / 2);
-    for (std::size_t i = 0; i < small.x.size(); i += 3) {
-      small.x[i] += at_x + width / 2;
-      small.x[i + 1] += at_y + width / 2;
-      small.x[i + 2] = 1;
-    }
-    const double origin[3] = {at_x + width / 2, at_y + width / 2, 1}, rolling[3] = {1, 0, 0},
-                 normal[3] = {0, 0, 1}, mu = 0.2;
-    rollcon_contact* c = nullptr;
-    EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_frame_nodes(c, small.nodes, small.x.data(), 3, 1), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, small.elements,
-                                                 small.connectivity.data(), 0, 0),
-              ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.05, 0.05, 0), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-3), ROLLCON_OK);
+    const double x = at_x + width / 2, y = at_y + width / 2;
+    const SquareFrame small = moved(SquareFrame(2, width / 2), x, y, 1);
+    rollcon_contact* c = roll_on_top(
+        context, body, plane,
+        {.x = x, .y = y, .curvature = 0.1, .approach = 1e-3, .mu = 0.2, .creep = 0, .tag = 0});
+    give_frame(c, small);
     const std::int32_t status = rollcon_contact_solve(c);
     if (status >= 0) {
       std::vector<double> t(3 * static_cast<std::size_t>(small.nodes), none);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <thread>
 
 #include "fem_fixture.hpp"
 
@@ -29,43 +28,12 @@ class fem_contact : public FemApi {
     ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
   }
 
-  rollcon_contact* press(rollcon_context* own, double curvature, double approach, double mu) {
-    const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
-    rollcon_contact* c = nullptr;
-    EXPECT_EQ(rollcon_contact_create(own, body, plane, &c), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK) << error();
-    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * curvature, 0.5 * curvature, 0),
-              ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach),
-              ROLLCON_OK);
-    return c;
-  }
-
   /// A rigid sphere of radius 1 that rolls with creepage.
-  rollcon_contact* roll(rollcon_context* own) {
-    rollcon_contact* c = press(own, 1, 0.06, 0.3);
-    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
-    return c;
-  }
+  rollcon_contact* roll(rollcon_context* own) { return roll_on_top(own, body, plane); }
 
   /// A frame within the top whose nodes are not the body's.
   static void lay_frame(rollcon_contact* c) {
-    const SquareFrame inner(7, 0.4);
-    std::vector<double> x = inner.x;
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += i % 3 == 2 ? 1 : 0.5;
-    ASSERT_EQ(rollcon_contact_set_frame_nodes(c, inner.nodes, x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, inner.elements,
-                                                 inner.connectivity.data(), 0, 0),
-              ROLLCON_OK);
-  }
-
-  std::array<double, 3> solved_force(rollcon_contact* c) {
-    std::array<double, 3> force{};
-    EXPECT_EQ(solve_small(c), ROLLCON_OK) << error();
-    EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr), ROLLCON_OK);
-    return force;
+    give_frame(c, moved(SquareFrame(7, 0.4), 0.5, 0.5, 1));
   }
 
   static void expect_same(const std::array<double, 3>& a, const std::array<double, 3>& b,
@@ -78,51 +46,8 @@ class fem_contact : public FemApi {
     EXPECT_LE(error, bound);
     EXPECT_LT(b[2], 0);
   }
-
-  /// u = stress / E (-nu x, -nu y, z), force and moment of the supports.
-  void expect_uniaxial(double stress, const double (&force)[3], const double (&moment)[3]) {
-    std::vector<double> u(box.x.size());
-    double f[3], m[3], error = 0, reaction_error = 0;
-    ASSERT_EQ(rollcon_body_get_displacements(body, box.nodes(), u.data()), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_get_reaction(body, f, m), ROLLCON_OK);
-    for (std::size_t i = 0; i < u.size(); ++i) {
-      const double exact = stress / young * (i % 3 == 2 ? box.x[i] : -poisson * box.x[i]);
-      error = std::max(error, std::abs(u[i] - exact));
-    }
-    for (int c = 0; c < 3; ++c)
-      reaction_error =
-          std::max({reaction_error, std::abs(f[c] - force[c]), std::abs(m[c] - moment[c])});
-    const double bound = 1e-11 * stress / young, reaction_bound = 1e-10;
-    std::printf("uniaxial stress: error %.2e, bound %.2e; reaction: error %.2e, bound %.2e\n",
-                error, bound, reaction_error, reaction_bound);
-    EXPECT_LE(error, bound);
-    EXPECT_LE(reaction_error, reaction_bound);
-  }
 };
 using fem_contact_long = fem_contact;
-
-TEST_F(fem_contact, tension_by_traction_and_pressure) {
-  const double t[3] = {0, 0, 3};
-  set_two_materials(young, young, poisson);
-  hold_freely();
-  ASSERT_EQ(rollcon_body_set_traction(body, 6, t), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_set_pressure(body, 6, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
-  expect_uniaxial(2, {0, 0, -2}, {-1, 1, 0});
-}
-
-TEST_F(fem_contact, tension_by_given_displacements) {
-  set_two_materials(young, young, poisson);
-  hold_freely();
-  const std::vector<std::int32_t> top = box.nodes_at(2, 1);
-  std::vector<double> values(3 * top.size(), std::nan(""));
-  for (std::size_t i = 0; i < top.size(); ++i) values[3 * i + 2] = 2 / young;
-  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(top.size()), top.data(), 0,
-                                     ROLLCON_DOF_Z, values.data()),
-            ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
-  expect_uniaxial(2, {0, 0, 0}, {0, 0, 0});
-}
 
 // Two springs in series: without friction and lateral contraction the stress is uniform.
 TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
@@ -130,7 +55,8 @@ TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
   set_two_materials(lower, upper, 0);
   hold_freely();
   ASSERT_EQ(rollcon_body_set_int(body, "between_nodes", 1), ROLLCON_OK);
-  rollcon_contact* c = press(context, 0, approach, 0);
+  rollcon_contact* c = roll_on_top(context, body, plane,
+                                   {.curvature = 0, .approach = approach, .mu = 0, .creep = 0});
   const std::array<double, 3> force = solved_force(c);
   const double exact = -approach / (0.5 / lower + 0.5 / upper);  // -4
   expect_same(force, {0, 0, exact}, 1e-9, "springs in series");
@@ -258,40 +184,6 @@ TEST_F(fem_contact_long, settings_of_the_discretisation_change_the_result_a_litt
     EXPECT_GT(std::abs(force[i][2] - force[0][2]), 1e-6 * std::abs(force[0][2]))
         << setting[i].first << " is not ignored";
   }
-}
-
-TEST_F(fem_contact, one_body_is_factorised_once_for_contacts_in_many_threads) {
-  const int contacts = 3;
-  set_block(5);
-  std::vector<std::array<double, 3>> force(contacts);
-  std::vector<std::thread> pool;
-  for (std::size_t i = 0; i < contacts; ++i) {
-    pool.emplace_back([&, i] {
-      rollcon_context* own = nullptr;
-      rollcon_context_create(ROLLCON_ABI, &own);
-      rollcon_context_set_threads(own, 1);
-      rollcon_contact* c = roll(own);
-      EXPECT_EQ(solve_small(c), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force[i].data(), nullptr),
-                ROLLCON_OK);
-      rollcon_contact_release(c);
-      rollcon_context_release(own);
-    });
-  }
-  for (std::thread& t : pool) t.join();
-  EXPECT_LT(force[0][2], 0);
-  for (const auto& f : force)
-    for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(f[c], force[0][c]);
-  for (const char* name : {"assemblies", "factorizations", "condensations"})
-    EXPECT_EQ(statistic(name), 1) << name;
-}
-
-TEST_F(fem_contact, a_body_held_all_over_carries_no_frame) {
-  set_block(2);
-  ASSERT_EQ(hold(counting(box.nodes()), ROLLCON_DOF_XYZ), ROLLCON_OK);
-  rollcon_contact* c = roll(context);
-  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
-  rollcon_contact_release(c);
 }
 
 TEST_F(fem_contact, a_contact_whose_body_failed_is_solved_once_it_is_mended) {

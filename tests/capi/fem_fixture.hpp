@@ -49,6 +49,18 @@ struct BoxVolume {
   }
 };
 
+/// Nodes and elements of material 0, the upper faces with tag 6.
+inline void give_mesh(rollcon_body* b, const BoxVolume& box) {
+  const auto [element, face] = box.top_faces();
+  ASSERT_EQ(rollcon_body_set_nodes(b, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
+  ASSERT_EQ(
+      rollcon_body_add_elements(b, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0),
+      ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(),
+                                   face.data(), 0, 6),
+            ROLLCON_OK);
+}
+
 /// One element of a type: corners of a unit tetrahedron, wedge or cube, then the edge midpoints.
 inline std::vector<double> unit_element(std::int32_t type) {
   using Corner = std::array<double, 3>;
@@ -134,8 +146,7 @@ class FemApi : public Api {
   }
 
   std::int32_t hold(const std::vector<std::int32_t>& nodes, std::int32_t dof_mask) {
-    return rollcon_body_set_support(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0,
-                                    dof_mask, nullptr);
+    return capi_test::hold(body, nodes, dof_mask);
   }
 
   std::int32_t hold_bottom(std::int32_t dof_mask) { return hold(box.nodes_at(2, 0), dof_mask); }

@@ -227,19 +227,3 @@ TEST_F(fem_prepare, new_nodes_forget_everything_but_the_material) {
   ASSERT_EQ(rollcon_body_get_displacements(body, box.nodes(), u.data()), ROLLCON_OK);
   EXPECT_EQ(u, std::vector<double>(u.size(), 0.0)) << "no load is left";
 }
-
-TEST_F(fem_prepare, prepared_bodies_are_frozen) {
-  set_box();
-  ASSERT_EQ(tag_top(6), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
-  const std::int32_t one = 1;
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0),
-               ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 1, &one, &one, 0, 9), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, &one, 0, 9), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_nodes(body, 1, box.x.data(), 3, 1), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_int(body, "factorization", 2), ROLLCON_ERR_STATE, "prepared");
-  EXPECT_FAILS(rollcon_body_set_int(body, "between_nodes", 1), ROLLCON_ERR_STATE, "prepared");
-  expect_size(box.nodes(), box.elements());
-  EXPECT_EQ(frame_size(6), (std::pair<std::int64_t, std::int64_t>(9, 4)));
-}

@@ -40,35 +40,18 @@ class fem_tags_and_frames : public FemApi {
 
   /// A rigid ball rolls on the top at (x, y); the frame is still to come.
   rollcon_contact* roll_at(double x, double y) {
-    const double origin[3] = {x, y, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1}, mu = 0.3;
-    rollcon_contact* c = nullptr;
-    EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.01), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_set_creep(c, 1e-2, 0, 0), ROLLCON_OK);
-    return c;
+    return roll_on_top(context, body, plane, {.x = x, .y = y, .approach = 0.01, .tag = 0});
   }
 
   /// n x n elements of the frame on the top around (x, y).
   static void lay(rollcon_contact* c, double x, double y, int n, double half) {
-    const SquareFrame square(n, half);
-    std::vector<double> node = square.x;
-    const double shift[3] = {x, y, 1};
-    for (std::size_t i = 0; i < node.size(); ++i) node[i] += shift[i % 3];
-    ASSERT_EQ(rollcon_contact_set_frame_nodes(c, square.nodes, node.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, square.elements,
-                                                 square.connectivity.data(), 0, 0),
-              ROLLCON_OK);
+    give_frame(c, moved(SquareFrame(n, half), x, y, 1));
   }
 
   double normal_force(rollcon_contact* c) {
-    double force[3] = {0, 0, 0};
-    EXPECT_EQ(solve_small(c), ROLLCON_OK) << error();
-    EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
-    EXPECT_LT(force[2], 0);
-    return force[2];
+    const double force = solved_force(c)[2];
+    EXPECT_LT(force, 0);
+    return force;
   }
 };
 

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 #include <rollcon.h>
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 namespace capi_test {
@@ -30,6 +33,98 @@ struct SquareFrame {
     }
   }
 };
+
+inline SquareFrame moved(SquareFrame f, double x, double y, double z) {
+  const double by[3] = {x, y, z};
+  for (std::size_t i = 0; i < f.x.size(); ++i) f.x[i] += by[i % 3];
+  return f;
+}
+
+inline void give_frame(rollcon_contact* c, const SquareFrame& f) {
+  ASSERT_EQ(rollcon_contact_set_frame_nodes(c, f.nodes, f.x.data(), 3, 1), ROLLCON_OK);
+  ASSERT_EQ(
+      rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0),
+      ROLLCON_OK);
+}
+
+/// Everything a solve needs; gross sliding is far.
+inline void give_scene(rollcon_contact* c, const SquareFrame& f) {
+  const double mu = 0.1;
+  give_frame(c, f);
+  ASSERT_EQ(rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_rolling(c, 10), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_creep(c, 1e-3, 0, 0), ROLLCON_OK);
+}
+
+inline std::int32_t hold(rollcon_body* body, const std::vector<std::int32_t>& nodes,
+                         std::int32_t dof_mask) {
+  return rollcon_body_set_support(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0,
+                                  dof_mask, nullptr);
+}
+
+/// A rigid sphere that rolls on the top of a body, the plane z = 1 over the unit square; tag 0: the
+/// frame is still to come.
+struct OnTop {
+  double x = 0.5, y = 0.5, curvature = 1, approach = 0.06, mu = 0.3, creep = 1e-2;
+  std::int32_t tag = 6;
+};
+inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body,
+                                    rollcon_body* plane, const OnTop& at = {}) {
+  const double origin[3] = {at.x, at.y, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
+  rollcon_contact* c = nullptr;
+  EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+  if (at.tag > 0) {
+    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, at.tag), ROLLCON_OK) << rollcon_last_error();
+  }
+  EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * at.curvature, 0.5 * at.curvature, 0),
+            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &at.mu), ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, at.approach),
+            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_creep(c, at.creep, 0, 0), ROLLCON_OK);
+  return c;
+}
+
+/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter
+/// there.
+inline std::int32_t solve_small(rollcon_contact* contact) {
+  const std::int32_t status = rollcon_contact_solve(contact);
+  return status == ROLLCON_COARSE ? ROLLCON_OK : status;
+}
+
+inline std::array<double, 3> solved_force(rollcon_contact* c) {
+  std::array<double, 3> force{};
+  EXPECT_EQ(solve_small(c), ROLLCON_OK) << rollcon_last_error();
+  EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr), ROLLCON_OK);
+  return force;
+}
+
+/// Force of contacts that make(context) gives, each with a context and a thread of its own: the
+/// same.
+template <class Make>
+std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double relative = 0) {
+  std::vector<std::array<double, 3>> force(static_cast<std::size_t>(contacts));
+  std::vector<std::thread> pool;
+  for (auto& f : force)
+    pool.emplace_back([&f, &make] {
+      rollcon_context* own = nullptr;
+      EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, &own), ROLLCON_OK);
+      EXPECT_EQ(rollcon_context_set_threads(own, 1), ROLLCON_OK);
+      rollcon_contact* c = make(own);
+      f = solved_force(c);
+      rollcon_contact_release(c);
+      rollcon_context_release(own);
+    });
+  for (std::thread& t : pool) t.join();
+  EXPECT_LT(force[0][2], 0);
+  for (const auto& f : force)
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(f[c], force[0][c], relative * std::abs(force[0][2]));
+  return force[0];
+}
 
 /// Sphere R = 50, E = 1e4, nu = 0.3 on a rigid plane; contact radius about 1 at approach 0.02.
 class Api : public ::testing::Test {
@@ -58,22 +153,8 @@ class Api : public ::testing::Test {
                                               f.connectivity.data(), 0, 0);
   }
 
-  void set_frame() {
-    ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-    ASSERT_EQ(add_elements(frame), ROLLCON_OK);
-  }
-
-  /// Everything a solve needs; gross sliding is far.
-  void set_scene() {
-    const double mu = 0.1;
-    set_frame();
-    ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &mu), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_rolling(contact, 10), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-              ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
-  }
+  void set_frame() { give_frame(contact, frame); }
+  void set_scene() { give_scene(contact, frame); }
 
   std::string error() const { return rollcon_last_error(); }
 
@@ -83,13 +164,6 @@ class Api : public ::testing::Test {
   rollcon_body* plane = nullptr;
   rollcon_contact* contact = nullptr;
 };
-
-/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter
-/// there.
-inline std::int32_t solve_small(rollcon_contact* contact) {
-  const std::int32_t status = rollcon_contact_solve(contact);
-  return status == ROLLCON_COARSE ? ROLLCON_OK : status;
-}
 
 /// The call returns the status, and the text of the failure contains every word given.
 #define EXPECT_FAILS(call, expected_status, ...)                                            \

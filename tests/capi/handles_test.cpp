@@ -3,107 +3,19 @@
 #include <cstdint>
 #include <random>
 
+#include "every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;
 
 namespace {
 
-/// One call of each kind of function with this handle as its object.
-template <class F>
-void with_each_contact_call(const void* handle, F&& check) {
-  auto* c = static_cast<rollcon_contact*>(const_cast<void*>(handle));
-  const double x[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::int32_t nodes[3] = {0, 1, 2};
-  double v[64];
-  std::int32_t s[16];
-  std::int64_t n = 0;
-  char text[8];
-  check("retain", rollcon_contact_retain(c));
-  check("set_frame_nodes", rollcon_contact_set_frame_nodes(c, 3, x, 3, 1));
-  check("add_frame_elements", rollcon_contact_add_frame_elements(c, ROLLCON_TRI3, 1, nodes, 0, 0));
-  check("frame_from_body", rollcon_contact_frame_from_body(c, 1, 0));
-  check("set_pose", rollcon_contact_set_pose(c, 1, x, x));
-  check("set_axes", rollcon_contact_set_axes(c, x, x + 3, x + 6));
-  check("set_gap", rollcon_contact_set_gap(c, 3, x));
-  check("set_gap_quadratic", rollcon_contact_set_gap_quadratic(c, 1, 1, 0));
-  check("set_rolling", rollcon_contact_set_rolling(c, 1));
-  check("set_creep", rollcon_contact_set_creep(c, 0, 0, 0));
-  check("set_creep_field", rollcon_contact_set_creep_field(c, 3, x));
-  check("prescribe", rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0));
-  check("set_friction", rollcon_contact_set_friction(c, "coulomb", 1, x));
-  check("set_friction_field", rollcon_contact_set_friction_field(c, 3, x));
-  check("set_int", rollcon_contact_set_int(c, "max_iterations", 10));
-  check("set_real", rollcon_contact_set_real(c, "tolerance", 1e-8));
-  check("set_str", rollcon_contact_set_str(c, "linear_solver", "lu"));
-  check("get_int", rollcon_contact_get_int(c, "max_iterations", &n));
-  check("get_real", rollcon_contact_get_real(c, "tolerance", v));
-  check("get_str", rollcon_contact_get_str(c, "linear_solver", 8, text, &n));
-  check("set_progress", rollcon_contact_set_progress(c, nullptr, nullptr));
-  check("request_cancel", rollcon_contact_request_cancel(c));
-  check("solve", rollcon_contact_solve(c));
-  check("reset", rollcon_contact_reset(c));
-  check("get_size", rollcon_contact_get_size(c, &n, &n));
-  check("get_tractions", rollcon_contact_get_tractions(c, ROLLCON_LOCAL, 3, v));
-  check("get_field", rollcon_contact_get_field(c, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 64, v, &n));
-  check("get_status", rollcon_contact_get_status(c, 16, s));
-  check("get_resultant", rollcon_contact_get_resultant(c, ROLLCON_LOCAL, v, v + 3));
-  check("get_motion", rollcon_contact_get_motion(c, v, v + 1));
-  check("get_sensitivity",
-        rollcon_contact_get_sensitivity(c, ROLLCON_NORMAL, v, v + 3, v + 6, v + 7));
-  check("get_displacements_at", rollcon_contact_get_displacements_at(c, 1, 1, x, v));
-  check("get_stat", rollcon_contact_get_stat(c, "iterations", v));
-  check("get_history", rollcon_contact_get_history(c, 8, v, &n));
-  check("get_plan", rollcon_contact_get_plan(c, 8, text, &n));
-  check("write", rollcon_contact_write(c, "never_written.vtu"));
-}
-
-template <class F>
-void with_each_body_call(const void* handle, F&& check) {
-  auto* b = static_cast<rollcon_body*>(const_cast<void*>(handle));
-  const double x[9] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  const std::int32_t nodes[3] = {0, 1, 2};
-  double v[9];
-  std::int64_t n = 0;
-  std::int32_t kind = 0;
-  check("retain", rollcon_body_retain(b));
-  check("set_elastic", rollcon_body_set_elastic(b, 0, 1, 0.3));
-  check("set_nodes", rollcon_body_set_nodes(b, 3, x, 3, 1));
-  check("add_elements", rollcon_body_add_elements(b, ROLLCON_TRI3, 1, nodes, 0, 0));
-  check("tag_faces", rollcon_body_tag_faces(b, 3, nodes, nodes, 0, 0));
-  check("tag_faces_of_nodes", rollcon_body_tag_faces_of_nodes(b, 3, nodes, 0, 0));
-  check("set_support", rollcon_body_set_support(b, 3, nodes, 0, ROLLCON_DOF_XYZ, nullptr));
-  check("set_traction", rollcon_body_set_traction(b, 0, x));
-  check("set_pressure", rollcon_body_set_pressure(b, 0, 1));
-  check("set_contact_faces", rollcon_body_set_contact_faces(b, 1, nodes));
-  check("set_int", rollcon_body_set_int(b, "keep_factors", 1));
-  check("set_real", rollcon_body_set_real(b, "accuracy", 1e-6));
-  check("get_int", rollcon_body_get_int(b, "keep_factors", &n));
-  check("get_real", rollcon_body_get_real(b, "accuracy", v));
-  check("prepare", rollcon_body_prepare(b));
-  check("get_kind", rollcon_body_get_kind(b, &kind));
-  check("get_size", rollcon_body_get_size(b, &n, &n));
-  check("get_displacements", rollcon_body_get_displacements(b, 3, v));
-  check("get_reaction", rollcon_body_get_reaction(b, v, v + 3));
-  check("get_stat", rollcon_body_get_stat(b, "unknowns", v));
-}
-
-template <class F>
-void with_each_context_call(const void* handle, F&& check) {
-  auto* c = static_cast<rollcon_context*>(const_cast<void*>(handle));
-  rollcon_body* body = nullptr;
-  rollcon_contact* contact = nullptr;
-  check("retain", rollcon_context_retain(c));
-  check("set_log", rollcon_context_set_log(c, 0, nullptr, nullptr));
-  check("set_threads", rollcon_context_set_threads(c, 1));
-  check("set_latch", rollcon_context_set_latch(c, 0));
-  check("check", rollcon_context_check(c));
-  check("body_create", rollcon_body_create(c, ROLLCON_BODY_RIGID, &body));
-  check("contact_create", rollcon_contact_create(c, nullptr, nullptr, &contact));
-}
-
 auto expecting(std::int32_t status) {
-  return [status](const char* function, std::int32_t got) { EXPECT_EQ(got, status) << function; };
+  return [status](const char* function, bool, std::int32_t got) {
+    EXPECT_EQ(got, status) << function;
+    const std::string text = rollcon_last_error();
+    EXPECT_EQ(text.substr(0, text.find(':')), function) << text;
+  };
 }
 
 const void* as_pointer(std::uint64_t bits) {

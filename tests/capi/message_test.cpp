@@ -100,17 +100,11 @@ TEST_F(message, numbers_of_elements_say_from_where_they_count) {
 class message_of_fem : public FemApi {};
 
 TEST_F(message_of_fem, the_plan_counts_volume_elements_and_boundary_faces_apart) {
-  const double origin[3] = {0.5, 0.5, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1}, mu = 0;
-  rollcon_contact* c = nullptr;
-  set_mesh();
+  give_mesh(body, box);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, 100, 0.3), ROLLCON_OK);
-  ASSERT_EQ(tag_top(6), ROLLCON_OK);
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_OK) << error();
-  ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.01), ROLLCON_OK);
+  rollcon_contact* c =
+      roll_on_top(context, body, plane, {.curvature = 0, .approach = 0.01, .mu = 0, .creep = 0});
   ASSERT_GE(rollcon_contact_solve(c), ROLLCON_OK) << error();
   std::vector<char> text(10000);
   ASSERT_EQ(rollcon_contact_get_plan(c, 10000, text.data(), nullptr), ROLLCON_OK) << error();

@@ -1,75 +1,156 @@
-/// Solver settings by name.
+/// Settings by name, of contacts and of bodies.
 
 #include <cmath>
-#include <limits>
+#include <string>
+#include <type_traits>
 
 #include "fixture.hpp"
 
 using namespace capi_test;
 
-class options : public Api {};
+/// The functions of one kind of object, and settings of each type; `listed` are names that a
+/// refusal of an unknown one tells.
+struct OfContact {
+  static constexpr auto count = rollcon_option_count;
+  static constexpr auto info = rollcon_option_info;
+  static constexpr auto doc = rollcon_option_doc;
+  static constexpr auto set_int = rollcon_contact_set_int;
+  static constexpr auto set_real = rollcon_contact_set_real;
+  static constexpr auto get_int = rollcon_contact_get_int;
+  static constexpr auto get_real = rollcon_contact_get_real;
+  static constexpr const char *kind = "rollcon_contact_", *integer = "max_iterations",
+                              *real = "tolerance", *listed = "max_iterations";
+};
+struct OfBody {
+  static constexpr auto count = rollcon_body_option_count;
+  static constexpr auto info = rollcon_body_option_info;
+  static constexpr auto doc = rollcon_body_option_doc;
+  static constexpr auto set_int = rollcon_body_set_int;
+  static constexpr auto set_real = rollcon_body_set_real;
+  static constexpr auto get_int = rollcon_body_get_int;
+  static constexpr auto get_real = rollcon_body_get_real;
+  static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors",
+                              *real = "accuracy",
+                              *listed =
+                                  "accuracy, edge_angle, keep_factors, between_nodes, "
+                                  "factorization, hex8, prepare";
+};
 
-TEST_F(options, table_lists_every_option_with_a_standard_that_new_contacts_have) {
-  const std::int32_t count = rollcon_option_count();
-  ASSERT_GE(count, 9);
-  for (std::int32_t i = 0; i < count; ++i) {
+template <class Of>
+class options : public Api {
+ protected:
+  /// Of bodies one without equations: it has settings too.
+  auto* object() {
+    if constexpr (std::is_same_v<Of, OfBody>)
+      return sphere;
+    else
+      return contact;
+  }
+  void refused(std::int32_t status, const char* function, std::int32_t expected,
+               std::initializer_list<const char*> words) {
+    EXPECT_EQ(status, expected);
+    EXPECT_EQ(error().find(std::string(Of::kind) + function + ":"), 0U) << error();
+    for (const char* word : words) EXPECT_NE(error().find(word), std::string::npos) << error();
+  }
+  static constexpr std::int32_t option = ROLLCON_ERR_OPTION, argument = ROLLCON_ERR_ARGUMENT;
+};
+using Kinds = ::testing::Types<OfContact, OfBody>;
+TYPED_TEST_SUITE(options, Kinds);
+
+TYPED_TEST(options, are_listed_with_the_standard_that_new_objects_have) {
+  using Of = TypeParam;
+  ASSERT_GE(Of::count(), 8);
+  for (std::int32_t i = 0; i < Of::count(); ++i) {
     char name[32];
     std::int32_t type = 0;
     double low = 0, high = 0, standard = 0, real = 0;
     std::int64_t integer = 0, needed = 0;
-    ASSERT_EQ(rollcon_option_info(i, sizeof name, name, &type, &low, &high, &standard), ROLLCON_OK);
-    ASSERT_EQ(rollcon_option_doc(i, 0, nullptr, &needed), ROLLCON_OK);
+    ASSERT_EQ(Of::info(i, sizeof name, name, &type, &low, &high, &standard), ROLLCON_OK);
+    ASSERT_EQ(Of::doc(i, 0, nullptr, &needed), ROLLCON_OK);
     EXPECT_GT(needed, 10) << name;
+    if (type == ROLLCON_TYPE_STR) {
+      EXPECT_EQ(rollcon_contact_get_str(this->contact, name, 0, nullptr, &needed), ROLLCON_OK);
+      continue;
+    }
     if (type == ROLLCON_TYPE_INT) {
-      ASSERT_EQ(rollcon_contact_get_int(contact, name, &integer), ROLLCON_OK) << name;
-      EXPECT_EQ(static_cast<double>(integer), standard) << name;
-    } else if (type == ROLLCON_TYPE_REAL) {
-      ASSERT_EQ(rollcon_contact_get_real(contact, name, &real), ROLLCON_OK) << name;
-      EXPECT_EQ(real, standard) << name;
+      ASSERT_EQ(Of::get_int(this->object(), name, &integer), ROLLCON_OK) << name;
+      real = static_cast<double>(integer);
     } else {
-      EXPECT_EQ(type, ROLLCON_TYPE_STR) << name;
-      EXPECT_EQ(rollcon_contact_get_str(contact, name, 0, nullptr, &needed), ROLLCON_OK) << name;
+      ASSERT_EQ(type, ROLLCON_TYPE_REAL) << name;
+      ASSERT_EQ(Of::get_real(this->object(), name, &real), ROLLCON_OK) << name;
     }
-    if (type != ROLLCON_TYPE_STR) {
-      EXPECT_LE(low, standard) << name;
-      EXPECT_LE(standard, high) << name;
-    }
+    EXPECT_EQ(real, standard) << name;
+    EXPECT_LE(low, standard) << name;
+    EXPECT_LE(standard, high) << name;
   }
 }
 
-TEST_F(options, every_number_is_held_to_its_range) {
-  for (std::int32_t i = 0; i < rollcon_option_count(); ++i) {
+TYPED_TEST(options, every_number_is_held_to_its_range) {
+  using Of = TypeParam;
+  auto* o = this->object();
+  for (std::int32_t i = 0; i < Of::count(); ++i) {
     char name[32];
     std::int32_t type = 0;
     double low = 0, high = 0;
-    ASSERT_EQ(rollcon_option_info(i, sizeof name, name, &type, &low, &high, nullptr), ROLLCON_OK);
+    ASSERT_EQ(Of::info(i, sizeof name, name, &type, &low, &high, nullptr), ROLLCON_OK);
     if (type == ROLLCON_TYPE_INT) {
       const auto least = static_cast<std::int64_t>(low), most = static_cast<std::int64_t>(high);
-      EXPECT_EQ(rollcon_contact_set_int(contact, name, least), ROLLCON_OK) << name;
-      EXPECT_EQ(rollcon_contact_set_int(contact, name, most), ROLLCON_OK) << name;
-      EXPECT_FAILS(rollcon_contact_set_int(contact, name, least - 1), ROLLCON_ERR_OPTION, name);
-      EXPECT_FAILS(rollcon_contact_set_int(contact, name, most + 1), ROLLCON_ERR_OPTION, name);
-      EXPECT_FAILS(rollcon_contact_set_int(contact, name, INT64_MIN), ROLLCON_ERR_OPTION, name);
+      EXPECT_EQ(Of::set_int(o, name, least), ROLLCON_OK) << name;
+      EXPECT_EQ(Of::set_int(o, name, most), ROLLCON_OK) << name;
+      for (const std::int64_t bad : {least - 1, most + 1, INT64_MIN})
+        this->refused(Of::set_int(o, name, bad), "set_int", this->option, {name});
       std::int64_t held = 0;
-      ASSERT_EQ(rollcon_contact_get_int(contact, name, &held), ROLLCON_OK);
+      ASSERT_EQ(Of::get_int(o, name, &held), ROLLCON_OK);
       EXPECT_EQ(held, most) << name << " changed by a refused value";
     } else if (type == ROLLCON_TYPE_REAL) {
-      EXPECT_EQ(rollcon_contact_set_real(contact, name, low), ROLLCON_OK) << name;
-      EXPECT_EQ(rollcon_contact_set_real(contact, name, high), ROLLCON_OK) << name;
-      EXPECT_FAILS(rollcon_contact_set_real(contact, name, std::nextafter(low, -1e9)),
-                   ROLLCON_ERR_OPTION, name, "allowed");
-      EXPECT_FAILS(rollcon_contact_set_real(contact, name, std::nextafter(high, 1e9)),
-                   ROLLCON_ERR_OPTION, name, "allowed");
-      EXPECT_FAILS(rollcon_contact_set_real(contact, name, std::nan("")), ROLLCON_ERR_NONFINITE,
-                   name);
+      EXPECT_EQ(Of::set_real(o, name, low), ROLLCON_OK) << name;
+      EXPECT_EQ(Of::set_real(o, name, high), ROLLCON_OK) << name;
+      for (const double bad : {std::nextafter(low, -1e9), std::nextafter(high, 1e9)})
+        this->refused(Of::set_real(o, name, bad), "set_real", this->option, {name, "allowed"});
+      this->refused(Of::set_real(o, name, std::nan("")), "set_real", ROLLCON_ERR_NONFINITE, {name});
       double held = 0;
-      ASSERT_EQ(rollcon_contact_get_real(contact, name, &held), ROLLCON_OK);
+      ASSERT_EQ(Of::get_real(o, name, &held), ROLLCON_OK);
       EXPECT_EQ(held, high) << name << " changed by a refused value";
     }
   }
 }
 
-TEST_F(options, texts_are_held_to_their_choices) {
+TYPED_TEST(options, unknown_names_and_wrong_types_are_refused) {
+  using Of = TypeParam;
+  auto* o = this->object();
+  const std::string nearly = std::string(Of::integer).substr(1);
+  std::int64_t i = 0;
+  double r = 0;
+  const auto option = this->option, argument = this->argument;
+  this->refused(Of::set_int(o, nearly.c_str(), 5), "set_int", option, {nearly.c_str(), Of::listed});
+  this->refused(Of::set_real(o, "", 5), "set_real", option, {"unknown"});
+  this->refused(Of::set_int(o, Of::real, 1), "set_int", option,
+                {"is a real number, not an integer"});
+  this->refused(Of::set_real(o, Of::integer, 1), "set_real", option,
+                {"is an integer, not a real number"});
+  this->refused(Of::get_int(o, Of::real, &i), "get_int", option, {"not an integer"});
+  this->refused(Of::get_real(o, "nothing", &r), "get_real", option, {"nothing", Of::listed});
+  this->refused(Of::set_int(o, nullptr, 5), "set_int", argument, {"name is NULL"});
+  this->refused(Of::get_int(o, Of::integer, nullptr), "get_int", argument, {"value is NULL"});
+  this->refused(Of::get_real(o, Of::real, nullptr), "get_real", argument, {"value is NULL"});
+  const std::string name(100000, 'x');
+  EXPECT_EQ(Of::set_int(o, name.c_str(), 1), option);
+  EXPECT_LT(this->error().size(), 1000U) << "very long names give a short text";
+}
+
+TYPED_TEST(options, rows_outside_of_the_table_are_refused) {
+  using Of = TypeParam;
+  char text[256];
+  for (const std::int32_t i : {-1, Of::count(), INT32_MIN, INT32_MAX}) {
+    EXPECT_EQ(Of::info(i, sizeof text, text, nullptr, nullptr, nullptr, nullptr), this->argument);
+    EXPECT_EQ(Of::doc(i, sizeof text, text, nullptr), this->argument);
+  }
+  EXPECT_EQ(Of::info(0, 2, text, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_CAPACITY);
+}
+
+class text_options : public Api {};
+
+TEST_F(text_options, are_held_to_their_choices) {
   for (const char* value : {"least_squares", "godunov", "characteristic"})
     EXPECT_EQ(rollcon_contact_set_str(contact, "convection", value), ROLLCON_OK);
   for (const char* value : {"", "least", "godunov|characteristic", "Godunov", "|"})
@@ -80,45 +161,9 @@ TEST_F(options, texts_are_held_to_their_choices) {
   EXPECT_STREQ(text, "characteristic");
   EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", nullptr), ROLLCON_ERR_ARGUMENT,
                "value is NULL");
-}
-
-TEST_F(options, unknown_names_and_wrong_types_are_refused) {
-  std::int64_t integer = 0;
-  double real = 0;
-  EXPECT_FAILS(rollcon_contact_set_int(contact, "max_iteration", 5), ROLLCON_ERR_OPTION,
-               "'max_iteration'", "max_iterations");
-  EXPECT_FAILS(rollcon_contact_set_real(contact, "", 5), ROLLCON_ERR_OPTION, "unknown");
-  EXPECT_FAILS(rollcon_contact_set_int(contact, "tolerance", 1), ROLLCON_ERR_OPTION,
-               "is a real number, not an integer");
-  EXPECT_FAILS(rollcon_contact_set_real(contact, "max_iterations", 5), ROLLCON_ERR_OPTION,
-               "is an integer, not a real number");
+  std::int64_t needed = 0;
   EXPECT_FAILS(rollcon_contact_set_str(contact, "tolerance", "1e-6"), ROLLCON_ERR_OPTION,
                "is a real number, not text");
-  EXPECT_FAILS(rollcon_contact_get_int(contact, "tolerance", &integer), ROLLCON_ERR_OPTION,
-               "not an integer");
-  EXPECT_FAILS(rollcon_contact_get_real(contact, "nothing", &real), ROLLCON_ERR_OPTION, "nothing");
-  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &integer),
+  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &needed),
                ROLLCON_ERR_OPTION, "text");
-  EXPECT_FAILS(rollcon_contact_set_int(contact, nullptr, 5), ROLLCON_ERR_ARGUMENT, "name is NULL");
-  EXPECT_FAILS(rollcon_contact_get_int(contact, "max_iterations", nullptr), ROLLCON_ERR_ARGUMENT,
-               "value is NULL");
-  EXPECT_FAILS(rollcon_contact_get_real(contact, "tolerance", nullptr), ROLLCON_ERR_ARGUMENT,
-               "value is NULL");
-}
-
-TEST_F(options, very_long_names_give_a_short_text) {
-  const std::string name(100000, 'x');
-  EXPECT_EQ(rollcon_contact_set_int(contact, name.c_str(), 1), ROLLCON_ERR_OPTION);
-  EXPECT_LT(error().size(), 1000U);
-}
-
-TEST(option_table, rows_outside_are_refused) {
-  char text[256];
-  for (const std::int32_t i : {-1, rollcon_option_count(), INT32_MIN, INT32_MAX}) {
-    EXPECT_EQ(rollcon_option_info(i, sizeof text, text, nullptr, nullptr, nullptr, nullptr),
-              ROLLCON_ERR_ARGUMENT);
-    EXPECT_EQ(rollcon_option_doc(i, sizeof text, text, nullptr), ROLLCON_ERR_ARGUMENT);
-  }
-  EXPECT_EQ(rollcon_option_info(0, 2, text, nullptr, nullptr, nullptr, nullptr),
-            ROLLCON_ERR_CAPACITY);
 }

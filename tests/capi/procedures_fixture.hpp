@@ -6,27 +6,16 @@
 #include <cstdio>
 
 #include "fixture.hpp"
+#include "support/procedures.hpp"
 
 namespace capi_test {
 
-struct Procedure {
-  const char *system = "condensed", *jacobian = "exact", *slip_estimate = "auto",
-             *linear_solver = "auto";
-
-  std::string name() const {
-    return std::string(system) + " " + jacobian + " " + slip_estimate + " " + linear_solver;
-  }
-};
+using rollcon::scenes::Procedure;
 
 inline std::vector<Procedure> all_procedures() {
   std::vector<Procedure> all;
-  for (const char* system : {"condensed", "monolithic"})
-    for (const char* solver : {"lu", "gmres", "gmres_adaptive"}) {
-      for (const char* jacobian : {"exact", "b_derivative", "simplified"})
-        all.push_back({system, jacobian, "auto", solver});
-      for (const char* estimate : {"jacobi", "pseudo_temporal", "extrapolation"})
-        all.push_back({system, "reduced", estimate, solver});
-    }
+  for (const char* system : rollcon::scenes::systems)
+    for (const Procedure& p : rollcon::scenes::procedures_by_solver(system)) all.push_back(p);
   return all;
 }
 
@@ -76,10 +65,7 @@ class ProcedureScene : public Api {
     ASSERT_EQ(rollcon_contact_set_real(contact, name, value), ROLLCON_OK) << error();
   }
   void set(const Procedure& p) {
-    set("system", p.system);
-    set("jacobian", p.jacobian);
-    set("slip_estimate", p.slip_estimate);
-    set("linear_solver", p.linear_solver);
+    p.each([&](const char* option, const char* value) { set(option, value); });
   }
   void by_force(std::int32_t direction, double value) {
     ASSERT_EQ(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, value), ROLLCON_OK);

@@ -1,9 +1,7 @@
-/// Derivatives through the public interface: what is differentiated by what, and when they exist.
+/// Derivatives through the public interface: when they exist. That they are slopes of solves is
+/// tests/contact/sensitivity_test.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
 #include "fixture.hpp"
 
@@ -24,66 +22,7 @@ class sensitivity : public Api {
   std::int32_t get(std::int32_t parameter, Values& v) {
     return rollcon_contact_get_sensitivity(contact, parameter, &v[0], &v[3], &v[6], &v[7]);
   }
-
-  Values results() {
-    Values v{};
-    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, &v[0], &v[3]), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_get_motion(contact, &v[6], &v[7]), ROLLCON_OK);
-    return v;
-  }
-
-  std::vector<std::int32_t> states() {
-    std::vector<std::int32_t> s(static_cast<std::size_t>(frame.nodes));
-    EXPECT_EQ(rollcon_contact_get_status(contact, frame.nodes, s.data()), ROLLCON_OK);
-    return s;
-  }
-
-  /// Results with the parameter's value v; no node changes its state.
-  Values solved_with(std::int32_t parameter, std::int32_t how, double v) {
-    const std::vector<std::int32_t> before = states();
-    if (parameter == ROLLCON_FRICTION)
-      EXPECT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &v), ROLLCON_OK);
-    else
-      EXPECT_EQ(rollcon_contact_prescribe(contact, parameter, how, v), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-    EXPECT_EQ(states(), before);
-    return results();
-  }
-
-  /// The derivatives asked for, against central differences with the value v and the step h.
-  void expect_slope(std::int32_t parameter, std::int32_t how, double v, double h, double factor) {
-    Values found{};
-    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-    ASSERT_EQ(get(parameter, found), ROLLCON_OK);
-    const Values low = solved_with(parameter, how, v - h),
-                 high = solved_with(parameter, how, v + h);
-    const Values result = solved_with(parameter, how, v);
-    double error = 0;
-    for (std::size_t i = 0; i < 10; ++i) {
-      // Each in units of its own size; the frame is about 1 wide, so moments in those of forces.
-      const double size = i < 6 ? std::hypot(result[0], result[1]) : std::abs(result[i]);
-      const double slope = factor * (high[i] - low[i]) / (2 * h);
-      error = std::max(error, std::abs(found[i] - slope) / size * std::abs(v / factor));
-    }
-    std::printf("parameter %d, how %d: error %.1e (bound 1e-6)\n", parameter, how, error);
-    EXPECT_LT(error, 1e-6);
-  }
 };
-
-TEST_F(sensitivity, is_the_slope_of_solves) {
-  expect_slope(ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02, 2e-6, 1);
-  expect_slope(ROLLCON_LONGITUDINAL, ROLLCON_BY_MOTION, 4e-4, 4e-8, 1);
-  expect_slope(ROLLCON_SPIN, ROLLCON_BY_MOTION, 3e-4, 3e-8, 1);
-  // By a factor on it: 0.1 times the slope by the coefficient.
-  expect_slope(ROLLCON_FRICTION, 0, 0.1, 1e-5, 0.1);
-  const Values v = results();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, -v[2]),
-            ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_FORCE, v[1]),
-            ROLLCON_OK);
-  expect_slope(ROLLCON_NORMAL, ROLLCON_BY_FORCE, -v[2], -1e-4 * v[2], 1);
-  expect_slope(ROLLCON_LATERAL, ROLLCON_BY_FORCE, v[1], 1e-4 * v[1], 1);
-}
 
 TEST_F(sensitivity, needs_a_converged_solution) {
   Values v{};

@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;
@@ -189,15 +190,11 @@ TEST_F(threads, second_thread_gets_busy_and_may_cancel) {
   std::int32_t solved = -1000;
   std::thread solver([&] { solved = rollcon_contact_solve(contact); });
   while (!watcher.inside.load()) std::this_thread::yield();
-  double v[3];
-  std::int64_t n = 0;
-  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_contact_set_creep(contact, 0, 0, 0), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_contact_get_size(contact, &n, nullptr), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_contact_get_motion(contact, v, nullptr), ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, v, nullptr, nullptr, nullptr),
-            ROLLCON_ERR_BUSY);
-  EXPECT_EQ(rollcon_contact_retain(contact), ROLLCON_OK);
+  with_each_contact_call(contact, [](const char* name, bool at_any_time, std::int32_t status) {
+    if (!at_any_time) {
+      EXPECT_EQ(status, ROLLCON_ERR_BUSY) << name;
+    }
+  });
   rollcon_contact_release(contact);
   EXPECT_EQ(rollcon_contact_request_cancel(contact), ROLLCON_OK);
   watcher.leave.store(true);
@@ -208,36 +205,13 @@ TEST_F(threads, second_thread_gets_busy_and_may_cancel) {
 }
 
 TEST_F(threads, one_prepared_body_serves_contacts_in_many_threads) {
-  const int count = 4;
-  std::vector<double> load(count, 0);
-  std::vector<std::thread> pool;
-  for (int i = 0; i < count; ++i) {
-    pool.emplace_back([&, i] {
-      rollcon_context* own = nullptr;
-      rollcon_contact* c = nullptr;
-      const double mu = 0.1;
-      double force[3] = {0, 0, 0};
-      rollcon_context_create(ROLLCON_ABI, &own);
-      rollcon_context_set_threads(own, 1);
-      rollcon_contact_create(own, sphere, plane, &c);
-      rollcon_contact_set_frame_nodes(c, frame.nodes, frame.x.data(), 3, 1);
-      rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, frame.elements,
-                                         frame.connectivity.data(), 0, 0);
-      rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0);
-      rollcon_contact_set_friction(c, "coulomb", 1, &mu);
-      rollcon_contact_set_rolling(c, 10);
-      rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02);
-      rollcon_contact_set_creep(c, 1e-3, 0, 0);
-      EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
-      load[static_cast<std::size_t>(i)] = force[2];
-      rollcon_contact_release(c);
-      rollcon_context_release(own);
-    });
-  }
-  for (std::thread& t : pool) t.join();
-  EXPECT_LT(load[0], 0);
-  for (const double f : load) EXPECT_NEAR(f, load[0], 1e-9 * std::abs(load[0]));
+  const auto make = [&](rollcon_context* own) {
+    rollcon_contact* c = nullptr;
+    EXPECT_EQ(rollcon_contact_create(own, sphere, plane, &c), ROLLCON_OK);
+    give_scene(c, frame);
+    return c;
+  };
+  force_in_many_threads(4, make, 1e-9);
 }
 
 TEST_F(threads, handles_may_come_and_go_in_many_threads) {

@@ -69,6 +69,15 @@ inline void standard_scene(Pair& pair, int n) {
   pair.contact->scene.prescribe(3, 1, 0.02);
 }
 
+/// Rolling on 15 x 15 nodes, tolerance 1e-13, dense operators.
+inline void sharp_scene(Pair& pair) {
+  standard_scene(pair, 14);
+  Scene& s = pair.contact->scene;
+  s.set_creep(-2e-3, 5e-4, 1e-3);
+  s.options.set_real("tolerance", 1e-13);
+  s.options.set_text("operators", "dense");
+}
+
 inline double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
   double worst = 0, scale = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {

@@ -50,14 +50,6 @@ void PrintTo(const Change& change, std::ostream* out) {
   *out << change.name;
 }
 
-void prepare_scene(Pair& pair) {
-  standard_scene(pair, 14);
-  Scene& s = pair.contact->scene;
-  s.set_creep(-2e-3, 5e-4, 1e-3);
-  s.options.set_real("tolerance", 1e-13);
-  s.options.set_text("operators", "dense");
-}
-
 std::vector<double> field_of(const Contact& contact, std::size_t components,
                              const std::function<double(std::size_t)>& value) {
   std::vector<double> v(static_cast<std::size_t>(contact.nodes()) * components);
@@ -195,8 +187,8 @@ TEST_P(setter, makes_only_what_depends_on_it) {
   const Change& change = GetParam();
   for (const double other : {0.3, 0.1}) {  // Poisson's ratio: uncoupled, coupled
     Pair pair(1e4, 0.3, 1e4, other), fresh(1e4, 0.3, 1e4, other);
-    prepare_scene(pair);
-    prepare_scene(fresh);
+    sharp_scene(pair);
+    sharp_scene(fresh);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     ASSERT_LT(pair.contact->stat("rows_assembled"), 225) << "reach is part of the test";
     const auto read = [&] {
@@ -230,8 +222,8 @@ INSTANTIATE_TEST_SUITE_P(scene, setter, testing::ValuesIn(changes()),
 TEST(setter_of_friction, adds_tangential_rows_once) {
   for (const double other : {0.3, 0.1}) {
     Pair pair(1e4, 0.3, 1e4, other), fresh(1e4, 0.3, 1e4, other);
-    prepare_scene(pair);
-    prepare_scene(fresh);
+    sharp_scene(pair);
+    sharp_scene(fresh);
     pair.friction(0);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const double one_block = pair.contact->stat("operator_bytes");

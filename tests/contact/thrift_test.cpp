@@ -19,15 +19,6 @@ using namespace contact_test;
 
 constexpr double bound = 1e-10;
 
-/// 15 x 15 nodes, tolerance 1e-13, dense operators.
-void prepare_scene(Pair& pair) {
-  standard_scene(pair, 14);
-  Scene& s = pair.contact->scene;
-  s.set_creep(-2e-3, 5e-4, 1e-3);
-  s.options.set_real("tolerance", 1e-13);
-  s.options.set_text("operators", "dense");
-}
-
 double stat(const Pair& pair, const char* name) {
   return pair.contact->stat(name);
 }
@@ -51,7 +42,7 @@ const Case cases[] = {{"equal", 1e4, 0.3}, {"unequal", 2e4, 0.1}, {"on rigid", 1
 TEST(plan_rigid_body, is_the_limit_of_a_stiff_one_without_its_compliance) {
   Pair rigid(1e4, 0.3, 1, -2), stiff(1e4, 0.3, 1e22, 0.3);
   for (Pair* pair : {&rigid, &stiff}) {
-    prepare_scene(*pair);
+    sharp_scene(*pair);
     ASSERT_EQ(pair->contact->solve(), Status::ok);
   }
   EXPECT_TRUE(says(rigid, "body 2: rigid, no mesh: no matrix, no factorisation, no compliance"));
@@ -64,8 +55,8 @@ TEST(plan_rigid_body, is_the_limit_of_a_stiff_one_without_its_compliance) {
 TEST(plan_without_friction, has_no_tangential_unknown_row_or_column) {
   for (const Case& c : cases) {
     Pair without(1e4, 0.3, c.young2, c.poisson2), with(1e4, 0.3, c.young2, c.poisson2);
-    prepare_scene(without);
-    prepare_scene(with);
+    sharp_scene(without);
+    sharp_scene(with);
     without.friction(0);
     with.friction(1e-13);
     ASSERT_EQ(without.contact->solve(), Status::ok);
@@ -87,7 +78,7 @@ TEST(plan_total_sliding, needs_no_tangential_system) {
     for (const double creep : {0.1, 0.2, -2.0}) {
       Pair given(1e4, 0.3, 1e4, 0.3), newton(1e4, 0.3, 1e4, 0.3);
       for (Pair* pair : {&given, &newton}) {
-        prepare_scene(*pair);
+        sharp_scene(*pair);
         pair->contact->scene.options.set_text("convection", scheme);
         pair->contact->scene.options.set_int("total_sliding", pair == &given);
         pair->contact->scene.set_creep(creep, creep / 3, 0.1 * creep);
@@ -110,7 +101,7 @@ TEST(plan_total_sliding, is_not_seen_where_a_node_may_stick) {
   // Small creepages; spin, whose pole lies in the contact; a force, whose creepage is not known.
   for (const int which : {0, 1, 2}) {
     Pair pair(1e4, 0.3, 1e4, 0.3);
-    prepare_scene(pair);
+    sharp_scene(pair);
     Scene& s = pair.contact->scene;
     if (which == 0) s.set_creep(1e-3, 0, 0);
     if (which == 1) s.set_creep(0.2, 0, 1.0);
@@ -124,7 +115,7 @@ TEST(plan_total_sliding, is_not_seen_where_a_node_may_stick) {
 TEST(plan_equal_bodies, have_no_coupling_blocks) {
   Pair equal(1e4, 0.3, 1e4, 0.3), nearly(1e4, 0.3, 1e4, 0.3 - 2e-11);
   for (Pair* pair : {&equal, &nearly}) {
-    prepare_scene(*pair);
+    sharp_scene(*pair);
     ASSERT_EQ(pair->contact->solve(), Status::ok);
   }
   EXPECT_TRUE(says(equal, "normal problem first, alone"));
@@ -167,7 +158,7 @@ TEST(plan_same_body_twice, is_prepared_once) {
 TEST(plan_unchanged_scene, makes_nothing_again) {
   for (const Case& c : cases) {
     Pair pair(1e4, 0.3, c.young2, c.poisson2);
-    prepare_scene(pair);
+    sharp_scene(pair);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     EXPECT_TRUE(says(pair, "made for this solve: frame, gap, compliance"));
     const std::vector<double> first = pair.tractions();
@@ -185,14 +176,14 @@ TEST(plan_unchanged_scene, makes_nothing_again) {
 
 TEST(plan_sparse_library, is_called_for_finite_elements_alone) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
-  prepare_scene(pair);
+  sharp_scene(pair);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   EXPECT_TRUE(says(pair, "no finite-element body: no sparse matrix"));
 }
 
 TEST(plan_results, are_computed_when_asked_for_and_once) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
-  prepare_scene(pair);
+  sharp_scene(pair);
   Contact& c = *pair.contact;
   const char* names[] = {"fields_derived", "laws_checked", "displacement_fields",
                          "error_estimates"};
@@ -231,7 +222,7 @@ TEST(plan_results, are_computed_when_asked_for_and_once) {
 TEST(plan_combination, without_friction_on_rigid_with_reach) {
   Pair thrifty(1e4, 0.3, 1, -2), whole(1e4, 0.3, 1, -2);
   for (Pair* pair : {&thrifty, &whole}) {
-    prepare_scene(*pair);
+    sharp_scene(*pair);
     pair->friction(pair == &thrifty ? 0 : 1e-13);
     pair->contact->scene.options.set_int("reach", pair == &thrifty);
     ASSERT_EQ(pair->contact->solve(), Status::ok);
@@ -244,7 +235,7 @@ TEST(plan_combination, without_friction_on_rigid_with_reach) {
 TEST(plan_combination, equal_bodies_in_total_sliding_with_reach) {
   Pair thrifty(1e4, 0.3, 1e4, 0.3), whole(1e4, 0.3, 1e4, 0.3 - 2e-11);
   for (Pair* pair : {&thrifty, &whole}) {
-    prepare_scene(*pair);
+    sharp_scene(*pair);
     pair->contact->scene.set_creep(0.1, 0.02, 0);
     pair->contact->scene.prescribe(3, 2, 150);
     pair->contact->scene.options.set_int("reach", pair == &thrifty);

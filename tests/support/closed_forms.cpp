@@ -177,10 +177,6 @@ double vermeulen_johnson(double x) {
   return x < 1 ? 1 - std::pow(1 - x, 3) : 1;
 }
 
-double shen_hedrick_elkins(double rho) {
-  return vermeulen_johnson(rho / 3);
-}
-
 std::vector<CreepPoint> creep_curve() {
   std::vector<CreepPoint> points;
   for (const auto& row : read_table("creep_curve.csv"))

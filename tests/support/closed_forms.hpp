@@ -63,8 +63,6 @@ Kalker kalker_table(double a_over_b, double nu);
 
 /// Vermeulen-Johnson's cubic of x = creep / creep at full slip.
 double vermeulen_johnson(double x);
-/// Shen-Hedrick-Elkins: the same cubic of the linear force over mu P.
-double shen_hedrick_elkins(double linear_force_ratio);
 
 struct CreepPoint {
   double xi = 0, force_ratio = 0;

@@ -58,4 +58,16 @@ std::unique_ptr<RollingPair> pair(const MeshedBody& wheel, const char* scheme, i
   return p;
 }
 
+MeshedBody part_of_wheel(const surfaces::ZoneBlock& block) {
+  const auto bend = [](const Vec3& x) {
+    const double r = radius + x[2] - cone * x[1], angle = x[0] / radius;
+    return Vec3{r * std::sin(angle), x[1], r * std::cos(angle)};
+  };
+  const SurfaceMesh flat = surfaces::zone_block(block, ElementType::quad4);
+  MeshedBody wheel = meshed(surfaces::transform(flat, bend), material);
+  wheel.held_tag = {3, 4, 5};
+  wheel.contact_tag = {1, 2};
+  return wheel;
+}
+
 }  // namespace rollcon::scenes::example4

@@ -22,4 +22,7 @@ std::unique_ptr<RollingPair> pair(ElementType type, const char* scheme, int thre
 /// With another mesh of the wheel, or of a part of it around its top.
 std::unique_ptr<RollingPair> pair(const MeshedBody& wheel, const char* scheme, int threads = 1);
 
+/// A part of the wheel around its top, made of a block with its zone; held but for the tread.
+MeshedBody part_of_wheel(const surfaces::ZoneBlock& block);
+
 }  // namespace rollcon::scenes::example4

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "support/extreme_bodies.hpp"
+#include "support/extremes_draw.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon::extremes {
@@ -11,24 +12,6 @@ namespace {
 using scenes::AnyBody;
 using scenes::Elastic;
 using scenes::MeshedBody;
-
-class Draw {
- public:
-  explicit Draw(std::uint32_t seed) : random_(seed) {
-    for (int i = 0; i < 8; ++i) random_();  // neighbouring seeds begin alike
-  }
-  double between(double a, double b) { return a + (b - a) * 0.5 * (random_() + 1); }
-  double log_between(double a, double b) { return std::exp(between(std::log(a), std::log(b))); }
-  int pick(int n) { return std::min(n - 1, static_cast<int>(between(0, n))); }
-  bool chance(double p) { return between(0, 1) < p; }
-  template <class T, std::size_t N>
-  T of(const T (&list)[N]) {
-    return list[static_cast<std::size_t>(pick(static_cast<int>(N)))];
-  }
-
- private:
-  frames::Random random_;
-};
 
 enum class Kind { fem, bem, halfspace, rigid };
 

@@ -15,7 +15,7 @@ class Draw {
   explicit Draw(std::uint32_t seed) : random_(seed) {
     for (int i = 0; i < 8; ++i) random_();  // neighbouring seeds begin alike
   }
-  double between(double a, double b) { return a + (b - a) * 0.5 * (random_() + 1); }
+  double between(double a, double b) { return random_.between(a, b); }
   double log_between(double a, double b) { return std::exp(between(std::log(a), std::log(b))); }
   int pick(int n) { return std::min(n - 1, static_cast<int>(between(0, n))); }
   bool chance(double p) { return between(0, 1) < p; }

@@ -62,6 +62,7 @@ class Random {
  public:
   explicit Random(std::uint32_t seed) : state_(seed * 2654435761u + 12345u) {}
   double operator()();
+  double between(double low, double high) { return low + (high - low) * 0.5 * (1 + (*this)()); }
 
  private:
   std::uint64_t state_;

@@ -27,6 +27,21 @@ std::vector<std::int32_t> nodes_of_tag(const SurfaceMesh& mesh, std::int32_t tag
 
 }  // namespace
 
+double traction_difference(const Solution& s, const Solution& reference) {
+  if (s.nodes() != reference.nodes() || s.nodes() == 0) return std::nan("");
+  double pressure = 0, friction = 0, normal = 0, tangential = 0;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    const auto &a = s.traction[k], &b = reference.traction[k];
+    pressure = std::max(pressure, std::abs(b[2]));
+    friction = std::max(friction, std::hypot(b[0], b[1]));
+    const double n = std::abs(a[2] - b[2]), t = std::hypot(a[0] - b[0], a[1] - b[1]);
+    if (!std::isfinite(n) || !std::isfinite(t)) return std::nan("");
+    normal = std::max(normal, n);
+    tangential = std::max(tangential, t);
+  }
+  return std::max(normal / pressure, friction > 0 ? tangential / friction : tangential);
+}
+
 MeshedBody meshed(SurfaceMesh mesh, const Elastic& material) {
   MeshedBody body;
   body.mesh = std::move(mesh);

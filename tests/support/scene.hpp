@@ -34,6 +34,10 @@ struct Solution {
   std::size_t nodes() const { return x.size(); }
 };
 
+/// Largest difference of pressures over the largest one, or of frictional tractions over theirs.
+/// NaN: not the same frame.
+double traction_difference(const Solution& s, const Solution& reference);
+
 /// Faces whose nodes are held in some directions: bits 1 x, 2 y, 4 z.
 struct Slide {
   std::int32_t tag = 0, dof_mask = 7;

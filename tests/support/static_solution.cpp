@@ -26,17 +26,6 @@ void add_runs(Body& body, const Mesh& mesh) {
 
 }  // namespace
 
-Tensor stress_of(const Tensor& strain, double young, double poisson) {
-  const double shear = young / (2 * (1 + poisson));
-  const double trace = strain[0][0] + strain[1][1] + strain[2][2];
-  Tensor stress;
-  for (std::size_t i = 0; i < 3; ++i) {
-    stress[i] = 2 * shear * strain[i];
-    stress[i][i] += 2 * shear * poisson / (1 - 2 * poisson) * trace;
-  }
-  return stress;
-}
-
 Tensor strain_of(const Tensor& stress, double young, double poisson) {
   const double trace = stress[0][0] + stress[1][1] + stress[2][2];
   Tensor strain;

@@ -20,7 +20,6 @@ inline Vec3 times(const Tensor& a, const Vec3& x) {
   return {dot(a[0], x), dot(a[1], x), dot(a[2], x)};
 }
 /// Hooke's law. nu < 0.5.
-Tensor stress_of(const Tensor& strain, double young, double poisson);
 Tensor strain_of(const Tensor& stress, double young, double poisson);
 
 class StaticBody {

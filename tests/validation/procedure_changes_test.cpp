@@ -22,14 +22,7 @@ SurfaceMesh disc(int rings) {
 }
 
 double difference(const RollingPair& a, const RollingPair& b) {
-  const auto x = a.solution(), y = b.solution();
-  double worst = 0, largest = 0;
-  for (std::size_t k = 0; k < y.nodes(); ++k)
-    for (std::size_t c = 0; c < 3; ++c) {
-      worst = std::max(worst, std::abs(x.traction[k][c] - y.traction[k][c]));
-      largest = std::max(largest, std::abs(y.traction[k][c]));
-    }
-  return worst / largest;
+  return scenes::traction_difference(a.solution(), b.solution());
 }
 
 std::array<double, 3> rate_of_creep(const RollingPair& pair) {

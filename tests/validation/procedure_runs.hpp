@@ -10,25 +10,13 @@
 #include <vector>
 
 #include "report.hpp"
+#include "support/procedures.hpp"
 #include "support/scene.hpp"
 
 namespace rollcon::validation {
 
-struct Procedure {
-  std::string system = "condensed", jacobian = "exact", slip_estimate = "auto",
-              linear_solver = "auto", preconditioner = "auto";
-
-  std::string name() const {
-    return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " +
-           preconditioner;
-  }
-  void apply(scenes::RollingPair& pair) const {
-    pair.option("system", system.c_str()).option("jacobian", jacobian.c_str());
-    pair.option("slip_estimate", slip_estimate.c_str());
-    pair.option("linear_solver", linear_solver.c_str());
-    pair.option("preconditioner", preconditioner.c_str());
-  }
-};
+using scenes::Procedure;
+using scenes::traction_difference;
 
 enum class Plain { all, fast };
 
@@ -74,22 +62,6 @@ struct Failing {
            fits(preconditioner, p.preconditioner);
   }
 };
-
-/// Largest difference of pressures over the largest one, of frictional tractions over theirs.
-inline double traction_difference(const scenes::Solution& s, const scenes::Solution& reference) {
-  if (s.nodes() != reference.nodes()) return std::nan("");
-  double pressure = 0, friction = 0, normal = 0, tangential = 0;
-  for (std::size_t k = 0; k < s.nodes(); ++k) {
-    const auto &a = s.traction[k], &b = reference.traction[k];
-    pressure = std::max(pressure, std::abs(b[2]));
-    friction = std::max(friction, std::hypot(b[0], b[1]));
-    const double n = std::abs(a[2] - b[2]), t = std::hypot(a[0] - b[0], a[1] - b[1]);
-    if (!std::isfinite(n) || !std::isfinite(t)) return std::nan("");
-    normal = std::max(normal, n);
-    tangential = std::max(tangential, t);
-  }
-  return std::max(normal / pressure, friction > 0 ? tangential / friction : tangential);
-}
 
 /// A status of OK with other tractions than the standard procedure's is a failure whatever is
 /// listed; one that is not listed must be OK, one that is listed NOT_CONVERGED.

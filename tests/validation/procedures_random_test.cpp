@@ -22,17 +22,15 @@ struct Drawn {
 /// Ellipse, materials, friction, creepages, spin and which motions are found from forces.
 Drawn draw(Kind kind, bool by_force, double creep, std::uint32_t seed) {
   frames::Random random(seed);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * 0.5 * (1 + random());
-  };
-  const Elastic one{.shear = 3800, .poisson = between(0, 0.45)};
-  const Elastic other{.shear = 3800 * std::pow(10, between(-1, 1)), .poisson = between(0, 0.45)};
+  const Elastic one{.shear = 3800, .poisson = random.between(0, 0.45)};
+  const Elastic other{.shear = 3800 * std::pow(10, random.between(-1, 1)),
+                      .poisson = random.between(0, 0.45)};
   std::optional<Elastic> second;
   if (kind == Kind::identical) second = one;
   if (kind == Kind::dissimilar) second = other;
   const double modulus =
       second ? closed_forms::effective_modulus(one, *second) : closed_forms::effective_modulus(one);
-  const double a = between(0.6, 1.8), p0 = 100, mu = between(0.05, 0.6);
+  const double a = random.between(0.6, 1.8), p0 = 100, mu = random.between(0.05, 0.6);
   const auto hertz = closed_forms::hertz_from_axes(a, 1, p0, modulus);
   Drawn drawn{std::make_unique<RollingPair>(one, second), ""};
   RollingPair& pair = *drawn.pair;
@@ -49,9 +47,9 @@ Drawn draw(Kind kind, bool by_force, double creep, std::uint32_t seed) {
   else
     pair.approach(hertz.approach);
   const double full = creep * mu * p0 / modulus;
-  const double spin = random() < 0 ? full / std::sqrt(a) * between(-1, 1) : 0;
-  pair.creep(full * between(-1, 1), full * between(-1, 1), spin);
-  const double part = between(0.1, 0.7) * (random() < 0 ? -1 : 1);
+  const double spin = random() < 0 ? full / std::sqrt(a) * random.between(-1, 1) : 0;
+  pair.creep(full * random.between(-1, 1), full * random.between(-1, 1), spin);
+  const double part = random.between(0.1, 0.7) * (random() < 0 ? -1 : 1);
   if (by_force)
     pair.load(hertz.load).tangential_force(ROLLCON_LONGITUDINAL, part * mu * hertz.load);
   char text[200];

@@ -80,16 +80,7 @@ SurfaceMesh triangles() {
 
 /// A part of the wheel of example 4 around its top: 30 x 30 x 20 mm, 8 x 8 elements in 6 x 6 mm.
 Pair wheel() {
-  const SurfaceMesh flat = surfaces::zone_block({30, 20, 6, 8, 1, 1}, ElementType::quad4);
-  const auto bend = [](const Vec3& x) {
-    const double r = example4::radius + x[2] - example4::cone * x[1];
-    const double angle = x[0] / example4::radius;
-    return Vec3{r * std::sin(angle), x[1], r * std::cos(angle)};
-  };
-  scenes::MeshedBody body = scenes::meshed(surfaces::transform(flat, bend), example4::material);
-  body.held_tag = {3, 4, 5};
-  body.contact_tag = {1, 2};
-  auto pair = example4::pair(unprepared(body), "godunov");
+  auto pair = example4::pair(unprepared(example4::part_of_wheel({30, 20, 6, 8, 1, 1})), "godunov");
   pair->creep(-9e-4, 0, 0);
   return pair;
 }

@@ -1,0 +1,1047 @@
+/* Generated from bindings/api.toml by bindings/generate.py; do not edit. */
+#include "record.h"
+#include "rollcon.h"
+
+/* clang-format off */
+
+const char* const recorded_names[] = {
+  "version",
+  "abi",
+  "version_string",
+  "build_info",
+  "has_feature",
+  "status_string",
+  "last_error",
+  "report",
+  "context_create",
+  "context_retain",
+  "context_release",
+  "context_set_log",
+  "context_set_threads",
+  "context_set_latch",
+  "context_check",
+  "body_create",
+  "body_retain",
+  "body_release",
+  "body_set_elastic",
+  "body_prepare",
+  "body_get_kind",
+  "body_save",
+  "body_load",
+  "body_set_nodes",
+  "body_add_elements",
+  "body_tag_faces",
+  "body_tag_faces_of_nodes",
+  "body_set_support",
+  "body_set_traction",
+  "body_set_pressure",
+  "body_set_contact_faces",
+  "body_set_int",
+  "body_set_real",
+  "body_get_int",
+  "body_get_real",
+  "body_option_count",
+  "body_option_info",
+  "body_option_doc",
+  "body_get_size",
+  "body_get_displacements",
+  "body_get_reaction",
+  "body_get_stat",
+  "body_stat_count",
+  "body_stat_name",
+  "contact_create",
+  "contact_retain",
+  "contact_release",
+  "contact_set_frame_nodes",
+  "contact_add_frame_elements",
+  "contact_frame_from_body",
+  "contact_set_pose",
+  "contact_set_axes",
+  "contact_set_gap",
+  "contact_set_gap_quadratic",
+  "contact_set_rolling",
+  "contact_set_creep",
+  "contact_set_creep_field",
+  "contact_prescribe",
+  "contact_set_friction",
+  "contact_set_friction_field",
+  "contact_set_int",
+  "contact_set_real",
+  "contact_set_str",
+  "contact_get_int",
+  "contact_get_real",
+  "contact_get_str",
+  "option_count",
+  "option_info",
+  "option_doc",
+  "contact_set_progress",
+  "event_get_int",
+  "event_get_real",
+  "contact_request_cancel",
+  "contact_solve",
+  "contact_solve_many",
+  "contact_reset",
+  "contact_get_size",
+  "contact_get_tractions",
+  "contact_get_field",
+  "contact_get_status",
+  "contact_get_resultant",
+  "contact_get_motion",
+  "contact_get_sensitivity",
+  "contact_get_displacements_at",
+  "contact_get_stat",
+  "stat_count",
+  "stat_name",
+  "contact_get_history",
+  "contact_get_error_function",
+  "contact_get_plan",
+  "contact_write",
+  "id_of",
+  "context_from_id",
+  "body_from_id",
+  "contact_from_id",
+};
+
+const int recorded_number = 95;
+
+enum {
+  recorded_rollcon_version,
+  recorded_rollcon_abi,
+  recorded_rollcon_version_string,
+  recorded_rollcon_build_info,
+  recorded_rollcon_has_feature,
+  recorded_rollcon_status_string,
+  recorded_rollcon_last_error,
+  recorded_rollcon_report,
+  recorded_rollcon_context_create,
+  recorded_rollcon_context_retain,
+  recorded_rollcon_context_release,
+  recorded_rollcon_context_set_log,
+  recorded_rollcon_context_set_threads,
+  recorded_rollcon_context_set_latch,
+  recorded_rollcon_context_check,
+  recorded_rollcon_body_create,
+  recorded_rollcon_body_retain,
+  recorded_rollcon_body_release,
+  recorded_rollcon_body_set_elastic,
+  recorded_rollcon_body_prepare,
+  recorded_rollcon_body_get_kind,
+  recorded_rollcon_body_save,
+  recorded_rollcon_body_load,
+  recorded_rollcon_body_set_nodes,
+  recorded_rollcon_body_add_elements,
+  recorded_rollcon_body_tag_faces,
+  recorded_rollcon_body_tag_faces_of_nodes,
+  recorded_rollcon_body_set_support,
+  recorded_rollcon_body_set_traction,
+  recorded_rollcon_body_set_pressure,
+  recorded_rollcon_body_set_contact_faces,
+  recorded_rollcon_body_set_int,
+  recorded_rollcon_body_set_real,
+  recorded_rollcon_body_get_int,
+  recorded_rollcon_body_get_real,
+  recorded_rollcon_body_option_count,
+  recorded_rollcon_body_option_info,
+  recorded_rollcon_body_option_doc,
+  recorded_rollcon_body_get_size,
+  recorded_rollcon_body_get_displacements,
+  recorded_rollcon_body_get_reaction,
+  recorded_rollcon_body_get_stat,
+  recorded_rollcon_body_stat_count,
+  recorded_rollcon_body_stat_name,
+  recorded_rollcon_contact_create,
+  recorded_rollcon_contact_retain,
+  recorded_rollcon_contact_release,
+  recorded_rollcon_contact_set_frame_nodes,
+  recorded_rollcon_contact_add_frame_elements,
+  recorded_rollcon_contact_frame_from_body,
+  recorded_rollcon_contact_set_pose,
+  recorded_rollcon_contact_set_axes,
+  recorded_rollcon_contact_set_gap,
+  recorded_rollcon_contact_set_gap_quadratic,
+  recorded_rollcon_contact_set_rolling,
+  recorded_rollcon_contact_set_creep,
+  recorded_rollcon_contact_set_creep_field,
+  recorded_rollcon_contact_prescribe,
+  recorded_rollcon_contact_set_friction,
+  recorded_rollcon_contact_set_friction_field,
+  recorded_rollcon_contact_set_int,
+  recorded_rollcon_contact_set_real,
+  recorded_rollcon_contact_set_str,
+  recorded_rollcon_contact_get_int,
+  recorded_rollcon_contact_get_real,
+  recorded_rollcon_contact_get_str,
+  recorded_rollcon_option_count,
+  recorded_rollcon_option_info,
+  recorded_rollcon_option_doc,
+  recorded_rollcon_contact_set_progress,
+  recorded_rollcon_event_get_int,
+  recorded_rollcon_event_get_real,
+  recorded_rollcon_contact_request_cancel,
+  recorded_rollcon_contact_solve,
+  recorded_rollcon_contact_solve_many,
+  recorded_rollcon_contact_reset,
+  recorded_rollcon_contact_get_size,
+  recorded_rollcon_contact_get_tractions,
+  recorded_rollcon_contact_get_field,
+  recorded_rollcon_contact_get_status,
+  recorded_rollcon_contact_get_resultant,
+  recorded_rollcon_contact_get_motion,
+  recorded_rollcon_contact_get_sensitivity,
+  recorded_rollcon_contact_get_displacements_at,
+  recorded_rollcon_contact_get_stat,
+  recorded_rollcon_stat_count,
+  recorded_rollcon_stat_name,
+  recorded_rollcon_contact_get_history,
+  recorded_rollcon_contact_get_error_function,
+  recorded_rollcon_contact_get_plan,
+  recorded_rollcon_contact_write,
+  recorded_rollcon_id_of,
+  recorded_rollcon_context_from_id,
+  recorded_rollcon_body_from_id,
+  recorded_rollcon_contact_from_id,
+};
+
+int32_t rollcon_version(void) {
+  record_begin(recorded_rollcon_version);
+  return RECORD_COUNT;
+}
+
+int32_t rollcon_abi(void) {
+  record_begin(recorded_rollcon_abi);
+  return ROLLCON_ABI;
+}
+
+const char *rollcon_version_string(void) {
+  record_begin(recorded_rollcon_version_string);
+  return "text of version_string";
+}
+
+const char *rollcon_build_info(void) {
+  record_begin(recorded_rollcon_build_info);
+  return "text of build_info";
+}
+
+int32_t rollcon_has_feature(const char *name) {
+  record_begin(recorded_rollcon_has_feature);
+  record_text(name);
+  return RECORD_COUNT;
+}
+
+const char *rollcon_status_string(int32_t status) {
+  record_begin(recorded_rollcon_status_string);
+  record_integer(status);
+  return "text of status_string";
+}
+
+const char *rollcon_last_error(void) {
+  record_begin(recorded_rollcon_last_error);
+  return "text of last_error";
+}
+
+int32_t rollcon_report(const void *handle, int32_t status, const char *message) {
+  record_begin(recorded_rollcon_report);
+  record_handle(handle);
+  record_integer(status);
+  record_text(message);
+  return status;
+}
+
+rollcon_status rollcon_context_create(int32_t header_abi, rollcon_context **context) {
+  record_begin(recorded_rollcon_context_create);
+  record_integer(header_abi);
+  record_room(context);
+  if (context) *context = (rollcon_context*)give_handle(1);
+  return record_end();
+}
+
+rollcon_status rollcon_context_retain(rollcon_context *context) {
+  record_begin(recorded_rollcon_context_retain);
+  record_handle(context);
+  return record_end();
+}
+
+void rollcon_context_release(rollcon_context *context) {
+  record_begin(recorded_rollcon_context_release);
+  record_handle(context);
+}
+
+rollcon_status rollcon_context_set_log(rollcon_context *context, int32_t max_level,
+    rollcon_log_fn fn, void *user) {
+  if (fn) fn(2, "a message", user);
+  record_begin(recorded_rollcon_context_set_log);
+  record_handle(context);
+  record_integer(max_level);
+  if (fn) record_integer(0); else record_room(0);
+  return record_end();
+}
+
+rollcon_status rollcon_context_set_threads(rollcon_context *context, int32_t n) {
+  record_begin(recorded_rollcon_context_set_threads);
+  record_handle(context);
+  record_integer(n);
+  return record_end();
+}
+
+rollcon_status rollcon_context_set_latch(rollcon_context *context, int32_t on) {
+  record_begin(recorded_rollcon_context_set_latch);
+  record_handle(context);
+  record_integer(on);
+  return record_end();
+}
+
+rollcon_status rollcon_context_check(const rollcon_context *context) {
+  record_begin(recorded_rollcon_context_check);
+  record_handle(context);
+  return record_end();
+}
+
+rollcon_status rollcon_body_create(rollcon_context *context, int32_t kind, rollcon_body **body) {
+  record_begin(recorded_rollcon_body_create);
+  record_handle(context);
+  record_integer(kind);
+  record_room(body);
+  if (body) *body = (rollcon_body*)give_handle(2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_retain(rollcon_body *body) {
+  record_begin(recorded_rollcon_body_retain);
+  record_handle(body);
+  return record_end();
+}
+
+void rollcon_body_release(rollcon_body *body) {
+  record_begin(recorded_rollcon_body_release);
+  record_handle(body);
+}
+
+rollcon_status rollcon_body_set_elastic(rollcon_body *body, int32_t tag, double young,
+    double poisson) {
+  record_begin(recorded_rollcon_body_set_elastic);
+  record_handle(body);
+  record_integer(tag);
+  record_real(young);
+  record_real(poisson);
+  return record_end();
+}
+
+rollcon_status rollcon_body_prepare(rollcon_body *body) {
+  record_begin(recorded_rollcon_body_prepare);
+  record_handle(body);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_kind(const rollcon_body *body, int32_t *kind) {
+  record_begin(recorded_rollcon_body_get_kind);
+  record_handle(body);
+  record_room(kind);
+  give_integer32(kind, 1, 1);
+  return record_end();
+}
+
+rollcon_status rollcon_body_save(rollcon_body *body, const char *path) {
+  record_begin(recorded_rollcon_body_save);
+  record_handle(body);
+  record_text(path);
+  return record_end();
+}
+
+rollcon_status rollcon_body_load(rollcon_context *context, const char *path, rollcon_body **body) {
+  record_begin(recorded_rollcon_body_load);
+  record_handle(context);
+  record_text(path);
+  record_room(body);
+  if (body) *body = (rollcon_body*)give_handle(2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
+    int64_t node_stride, int64_t component_stride) {
+  record_begin(recorded_rollcon_body_set_nodes);
+  record_handle(body);
+  record_integer(n);
+  record_nodes(x, n, node_stride, component_stride);
+  return record_end();
+}
+
+rollcon_status rollcon_body_add_elements(rollcon_body *body, int32_t type, int64_t n,
+    const int32_t *connectivity, int32_t index_base, int32_t tag) {
+  record_begin(recorded_rollcon_body_add_elements);
+  record_handle(body);
+  record_integer(type);
+  record_integer(n);
+  record_integers(connectivity, n * record_nodes_of(type));
+  record_integer(index_base);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_body_tag_faces(rollcon_body *body, int64_t n, const int32_t *elements,
+    const int32_t *faces, int32_t index_base, int32_t tag) {
+  record_begin(recorded_rollcon_body_tag_faces);
+  record_handle(body);
+  record_integer(n);
+  record_integers(elements, n);
+  record_integers(faces, n);
+  record_integer(index_base);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_body_tag_faces_of_nodes(rollcon_body *body, int64_t n,
+    const int32_t *nodes, int32_t index_base, int32_t tag) {
+  record_begin(recorded_rollcon_body_tag_faces_of_nodes);
+  record_handle(body);
+  record_integer(n);
+  record_integers(nodes, n);
+  record_integer(index_base);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_support(rollcon_body *body, int64_t n, const int32_t *nodes,
+    int32_t index_base, int32_t dof_mask, const double *values) {
+  record_begin(recorded_rollcon_body_set_support);
+  record_handle(body);
+  record_integer(n);
+  record_integers(nodes, n);
+  record_integer(index_base);
+  record_integer(dof_mask);
+  record_reals(values, n * 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_traction(rollcon_body *body, int32_t tag, const double *traction) {
+  record_begin(recorded_rollcon_body_set_traction);
+  record_handle(body);
+  record_integer(tag);
+  record_reals(traction, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double pressure) {
+  record_begin(recorded_rollcon_body_set_pressure);
+  record_handle(body);
+  record_integer(tag);
+  record_real(pressure);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, const int32_t *tags) {
+  record_begin(recorded_rollcon_body_set_contact_faces);
+  record_handle(body);
+  record_integer(n);
+  record_integers(tags, n);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_int(rollcon_body *body, const char *name, int64_t value) {
+  record_begin(recorded_rollcon_body_set_int);
+  record_handle(body);
+  record_text(name);
+  record_integer(value);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_real(rollcon_body *body, const char *name, double value) {
+  record_begin(recorded_rollcon_body_set_real);
+  record_handle(body);
+  record_text(name);
+  record_real(value);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_int(const rollcon_body *body, const char *name, int64_t *value) {
+  record_begin(recorded_rollcon_body_get_int);
+  record_handle(body);
+  record_text(name);
+  record_room(value);
+  give_integer64(value, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_real(const rollcon_body *body, const char *name, double *value) {
+  record_begin(recorded_rollcon_body_get_real);
+  record_handle(body);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+int32_t rollcon_body_option_count(void) {
+  record_begin(recorded_rollcon_body_option_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_body_option_info(int32_t i, int64_t capacity, char *name, int32_t *type,
+    double *low, double *high, double *standard) {
+  record_begin(recorded_rollcon_body_option_info);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(name);
+  record_room(type);
+  record_room(low);
+  record_room(high);
+  record_room(standard);
+  give_text(name, capacity, 0, recorded_rollcon_body_option_info);
+  give_integer32(type, 1, 3);
+  give_reals(low, 1, 4);
+  give_reals(high, 1, 5);
+  give_reals(standard, 1, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_body_option_doc(int32_t i, int64_t capacity, char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_body_option_doc);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_body_option_doc);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_size(const rollcon_body *body, int64_t *nodes, int64_t *elements) {
+  record_begin(recorded_rollcon_body_get_size);
+  record_handle(body);
+  record_room(nodes);
+  record_room(elements);
+  give_count(nodes, RECORD_NODES);
+  give_count(elements, RECORD_ELEMENTS);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_displacements(const rollcon_body *body, int64_t capacity,
+    double *u) {
+  record_begin(recorded_rollcon_body_get_displacements);
+  record_handle(body);
+  record_integer(capacity);
+  record_room(u);
+  give_reals(u, capacity * 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_reaction(const rollcon_body *body, double *force, double *moment) {
+  record_begin(recorded_rollcon_body_get_reaction);
+  record_handle(body);
+  record_room(force);
+  record_room(moment);
+  give_reals(force, 3, 1);
+  give_reals(moment, 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_stat(const rollcon_body *body, const char *name, double *value) {
+  record_begin(recorded_rollcon_body_get_stat);
+  record_handle(body);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+int32_t rollcon_body_stat_count(void) {
+  record_begin(recorded_rollcon_body_stat_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_body_stat_name(int32_t i, int64_t capacity, char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_body_stat_name);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_body_stat_name);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_create(rollcon_context *context, rollcon_body *body1,
+    rollcon_body *body2, rollcon_contact **contact) {
+  record_begin(recorded_rollcon_contact_create);
+  record_handle(context);
+  record_handle(body1);
+  record_handle(body2);
+  record_room(contact);
+  if (contact) *contact = (rollcon_contact*)give_handle(3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_retain(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_retain);
+  record_handle(contact);
+  return record_end();
+}
+
+void rollcon_contact_release(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_release);
+  record_handle(contact);
+}
+
+rollcon_status rollcon_contact_set_frame_nodes(rollcon_contact *contact, int64_t n,
+    const double *x, int64_t node_stride, int64_t component_stride) {
+  record_begin(recorded_rollcon_contact_set_frame_nodes);
+  record_handle(contact);
+  record_integer(n);
+  record_nodes(x, n, node_stride, component_stride);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_add_frame_elements(rollcon_contact *contact, int32_t type,
+    int64_t n, const int32_t *connectivity, int32_t index_base, int32_t tag) {
+  record_begin(recorded_rollcon_contact_add_frame_elements);
+  record_handle(contact);
+  record_integer(type);
+  record_integer(n);
+  record_integers(connectivity, n * record_nodes_of(type));
+  record_integer(index_base);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_frame_from_body(rollcon_contact *contact, int32_t which,
+    int32_t tag) {
+  record_begin(recorded_rollcon_contact_frame_from_body);
+  record_handle(contact);
+  record_integer(which);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_pose(rollcon_contact *contact, int32_t which,
+    const double *rotation, const double *translation) {
+  record_begin(recorded_rollcon_contact_set_pose);
+  record_handle(contact);
+  record_integer(which);
+  record_reals(rotation, 3 * 3);
+  record_reals(translation, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_axes(rollcon_contact *contact, const double *origin,
+    const double *rolling, const double *normal) {
+  record_begin(recorded_rollcon_contact_set_axes);
+  record_handle(contact);
+  record_reals(origin, 3);
+  record_reals(rolling, 3);
+  record_reals(normal, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_gap(rollcon_contact *contact, int64_t n, const double *gap) {
+  record_begin(recorded_rollcon_contact_set_gap);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(gap, n);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_gap_quadratic(rollcon_contact *contact, double a, double b,
+    double c) {
+  record_begin(recorded_rollcon_contact_set_gap_quadratic);
+  record_handle(contact);
+  record_real(a);
+  record_real(b);
+  record_real(c);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_rolling(rollcon_contact *contact, double speed) {
+  record_begin(recorded_rollcon_contact_set_rolling);
+  record_handle(contact);
+  record_real(speed);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longitudinal,
+    double lateral, double spin) {
+  record_begin(recorded_rollcon_contact_set_creep);
+  record_handle(contact);
+  record_real(longitudinal);
+  record_real(lateral);
+  record_real(spin);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_creep_field(rollcon_contact *contact, int64_t n,
+    const double *slip) {
+  record_begin(recorded_rollcon_contact_set_creep_field);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(slip, n * 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_prescribe(rollcon_contact *contact, int32_t direction,
+    int32_t how, double value) {
+  record_begin(recorded_rollcon_contact_prescribe);
+  record_handle(contact);
+  record_integer(direction);
+  record_integer(how);
+  record_real(value);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_friction(rollcon_contact *contact, const char *law, int32_t n,
+    const double *parameters) {
+  record_begin(recorded_rollcon_contact_set_friction);
+  record_handle(contact);
+  record_text(law);
+  record_integer(n);
+  record_reals(parameters, n);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_friction_field(rollcon_contact *contact, int64_t n,
+    const double *mu) {
+  record_begin(recorded_rollcon_contact_set_friction_field);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(mu, n);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_int(rollcon_contact *contact, const char *name, int64_t value) {
+  record_begin(recorded_rollcon_contact_set_int);
+  record_handle(contact);
+  record_text(name);
+  record_integer(value);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_real(rollcon_contact *contact, const char *name, double value) {
+  record_begin(recorded_rollcon_contact_set_real);
+  record_handle(contact);
+  record_text(name);
+  record_real(value);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_str(rollcon_contact *contact, const char *name,
+    const char *value) {
+  record_begin(recorded_rollcon_contact_set_str);
+  record_handle(contact);
+  record_text(name);
+  record_text(value);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_int(const rollcon_contact *contact, const char *name,
+    int64_t *value) {
+  record_begin(recorded_rollcon_contact_get_int);
+  record_handle(contact);
+  record_text(name);
+  record_room(value);
+  give_integer64(value, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_real(const rollcon_contact *contact, const char *name,
+    double *value) {
+  record_begin(recorded_rollcon_contact_get_real);
+  record_handle(contact);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_str(const rollcon_contact *contact, const char *name,
+    int64_t capacity, char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_contact_get_str);
+  record_handle(contact);
+  record_text(name);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_contact_get_str);
+  return record_end();
+}
+
+int32_t rollcon_option_count(void) {
+  record_begin(recorded_rollcon_option_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_option_info(int32_t i, int64_t capacity, char *name, int32_t *type,
+    double *low, double *high, double *standard) {
+  record_begin(recorded_rollcon_option_info);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(name);
+  record_room(type);
+  record_room(low);
+  record_room(high);
+  record_room(standard);
+  give_text(name, capacity, 0, recorded_rollcon_option_info);
+  give_integer32(type, 1, 3);
+  give_reals(low, 1, 4);
+  give_reals(high, 1, 5);
+  give_reals(standard, 1, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_option_doc(int32_t i, int64_t capacity, char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_option_doc);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_option_doc);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_progress(rollcon_contact *contact, rollcon_progress_fn fn,
+    void *user) {
+  const int64_t told = fn ? fn((const rollcon_event*)7, user) : 0;
+  record_begin(recorded_rollcon_contact_set_progress);
+  record_handle(contact);
+  if (fn) record_integer(told); else record_room(0);
+  return record_end();
+}
+
+rollcon_status rollcon_event_get_int(const rollcon_event *event, int32_t key, int64_t *value) {
+  record_begin(recorded_rollcon_event_get_int);
+  record_integer((intptr_t)event);
+  record_integer(key);
+  record_room(value);
+  give_integer64(value, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_event_get_real(const rollcon_event *event, int32_t key, double *value) {
+  record_begin(recorded_rollcon_event_get_real);
+  record_integer((intptr_t)event);
+  record_integer(key);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_request_cancel(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_request_cancel);
+  record_handle(contact);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_solve(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_solve);
+  record_handle(contact);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_solve_many(rollcon_contact *contact, const char *parameters,
+    int64_t n_cases, const double *values, const char *columns, int64_t capacity,
+    double *results, int64_t *n_results, int32_t *status) {
+  record_begin(recorded_rollcon_contact_solve_many);
+  record_handle(contact);
+  record_text(parameters);
+  record_integer(n_cases);
+  record_reals(values, n_cases * record_words(parameters));
+  record_text(columns);
+  record_integer(capacity);
+  record_room(results);
+  record_room(n_results);
+  record_room(status);
+  give_reals(results, n_cases * capacity, 6);
+  give_count(n_results, capacity);
+  give_integer32(status, n_cases, 8);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_reset(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_reset);
+  record_handle(contact);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_size(const rollcon_contact *contact, int64_t *nodes,
+    int64_t *elements) {
+  record_begin(recorded_rollcon_contact_get_size);
+  record_handle(contact);
+  record_room(nodes);
+  record_room(elements);
+  give_count(nodes, RECORD_NODES);
+  give_count(elements, RECORD_ELEMENTS);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_tractions(const rollcon_contact *contact, int32_t axes,
+    int64_t capacity, double *t) {
+  record_begin(recorded_rollcon_contact_get_tractions);
+  record_handle(contact);
+  record_integer(axes);
+  record_integer(capacity);
+  record_room(t);
+  give_reals(t, capacity * 3, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_field(const rollcon_contact *contact, int32_t field,
+    int32_t axes, int64_t capacity, double *v, int64_t *n_values) {
+  record_begin(recorded_rollcon_contact_get_field);
+  record_handle(contact);
+  record_integer(field);
+  record_integer(axes);
+  record_integer(capacity);
+  record_room(v);
+  record_room(n_values);
+  give_reals(v, capacity, 4);
+  give_count(n_values, RECORD_VALUES);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_status(const rollcon_contact *contact, int64_t capacity,
+    int32_t *status) {
+  record_begin(recorded_rollcon_contact_get_status);
+  record_handle(contact);
+  record_integer(capacity);
+  record_room(status);
+  give_integer32(status, capacity, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_resultant(const rollcon_contact *contact, int32_t axes,
+    double *force, double *moment) {
+  record_begin(recorded_rollcon_contact_get_resultant);
+  record_handle(contact);
+  record_integer(axes);
+  record_room(force);
+  record_room(moment);
+  give_reals(force, 3, 2);
+  give_reals(moment, 3, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_motion(const rollcon_contact *contact, double *approach,
+    double *creep) {
+  record_begin(recorded_rollcon_contact_get_motion);
+  record_handle(contact);
+  record_room(approach);
+  record_room(creep);
+  give_reals(approach, 1, 1);
+  give_reals(creep, 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact *contact, int32_t parameter,
+    double *force, double *moment, double *approach, double *creep) {
+  record_begin(recorded_rollcon_contact_get_sensitivity);
+  record_handle(contact);
+  record_integer(parameter);
+  record_room(force);
+  record_room(moment);
+  record_room(approach);
+  record_room(creep);
+  give_reals(force, 3, 2);
+  give_reals(moment, 3, 3);
+  give_reals(approach, 1, 4);
+  give_reals(creep, 3, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact *contact, int32_t body,
+    int64_t n, const double *xy, double *u) {
+  record_begin(recorded_rollcon_contact_get_displacements_at);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(n);
+  record_reals(xy, n * 2);
+  record_room(u);
+  give_reals(u, n * 3, 4);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_stat(const rollcon_contact *contact, const char *name,
+    double *value) {
+  record_begin(recorded_rollcon_contact_get_stat);
+  record_handle(contact);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+int32_t rollcon_stat_count(void) {
+  record_begin(recorded_rollcon_stat_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_stat_name(int32_t i, int64_t capacity, char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_stat_name);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_stat_name);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_history(const rollcon_contact *contact, int64_t capacity,
+    double *rows, int64_t *n_rows) {
+  record_begin(recorded_rollcon_contact_get_history);
+  record_handle(contact);
+  record_integer(capacity);
+  record_room(rows);
+  record_room(n_rows);
+  give_reals(rows, capacity * 8, 2);
+  give_count(n_rows, RECORD_ROWS);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_error_function(const rollcon_contact *contact,
+    int64_t capacity, double *psi, double *seconds, int64_t *n_rows) {
+  record_begin(recorded_rollcon_contact_get_error_function);
+  record_handle(contact);
+  record_integer(capacity);
+  record_room(psi);
+  record_room(seconds);
+  record_room(n_rows);
+  give_reals(psi, capacity, 2);
+  give_reals(seconds, capacity, 3);
+  give_count(n_rows, RECORD_ROWS);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_plan(const rollcon_contact *contact, int64_t capacity,
+    char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_contact_get_plan);
+  record_handle(contact);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_contact_get_plan);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_write(const rollcon_contact *contact, const char *path) {
+  record_begin(recorded_rollcon_contact_write);
+  record_handle(contact);
+  record_text(path);
+  return record_end();
+}
+
+int32_t rollcon_id_of(const void *handle) {
+  record_begin(recorded_rollcon_id_of);
+  record_handle(handle);
+  return (int32_t)(intptr_t)handle;
+}
+
+rollcon_context *rollcon_context_from_id(int32_t id) {
+  record_begin(recorded_rollcon_context_from_id);
+  record_integer(id);
+  return (rollcon_context*)(intptr_t)id;
+}
+
+rollcon_body *rollcon_body_from_id(int32_t id) {
+  record_begin(recorded_rollcon_body_from_id);
+  record_integer(id);
+  return (rollcon_body*)(intptr_t)id;
+}
+
+rollcon_contact *rollcon_contact_from_id(int32_t id) {
+  record_begin(recorded_rollcon_contact_from_id);
+  record_integer(id);
+  return (rollcon_contact*)(intptr_t)id;
+}

@@ -1,0 +1,176 @@
+#pragma once
+/// Generated from bindings/api.toml by bindings/generate.py; do not edit.
+/// One call of every function with an object: check(name, whether any thread may call it at any
+/// time, status). Their other arguments are harmless and no more.
+
+#include <rollcon.h>
+
+#include <cstdint>
+
+namespace capi_test {
+
+// clang-format off
+struct HarmlessArguments {
+  double reals[64] = {1}, out[64] = {};
+  std::int32_t integers[64] = {}, states[64] = {}, kind = 0;
+  std::int64_t n = 0;
+  char text[64] = "";
+  rollcon_body* body = nullptr;
+  rollcon_contact* contact = nullptr;
+};
+
+template <class Check>
+void with_each_context_call(const void* handle, Check&& check) {
+  auto* object = static_cast<rollcon_context*>(const_cast<void*>(handle));
+  HarmlessArguments a;
+  check("rollcon_context_retain", true,
+        rollcon_context_retain(object));
+  check("rollcon_context_set_log", false,
+        rollcon_context_set_log(object, 1, nullptr, nullptr));
+  check("rollcon_context_set_threads", false,
+        rollcon_context_set_threads(object, 1));
+  check("rollcon_context_set_latch", true,
+        rollcon_context_set_latch(object, 1));
+  check("rollcon_context_check", true,
+        rollcon_context_check(object));
+  check("rollcon_body_create", false,
+        rollcon_body_create(object, 1, &a.body));
+  check("rollcon_body_load", false,
+        rollcon_body_load(object, "never_written", &a.body));
+  check("rollcon_contact_create", false,
+        rollcon_contact_create(object, nullptr, nullptr, &a.contact));
+}
+
+template <class Check>
+void with_each_body_call(const void* handle, Check&& check) {
+  auto* object = static_cast<rollcon_body*>(const_cast<void*>(handle));
+  HarmlessArguments a;
+  check("rollcon_body_retain", true,
+        rollcon_body_retain(object));
+  check("rollcon_body_set_elastic", false,
+        rollcon_body_set_elastic(object, 1, 1, 1));
+  check("rollcon_body_prepare", false,
+        rollcon_body_prepare(object));
+  check("rollcon_body_get_kind", true,
+        rollcon_body_get_kind(object, &a.kind));
+  check("rollcon_body_save", false,
+        rollcon_body_save(object, "never_written"));
+  check("rollcon_body_set_nodes", false,
+        rollcon_body_set_nodes(object, 1, a.reals, 1, 1));
+  check("rollcon_body_add_elements", false,
+        rollcon_body_add_elements(object, 1, 1, a.integers, 1, 1));
+  check("rollcon_body_tag_faces", false,
+        rollcon_body_tag_faces(object, 1, a.integers, a.integers, 1, 1));
+  check("rollcon_body_tag_faces_of_nodes", false,
+        rollcon_body_tag_faces_of_nodes(object, 1, a.integers, 1, 1));
+  check("rollcon_body_set_support", false,
+        rollcon_body_set_support(object, 1, a.integers, 1, 1, a.reals));
+  check("rollcon_body_set_traction", false,
+        rollcon_body_set_traction(object, 1, a.reals));
+  check("rollcon_body_set_pressure", false,
+        rollcon_body_set_pressure(object, 1, 1));
+  check("rollcon_body_set_contact_faces", false,
+        rollcon_body_set_contact_faces(object, 1, a.integers));
+  check("rollcon_body_set_int", false,
+        rollcon_body_set_int(object, "never_written", 1));
+  check("rollcon_body_set_real", false,
+        rollcon_body_set_real(object, "never_written", 1));
+  check("rollcon_body_get_int", false,
+        rollcon_body_get_int(object, "never_written", &a.n));
+  check("rollcon_body_get_real", false,
+        rollcon_body_get_real(object, "never_written", a.out));
+  check("rollcon_body_get_size", false,
+        rollcon_body_get_size(object, &a.n, &a.n));
+  check("rollcon_body_get_displacements", false,
+        rollcon_body_get_displacements(object, 1, a.out));
+  check("rollcon_body_get_reaction", false,
+        rollcon_body_get_reaction(object, a.out, a.out));
+  check("rollcon_body_get_stat", false,
+        rollcon_body_get_stat(object, "never_written", a.out));
+}
+
+template <class Check>
+void with_each_contact_call(const void* handle, Check&& check) {
+  auto* object = static_cast<rollcon_contact*>(const_cast<void*>(handle));
+  HarmlessArguments a;
+  check("rollcon_contact_retain", true,
+        rollcon_contact_retain(object));
+  check("rollcon_contact_set_frame_nodes", false,
+        rollcon_contact_set_frame_nodes(object, 1, a.reals, 1, 1));
+  check("rollcon_contact_add_frame_elements", false,
+        rollcon_contact_add_frame_elements(object, 1, 1, a.integers, 1, 1));
+  check("rollcon_contact_frame_from_body", false,
+        rollcon_contact_frame_from_body(object, 1, 1));
+  check("rollcon_contact_set_pose", false,
+        rollcon_contact_set_pose(object, 1, a.reals, a.reals));
+  check("rollcon_contact_set_axes", false,
+        rollcon_contact_set_axes(object, a.reals, a.reals, a.reals));
+  check("rollcon_contact_set_gap", false,
+        rollcon_contact_set_gap(object, 1, a.reals));
+  check("rollcon_contact_set_gap_quadratic", false,
+        rollcon_contact_set_gap_quadratic(object, 1, 1, 1));
+  check("rollcon_contact_set_rolling", false,
+        rollcon_contact_set_rolling(object, 1));
+  check("rollcon_contact_set_creep", false,
+        rollcon_contact_set_creep(object, 1, 1, 1));
+  check("rollcon_contact_set_creep_field", false,
+        rollcon_contact_set_creep_field(object, 1, a.reals));
+  check("rollcon_contact_prescribe", false,
+        rollcon_contact_prescribe(object, 1, 1, 1));
+  check("rollcon_contact_set_friction", false,
+        rollcon_contact_set_friction(object, "never_written", 1, a.reals));
+  check("rollcon_contact_set_friction_field", false,
+        rollcon_contact_set_friction_field(object, 1, a.reals));
+  check("rollcon_contact_set_int", false,
+        rollcon_contact_set_int(object, "never_written", 1));
+  check("rollcon_contact_set_real", false,
+        rollcon_contact_set_real(object, "never_written", 1));
+  check("rollcon_contact_set_str", false,
+        rollcon_contact_set_str(object, "never_written", "never_written"));
+  check("rollcon_contact_get_int", false,
+        rollcon_contact_get_int(object, "never_written", &a.n));
+  check("rollcon_contact_get_real", false,
+        rollcon_contact_get_real(object, "never_written", a.out));
+  check("rollcon_contact_get_str", false,
+        rollcon_contact_get_str(object, "never_written", 1, a.text, &a.n));
+  check("rollcon_contact_set_progress", false,
+        rollcon_contact_set_progress(object, nullptr, nullptr));
+  check("rollcon_contact_request_cancel", true,
+        rollcon_contact_request_cancel(object));
+  check("rollcon_contact_solve", false,
+        rollcon_contact_solve(object));
+  check("rollcon_contact_solve_many", false,
+        rollcon_contact_solve_many(object, "never_written", 1, a.reals, "never_written", 1, a.out, &a.n, a.states));
+  check("rollcon_contact_reset", false,
+        rollcon_contact_reset(object));
+  check("rollcon_contact_get_size", false,
+        rollcon_contact_get_size(object, &a.n, &a.n));
+  check("rollcon_contact_get_tractions", false,
+        rollcon_contact_get_tractions(object, 1, 1, a.out));
+  check("rollcon_contact_get_field", false,
+        rollcon_contact_get_field(object, 1, 1, 1, a.out, &a.n));
+  check("rollcon_contact_get_status", false,
+        rollcon_contact_get_status(object, 1, a.states));
+  check("rollcon_contact_get_resultant", false,
+        rollcon_contact_get_resultant(object, 1, a.out, a.out));
+  check("rollcon_contact_get_motion", false,
+        rollcon_contact_get_motion(object, a.out, a.out));
+  check("rollcon_contact_get_sensitivity", false,
+        rollcon_contact_get_sensitivity(object, 1, a.out, a.out, a.out, a.out));
+  check("rollcon_contact_get_displacements_at", false,
+        rollcon_contact_get_displacements_at(object, 1, 1, a.reals, a.out));
+  check("rollcon_contact_get_stat", false,
+        rollcon_contact_get_stat(object, "never_written", a.out));
+  check("rollcon_contact_get_history", false,
+        rollcon_contact_get_history(object, 1, a.out, &a.n));
+  check("rollcon_contact_get_error_function", false,
+        rollcon_contact_get_error_function(object, 1, a.out, a.out, &a.n));
+  check("rollcon_contact_get_plan", false,
+        rollcon_contact_get_plan(object, 1, a.text, &a.n));
+  check("rollcon_contact_write", false,
+        rollcon_contact_write(object, "never_written"));
+}
+
+// clang-format on
+
+}  // namespace capi_test

@@ -1,0 +1,1142 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+!> The subroutines of the FORTRAN 77 layer: every argument in its place.
+program mapping_77_test
+  use mapping
+  use mapping_77_by_hand, only: mapped_by_hand
+  implicit none
+  call begin_77()
+  call test_rcinit()
+  call test_rcthrd()
+  call test_rcltch()
+  call test_rcchek()
+  call test_rcbody()
+  call test_rcelas()
+  call test_rcprep()
+  call test_rckind()
+  call test_rcbsav()
+  call test_rcblod()
+  call test_rcbnod()
+  call test_rcbndt()
+  call test_rcbelm()
+  call test_rcbtgf()
+  call test_rcbtgn()
+  call test_rcsupp()
+  call test_rchold()
+  call test_rcbtrc()
+  call test_rcbprs()
+  call test_rcbfac()
+  call test_rcbsti()
+  call test_rcbstr()
+  call test_rcbgti()
+  call test_rcbgtr()
+  call test_rcbopi()
+  call test_rcbopd()
+  call test_rcbsiz()
+  call test_rcbdis()
+  call test_rcbrea()
+  call test_rcbsta()
+  call test_rcbstn()
+  call test_rcpair()
+  call test_rcnode()
+  call test_rcnodt()
+  call test_rcelem()
+  call test_rcfram()
+  call test_rcpose()
+  call test_rcaxes()
+  call test_rcgap()
+  call test_rcgapq()
+  call test_rcroll()
+  call test_rccrp()
+  call test_rccrpf()
+  call test_rcpres()
+  call test_rcfric()
+  call test_rcfrif()
+  call test_rcseti()
+  call test_rcsetr()
+  call test_rcsets()
+  call test_rcgeti()
+  call test_rcgetr()
+  call test_rcgets()
+  call test_rcopti()
+  call test_rcoptd()
+  call test_rcstop()
+  call test_rcsolv()
+  call test_rcrset()
+  call test_rcsize()
+  call test_rctrac()
+  call test_rcfeld()
+  call test_rcnsta()
+  call test_rcresu()
+  call test_rcmotn()
+  call test_rcsens()
+  call test_rcdisp()
+  call test_rcstat()
+  call test_rcstnm()
+  call test_rchist()
+  call test_rcerrf()
+  call test_rcplan()
+  call test_rcwrit()
+  call mapped_by_hand()
+  call done('')
+contains
+
+  subroutine test_rcinit()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcinit(ih, stat)
+    call told('context_create', '1 room', stat)
+    call gave_kind(ih, 1)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcinit(ih, stat)
+    call rclerr(message)
+    call failed('context_create', stat, message)
+  end subroutine
+
+  subroutine test_rcthrd()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcthrd(ictx, 11, stat)
+    call told('context_set_threads', 'context1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcthrd(ictx, 11, stat)
+    call rclerr(message)
+    call failed('context_set_threads', stat, message)
+  end subroutine
+
+  subroutine test_rcltch()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcltch(ictx, 11, stat)
+    call told('context_set_latch', 'context1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcltch(ictx, 11, stat)
+    call rclerr(message)
+    call failed('context_set_latch', stat, message)
+  end subroutine
+
+  subroutine test_rcchek()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcchek(ictx, stat)
+    call told('context_check', 'context1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcchek(ictx, stat)
+    call rclerr(message)
+    call failed('context_check', stat, message)
+  end subroutine
+
+  subroutine test_rcbody()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbody(ictx, 11, ih, stat)
+    call told('body_create', 'context1 11 room', stat)
+    call gave_kind(ih, 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbody(ictx, 11, ih, stat)
+    call rclerr(message)
+    call failed('body_create', stat, message)
+  end subroutine
+
+  subroutine test_rcelas()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcelas(ibody, 11, 2.5d0, 3.5d0, stat)
+    call told('body_set_elastic', 'body1 11 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcelas(ibody, 11, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('body_set_elastic', stat, message)
+  end subroutine
+
+  subroutine test_rcprep()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcprep(ibody, stat)
+    call told('body_prepare', 'body1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcprep(ibody, stat)
+    call rclerr(message)
+    call failed('body_prepare', stat, message)
+  end subroutine
+
+  subroutine test_rckind()
+    integer :: kind
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rckind(ibody, kind, stat)
+    call told('body_get_kind', 'body1 room', stat)
+    call gave_integers('kind', int([kind]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rckind(ibody, kind, stat)
+    call rclerr(message)
+    call failed('body_get_kind', stat, message)
+  end subroutine
+
+  subroutine test_rcbsav()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbsav(ibody, 'text 1', stat)
+    call told('body_save', 'body1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbsav(ibody, 'text 1', stat)
+    call rclerr(message)
+    call failed('body_save', stat, message)
+  end subroutine
+
+  subroutine test_rcblod()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcblod(ictx, 'text 1', ih, stat)
+    call told('body_load', 'context1 <text 1> room', stat)
+    call gave_kind(ih, 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcblod(ictx, 'text 1', ih, stat)
+    call rclerr(message)
+    call failed('body_load', stat, message)
+  end subroutine
+
+  subroutine test_rcbnod()
+    double precision :: xyz(4, 2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    xyz = -1
+    xyz(:3, :) = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [3, 2])
+    call rcbnod(ibody, 2, xyz, 4, stat)
+    call told('body_set_nodes', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    xyz = -1
+    xyz(:3, :) = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [3, 2])
+    call rcbnod(ibody, 2, xyz, 4, stat)
+    call rclerr(message)
+    call failed('body_set_nodes', stat, message)
+  end subroutine
+
+  subroutine test_rcbndt()
+    double precision :: xyz(2, 3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    xyz = -1
+    xyz = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [2, 3], order=[2, 1])
+    call rcbndt(ibody, 2, xyz, 2, stat)
+    call told('body_set_nodes', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    xyz = -1
+    xyz = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [2, 3], order=[2, 1])
+    call rcbndt(ibody, 2, xyz, 2, stat)
+    call rclerr(message)
+    call failed('body_set_nodes', stat, message)
+  end subroutine
+
+  subroutine test_rcbelm()
+    integer :: ids(4, 2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    ids = -1
+    ids(:3, :) = reshape([31, 32, 33, 34, 35, 36], [3, 2])
+    call rcbelm(ibody, 203, 2, ids, 4, 51, stat)
+    call told('body_add_elements', 'body1 203 2 [31 32 33 34 35 36] 1 51', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    ids = -1
+    ids(:3, :) = reshape([31, 32, 33, 34, 35, 36], [3, 2])
+    call rcbelm(ibody, 203, 2, ids, 4, 51, stat)
+    call rclerr(message)
+    call failed('body_add_elements', stat, message)
+  end subroutine
+
+  subroutine test_rcbtgf()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbtgf(ibody, 2, [21, 22], [31, 32], 51, stat)
+    call told('body_tag_faces', 'body1 2 [21 22] [31 32] 1 51', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbtgf(ibody, 2, [21, 22], [31, 32], 51, stat)
+    call rclerr(message)
+    call failed('body_tag_faces', stat, message)
+  end subroutine
+
+  subroutine test_rcbtgn()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbtgn(ibody, 2, [21, 22], 41, stat)
+    call told('body_tag_faces_of_nodes', 'body1 2 [21 22] 1 41', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbtgn(ibody, 2, [21, 22], 41, stat)
+    call rclerr(message)
+    call failed('body_tag_faces_of_nodes', stat, message)
+  end subroutine
+
+  subroutine test_rcsupp()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsupp(ibody, 2, [21, 22], 41, [5.125d0, 5.25d0, 5.375d0, 5.5d0, 5.625d0, 5.75d0], stat)
+    call told('body_set_support', 'body1 2 [21 22] 1 41 [5.125 5.25 5.375 5.5 5.625 5.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsupp(ibody, 2, [21, 22], 41, [5.125d0, 5.25d0, 5.375d0, 5.5d0, 5.625d0, 5.75d0], stat)
+    call rclerr(message)
+    call failed('body_set_support', stat, message)
+  end subroutine
+
+  subroutine test_rchold()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rchold(ibody, 2, [21, 22], 41, stat)
+    call told('body_set_support', 'body1 2 [21 22] 1 41 [0 0 0 0 0 0]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rchold(ibody, 2, [21, 22], 41, stat)
+    call rclerr(message)
+    call failed('body_set_support', stat, message)
+  end subroutine
+
+  subroutine test_rcbtrc()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbtrc(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call told('body_set_traction', 'body1 11 [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbtrc(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call rclerr(message)
+    call failed('body_set_traction', stat, message)
+  end subroutine
+
+  subroutine test_rcbprs()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbprs(ibody, 11, 2.5d0, stat)
+    call told('body_set_pressure', 'body1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbprs(ibody, 11, 2.5d0, stat)
+    call rclerr(message)
+    call failed('body_set_pressure', stat, message)
+  end subroutine
+
+  subroutine test_rcbfac()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfac(ibody, 2, [21, 22], stat)
+    call told('body_set_contact_faces', 'body1 2 [21 22]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfac(ibody, 2, [21, 22], stat)
+    call rclerr(message)
+    call failed('body_set_contact_faces', stat, message)
+  end subroutine
+
+  subroutine test_rcbsti()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbsti(ibody, 'text 1', 21, stat)
+    call told('body_set_int', 'body1 <text 1> 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbsti(ibody, 'text 1', 21, stat)
+    call rclerr(message)
+    call failed('body_set_int', stat, message)
+  end subroutine
+
+  subroutine test_rcbstr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbstr(ibody, 'text 1', 2.5d0, stat)
+    call told('body_set_real', 'body1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbstr(ibody, 'text 1', 2.5d0, stat)
+    call rclerr(message)
+    call failed('body_set_real', stat, message)
+  end subroutine
+
+  subroutine test_rcbgti()
+    integer :: ivalue
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbgti(ibody, 'text 1', ivalue, stat)
+    call told('body_get_int', 'body1 <text 1> room', stat)
+    call gave_integers('ivalue', int([ivalue]), 200)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbgti(ibody, 'text 1', ivalue, stat)
+    call rclerr(message)
+    call failed('body_get_int', stat, message)
+  end subroutine
+
+  subroutine test_rcbgtr()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbgtr(ibody, 'text 1', value, stat)
+    call told('body_get_real', 'body1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbgtr(ibody, 'text 1', value, stat)
+    call rclerr(message)
+    call failed('body_get_real', stat, message)
+  end subroutine
+
+  subroutine test_rcbopi()
+    character(len=60) :: name
+    integer :: itype
+    double precision :: xlow
+    double precision :: high
+    double precision :: standard
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbopi(1, name, itype, xlow, high, standard, stat)
+    call told('body_option_info', '0 512 room room room room room', stat)
+    call gave_text('name', name, 'text of body_option_info')
+    call gave_integers('itype', int([itype]), 300)
+    call gave_reals('xlow', [xlow], 400.5_rc_real)
+    call gave_reals('high', [high], 500.5_rc_real)
+    call gave_reals('standard', [standard], 600.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbopi(1, name, itype, xlow, high, standard, stat)
+    call rclerr(message)
+    call failed('body_option_info', stat, message)
+  end subroutine
+
+  subroutine test_rcbopd()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbopd(1, text, stat)
+    call told('body_option_doc', '0 24 room room', stat)
+    call gave_text('text', text, 'text of body_option_doc')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbopd(1, text, stat)
+    call rclerr(message)
+    call failed('body_option_doc', stat, message)
+  end subroutine
+
+  subroutine test_rcbsiz()
+    integer :: nodes
+    integer :: ielements
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbsiz(ibody, nodes, ielements, stat)
+    call told('body_get_size', 'body1 room room', stat)
+    call gave_integers('nodes', int([nodes]), 3)
+    call gave_integers('ielements', int([ielements]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbsiz(ibody, nodes, ielements, stat)
+    call rclerr(message)
+    call failed('body_get_size', stat, message)
+  end subroutine
+
+  subroutine test_rcbdis()
+    double precision :: u(18)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbdis(ibody, 6, u, stat)
+    call told('body_get_displacements', 'body1 6 room', stat)
+    call gave_reals('u', u, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbdis(ibody, 6, u, stat)
+    call rclerr(message)
+    call failed('body_get_displacements', stat, message)
+  end subroutine
+
+  subroutine test_rcbrea()
+    double precision :: force(3)
+    double precision :: xmoment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbrea(ibody, force, xmoment, stat)
+    call told('body_get_reaction', 'body1 room room', stat)
+    call gave_reals('force', force, 100.5_rc_real)
+    call gave_reals('xmoment', xmoment, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbrea(ibody, force, xmoment, stat)
+    call rclerr(message)
+    call failed('body_get_reaction', stat, message)
+  end subroutine
+
+  subroutine test_rcbsta()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbsta(ibody, 'text 1', value, stat)
+    call told('body_get_stat', 'body1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbsta(ibody, 'text 1', value, stat)
+    call rclerr(message)
+    call failed('body_get_stat', stat, message)
+  end subroutine
+
+  subroutine test_rcbstn()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbstn(1, text, stat)
+    call told('body_stat_name', '0 23 room room', stat)
+    call gave_text('text', text, 'text of body_stat_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbstn(1, text, stat)
+    call rclerr(message)
+    call failed('body_stat_name', stat, message)
+  end subroutine
+
+  subroutine test_rcpair()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcpair(ictx, ibody, ibody2, ih, stat)
+    call told('contact_create', 'context1 body1 body2 room', stat)
+    call gave_kind(ih, 3)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcpair(ictx, ibody, ibody2, ih, stat)
+    call rclerr(message)
+    call failed('contact_create', stat, message)
+  end subroutine
+
+  subroutine test_rcnode()
+    double precision :: xyz(4, 2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    xyz = -1
+    xyz(:3, :) = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [3, 2])
+    call rcnode(icon, 2, xyz, 4, stat)
+    call told('contact_set_frame_nodes', 'contact1 2 [2.125 2.25 2.375 2.5 2.625 2.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    xyz = -1
+    xyz(:3, :) = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [3, 2])
+    call rcnode(icon, 2, xyz, 4, stat)
+    call rclerr(message)
+    call failed('contact_set_frame_nodes', stat, message)
+  end subroutine
+
+  subroutine test_rcnodt()
+    double precision :: xyz(2, 3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    xyz = -1
+    xyz = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [2, 3], order=[2, 1])
+    call rcnodt(icon, 2, xyz, 2, stat)
+    call told('contact_set_frame_nodes', 'contact1 2 [2.125 2.25 2.375 2.5 2.625 2.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    xyz = -1
+    xyz = reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], [2, 3], order=[2, 1])
+    call rcnodt(icon, 2, xyz, 2, stat)
+    call rclerr(message)
+    call failed('contact_set_frame_nodes', stat, message)
+  end subroutine
+
+  subroutine test_rcelem()
+    integer :: ids(4, 2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    ids = -1
+    ids(:3, :) = reshape([31, 32, 33, 34, 35, 36], [3, 2])
+    call rcelem(icon, 203, 2, ids, 4, 51, stat)
+    call told('contact_add_frame_elements', 'contact1 203 2 [31 32 33 34 35 36] 1 51', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    ids = -1
+    ids(:3, :) = reshape([31, 32, 33, 34, 35, 36], [3, 2])
+    call rcelem(icon, 203, 2, ids, 4, 51, stat)
+    call rclerr(message)
+    call failed('contact_add_frame_elements', stat, message)
+  end subroutine
+
+  subroutine test_rcfram()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfram(icon, 11, 21, stat)
+    call told('contact_frame_from_body', 'contact1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfram(icon, 11, 21, stat)
+    call rclerr(message)
+    call failed('contact_frame_from_body', stat, message)
+  end subroutine
+
+  subroutine test_rcpose()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcpose(icon, 11, reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0], [3, &
+      3], order=[2, 1]), [3.125d0, 3.25d0, 3.375d0], stat)
+    call told('contact_set_pose', 'contact1 11 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125] [3.125 3.25 3.375]', &
+      stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcpose(icon, 11, reshape([2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0], [3, &
+      3], order=[2, 1]), [3.125d0, 3.25d0, 3.375d0], stat)
+    call rclerr(message)
+    call failed('contact_set_pose', stat, message)
+  end subroutine
+
+  subroutine test_rcaxes()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcaxes(icon, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], stat)
+    call told('contact_set_axes', 'contact1 [1.125 1.25 1.375] [2.125 2.25 2.375] [3.125 3.25 3.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcaxes(icon, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], stat)
+    call rclerr(message)
+    call failed('contact_set_axes', stat, message)
+  end subroutine
+
+  subroutine test_rcgap()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgap(icon, 2, [2.125d0, 2.25d0], stat)
+    call told('contact_set_gap', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgap(icon, 2, [2.125d0, 2.25d0], stat)
+    call rclerr(message)
+    call failed('contact_set_gap', stat, message)
+  end subroutine
+
+  subroutine test_rcgapq()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgapq(icon, 1.5d0, 2.5d0, 3.5d0, stat)
+    call told('contact_set_gap_quadratic', 'contact1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgapq(icon, 1.5d0, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_gap_quadratic', stat, message)
+  end subroutine
+
+  subroutine test_rcroll()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcroll(icon, 1.5d0, stat)
+    call told('contact_set_rolling', 'contact1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcroll(icon, 1.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_rolling', stat, message)
+  end subroutine
+
+  subroutine test_rccrp()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rccrp(icon, 1.5d0, 2.5d0, 3.5d0, stat)
+    call told('contact_set_creep', 'contact1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rccrp(icon, 1.5d0, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_creep', stat, message)
+  end subroutine
+
+  subroutine test_rccrpf()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rccrpf(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call told('contact_set_creep_field', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rccrpf(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call rclerr(message)
+    call failed('contact_set_creep_field', stat, message)
+  end subroutine
+
+  subroutine test_rcpres()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcpres(icon, 11, 21, 3.5d0, stat)
+    call told('contact_prescribe', 'contact1 11 21 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcpres(icon, 11, 21, 3.5d0, stat)
+    call rclerr(message)
+    call failed('contact_prescribe', stat, message)
+  end subroutine
+
+  subroutine test_rcfric()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfric(icon, 'text 1', 2, [3.125d0, 3.25d0], stat)
+    call told('contact_set_friction', 'contact1 <text 1> 2 [3.125 3.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfric(icon, 'text 1', 2, [3.125d0, 3.25d0], stat)
+    call rclerr(message)
+    call failed('contact_set_friction', stat, message)
+  end subroutine
+
+  subroutine test_rcfrif()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfrif(icon, 2, [2.125d0, 2.25d0], stat)
+    call told('contact_set_friction_field', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfrif(icon, 2, [2.125d0, 2.25d0], stat)
+    call rclerr(message)
+    call failed('contact_set_friction_field', stat, message)
+  end subroutine
+
+  subroutine test_rcseti()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcseti(icon, 'text 1', 21, stat)
+    call told('contact_set_int', 'contact1 <text 1> 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcseti(icon, 'text 1', 21, stat)
+    call rclerr(message)
+    call failed('contact_set_int', stat, message)
+  end subroutine
+
+  subroutine test_rcsetr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsetr(icon, 'text 1', 2.5d0, stat)
+    call told('contact_set_real', 'contact1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsetr(icon, 'text 1', 2.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_real', stat, message)
+  end subroutine
+
+  subroutine test_rcsets()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsets(icon, 'text 1', 'text 2', stat)
+    call told('contact_set_str', 'contact1 <text 1> <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsets(icon, 'text 1', 'text 2', stat)
+    call rclerr(message)
+    call failed('contact_set_str', stat, message)
+  end subroutine
+
+  subroutine test_rcgeti()
+    integer :: ivalue
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgeti(icon, 'text 1', ivalue, stat)
+    call told('contact_get_int', 'contact1 <text 1> room', stat)
+    call gave_integers('ivalue', int([ivalue]), 200)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgeti(icon, 'text 1', ivalue, stat)
+    call rclerr(message)
+    call failed('contact_get_int', stat, message)
+  end subroutine
+
+  subroutine test_rcgetr()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgetr(icon, 'text 1', value, stat)
+    call told('contact_get_real', 'contact1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgetr(icon, 'text 1', value, stat)
+    call rclerr(message)
+    call failed('contact_get_real', stat, message)
+  end subroutine
+
+  subroutine test_rcgets()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgets(icon, 'text 1', text, stat)
+    call told('contact_get_str', 'contact1 <text 1> 24 room room', stat)
+    call gave_text('text', text, 'text of contact_get_str')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgets(icon, 'text 1', text, stat)
+    call rclerr(message)
+    call failed('contact_get_str', stat, message)
+  end subroutine
+
+  subroutine test_rcopti()
+    character(len=60) :: name
+    integer :: itype
+    double precision :: xlow
+    double precision :: high
+    double precision :: standard
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcopti(1, name, itype, xlow, high, standard, stat)
+    call told('option_info', '0 512 room room room room room', stat)
+    call gave_text('name', name, 'text of option_info')
+    call gave_integers('itype', int([itype]), 300)
+    call gave_reals('xlow', [xlow], 400.5_rc_real)
+    call gave_reals('high', [high], 500.5_rc_real)
+    call gave_reals('standard', [standard], 600.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcopti(1, name, itype, xlow, high, standard, stat)
+    call rclerr(message)
+    call failed('option_info', stat, message)
+  end subroutine
+
+  subroutine test_rcoptd()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcoptd(1, text, stat)
+    call told('option_doc', '0 19 room room', stat)
+    call gave_text('text', text, 'text of option_doc')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcoptd(1, text, stat)
+    call rclerr(message)
+    call failed('option_doc', stat, message)
+  end subroutine
+
+  subroutine test_rcstop()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcstop(icon, stat)
+    call told('contact_request_cancel', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcstop(icon, stat)
+    call rclerr(message)
+    call failed('contact_request_cancel', stat, message)
+  end subroutine
+
+  subroutine test_rcsolv()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsolv(icon, stat)
+    call told('contact_solve', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsolv(icon, stat)
+    call rclerr(message)
+    call failed('contact_solve', stat, message)
+  end subroutine
+
+  subroutine test_rcrset()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcrset(icon, stat)
+    call told('contact_reset', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcrset(icon, stat)
+    call rclerr(message)
+    call failed('contact_reset', stat, message)
+  end subroutine
+
+  subroutine test_rcsize()
+    integer :: nodes
+    integer :: ielements
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsize(icon, nodes, ielements, stat)
+    call told('contact_get_size', 'contact1 room room', stat)
+    call gave_integers('nodes', int([nodes]), 3)
+    call gave_integers('ielements', int([ielements]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsize(icon, nodes, ielements, stat)
+    call rclerr(message)
+    call failed('contact_get_size', stat, message)
+  end subroutine
+
+  subroutine test_rctrac()
+    double precision :: t(18)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctrac(icon, 11, 6, t, stat)
+    call told('contact_get_tractions', 'contact1 11 6 room', stat)
+    call gave_reals('t', t, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctrac(icon, 11, 6, t, stat)
+    call rclerr(message)
+    call failed('contact_get_tractions', stat, message)
+  end subroutine
+
+  subroutine test_rcfeld()
+    double precision :: v(6)
+    integer :: nv
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfeld(icon, 11, 21, 6, v, nv, stat)
+    call told('contact_get_field', 'contact1 11 21 6 room room', stat)
+    call gave_reals('v', v, 400.5_rc_real)
+    call gave_integers('nv', int([nv]), 6)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfeld(icon, 11, 21, 6, v, nv, stat)
+    call rclerr(message)
+    call failed('contact_get_field', stat, message)
+  end subroutine
+
+  subroutine test_rcnsta()
+    integer :: istatus(6)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcnsta(icon, 6, istatus, stat)
+    call told('contact_get_status', 'contact1 3 room', stat)
+    call gave_integers('istatus', int(istatus(:3)), 200)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcnsta(icon, 6, istatus, stat)
+    call rclerr(message)
+    call failed('contact_get_status', stat, message)
+  end subroutine
+
+  subroutine test_rcresu()
+    double precision :: force(3)
+    double precision :: xmoment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcresu(icon, 11, force, xmoment, stat)
+    call told('contact_get_resultant', 'contact1 11 room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('xmoment', xmoment, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcresu(icon, 11, force, xmoment, stat)
+    call rclerr(message)
+    call failed('contact_get_resultant', stat, message)
+  end subroutine
+
+  subroutine test_rcmotn()
+    double precision :: approach
+    double precision :: creep(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcmotn(icon, approach, creep, stat)
+    call told('contact_get_motion', 'contact1 room room', stat)
+    call gave_reals('approach', [approach], 100.5_rc_real)
+    call gave_reals('creep', creep, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcmotn(icon, approach, creep, stat)
+    call rclerr(message)
+    call failed('contact_get_motion', stat, message)
+  end subroutine
+
+  subroutine test_rcsens()
+    double precision :: force(3)
+    double precision :: xmoment(3)
+    double precision :: approach
+    double precision :: creep(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsens(icon, 11, force, xmoment, approach, creep, stat)
+    call told('contact_get_sensitivity', 'contact1 11 room room room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('xmoment', xmoment, 300.5_rc_real)
+    call gave_reals('approach', [approach], 400.5_rc_real)
+    call gave_reals('creep', creep, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsens(icon, 11, force, xmoment, approach, creep, stat)
+    call rclerr(message)
+    call failed('contact_get_sensitivity', stat, message)
+  end subroutine
+
+  subroutine test_rcdisp()
+    double precision :: u(6)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcdisp(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0], u, stat)
+    call told('contact_get_displacements_at', 'contact1 11 2 [3.125 3.25 3.375 3.5] room', stat)
+    call gave_reals('u', u, 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcdisp(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0], u, stat)
+    call rclerr(message)
+    call failed('contact_get_displacements_at', stat, message)
+  end subroutine
+
+  subroutine test_rcstat()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcstat(icon, 'text 1', value, stat)
+    call told('contact_get_stat', 'contact1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcstat(icon, 'text 1', value, stat)
+    call rclerr(message)
+    call failed('contact_get_stat', stat, message)
+  end subroutine
+
+  subroutine test_rcstnm()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcstnm(1, text, stat)
+    call told('stat_name', '0 18 room room', stat)
+    call gave_text('text', text, 'text of stat_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcstnm(1, text, stat)
+    call rclerr(message)
+    call failed('stat_name', stat, message)
+  end subroutine
+
+  subroutine test_rchist()
+    double precision :: rows(48)
+    integer :: nr
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rchist(icon, 6, rows, nr, stat)
+    call told('contact_get_history', 'contact1 6 room room', stat)
+    call gave_reals('rows', rows, 200.5_rc_real)
+    call gave_integers('nr', int([nr]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rchist(icon, 6, rows, nr, stat)
+    call rclerr(message)
+    call failed('contact_get_history', stat, message)
+  end subroutine
+
+  subroutine test_rcerrf()
+    double precision :: psi(6)
+    double precision :: seconds(6)
+    integer :: nr
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcerrf(icon, 6, psi, seconds, nr, stat)
+    call told('contact_get_error_function', 'contact1 6 room room room', stat)
+    call gave_reals('psi', psi, 200.5_rc_real)
+    call gave_reals('seconds', seconds, 300.5_rc_real)
+    call gave_integers('nr', int([nr]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcerrf(icon, 6, psi, seconds, nr, stat)
+    call rclerr(message)
+    call failed('contact_get_error_function', stat, message)
+  end subroutine
+
+  subroutine test_rcplan()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcplan(icon, text, stat)
+    call told('contact_get_plan', 'contact1 25 room room', stat)
+    call gave_text('text', text, 'text of contact_get_plan')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcplan(icon, text, stat)
+    call rclerr(message)
+    call failed('contact_get_plan', stat, message)
+  end subroutine
+
+  subroutine test_rcwrit()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwrit(icon, 'text 1', stat)
+    call told('contact_write', 'contact1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwrit(icon, 'text 1', stat)
+    call rclerr(message)
+    call failed('contact_write', stat, message)
+  end subroutine
+end program

@@ -1,0 +1,394 @@
+!> The procedures of the Fortran 2008 layer that are written by hand: arguments, results, refusals.
+module mapping_by_hand
+  use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int32_t, c_int64_t, c_loc, c_ptr
+  use mapping
+  implicit none
+  private
+  public :: mapped_by_hand
+
+  real(rc_real), parameter :: x(3, 2) = reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, &
+    6.5_rc_real], [3, 2])
+  character(len=*), parameter :: written = '[1.5 2.5 3.5 4.5 5.5 6.5]'
+  integer(c_int64_t), parameter :: far = 4294967299_c_int64_t
+  integer :: seen = 0
+  integer, target :: mark = 77
+  integer :: stat
+  character(len=200) :: message
+
+contains
+
+  subroutine mapped_by_hand()
+    call facts()
+    call references()
+    call callbacks()
+    call meshes()
+    call supports()
+    call settings()
+    call tables()
+    call results()
+    call cases()
+  end subroutine
+
+  subroutine facts()
+    call demand(rc_version() == 2 .and. rc_abi() == 1 .and. rc_has_feature('some name'), 'numbers of the library')
+    call told('has_feature', '<some name>', 0)
+    call gave_text('version', rc_version_string(), 'text of version_string')
+    call gave_text('build', rc_build_info(), 'text of build_info')
+    call gave_text('last error', rc_last_error(), 'text of last_error')
+    call gave_text('status', rc_status_string(-7), 'text of status_string')
+    call told('status_string', '-7', 0)
+  end subroutine
+
+  subroutine references()
+    type(rc_context) :: other
+    type(rc_body) :: one
+    type(rc_contact) :: two
+    call told('context_create', '1 room', 0)
+    other = context
+    call told('context_retain', 'context1', 0)
+    one = body2
+    call told('body_retain', 'body2', 0)
+    two = contact
+    call told('contact_retain', 'contact1', 0)
+    call two%free()
+    call told('contact_release', 'contact1', 0)
+    call one%free()
+    call told('body_release', 'body2', 0)
+    call other%free()
+    call told('context_release', 'context1', 0)
+    call other%from_id(context%id(), stat)
+    call told('context_from_id', '536870913', stat)
+    call one%from_id(body2%id(), stat)
+    call told('body_from_id', '1073741826', stat)
+    call two%from_id(contact%id(), stat)
+    call told('contact_from_id', '1610612737', stat)
+    call told('id_of', 'contact1', 0)
+    call one%load(context, 'a path ', stat, message)
+    call told('body_load', 'context1 <a path> room', stat)
+    call demand(one%id() /= body2%id(), 'a body of its own')
+    call answers(ROLLCON_ERR_STATE)
+    call one%load(context, 'a path', stat, message)
+    call failed('body_load', stat, message)
+    call demand(.not. c_associated(one%handle()), 'a failure leaves no body')
+    call context%set_threads(11, stat)
+    call told('context_set_threads', 'context1 11', stat)
+    call context%set_latch(21, stat)
+    call told('context_set_latch', 'context1 21', stat)
+    call answers(ROLLCON_NOT_CONVERGED)
+    call context%check(stat)
+    call wrong('context_check', f_text_at(recorder_said(c_text('context_check'))), 'context1')
+    call status_is('a status > 0', stat, int(ROLLCON_NOT_CONVERGED))
+    call contact%solve()  ! does not stop
+    call answers(ROLLCON_ERR_STATE)
+    call context%check(stat, message)
+    call failed('context_check', stat, message)
+  end subroutine
+
+  !> What the recorder calls: the event is 7.
+  function watch(event, user) result(stop_now) bind(c)
+    type(c_ptr), value :: event, user
+    integer(c_int32_t) :: stop_now
+    integer, pointer :: given
+    stop_now = 5
+    if (c_associated(user)) then
+      call c_f_pointer(user, given)
+      stop_now = int(given, c_int32_t)
+    end if
+    call demand(rc_event_int(event, ROLLCON_EVENT_ITERATION) == 200, 'integer of an event')
+    call demand(.not. abs(rc_event_real(event, ROLLCON_EVENT_SECONDS) - 200.5_rc_real) > 0, 'real of an event')
+  end function
+
+  subroutine sink(level, text, user) bind(c)
+    integer(c_int32_t), value :: level
+    type(c_ptr), value :: text, user
+    if (level == 2 .and. f_text_at(text) == 'a message') seen = seen + 1
+    if (c_associated(user)) seen = seen + 10
+  end subroutine
+
+  subroutine callbacks()
+    call contact%set_progress(watch, stat=stat)
+    call told('contact_set_progress', 'contact1 5', stat)
+    call told('event_get_int', '7 2 room', 0)
+    call told('event_get_real', '7 102 room', 0)
+    call contact%set_progress(watch, c_loc(mark), stat, message)
+    call told('contact_set_progress', 'contact1 77', stat)
+    call contact%set_progress(stat=stat)
+    call told('contact_set_progress', 'contact1 null', stat)
+    call context%set_log(ROLLCON_LOG_INFO, sink, stat=stat)
+    call told('context_set_log', 'context1 3 0', stat)
+    call context%set_log(ROLLCON_LOG_INFO, sink, c_loc(mark), stat)
+    call demand(seen == 12, 'messages, and what the caller gave')
+    call context%set_log(0_rc_int, stat=stat)
+    call told('context_set_log', 'context1 0 null', stat)
+  end subroutine
+
+  subroutine meshes()
+    integer(c_int32_t), parameter :: nodes(3, 2) = reshape([1_c_int32_t, 2_c_int32_t, 3_c_int32_t, 4_c_int32_t, &
+      5_c_int32_t, 6_c_int32_t], [3, 2])
+    integer(c_int64_t) :: wide(3, 2)
+    call body%set_nodes(x, stat, message)
+    call told('body_set_nodes', 'body1 2 '//written, stat)
+    call body%set_nodes_by_component(transpose(x), stat, message)
+    call told('body_set_nodes', 'body1 2 '//written, stat)
+    call contact%set_frame_nodes(x, stat, message)
+    call told('contact_set_frame_nodes', 'contact1 2 '//written, stat)
+    call contact%set_frame_nodes_by_component(transpose(x), stat, message)
+    call told('contact_set_frame_nodes', 'contact1 2 '//written, stat)
+    call body%set_nodes(x(:2, :), stat, message)
+    call refused('body1', stat, message, 'rc_body%set_nodes: the first extent of x must be 3')
+    call body%set_nodes_by_component(x, stat, message)
+    call refused('body1', stat, message, 'rc_body%set_nodes_by_component: the second extent of x must be 3')
+    call contact%set_frame_nodes(x(:2, :), stat, message)
+    call refused('contact1', stat, message, 'rc_contact%set_frame_nodes: the first extent of x must be 3')
+    call contact%set_frame_nodes_by_component(x, stat, message)
+    call refused('contact1', stat, message, 'rc_contact%set_frame_nodes_by_component: the second extent of x must be 3')
+
+    call body%add_elements(ROLLCON_TRI3, nodes, 9, stat, message)
+    call told('body_add_elements', 'body1 203 2 [1 2 3 4 5 6] 1 9', stat)
+    call body%add_elements(ROLLCON_TRI3, nodes, stat=stat)
+    call told('body_add_elements', 'body1 203 2 [1 2 3 4 5 6] 1 1', stat)
+    wide = nodes
+    wide(2, 1) = far  ! names no node, instead of node 3
+    call body%add_elements(ROLLCON_TRI3, wide, 9, stat, message)
+    call told('body_add_elements', 'body1 203 2 [1 0 3 4 5 6] 1 9', stat)
+    call body%add_elements(ROLLCON_TET4, reshape([1, 2, 3, 4], [4, 1]), stat=stat)
+    call told('body_add_elements', 'body1 304 1 [1 2 3 4] 1 0', stat)
+    call contact%add_frame_elements(ROLLCON_TRI3, nodes, 9, stat, message)
+    call told('contact_add_frame_elements', 'contact1 203 2 [1 2 3 4 5 6] 1 9', stat)
+    call contact%add_frame_elements(ROLLCON_TRI3, wide, stat=stat)
+    call told('contact_add_frame_elements', 'contact1 203 2 [1 0 3 4 5 6] 1 1', stat)
+    call body%add_elements(ROLLCON_QUAD4, nodes, 9, stat, message)
+    call refused('body1', stat, message, &
+      'rc_body%add_elements: the first extent of nodes must be the number of nodes of one element')
+    call contact%add_frame_elements(ROLLCON_QUAD4, nodes, 9, stat, message)
+    call refused('contact1', stat, message, &
+      'rc_contact%add_frame_elements: the first extent of nodes must be the number of nodes of one element')
+    call widths(body)
+  end subroutine
+
+  !> Elements of every type have as many nodes as the library takes them to have.
+  subroutine widths(b)
+    type(rc_body), intent(inout) :: b
+    integer(rc_int), parameter :: types(11) = [ROLLCON_TRI3, ROLLCON_TRI6, ROLLCON_QUAD4, ROLLCON_QUAD8, &
+      ROLLCON_QUAD9, ROLLCON_TET4, ROLLCON_TET10, ROLLCON_WEDGE6, ROLLCON_WEDGE15, ROLLCON_HEX8, ROLLCON_HEX20]
+    integer, parameter :: counts(11) = [3, 6, 4, 8, 9, 4, 10, 6, 15, 8, 20]
+    integer :: ids(20, 1), i, n
+    ids(:, 1) = [(i, i=1, 20)]
+    do i = 1, 11
+      n = counts(i)
+      call b%add_elements(types(i), ids(:n, :), stat=stat)
+      call status_is('nodes of an element', stat, 0)
+      call b%add_elements(types(i), ids(:n - 1, :), stat=stat)
+      call status_is('too few nodes of an element', stat, int(ROLLCON_ERR_ARGUMENT))
+    end do
+  end subroutine
+
+  subroutine supports()
+    integer(c_int32_t), parameter :: pair(2) = [5_c_int32_t, 6_c_int32_t], one(1) = [7_c_int32_t]
+    integer(c_int64_t), parameter :: wide(2) = [5_c_int64_t, far]
+    call body%tag_faces(pair, pair - 3_c_int32_t, 9, stat, message)
+    call told('body_tag_faces', 'body1 2 [5 6] [2 3] 1 9', stat)
+    call body%tag_faces(wide, wide - 3, 9, stat, message)
+    call told('body_tag_faces', 'body1 2 [5 0] [2 0] 1 9', stat)
+    call body%tag_faces(pair(1:0), pair(1:0), 9, stat)
+    call told('body_tag_faces', 'body1 0 [] [] 1 9', stat)
+    call body%tag_faces(pair, one, 9, stat, message)
+    call refused('body1', stat, message, 'rc_body%tag_faces: the extents of elements and faces must be the same')
+    call body%tag_faces_of_nodes(pair, 9, stat, message)
+    call told('body_tag_faces_of_nodes', 'body1 2 [5 6] 1 9', stat)
+    call body%tag_faces_of_nodes(wide, 9, stat, message)
+    call told('body_tag_faces_of_nodes', 'body1 2 [5 0] 1 9', stat)
+    call body%tag_faces_of_nodes(pair(1:0), 9, stat)
+    call told('body_tag_faces_of_nodes', 'body1 0 [] 1 9', stat)
+    call body%set_support(pair, ROLLCON_DOF_Y, x, stat, message)
+    call told('body_set_support', 'body1 2 [5 6] 1 2 '//written, stat)
+    call body%set_support(wide, stat=stat)
+    call told('body_set_support', 'body1 2 [5 0] 1 7 [0 0 0 0 0 0]', stat)
+    call body%set_support(one, ROLLCON_DOF_Y, x, stat, message)
+    call refused('body1', stat, message, 'rc_body%set_support: the extents of values must be 3 and the number of nodes')
+  end subroutine
+
+  !> Settings by name, of a value's type.
+  subroutine settings()
+    integer(c_int32_t) :: narrow
+    integer(c_int64_t) :: wide
+    real(rc_real) :: value
+    character(len=:), allocatable :: text
+    call body%set('a name', 11_c_int32_t, stat)
+    call told('body_set_int', 'body1 <a name> 11', stat)
+    call body%set('a name', far, stat)
+    call told('body_set_int', 'body1 <a name> 4294967299', stat)
+    call body%set('a name', 1.5_rc_real, stat)
+    call told('body_set_real', 'body1 <a name> 1.5', stat)
+    call contact%set('a name', 11_c_int32_t, stat)
+    call told('contact_set_int', 'contact1 <a name> 11', stat)
+    call contact%set('a name', far, stat)
+    call told('contact_set_int', 'contact1 <a name> 4294967299', stat)
+    call contact%set('a name', 1.5_rc_real, stat)
+    call told('contact_set_real', 'contact1 <a name> 1.5', stat)
+    call contact%set('a name', 'a value', stat)
+    call told('contact_set_str', 'contact1 <a name> <a value>', stat)
+    call body%get('a name', narrow, stat)
+    call told('body_get_int', 'body1 <a name> room', stat)
+    call body%get('a name', wide, stat)
+    call demand(narrow == 200 .and. wide == 200, 'integers of a body')
+    call body%get('a name', value, stat)
+    call told('body_get_real', 'body1 <a name> room', stat)
+    call gave_reals('a real of a body', [value], 200.5_rc_real)
+    call contact%get('a name', narrow, stat)
+    call told('contact_get_int', 'contact1 <a name> room', stat)
+    call contact%get('a name', wide, stat)
+    call demand(narrow == 200 .and. wide == 200, 'integers of a contact')
+    call contact%get('a name', value, stat)
+    call told('contact_get_real', 'contact1 <a name> room', stat)
+    call gave_reals('a real of a contact', [value], 200.5_rc_real)
+    call contact%get('a name', text, stat)
+    call told('contact_get_str', 'contact1 <a name> 24 room room', stat)
+    call gave_text('a text of a contact', text, 'text of contact_get_str')
+    call answers(ROLLCON_ERR_STATE)
+    call contact%get('a name', text, stat, message)
+    call failed('contact_get_str', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call body%set('a name', 1.5_rc_real, stat, message)
+    call failed('body_set_real', stat, message)
+  end subroutine
+
+  subroutine tables()
+    character(len=:), allocatable :: text
+    integer(rc_int) :: type
+    real(rc_real) :: low, high, standard
+    call demand(rc_option_count() == 2 .and. rc_stat_count() == 2 .and. rc_body_option_count() == 2 &
+      .and. rc_body_stat_count() == 2, 'counts')
+    call rc_option_info(11, text, type, low, high, standard, stat)
+    call told('option_info', '10 512 room room room room room', stat)
+    call row('option_info')
+    call rc_body_option_info(11, text, type, low, high, standard, stat)
+    call told('body_option_info', '10 512 room room room room room', stat)
+    call row('body_option_info')
+    call rc_option_doc(11, text, stat)
+    call told('option_doc', '10 19 room room', stat)
+    call gave_text('text', text, 'text of option_doc')
+    call rc_body_option_doc(11, text, stat)
+    call told('body_option_doc', '10 24 room room', stat)
+    call gave_text('text', text, 'text of body_option_doc')
+    call rc_stat_name(11, text, stat)
+    call told('stat_name', '10 512 room room', stat)
+    call gave_text('text', text, 'text of stat_name')
+    call rc_body_stat_name(11, text, stat)
+    call told('body_stat_name', '10 512 room room', stat)
+    call gave_text('text', text, 'text of body_stat_name')
+    call answers(ROLLCON_ERR_STATE)
+    call rc_option_doc(0, text, stat, message)
+    call failed('option_doc', stat, message)
+  contains
+    subroutine row(function)
+      character(len=*), intent(in) :: function
+      call gave_text(function, text, 'text of '//function)
+      call demand(type == 300, function//', type')
+      call gave_reals(function//', low', [low], 400.5_rc_real)
+      call gave_reals(function//', high', [high], 500.5_rc_real)
+      call gave_reals(function//', standard', [standard], 600.5_rc_real)
+    end subroutine
+  end subroutine
+
+  !> The frame has 3 nodes, a field 6 values, a solve 2 iterations.
+  subroutine results()
+    real(rc_real), allocatable :: v(:, :), s(:), seconds(:)
+    integer(rc_int), allocatable :: states(:)
+    call body%get_displacements(v, stat)
+    call told('body_get_displacements', 'body1 3 room', stat)
+    call gave_reals('displacements', reshape(v, [9]), 200.5_rc_real)
+    call contact%get_tractions(v, ROLLCON_GLOBAL, stat)
+    call told('contact_get_tractions', 'contact1 1 3 room', stat)
+    call gave_reals('tractions', reshape(v, [9]), 300.5_rc_real)
+    call contact%get_tractions(v)
+    call told('contact_get_tractions', 'contact1 0 3 room', 0)
+    call contact%get_field(ROLLCON_FIELD_SLIP, v, ROLLCON_GLOBAL, stat)
+    call told('contact_get_field', 'contact1 4 1 9 room room', stat)
+    call demand(all(shape(v) == [2, 3]), 'components and nodes of a field')
+    call gave_reals('a field', reshape(v, [6]), 400.5_rc_real)
+    call contact%get_field(ROLLCON_FIELD_GAP, s, stat=stat)
+    call told('contact_get_field', 'contact1 3 0 9 room room', stat)
+    call gave_reals('a field', s, 400.5_rc_real)
+    call contact%get_status(states, stat)
+    call told('contact_get_status', 'contact1 3 room', stat)
+    call gave_integers('states', int(states), 200)
+    call contact%get_displacements_at(2, x(:2, :), v, stat)
+    call told('contact_get_displacements_at', 'contact1 2 2 [1.5 2.5 4.5 5.5] room', stat)
+    call gave_reals('displacements at points', reshape(v, [6]), 400.5_rc_real)
+    call contact%get_displacements_at(2, x, v, stat, message)
+    call refused('contact1', stat, message, 'rc_contact%get_displacements_at: the first extent of xy must be 2')
+    call contact%get_history(v, stat)
+    call told('contact_get_history', 'contact1 2 room room', stat)
+    call gave_reals('history', reshape(v, [16]), 200.5_rc_real)
+    call contact%get_error_function(s, seconds, stat)
+    call told('contact_get_error_function', 'contact1 2 room room room', stat)
+    call gave_reals('error function', s, 200.5_rc_real)
+    call gave_reals('its seconds', seconds, 300.5_rc_real)
+    call failing(v, s, states)
+  end subroutine
+
+  !> Failures of what asks for a size first: they are told, and leave no results.
+  subroutine failing(v, s, states)
+    real(rc_real), allocatable, intent(inout) :: v(:, :), s(:)
+    integer(rc_int), allocatable, intent(inout) :: states(:)
+    call answers(ROLLCON_ERR_STATE)
+    call contact%get_tractions(v, stat=stat)
+    call status_is('tractions', stat, int(ROLLCON_ERR_STATE))
+    call contact%get_field(ROLLCON_FIELD_GAP, s, stat=stat)
+    call status_is('field', stat, int(ROLLCON_ERR_STATE))
+    call demand(size(v) == 0 .and. size(s) == 0, 'no results')
+    call contact%get_field(ROLLCON_FIELD_SLIP, v, stat=stat)
+    call status_is('field of vectors', stat, int(ROLLCON_ERR_STATE))
+    call contact%get_status(states, stat)
+    call status_is('states', stat, int(ROLLCON_ERR_STATE))
+    call contact%get_history(v, stat)
+    call status_is('history', stat, int(ROLLCON_ERR_STATE))
+    call contact%get_error_function(s, stat=stat)
+    call status_is('error function', stat, int(ROLLCON_ERR_STATE))
+    call body%get_displacements(v, stat, message)
+    call failed('displacements', stat, message)
+  end subroutine
+
+  !> Columns of the table of cases: 3 + 3 + 1 + 3 + 20 + 2 + 9 numbers, the first of which is 600.5.
+  subroutine cases()
+    integer(rc_int), parameter :: parameters(2) = [ROLLCON_NORMAL, ROLLCON_FRICTION]
+    real(rc_real), allocatable :: force(:, :), moment(:, :), approach(:), creep(:, :), slopes(:, :, :)
+    real(rc_real), allocatable :: numbers(:, :), t(:, :, :)
+    integer(rc_int), allocatable :: status(:)
+    integer :: k
+    call contact%solve_many(parameters, x(:2, :), status, force, moment, approach, creep, slopes, &
+      ' iterations  seconds', numbers, t, stat, message)
+    call told('contact_solve_many', 'contact1 < normal friction> 2 [1.5 2.5 4.5 5.5]' &
+      //' < force moment approach creep derivatives  iterations  seconds tractions> 41 room room room', stat)
+    call gave_integers('states of cases', int(status), 800)
+    do k = 1, 2
+      call gave_reals('forces of cases', force(:, k), first(0))
+      call gave_reals('moments of cases', moment(:, k), first(3))
+      call gave_reals('approaches of cases', approach(k:k), first(6))
+      call gave_reals('creepages of cases', creep(:, k), first(7))
+      call gave_reals('derivatives of cases', reshape(slopes(:, :, k), [20]), first(10))
+      call gave_reals('statistics of cases', numbers(:, k), first(30))
+      call gave_reals('tractions of cases', reshape(t(:, :, k), [9]), first(32))
+    end do
+    call contact%solve_many([ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_SPIN], x, approach=approach, stat=stat)
+    call told('contact_solve_many', &
+      'contact1 < longitudinal lateral spin> 2 '//written//' < approach> 1 room room room', stat)
+    call contact%solve_many([77_rc_int], x(1:1, 1:0), status, force=force, stat=stat)
+    call demand(stat == 0 .and. size(status) == 0 .and. size(force, 2) == 0, 'an empty list has no results')
+    call contact%solve_many(parameters, x, stat=stat, errmsg=message)
+    call refused('contact1', stat, message, &
+      'rc_contact%solve_many: the first extent of values must be the number of parameters')
+    call contact%solve_many(parameters, x(:2, :), names='seconds', stat=stat, errmsg=message)
+    call refused('contact1', stat, message, 'rc_contact%solve_many: names and statistics must come together')
+    call answers(ROLLCON_ERR_STATE)
+    call contact%solve_many(parameters, x(:2, :), tractions=t, stat=stat, errmsg=message)
+    call failed('contact_solve_many', stat, message)
+  contains
+    real(rc_real) function first(column)
+      integer, intent(in) :: column
+      first = 600.5_rc_real + 41*(k - 1) + column
+    end function
+  end subroutine
+
+end module mapping_by_hand

@@ -1,0 +1,466 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+!> The plain procedures of rc_body and rc_contact: every argument in its place.
+program mapping_test
+  use mapping
+  use mapping_by_hand, only: mapped_by_hand
+  use rollcon
+  implicit none
+  call begin()
+  call body_set_elastic()
+  call body_prepare()
+  call body_get_kind()
+  call body_save()
+  call body_set_traction()
+  call body_set_pressure()
+  call body_set_contact_faces()
+  call body_get_size()
+  call body_get_reaction()
+  call body_get_stat()
+  call contact_frame_from_body()
+  call contact_set_pose()
+  call contact_set_axes()
+  call contact_set_gap()
+  call contact_set_gap_quadratic()
+  call contact_set_rolling()
+  call contact_set_creep()
+  call contact_set_creep_field()
+  call contact_prescribe()
+  call contact_set_friction()
+  call contact_set_friction_field()
+  call contact_request_cancel()
+  call contact_solve()
+  call contact_reset()
+  call contact_get_size()
+  call contact_get_resultant()
+  call contact_get_motion()
+  call contact_get_sensitivity()
+  call contact_get_stat()
+  call contact_get_plan()
+  call contact_write()
+  call mapped_by_hand()
+  call done('')
+contains
+
+  subroutine body_set_elastic()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_elastic(2.5_rc_real, 3.5_rc_real, stat=stat, errmsg=message)
+    call told('body_set_elastic', 'body1 0 2.5 3.5', stat)
+    call answers(ROLLCON_OK)
+    call body%set_elastic(2.5_rc_real, 3.5_rc_real, 11, stat, message)
+    call told('body_set_elastic', 'body1 11 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_elastic(2.5_rc_real, 3.5_rc_real, 11, stat, message)
+    call failed('body_set_elastic', stat, message)
+  end subroutine
+
+  subroutine body_prepare()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%prepare(stat, message)
+    call told('body_prepare', 'body1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%prepare(stat, message)
+    call failed('body_prepare', stat, message)
+  end subroutine
+
+  subroutine body_get_kind()
+    integer(rc_int) :: kind
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_kind(kind, stat, message)
+    call told('body_get_kind', 'body1 room', stat)
+    call gave_integers('kind', int([kind]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_kind(kind, stat, message)
+    call failed('body_get_kind', stat, message)
+  end subroutine
+
+  subroutine body_save()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%save('text 1', stat, message)
+    call told('body_save', 'body1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%save('text 1', stat, message)
+    call failed('body_save', stat, message)
+  end subroutine
+
+  subroutine body_set_traction()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_traction(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], stat, message)
+    call told('body_set_traction', 'body1 11 [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_traction(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], stat, message)
+    call failed('body_set_traction', stat, message)
+  end subroutine
+
+  subroutine body_set_pressure()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_pressure(11, 2.5_rc_real, stat, message)
+    call told('body_set_pressure', 'body1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_pressure(11, 2.5_rc_real, stat, message)
+    call failed('body_set_pressure', stat, message)
+  end subroutine
+
+  subroutine body_set_contact_faces()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_contact_faces([21, 22], stat, message)
+    call told('body_set_contact_faces', 'body1 2 [21 22]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_contact_faces([21, 22], stat, message)
+    call failed('body_set_contact_faces', stat, message)
+  end subroutine
+
+  subroutine body_get_size()
+    integer :: nodes
+    integer :: elements
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_size(nodes, elements, stat, message)
+    call told('body_get_size', 'body1 room room', stat)
+    call gave_integers('nodes', int([nodes]), 3)
+    call gave_integers('elements', int([elements]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_size(nodes, elements, stat, message)
+    call failed('body_get_size', stat, message)
+  end subroutine
+
+  subroutine body_get_reaction()
+    real(rc_real) :: force(3)
+    real(rc_real) :: moment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_reaction(force, moment, stat, message)
+    call told('body_get_reaction', 'body1 room room', stat)
+    call gave_reals('force', force, 100.5_rc_real)
+    call gave_reals('moment', moment, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_reaction(force, moment, stat, message)
+    call failed('body_get_reaction', stat, message)
+  end subroutine
+
+  subroutine body_get_stat()
+    real(rc_real) :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_stat('text 1', value, stat, message)
+    call told('body_get_stat', 'body1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_stat('text 1', value, stat, message)
+    call failed('body_get_stat', stat, message)
+  end subroutine
+
+  subroutine contact_frame_from_body()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%frame_from_body(11, 21, stat, message)
+    call told('contact_frame_from_body', 'contact1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%frame_from_body(11, 21, stat, message)
+    call failed('contact_frame_from_body', stat, message)
+  end subroutine
+
+  subroutine contact_set_pose()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_pose(11, reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real, 2.625_rc_real, &
+      2.75_rc_real, 2.875_rc_real, 3.0_rc_real, 3.125_rc_real], [3, 3], order=[2, 1]), [3.125_rc_real, &
+      3.25_rc_real, 3.375_rc_real], stat, message)
+    call told('contact_set_pose', 'contact1 11 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125] [3.125 3.25 3.375]', &
+      stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_pose(11, reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real, 2.625_rc_real, &
+      2.75_rc_real, 2.875_rc_real, 3.0_rc_real, 3.125_rc_real], [3, 3], order=[2, 1]), [3.125_rc_real, &
+      3.25_rc_real, 3.375_rc_real], stat, message)
+    call failed('contact_set_pose', stat, message)
+  end subroutine
+
+  subroutine contact_set_axes()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_axes([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], stat, message)
+    call told('contact_set_axes', 'contact1 [1.125 1.25 1.375] [2.125 2.25 2.375] [3.125 3.25 3.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_axes([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], stat, message)
+    call failed('contact_set_axes', stat, message)
+  end subroutine
+
+  subroutine contact_set_gap()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_gap([2.125_rc_real, 2.25_rc_real], stat, message)
+    call told('contact_set_gap', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_gap([2.125_rc_real, 2.25_rc_real], stat, message)
+    call failed('contact_set_gap', stat, message)
+  end subroutine
+
+  subroutine contact_set_gap_quadratic()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_gap_quadratic(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call told('contact_set_gap_quadratic', 'contact1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_gap_quadratic(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call failed('contact_set_gap_quadratic', stat, message)
+  end subroutine
+
+  subroutine contact_set_rolling()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_rolling(1.5_rc_real, stat, message)
+    call told('contact_set_rolling', 'contact1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_rolling(1.5_rc_real, stat, message)
+    call failed('contact_set_rolling', stat, message)
+  end subroutine
+
+  subroutine contact_set_creep()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_creep(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call told('contact_set_creep', 'contact1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_creep(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call failed('contact_set_creep', stat, message)
+  end subroutine
+
+  subroutine contact_set_creep_field()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_creep_field(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), stat, &
+      message)
+    call told('contact_set_creep_field', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_creep_field(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), stat, &
+      message)
+    call failed('contact_set_creep_field', stat, message)
+  end subroutine
+
+  subroutine contact_prescribe()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%prescribe(11_rc_int, 21_rc_int, 3.5_rc_real, stat, message)
+    call told('contact_prescribe', 'contact1 11 21 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%prescribe(11_rc_int, 21_rc_int, 3.5_rc_real, stat, message)
+    call failed('contact_prescribe', stat, message)
+  end subroutine
+
+  subroutine contact_set_friction()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_friction('text 1', [3.125_rc_real, 3.25_rc_real], stat, message)
+    call told('contact_set_friction', 'contact1 <text 1> 2 [3.125 3.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_friction('text 1', [3.125_rc_real, 3.25_rc_real], stat, message)
+    call failed('contact_set_friction', stat, message)
+  end subroutine
+
+  subroutine contact_set_friction_field()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_friction_field([2.125_rc_real, 2.25_rc_real], stat, message)
+    call told('contact_set_friction_field', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_friction_field([2.125_rc_real, 2.25_rc_real], stat, message)
+    call failed('contact_set_friction_field', stat, message)
+  end subroutine
+
+  subroutine contact_request_cancel()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%request_cancel(stat, message)
+    call told('contact_request_cancel', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%request_cancel(stat, message)
+    call failed('contact_request_cancel', stat, message)
+  end subroutine
+
+  subroutine contact_solve()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%solve(stat, message)
+    call told('contact_solve', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%solve(stat, message)
+    call failed('contact_solve', stat, message)
+  end subroutine
+
+  subroutine contact_reset()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%reset(stat, message)
+    call told('contact_reset', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%reset(stat, message)
+    call failed('contact_reset', stat, message)
+  end subroutine
+
+  subroutine contact_get_size()
+    integer :: nodes
+    integer :: elements
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_size(nodes, elements, stat, message)
+    call told('contact_get_size', 'contact1 room room', stat)
+    call gave_integers('nodes', int([nodes]), 3)
+    call gave_integers('elements', int([elements]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_size(nodes, elements, stat, message)
+    call failed('contact_get_size', stat, message)
+  end subroutine
+
+  subroutine contact_get_resultant()
+    real(rc_real) :: force(3)
+    real(rc_real) :: moment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_resultant(force, moment, stat=stat, errmsg=message)
+    call told('contact_get_resultant', 'contact1 0 room room', stat)
+    call answers(ROLLCON_OK)
+    call contact%get_resultant(force, moment, 11_rc_int, stat, message)
+    call told('contact_get_resultant', 'contact1 11 room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('moment', moment, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_resultant(force, moment, 11_rc_int, stat, message)
+    call failed('contact_get_resultant', stat, message)
+  end subroutine
+
+  subroutine contact_get_motion()
+    real(rc_real) :: approach
+    real(rc_real) :: creep(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_motion(approach, creep, stat, message)
+    call told('contact_get_motion', 'contact1 room room', stat)
+    call gave_reals('approach', [approach], 100.5_rc_real)
+    call gave_reals('creep', creep, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_motion(approach, creep, stat, message)
+    call failed('contact_get_motion', stat, message)
+  end subroutine
+
+  subroutine contact_get_sensitivity()
+    real(rc_real) :: force(3)
+    real(rc_real) :: moment(3)
+    real(rc_real) :: approach
+    real(rc_real) :: creep(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_sensitivity(11_rc_int, force, moment, approach, creep, stat, message)
+    call told('contact_get_sensitivity', 'contact1 11 room room room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('moment', moment, 300.5_rc_real)
+    call gave_reals('approach', [approach], 400.5_rc_real)
+    call gave_reals('creep', creep, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_sensitivity(11_rc_int, force, moment, approach, creep, stat, message)
+    call failed('contact_get_sensitivity', stat, message)
+  end subroutine
+
+  subroutine contact_get_stat()
+    real(rc_real) :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_stat('text 1', value, stat, message)
+    call told('contact_get_stat', 'contact1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_stat('text 1', value, stat, message)
+    call failed('contact_get_stat', stat, message)
+  end subroutine
+
+  subroutine contact_get_plan()
+    character(len=:), allocatable :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_plan(text, stat, message)
+    call told('contact_get_plan', 'contact1 25 room room', stat)
+    call gave_text('text', text, 'text of contact_get_plan')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_plan(text, stat, message)
+    call failed('contact_get_plan', stat, message)
+  end subroutine
+
+  subroutine contact_write()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%write_vtu('text 1', stat, message)
+    call told('contact_write', 'contact1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%write_vtu('text 1', stat, message)
+    call failed('contact_write', stat, message)
+  end subroutine
+end program

@@ -1,0 +1,260 @@
+"""Every function of C gets its arguments in their places, and its results come back, over a library that only writes
+them down (tests/bindings/record.h): the generated rows, then the methods that are written by hand."""
+
+import ctypes
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import rollcon as rc
+from mapping_rows import ROWS
+from rollcon._library import lib
+from rollcon._settings import _types
+
+X = np.array([[1.5, 2.5, 3.5], [4.5, 5.5, 6.5]])
+WRITTEN = "[1.5 2.5 3.5 4.5 5.5 6.5]"
+lib.recorder_said.restype = lib.recorder_missing.restype = ctypes.c_char_p
+
+
+def said(function):
+    return lib.recorder_said(function.encode()).decode()
+
+
+class Mapping(unittest.TestCase):
+
+    @classmethod
+    def setUpClass(cls):
+        cls.context = rc.Context()
+        cls.body, cls.other = rc.Body(cls.context, "fem"), rc.Body(cls.context, rc.BODY_RIGID)
+        cls.contact = rc.Contact(cls.context, cls.body, cls.other)
+
+    def tearDown(self):
+        lib.recorder_answers(rc.OK)
+
+    def told(self, function, record):
+        self.assertEqual(said(function), record, function)
+
+    def fails(self, function, *arguments, **named):
+        """A status and its text arrive."""
+        lib.recorder_answers(rc.ERR_STATE)
+        with self.assertRaises(rc.RollconError) as caught:
+            function(*arguments, **named)
+        lib.recorder_answers(rc.OK)
+        self.assertEqual((caught.exception.status, caught.exception.message), (rc.ERR_STATE, "text of last_error"))
+
+    def refuses(self, words, function, *arguments, **named):
+        with self.assertRaises((ValueError, TypeError, OverflowError)) as caught:
+            function(*arguments, **named)
+        self.assertIn(words, str(caught.exception))
+
+    def test_a_rows(self):
+        for row in ROWS:
+            with self.subTest(method=row.method, arguments=row.arguments):
+                thing = getattr(self, row.object)
+
+                def call(thing=thing, row=row):
+                    method = getattr(thing, row.method)
+                    return method if row.property else method(*row.arguments)
+                result = call()
+                self.told(row.function, row.record)
+                if row.result is not None:
+                    np.testing.assert_equal(result, row.result)
+                self.fails(call)
+
+    def test_facts_and_tables(self):
+        self.assertTrue(rc.has_feature("some name"))
+        self.told("has_feature", "<some name>")
+        self.assertEqual((rc.version(), rc.version_string()), (2, "text of version_string"))
+        self.assertEqual((rc.build_info(), rc.last_error()), ("text of build_info", "text of last_error"))
+        self.assertEqual(rc.status_string(-7), "text of status_string")
+        self.told("status_string", "-7")
+        for kind, table, names in (("", rc.option_table, rc.stat_names),
+                                   ("body_", rc.body_option_table, rc.body_stat_names)):
+            self.assertEqual(table()[1], (f"text of {kind}option_info", 300, 400.5, 500.5, 600.5,
+                                          f"text of {kind}option_doc"))
+            self.told(f"{kind}option_info", "1 64 room room room room room")
+            self.assertEqual(names(), 2 * [f"text of {kind}stat_name"])
+            self.told(f"{kind}stat_name", f"1 {len(kind) + 18} room room")
+            self.fails(table)
+
+    def test_lives(self):
+        self.told("context_create", "1 room")
+        self.told("body_create", "context1 4 room")
+        self.told("contact_create", "context1 body1 body2 room")
+        for kind in ("context", "body", "contact"):
+            thing = getattr(self, kind)
+            again = type(thing).__new__(type(thing))
+            again.__dict__.update(thing.__dict__)
+            again._call("retain")
+            self.told(f"{kind}_retain", kind + "1")
+            again.close()
+            self.told(f"{kind}_release", kind + "1")
+            again.close()
+        self.assertEqual(self.body.id, (2 << 29) + 1)
+        loaded = rc.Body.load(self.context, Path("a path"))
+        self.told("body_load", "context1 <a path> room")
+        self.assertNotEqual(loaded.id, self.body.id)
+        self.fails(rc.Body.load, self.context, "a path")
+        self.fails(rc.Body, self.context, "fem")
+        self.fails(rc.Context)
+        self.fails(rc.Contact, self.context, self.body, self.other)
+
+    def test_meshes(self):
+        wide = np.zeros((2, 8))
+        wide[:, 2:5] = X
+        for owner, name, kind in ((self.body, "set_nodes", "body"), (self.contact, "set_frame_nodes", "contact")):
+            for x in (X, np.asfortranarray(X), wide[:, 2:5], X[::-1].copy()[::-1], X.tolist(), X.astype(">f8")):
+                getattr(owner, name)(x)
+                self.told(f"{kind}_{name}", f"{kind}1 2 {WRITTEN}")
+            getattr(owner, name)(X[:, :2])
+            self.told(f"{kind}_{name}", f"{kind}1 2 [1.5 2.5 0 4.5 5.5 0]")
+            self.refuses("shape", getattr(owner, name), np.zeros((4, 5)))
+            self.fails(getattr(owner, name), X)
+        ids = [[1, 2, 3], [4, 5, 6]]
+        for owner, name, kind in ((self.body, "add_elements", "body"), (self.contact, "add_frame_elements", "contact")):
+            add = getattr(owner, name)
+            add("tri3", ids, 9, 5)
+            self.told(f"{kind}_{name}", f"{kind}1 203 2 [1 2 3 4 5 6] 5 9")
+            add(rc.TRI3, np.array(ids, dtype=np.int64))
+            self.told(f"{kind}_{name}", f"{kind}1 203 2 [1 2 3 4 5 6] 0 1")
+            self.refuses("does not fit", add, rc.TRI6, ids)
+            self.refuses("integers", add, rc.TRI3, np.array(ids) + 0.5)
+            self.refuses("32 bits", add, rc.TRI3, np.array(ids) + 2**32)
+            self.fails(add, rc.TRI3, ids)
+        for element_type, width in {rc.TET4: 4, rc.TET10: 10, rc.WEDGE6: 6, rc.WEDGE15: 15, rc.HEX8: 8,
+                                    rc.HEX20: 20}.items():
+            self.body.add_elements(element_type, [range(width)])
+            self.assertTrue(said("body_add_elements").endswith("] 0 0"), "the standard tag of volumes")
+            self.refuses("does not fit", self.body.add_elements, element_type, [range(width + 1)])
+
+    def test_tags_and_supports(self):
+        body = self.body
+        body.tag_faces([5, 6], [2, 3], 9, 1)
+        self.told("body_tag_faces", "body1 2 [5 6] [2 3] 1 9")
+        body.tag_faces([], [], 9)
+        self.told("body_tag_faces", "body1 0 [] [] 0 9")
+        body.tag_faces_of_nodes([5, 6], 9, 1)
+        self.told("body_tag_faces_of_nodes", "body1 2 [5 6] 1 9")
+        body.set_support([5, 6], rc.DOF_Y, X, 1)
+        self.told("body_set_support", f"body1 2 [5 6] 1 2 {WRITTEN}")
+        body.set_support([5, 6])
+        self.told("body_set_support", "body1 2 [5 6] 0 7 null")
+        self.refuses("1 faces for 2", body.tag_faces, [5, 6], [2], 9)
+        self.refuses("1 values for 2", body.set_support, [5, 6], values=X[:1])
+        for ids, words in (([[0, 1]], "one dimension"), ([0.5], "integers"), ([2**31], "32 bits")):
+            self.refuses(words, body.tag_faces, ids, ids, 9)
+            self.refuses(words, body.tag_faces_of_nodes, ids, 9)
+            self.refuses(words, body.set_support, ids)
+        for function, arguments in ((body.tag_faces, ([5], [2], 9)), (body.tag_faces_of_nodes, ([5], 9)),
+                                    (body.set_support, ([5],))):
+            self.fails(function, *arguments)
+
+    def test_scene_and_settings(self):
+        contact = self.contact
+        contact.set_pose(2, X[[0, 1, 0]], [7, 8, 9])
+        self.told("contact_set_pose", "contact1 2 [1.5 2.5 3.5 4.5 5.5 6.5 1.5 2.5 3.5] [7 8 9]")
+        contact.set_pose(1)
+        self.told("contact_set_pose", "contact1 1 [1 0 0 0 1 0 0 0 1] [0 0 0]")
+        self.refuses("shape", contact.set_pose, 1, np.eye(4))
+        contact.set_friction(0.25)
+        self.told("contact_set_friction", "contact1 <coulomb> 1 [0.25]")
+        contact.set_friction([0.25, 0.5], law="other")
+        self.told("contact_set_friction", "contact1 <other> 2 [0.25 0.5]")
+        contact.prescribe(np.int64(3), "by_force", np.float32(1.0))
+        self.told("contact_prescribe", "contact1 3 2 1")
+        self.refuses("does not fit", contact.prescribe, 2**32 + 1, rc.BY_FORCE, 1.0)  # not cut to a valid direction
+        for thing, kind in ((self.body, "body"), (contact, "contact")):
+            thing.set("a name", 2**40)
+            self.told(f"{kind}_set_int", f"{kind}1 <a name> {2**40}")
+            thing.set("a name", 1.5)
+            self.told(f"{kind}_set_real", f"{kind}1 <a name> 1.5")
+            self.assertEqual(thing.get("a name"), 200)
+            self.told(f"{kind}_get_int", f"{kind}1 <a name> room")
+            _types[kind]["a real"] = rc.TYPE_REAL
+            self.assertEqual(thing.get("a real"), 200.5)
+            self.told(f"{kind}_get_real", f"{kind}1 <a real> room")
+        contact.set("a name", "a value")
+        self.told("contact_set_str", "contact1 <a name> <a value>")
+        _types["contact"]["a text"] = rc.TYPE_STR
+        self.assertEqual(contact.get("a text"), "text of contact_get_str")
+        self.told("contact_get_str", "contact1 <a text> 24 room room")
+        self.refuses("no setting of a body is a text", self.body.set, "a name", "a value")
+
+    def test_callbacks(self):
+        events, lines = [], []
+        self.contact.set_progress(lambda e: events.append((e.phase, e.iteration, e.residual, e.seconds)))
+        self.told("contact_set_progress", "contact1 0")
+        self.told("event_get_int", "7 2 room")
+        self.told("event_get_real", "7 102 room")
+        self.assertEqual(events, [(200, 200, 200.5, 200.5)])
+        self.contact.set_progress(lambda e: True)
+        self.told("contact_set_progress", "contact1 1")
+        self.contact.set_progress(None)
+        self.told("contact_set_progress", "contact1 null")
+        self.context.set_log("info", lambda level, text: lines.append((level, text)))
+        self.told("context_set_log", "context1 3 0")
+        self.assertEqual(lines, [(2, "a message")])
+        self.context.set_log(0)
+        self.told("context_set_log", "context1 0 null")
+
+    def test_results(self):
+        """The frame has 3 nodes, a field 6 values, a solve 2 iterations."""
+        contact = self.contact
+        lib.recorder_answers(rc.NOT_CONVERGED)
+        self.assertEqual(contact.solve(), rc.NOT_CONVERGED)
+        self.told("contact_solve", "contact1")
+        lib.recorder_answers(rc.OK)
+
+        def check(got, shape, first, function, record):
+            np.testing.assert_equal(got, first + np.arange(np.prod(shape)).reshape(shape))
+            self.told(function, record)
+        check(self.body.displacements(), (3, 3), 200.5, "body_get_displacements", "body1 3 room")
+        check(contact.tractions("global"), (3, 3), 300.5, "contact_get_tractions", "contact1 1 3 room")
+        check(contact.tractions(), (3, 3), 300.5, "contact_get_tractions", "contact1 0 3 room")
+        check(contact.field("slip", rc.GLOBAL), (3, 2), 400.5, "contact_get_field", "contact1 4 1 6 room room")
+        check(contact.field(rc.FIELD_SLIP), (3, 2), 400.5, "contact_get_field", "contact1 4 0 6 room room")
+        check(contact.node_status(), (3,), 200, "contact_get_status", "contact1 3 room")
+        self.assertEqual(contact.node_status().dtype, np.int32)
+        check(contact.displacements_at(2, X[:, :2]), (2, 3), 400.5, "contact_get_displacements_at",
+              "contact1 2 2 [1.5 2.5 4.5 5.5] room")
+        self.refuses("shape", contact.displacements_at, 2, X)
+        check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
+        np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
+        self.told("contact_get_error_function", "contact1 2 room room room")
+        for function, arguments in ((self.body.displacements, ()), (contact.tractions, ()), (contact.field, (1,)),
+                                    (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
+                                    (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
+                                    (self.body.set, ("a name", 1)), (self.body.get, ("a name",))):
+            self.fails(function, *arguments)
+
+    def test_cases(self):
+        """Columns of the table: 3 + 3 + 1 + 3 + 20 + 9 + 2 numbers, the first of which is 600.5."""
+        cases = self.contact.solve_many(["normal", rc.FRICTION], X[:, :2], names=["iterations ", "seconds"],
+                                        derivatives=True, tractions=True)
+        self.told("contact_solve_many", "contact1 <normal friction> 2 [1.5 2.5 4.5 5.5] <force moment approach creep "
+                  "derivatives tractions iterations seconds> 41 room null room")
+        table = 600.5 + np.arange(82).reshape(2, 41)
+        np.testing.assert_equal(cases.status, [800, 801])
+        for name, shape, at in (("force", (3,), 0), ("moment", (3,), 3), ("approach", (), 6), ("creep", (3,), 7),
+                                ("derivatives", (2, 10), 10), ("tractions", (3, 3), 30), ("statistics", (2,), 39)):
+            width = int(np.prod(shape))
+            np.testing.assert_equal(getattr(cases, name), table[:, at:at + width].reshape((2, *shape)), name)
+        np.testing.assert_equal(cases["seconds"], table[:, 40])
+        self.assertEqual(cases.worst, rc.OK)
+        few = self.contact.solve_many("longitudinal lateral spin", X, names="seconds")
+        self.assertFalse(hasattr(few, "tractions") or hasattr(few, "derivatives"))
+        self.told("contact_solve_many", f"contact1 <longitudinal lateral spin> 2 {WRITTEN} "
+                  "<force moment approach creep seconds> 11 room null room")
+        self.refuses("shape", self.contact.solve_many, [rc.LATERAL], [1, 2, 3])
+        with self.assertRaises(ValueError):
+            self.contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])
+        self.fails(self.contact.solve_many, [rc.LATERAL], [[1.0]])
+
+    def test_z_every_function_is_called(self):
+        """But those that are for layers over C."""
+        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id")
+
+
+if __name__ == "__main__":
+    unittest.main()
