@@ -23,9 +23,10 @@ ROOMS = [
 INSIDE = {
     "bodies": [["model"], ["halfspace", "fem", "bem"], [""]],
     "contact": [
-        ["scene", "laws"],
+        ["scene"],
         ["operators"],
         ["problem"],
+        ["laws"],
         ["linear"],
         ["newton"],
         ["solution"],

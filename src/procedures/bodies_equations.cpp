@@ -40,17 +40,14 @@ void set_scales(BodiesEquations::Body& body) {
     if (row[i] > 0) body.row[i] = 1 / row[i];
 }
 
-SparseSymmetric lower_triangle(const BodyEquations& e) {
-  SparseSymmetric lower;
-  lower.n = e.unknowns;
-  lower.start.push_back(0);
-  for (std::int64_t j = 0; j < e.unknowns; ++j) {
-    entries(e.matrix, j, [&](std::int64_t i, double v) {
-      if (i < j) return;
-      lower.row.push_back(i);
-      lower.value.push_back(v);
+SparseMatrix lower_triangle(const SparseMatrix& whole) {
+  SparseMatrix lower;
+  lower.begin(whole.rows);
+  for (std::int64_t j = 0; j < whole.columns; ++j) {
+    entries(whole, j, [&](std::int64_t i, double v) {
+      if (i >= j) lower.push(i, v);
     });
-    lower.start.push_back(static_cast<std::int64_t>(lower.row.size()));
+    lower.end_column();
   }
   return lower;
 }
@@ -139,11 +136,11 @@ BodiesEquations::Factor BodiesEquations::factor(const BodyEquations& e) {
     std::copy(e.dense.begin(), e.dense.end(), made.dense.prepare(e.unknowns));
     good = made.dense.factor();
   } else if (e.symmetric) {
-    const SparseSymmetric lower = lower_triangle(e);
+    const SparseMatrix lower = lower_triangle(e.matrix);
     made.symmetric =
         ROLLCON_BUILD_CHOLMOD != 0 ? factor_by_cholmod(lower, {}) : factor_by_umfpack(lower, {});
   } else {
-    good = made.sparse.factor({e.unknowns, e.matrix.start, e.matrix.row, e.matrix.value});
+    good = made.sparse.factor(e.matrix);
   }
   if (!good)
     fail(Status::err_singular, "the equations of a body with %lld unknowns are singular",
@@ -177,7 +174,7 @@ void BodiesEquations::solve(double* y) {
 std::size_t BodiesEquations::bytes() const {
   std::size_t sum = 0;
   for (const Body& body : body_)
-    sum += bytes_of(body.load) + bytes_of(body.equations->matrix) +
+    sum += body.load.bytes() + body.equations->matrix.bytes() +
            sizeof(double) * (body.equations->dense.capacity() + 2 * body.row.capacity());
   for (const Factor& f : factor_) {
     if (f.symmetric) sum += f.symmetric->statistics().bytes;

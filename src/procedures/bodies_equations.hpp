@@ -10,12 +10,13 @@
 #include "linalg/factored_matrix.hpp"
 #include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_lu.hpp"
+#include "linalg/sparse_matrix.hpp"
 
 namespace rollcon {
 
 /// visit(row, value) for a column.
 template <class Visit>
-void entries(const SparseColumns& a, std::int64_t column, Visit visit) {
+void entries(const SparseMatrix& a, std::int64_t column, Visit visit) {
   const auto j = static_cast<std::size_t>(column);
   for (auto k = static_cast<std::size_t>(a.start[j]); k < static_cast<std::size_t>(a.start[j + 1]);
        ++k)
@@ -32,7 +33,7 @@ class BodiesEquations {
     std::shared_ptr<const BodyEquations> equations;
     std::int64_t first = 0;           ///< of its unknowns among those of all bodies
     std::vector<double> row, column;  ///< scales: row K column is of order one
-    SparseColumns load;               ///< B
+    SparseMatrix load;                ///< B
     /// visit(i, value) for the entries of column j of row K column.
     template <class Visit>
     void scaled(std::int64_t j, Visit visit) const;

@@ -76,8 +76,8 @@ class ContactEquations final : public LinearOperator {
   void take_motions();
   double motion_entry(const Unknown& row, const Motion& motion) const;
   double load_entry(const Motion& motion, const Unknown& column) const;
-  SparseColumns body_rows() const;
-  SparseColumns loads() const;
+  SparseMatrix body_rows() const;
+  SparseMatrix loads() const;
 
   const Problem& problem_;
   const BodiesEquations& bodies_;

@@ -27,7 +27,7 @@ std::vector<double> mobility(const ExpandedCompliance& expanded, std::size_t pla
   };
   for (const ExpandedBody& body : expanded.body)
     add_part([&](std::size_t i) {
-      const SparseColumns& d = body.displacement;
+      const SparseMatrix& d = body.displacement;
       return std::span(d.value).subspan(at(d.start[i]), at(d.start[i + 1] - d.start[i]));
     });
   if (!expanded.direct.empty())

@@ -62,20 +62,17 @@ Images::Images(const Problem& problem, const ExpandedCompliance& expanded,
       else
         block_[at(r)][at(c)] = &made;
     }
-  unknown_.rows = bodies.unknowns();
-  unknown_.columns = 3 * n;
-  unknown_.start.push_back(0);
+  unknown_.begin(bodies.unknowns());
   for (std::int64_t k = 0; k < n; ++k)
     for (int r = 0; r < 3; ++r) {
       for (std::size_t b = 0; b < expanded.body.size() && wanted(r, 2); ++b)
         stencil(k, r, [&](std::int64_t point, double weight) {
           const BodiesEquations::Body& body = bodies.bodies()[b];
           entries(expanded.body[b].displacement, 3 * point + r, [&](std::int64_t i, double v) {
-            unknown_.row.push_back(body.first + i);
-            unknown_.value.push_back(weight * v * body.column[at(i)]);
+            unknown_.push(body.first + i, weight * v * body.column[at(i)]);
           });
         });
-      unknown_.start.push_back(static_cast<std::int64_t>(unknown_.row.size()));
+      unknown_.end_column();
     }
 }
 
@@ -135,7 +132,7 @@ Blocks Images::rough(const Frame& frame) {
 }
 
 std::size_t Images::bytes() const {
-  std::size_t sum = bytes_of(unknown_) + rough_[0].bytes() + rough_[1].bytes();
+  std::size_t sum = unknown_.bytes() + rough_[0].bytes() + rough_[1].bytes();
   for (const auto& row : own_)
     for (const auto& block : row) sum += block.bytes();
   return sum;

@@ -55,7 +55,7 @@ class Images {
   Tangential kind_;
   Blocks block_{};
   RowMatrix<double> own_[3][3], rough_[2];
-  SparseColumns unknown_;  ///< by image
+  SparseMatrix unknown_;  ///< by image
 };
 
 }  // namespace rollcon

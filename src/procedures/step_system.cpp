@@ -157,8 +157,8 @@ bool StepSystem::solve_with_kept(const std::vector<double>& residual, double eta
   bool solved = false;
   for (int attempt = 0; attempt < 2 && !solved; ++attempt) {
     const int price = kept_->price(*equations_);
-    const bool fresh =
-        attempt == 1 || !kept_->valid() || excess_ > price || kept_->changed(*equations_) > 2 * price;
+    const bool fresh = attempt == 1 || !kept_->valid() || excess_ > price ||
+                       kept_->changed(*equations_) > 2 * price;
     if (fresh) {
       excess_ = 0;
       if (!options_.monolithic) ++counters_.factorizations;

@@ -49,7 +49,7 @@ RowMatrix<double> eliminated(const ExpandedCompliance& e, std::int64_t points, s
     std::copy_n(e.direct.data(), 9 * points * nodes, u.data());
   for (const ExpandedBody& body : e.body) {
     const std::vector<double> x = solved_loads(body);
-    const SparseColumns& p = body.displacement;
+    const SparseMatrix& p = body.displacement;
     for (std::int64_t r = 0; r < p.columns; ++r)
       for (std::int64_t i = p.start[at(r)]; i < p.start[at(r) + 1]; ++i)
         for (std::int64_t k = 0; k < 3 * nodes; ++k)
