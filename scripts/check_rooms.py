@@ -23,10 +23,9 @@ ROOMS = [
 INSIDE = {
     "bodies": [["model"], ["halfspace", "fem", "bem"], [""]],
     "contact": [
-        ["scene"],
+        ["scene", "laws"],
         ["operators"],
         ["problem"],
-        ["laws"],
         ["linear"],
         ["newton"],
         ["solution"],

@@ -20,6 +20,7 @@ constexpr double finest_linear_tolerance = 1e-12;
 
 /// Values of the laws at a point.
 struct AtPoint {
+  static constexpr bool trial = false;
   const Problem& p;
   const Point& z;
 

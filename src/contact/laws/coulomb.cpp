@@ -14,8 +14,11 @@ class Coulomb final : public FrictionLaw {
   FrictionTraction traction(const FrictionPoint& p) const override {
     FrictionTraction t{};
     t.bound = p.mu * p.pressure;
-    project_on_disk(p.a1, p.a2, t.bound, t.t1, t.t2);
-    t.sliding = !(std::hypot(p.a1, p.a2) < t.bound);
+    t.length = std::hypot(p.a1, p.a2);
+    const double factor = t.length > t.bound ? t.bound / t.length : 1;
+    t.t1 = factor * p.a1;
+    t.t2 = factor * p.a2;
+    t.sliding = !(t.length < t.bound);
     return t;
   }
 

@@ -35,8 +35,9 @@ struct FrictionPoint {
 /// The tangential traction that belongs to a point.
 struct FrictionTraction {
   double t1, t2;
-  double bound;  ///< greatest traction there
-  bool sliding;  ///< it is at the bound
+  double bound;   ///< greatest traction there
+  double length;  ///< of the augmented traction
+  bool sliding;   ///< it is at the bound
 };
 
 /// Slip (over speed) of a node per unit of its own tangential tractions.

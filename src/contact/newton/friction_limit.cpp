@@ -82,7 +82,7 @@ class Limit {
  private:
   void add(std::size_t k, double pressure) {
     Node n{};
-    const auto most = coulomb().capacity(given_.friction * problem_.mu[k], pressure);
+    const auto most = problem_.law->capacity(given_.friction * problem_.mu[k], pressure);
     for (std::size_t i = 0; i < 3; ++i) {
       if (!given_.by_force[at(motions[i])]) continue;
       const auto row = problem_.load_row(motions[i], k);

@@ -20,6 +20,7 @@ constexpr std::int64_t before_search = 4;
 
 /// Values of the laws at an iterate, images brought up to date.
 struct AtIterate {
+  static constexpr bool trial = false;
   const Problem& p;
   Iterate& it;
 

@@ -9,11 +9,11 @@
 #include <optional>
 #include <vector>
 
-#include "contact/laws/residual.hpp"
 #include "contact/linear/linear_solver.hpp"
 #include "contact/linear/reduced_system.hpp"
 #include "contact/newton/prediction.hpp"
 #include "contact/newton/report.hpp"
+#include "contact/problem/law_residual.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/scene/procedure.hpp"
 

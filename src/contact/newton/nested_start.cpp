@@ -74,6 +74,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
   q.stiffness = p.stiffness;
+  q.law = p.law;
   return q;
 }
 

@@ -20,6 +20,7 @@ double blend(double from, double to, double alpha) {
 
 /// Values of the laws on the way to the next iterate. Slip is known of the active nodes.
 struct OnTheWay {
+  static constexpr bool trial = true;
   const Problem& p;
   const Iterate& it;
   const std::vector<double> (&next)[3];

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "contact/laws/friction_law.hpp"
 #include "contact/operators/operators.hpp"
 #include "contact/problem/prescribed.hpp"
 
@@ -34,6 +35,7 @@ struct Problem {
   /// under the smallest load keeps its digits.
   std::vector<double> gap;
   double datum = 0;
+  const FrictionLaw* law = &coulomb();
   /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
   /// does not depend on any traction: material enters the frame unstressed.
   std::vector<double> mu;

@@ -129,7 +129,7 @@ void derive_fields(SolverState& s) {
     if (!(it.lambda[2][k] < 0)) continue;
     const FrictionPoint point{s.given.friction * p.mu[k], -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
                               it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2};
-    const bool sliding = s.frictionless || coulomb().traction(point).sliding;
+    const bool sliding = s.frictionless || p.law->traction(point).sliding;
     s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }
   s.derived = true;

@@ -92,7 +92,8 @@ void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag)
     mesh.tag.push_back(tag);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const int k = static_cast<int>(i), from = which == 0 ? k : turned_over(type, k);
-      mesh.connectivity.push_back(number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(from)])]);
+      mesh.connectivity.push_back(
+          number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(from)])]);
     }
     mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
   }

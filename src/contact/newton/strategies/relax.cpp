@@ -53,7 +53,7 @@ void sweep_along_flow(const Solve& s) {
         const std::array<double, 2> slip{
             p.rigid_slip1(i, it.motion) + p.op.product(0, k, it.lambda),
             p.rigid_slip2(i, it.motion) + p.op.product(1, k, it.lambda)};
-        next = coulomb().solve(b, slip, old, mu, -normal);
+        next = p.law->solve(b, slip, old, mu, -normal);
       }
       for (int c = 0; c < 2; ++c) {
         const auto at = static_cast<std::size_t>(c);

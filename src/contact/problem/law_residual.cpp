@@ -1,4 +1,4 @@
-#include "contact/laws/residual.hpp"
+#include "contact/problem/law_residual.hpp"
 
 namespace rollcon {
 
@@ -56,7 +56,7 @@ TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std:
                                  const std::vector<double> (&lambda)[3], double s1, double s2,
                                  double pressure, bool bound_follows) {
   const double rt = given.slip_scale * p.rt[k];
-  return coulomb().linearise(
+  return p.law->linearise(
       {given.friction * p.mu[k], pressure, lambda[0][k] - rt * s1, lambda[1][k] - rt * s2},
       bound_follows);
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "contact/laws/friction_law.hpp"
 #include "contact/problem/problem.hpp"
@@ -51,11 +52,13 @@ struct LawResidual {
 
 /// `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and
 /// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch.
-/// `visit` is told of every used node, whether it touches and whether it slides.
+/// `visit` is told of every used node, whether it touches and whether it slides. Where
+/// Values::trial is true, sums of squares will do for the tangential laws.
 template <class Values, class Visit>
 LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& at, Visit&& visit) {
+  constexpr bool trial = std::remove_cvref_t<Values>::trial;
   LawSums r;
-  const FrictionLaw& friction = coulomb();
+  const FrictionLaw& friction = *p.law;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     if (!p.used[k]) continue;
     const double ln = at.lambda(2, k);
@@ -81,21 +84,24 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
       if (touching && at.slip_known(k)) {
         const double rt = given.slip_scale * p.rt[k], mu = given.friction * p.mu[k];
         const SummedSlip s = at.slip(k);
-        const double a1 = l1 - rt * s.s1, a2 = l2 - rt * s.s2;
-        t = friction.traction({mu, -augmented, a1, a2});
-        // Where nodes slide only the share across the traction counts, which shrinks with the
-        // bound.
-        const double length = std::hypot(a1, a2), share = length > t.bound ? t.bound / length : 1;
-        r.slip_rounding = std::max(r.slip_rounding, share * rt * s.terms);
-        r.bound_rounding = std::max(r.bound_rounding, mu * gap_terms);
-        r.bound = std::max(r.bound, t.bound);
+        t = friction.traction({mu, -augmented, l1 - rt * s.s1, l2 - rt * s.s2});
         sliding = t.sliding;
-        r.sliding += sliding;
+        if constexpr (!trial) {
+          // Where nodes slide only the share across the traction counts, which shrinks with the
+          // bound.
+          const double share = t.length > t.bound ? t.bound / t.length : 1;
+          r.slip_rounding = std::max(r.slip_rounding, share * rt * s.terms);
+          r.bound_rounding = std::max(r.bound_rounding, mu * gap_terms);
+          r.bound = std::max(r.bound, t.bound);
+          r.sliding += sliding;
+        }
       }
-      r.traction = std::max(r.traction, std::hypot(l1, l2));
-      const double rest = std::hypot(l1 - t.t1, l2 - t.t2);
-      r.worst_t = std::max(r.worst_t, rest);
-      r.sum_t += rest * rest;
+      const double d1 = l1 - t.t1, d2 = l2 - t.t2;
+      r.sum_t += d1 * d1 + d2 * d2;
+      if constexpr (!trial) {
+        r.traction = std::max(r.traction, std::hypot(l1, l2));
+        r.worst_t = std::max(r.worst_t, std::hypot(d1, d2));
+      }
     }
     visit(k, touching, sliding);
   }
