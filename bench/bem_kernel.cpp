@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bench.hpp"
-#include "bodies/bem/near_field.hpp"
 #include "bodies/bem/kelvin.hpp"
+#include "bodies/bem/near_field.hpp"
 #include "bodies/bem/rule_tables.hpp"
 #include "support/example1.hpp"
 

@@ -42,6 +42,74 @@ void require_capacity(std::int64_t capacity, std::int64_t needed, const char* un
          static_cast<long long>(capacity), static_cast<long long>(needed), unit);
 }
 
+std::int64_t components_of(Field field, InAxes axes) {
+  switch (field) {
+    case Field::point:
+    case Field::traction:
+    case Field::displacement1:
+    case Field::displacement2:
+      return 3;
+    case Field::slip:
+    case Field::rigid_slip:
+      return axes == InAxes::local ? 2 : 3;
+    default:
+      return 1;
+  }
+}
+
+// Of node k; displacements apart.
+void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, double* out) {
+  const Prepared& on = *s.prepared;
+  const Frame& frame = on.frame;
+  const Problem& p = on.problem;
+  const Iterate& it = s.iterate;
+  const auto tangential = [&](double v1, double v2) {
+    if (axes == InAxes::local)
+      out[0] = v1, out[1] = v2;
+    else
+      put(frame.triad(k), axes, v1, v2, 0, out);
+  };
+  // As given by the caller, without what displacements given elsewhere add.
+  const auto own = [&](std::size_t c, double slip) {
+    return on.speed * (slip - (on.offset_slip[c].empty() ? 0 : on.offset_slip[c][k]));
+  };
+  const auto i = static_cast<std::int64_t>(k);
+  switch (field) {
+    case Field::point:
+      if (axes == InAxes::local)
+        out[0] = frame.x[k], out[1] = frame.y[k], out[2] = frame.z[k];
+      else
+        std::copy(frame.mesh.node[k].begin(), frame.mesh.node[k].end(), out);
+      return;
+    case Field::traction:
+      return put(frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
+    case Field::gap:
+      *out = s.gap[k];
+      return;
+    case Field::slip:
+      return tangential(s.slip[0][k], s.slip[1][k]);
+    case Field::rigid_slip:
+      return tangential(own(0, p.rigid_slip1(i, it.motion)), own(1, p.rigid_slip2(i, it.motion)));
+    case Field::area:
+      *out = p.cell_area[k];
+      return;
+    case Field::weight:
+      *out = p.weight[k];
+      return;
+    case Field::friction:
+      *out = p.mu[k];
+      return;
+    case Field::pressure:
+      *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;
+      return;
+    case Field::friction_power:
+      *out = -(it.lambda[0][k] * s.slip[0][k] + it.lambda[1][k] * s.slip[1][k]);
+      return;
+    default:
+      return;
+  }
+}
+
 }  // namespace
 
 void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
@@ -57,96 +125,23 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
   SolverState& s = *state_;
   require_solution(s, scene);
-  const std::int64_t n = s.prepared->problem.nodes;
-  const Iterate& it = s.iterate;
-  const auto tangential_components = axes == InAxes::local ? 2 : 3;
-  std::int64_t components = 1;
-  switch (field) {
-    case Field::point:
-    case Field::traction:
-    case Field::displacement1:
-    case Field::displacement2:
-      components = 3;
-      break;
-    case Field::slip:
-    case Field::rigid_slip:
-      components = tangential_components;
-      break;
-    default:
-      break;
-  }
-  const std::int64_t needed = components * n;
+  const Frame& frame = s.prepared->frame;
+  const auto n = static_cast<std::size_t>(s.prepared->problem.nodes);
+  const std::int64_t components = components_of(field, axes);
+  const std::int64_t needed = components * s.prepared->problem.nodes;
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
-  const Problem& p = s.prepared->problem;
-  const bool derived =
-      field == Field::gap || field == Field::slip || field == Field::friction_power;
-  if (derived) derive_fields(s);
+  if (field == Field::gap || field == Field::slip || field == Field::friction_power)
+    derive_fields(s);
   if (field == Field::displacement1 || field == Field::displacement2) {
-    std::vector<double> xy(static_cast<std::size_t>(2 * n));
-    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k) {
-      xy[2 * k] = s.prepared->frame.x[k];
-      xy[2 * k + 1] = s.prepared->frame.y[k];
-    }
-    displacements_at(field == Field::displacement1 ? 1 : 2, n, xy.data(), v);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(n); ++k)
-      put(s.prepared->frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+    std::vector<double> xy(2 * n);
+    for (std::size_t k = 0; k < n; ++k) xy[2 * k] = frame.x[k], xy[2 * k + 1] = frame.y[k];
+    displacements_at(field == Field::displacement1 ? 1 : 2, needed / 3, xy.data(), v);
+    for (std::size_t k = 0; k < n; ++k)
+      put(frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
     return needed;
   }
-  const auto offset = [&](std::size_t c, std::size_t k) {
-    return s.prepared->offset_slip[c].empty() ? 0 : s.prepared->offset_slip[c][k];
-  };
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    double* out = v + components * i;
-    const auto pair = [&](double v1, double v2) {
-      if (components == 3)
-        put(s.prepared->frame.triad(k), axes, v1, v2, 0, out);
-      else
-        out[0] = v1, out[1] = v2;
-    };
-    switch (field) {
-      case Field::point:
-        if (axes == InAxes::local)
-          out[0] = s.prepared->frame.x[k], out[1] = s.prepared->frame.y[k],
-          out[2] = s.prepared->frame.z[k];
-        else
-          std::copy(s.prepared->frame.mesh.node[k].begin(), s.prepared->frame.mesh.node[k].end(),
-                    out);
-        break;
-      case Field::traction:
-        put(s.prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k],
-            out);
-        break;
-      case Field::gap:
-        *out = s.gap[k];
-        break;
-      case Field::slip:
-        pair(s.slip[0][k], s.slip[1][k]);
-        break;
-      case Field::rigid_slip:
-        pair(s.prepared->speed * (p.rigid_slip1(i, it.motion) - offset(0, k)),
-             s.prepared->speed * (p.rigid_slip2(i, it.motion) - offset(1, k)));
-        break;
-      case Field::area:
-        *out = p.cell_area[k];
-        break;
-      case Field::weight:
-        *out = p.weight[k];
-        break;
-      case Field::friction:
-        *out = p.mu[k];
-        break;
-      case Field::pressure:
-        *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;
-        break;
-      case Field::friction_power:
-        *out = -(it.lambda[0][k] * s.slip[0][k] + it.lambda[1][k] * s.slip[1][k]);
-        break;
-      default:
-        break;
-    }
-  }
+  for (std::size_t k = 0; k < n; ++k, v += components) write_value(s, field, axes, k, v);
   return needed;
 }
 

@@ -2,8 +2,8 @@
 /// The generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal
 /// (2010), section 11.1, on either form of the system and with any of its Jacobians.
 
-#include "contact/problem/law_residual.hpp"
 #include "contact/newton/report.hpp"
+#include "contact/problem/law_residual.hpp"
 #include "contact/scene/procedure.hpp"
 #include "procedures/step_system.hpp"
 

@@ -115,9 +115,7 @@ TEST(procedure, refuses_what_makes_no_sense) {
         Case{{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}},
              {"preconditioner", "bodies", "condensed"}},
         Case{{{"preconditioner", "kept_lu"}}, {"preconditioner", "kept_lu", "gmres"}},
-        Case{{{"preconditioner", "kept_lu"},
-              {"linear_solver", "gmres"},
-              {"system", "monolithic"}},
+        Case{{{"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}, {"system", "monolithic"}},
              {"preconditioner", "kept_lu", "monolithic", "bodies"}},
         Case{{{"line_search", "armijo"}}, {"line_search", "armijo", "exact", "monolithic"}}})
     for (const std::string& word : c.words)

@@ -63,122 +63,153 @@ void update(std::size_t count, const Few& x, const Few& next, const Few& before,
   }
 }
 
+/// The search's loads and the motions that belong to them; spin counts as the creepage at a frame's
+/// length.
+class CreepSearch {
+ public:
+  explicit CreepSearch(NewtonIteration& newton)
+      : newton_(newton), s_(newton.solve()), given_(s_.given), for_others_(s_.iterations_left / 2) {
+    for (const int m : {xi1, xi2, spin})
+      if (given_.by_force[static_cast<std::size_t>(m)])
+        motion_[count_++] = static_cast<std::size_t>(m);
+  }
+  std::size_t loads() const { return count_; }
+  /// scale: the creepage at which friction saturates.
+  Outcome run(double scale);
+
+ private:
+  bool excess(const Few& at, Few& error);
+  bool find_slope(double reach);
+  bool step(double reach);
+  void start_anew();
+
+  NewtonIteration& newton_;
+  Solve& s_;
+  Prescribed given_;
+  std::int64_t for_others_;  ///< iterations for the fallbacks after this one
+  std::array<std::size_t, 3> motion_{};
+  std::size_t count_ = 0;
+  Few unit_{}, target_{}, x_{}, error_{};
+  FewRows slope_{};
+  bool slope_known_ = false;
+  Outcome outcome_ = Outcome::converged;
+  int evaluations_ = 0;
+  double carried_ = 0;  ///< terms of the loads
+  std::vector<double> kept_[3];
+};
+
 // No tangential tractions; where pressures depend on them a new guess of those too, else those that
 // were found.
-void start_anew(Solve& s, const Prescribed& given) {
-  Iterate& it = *s.iterate;
-  if (s.goal == Part::full) {
+void CreepSearch::start_anew() {
+  Iterate& it = *s_.iterate;
+  if (s_.goal == Part::full) {
     it.clear_tractions();
-    guess_start(*s.problem, given, it);
+    guess_start(*s_.problem, given_, it);
     return;
   }
   for (int c = 0; c < 2; ++c) std::fill(it.lambda[c].begin(), it.lambda[c].end(), 0.0);
   std::fill(it.slip_valid.begin(), it.slip_valid.end(), std::uint8_t{0});
 }
 
+// Loads beyond those wanted. False: none were found, or they are no numbers.
+bool CreepSearch::excess(const Few& at, Few& error) {
+  Iterate& it = *s_.iterate;
+  for (std::size_t i = 0; i < count_; ++i)
+    given_.value[motion_[i]] = it.motion[motion_[i]] = at[i] * unit_[i];
+  outcome_ = newton_.run(s_.goal, given_, {.free_steps = 1, .rehearsal = true});
+  ++evaluations_;
+  if (outcome_ == Outcome::not_converged && !kept_[0].empty() && s_.iterations_left > 0) {
+    // Too far: as bad as can be, and back.
+    for (int c = 0; c < 3; ++c) it.lambda[c] = kept_[c];
+    it.invalidate();
+    outcome_ = Outcome::converged;
+    error = {INFINITY, 0, 0};
+    return true;
+  }
+  if (outcome_ != Outcome::converged) return false;
+  error = {};
+  carried_ = 0;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const LoadSum load = load_on_body1(*s_.problem, static_cast<int>(motion_[i]), it.lambda);
+    error[i] = load.value * unit_[i] - target_[i];
+    carried_ = std::max(carried_, load.magnitude * unit_[i]);
+  }
+  return std::isfinite(size_of(error));
+}
+
+bool CreepSearch::find_slope(double reach) {
+  for (std::size_t c = 0; c < count_; ++c) {
+    Few beside = x_, change{};
+    beside[c] += difference * reach;
+    if (!excess(beside, change)) return false;
+    for (std::size_t r = 0; r < count_; ++r)
+      slope_[r][c] = (change[r] - error_[r]) / (beside[c] - x_[c]);
+  }
+  return true;
+}
+
+// False: nothing leads on.
+bool CreepSearch::step(double reach) {
+  Few move{}, wanted{};
+  for (std::size_t i = 0; i < count_; ++i) wanted[i] = -error_[i];
+  if (!solve_few(count_, slope_, wanted, move)) return false;
+  double part = std::min(1.0, longest * reach / size_of(move));
+  Few next{}, after{};
+  bool better = false;
+  for (int k = 0; !better && k < most_halvings; ++k, part /= 2) {
+    for (std::size_t i = 0; i < count_; ++i) next[i] = x_[i] + part * move[i];
+    if (!excess(next, after)) return false;
+    better = size_of(after) < (1 - 0.1 * part) * size_of(error_);
+  }
+  if (!better) {
+    const bool again = slope_known_;  // from differences taken anew
+    slope_known_ = false;
+    return again;
+  }
+  update(count_, x_, next, error_, after, slope_);
+  slope_known_ = size_of(after) < good * size_of(error_);
+  x_ = next;
+  error_ = after;
+  return true;
+}
+
+Outcome CreepSearch::run(double scale) {
+  Iterate& it = *s_.iterate;
+  for (std::size_t i = 0; i < count_; ++i) {
+    unit_[i] = motion_[i] == spin ? 1 / s_.problem->length : 1;
+    target_[i] = given_.value[motion_[i]] * unit_[i];
+    x_[i] = it.motion[motion_[i]] / unit_[i];
+    given_.by_force[motion_[i]] = false;
+  }
+  if (!(size_of(x_) < farthest * scale)) x_ = {};
+  bool there = excess(x_, error_);
+  if (outcome_ == Outcome::not_converged && s_.iterations_left > 0) {
+    x_ = {};
+    start_anew();
+    there = excess(x_, error_);
+  }
+  while (there && size_of(error_) > s_.tolerance * carried_ && evaluations_ < most_evaluations &&
+         s_.iterations_left > for_others_) {
+    const double reach = std::max(scale, size_of(x_));
+    for (int c = 0; c < 3; ++c) kept_[c] = it.lambda[c];
+    there = (slope_known_ || find_slope(reach)) && step(reach);
+  }
+  if (outcome_ != Outcome::converged) return outcome_;
+  // The iterate is that of the last motion tried.
+  for (std::size_t i = 0; i < count_; ++i) it.motion[motion_[i]] = x_[i] * unit_[i];
+  return newton_.run(s_.goal, s_.given, {.free_steps = 2});
+}
+
 }  // namespace
 
 Outcome search_creep(NewtonIteration& newton) {
-  Solve& s = newton.solve();
-  const Problem& p = *s.problem;
-  Iterate& it = *s.iterate;
-  std::array<std::size_t, 3> motion{};
-  std::size_t count = 0;
-  for (const int m : {xi1, xi2, spin})
-    if (s.given.by_force[static_cast<std::size_t>(m)])
-      motion[count++] = static_cast<std::size_t>(m);
-  if (count < 2) return Outcome::not_converged;
+  CreepSearch search(newton);
+  if (search.loads() < 2) return Outcome::not_converged;
   newton.return_to_best();
-  const double scale = creep_scale(p, s.given, it, xi1);
+  const Solve& s = newton.solve();
+  const double scale = creep_scale(*s.problem, s.given, *s.iterate, xi1);
   if (!(scale > 0) || !std::isfinite(scale)) return Outcome::not_converged;
-
-  Prescribed given = s.given;
-  Few unit{}, target{}, x{};  // spin counts as the creepage at a frame's length
-  for (std::size_t i = 0; i < count; ++i) {
-    unit[i] = motion[i] == spin ? 1 / p.length : 1;
-    target[i] = given.value[motion[i]] * unit[i];
-    x[i] = it.motion[motion[i]] / unit[i];
-    given.by_force[motion[i]] = false;
-  }
-  const std::int64_t for_others = s.iterations_left / 2;  // fallbacks after this one
-  Outcome outcome = Outcome::converged;
-  int evaluations = 0;
-  double carried = 0;  // terms of the loads
-  std::vector<double> kept[3];
-  // Loads beyond those wanted.
-  const auto excess = [&](const Few& at, Few& error) {
-    for (std::size_t i = 0; i < count; ++i)
-      given.value[motion[i]] = it.motion[motion[i]] = at[i] * unit[i];
-    outcome = newton.run(s.goal, given, {.free_steps = 1, .rehearsal = true});
-    ++evaluations;
-    if (outcome == Outcome::not_converged && !kept[0].empty() && s.iterations_left > 0) {
-      // Too far: as bad as can be, and back.
-      for (int c = 0; c < 3; ++c) it.lambda[c] = kept[c];
-      it.invalidate();
-      outcome = Outcome::converged;
-      error = {INFINITY, 0, 0};
-      return true;
-    }
-    if (outcome != Outcome::converged) return false;
-    error = {};
-    carried = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const LoadSum load = load_on_body1(p, static_cast<int>(motion[i]), it.lambda);
-      error[i] = load.value * unit[i] - target[i];
-      carried = std::max(carried, load.magnitude * unit[i]);
-    }
-    return std::isfinite(size_of(error));
-  };
-
-  if (!(size_of(x) < farthest * scale)) x = {};
-  Few error{};
-  bool there = excess(x, error);
-  if (outcome == Outcome::not_converged && s.iterations_left > 0) {
-    x = {};
-    start_anew(s, given);
-    there = excess(x, error);
-  }
-  FewRows slope{};
-  bool known = false;
-  while (there && size_of(error) > s.tolerance * carried && evaluations < most_evaluations &&
-         s.iterations_left > for_others) {
-    const double reach = std::max(scale, size_of(x));
-    for (int c = 0; c < 3; ++c) kept[c] = it.lambda[c];
-    if (!known) {
-      for (std::size_t c = 0; there && c < count; ++c) {
-        Few beside = x, change{};
-        beside[c] += difference * reach;
-        there = excess(beside, change);
-        for (std::size_t r = 0; r < count; ++r)
-          slope[r][c] = (change[r] - error[r]) / (beside[c] - x[c]);
-      }
-      if (!there) break;
-    }
-    Few step{}, wanted{};
-    for (std::size_t i = 0; i < count; ++i) wanted[i] = -error[i];
-    if (!solve_few(count, slope, wanted, step)) break;
-    double part = std::min(1.0, longest * reach / size_of(step));
-    Few next{}, after{};
-    bool better = false;
-    for (int k = 0; there && !better && k < most_halvings; ++k, part /= 2) {
-      for (std::size_t i = 0; i < count; ++i) next[i] = x[i] + part * step[i];
-      there = excess(next, after);
-      better = there && size_of(after) < (1 - 0.1 * part) * size_of(error);
-    }
-    if (!better) {
-      if (!there || !known) break;
-      known = false;
-      continue;
-    }
-    update(count, x, next, error, after, slope);
-    known = size_of(after) < good * size_of(error);
-    x = next;
-    error = after;
-  }
-  if (outcome != Outcome::converged) return outcome;
-  // The iterate is that of the last motion tried.
-  for (std::size_t i = 0; i < count; ++i) it.motion[motion[i]] = x[i] * unit[i];
-  return newton.run(s.goal, s.given, {.free_steps = 2});
+  return search.run(scale);
 }
 
 }  // namespace rollcon
