@@ -132,7 +132,7 @@ void Gnmls::estimate_slip() {
       largest = std::max(largest, std::abs(d.value[j]));
     }
     // A fit over neighbours may leave a node little weight of its own.
-    own = std::max(own, 0.1 * largest);
+    own = p.op.convection.factor[k] * std::max(own, 0.1 * largest);
     step_.reach[k] = own > 0 ? 1 / own : 0;
     fastest = std::max(fastest, own);
   }

@@ -22,7 +22,7 @@ void Images::stencil(std::int64_t k, int r, Visit visit) const {
   const SparseRows& d = problem_.op.convection.rows;
   if (r == 2 || kind_ == Tangential::shift) return visit(k, 1.0);
   for (auto e = at(d.start[at(k)]); e < at(d.start[at(k + 1)]); ++e)
-    visit(std::int64_t{d.column[e]}, d.value[e]);
+    visit(std::int64_t{d.column[e]}, problem_.op.convection.factor[at(k)] * d.value[e]);
 }
 
 Images::Images(const Problem& problem, const Frame& frame, const Compliance& compliance,

@@ -8,6 +8,8 @@ namespace {
 
 constexpr double straight = 0.02;  ///< sag over distance at which a line counts as straight
 
+constexpr double rounding = 1e-14;  ///< sag over size that is none
+
 constexpr double far_away = 1e10;  ///< axis for a line that is a point
 
 /// The root that the tangent at z0 points to, refined by Newton's method on the quartic.
@@ -45,7 +47,9 @@ double ellipse_axis(const Vec3& first, const Vec3& middle, const Vec3& last) {
   const double r[3] = {dot(first, first), dot(middle, middle), dot(last, last)};
   const double nearest = std::min({r[0], r[1], r[2]});
   if (bb + cc <= 1e-20 * nearest) return far_away;
-  if (cc <= straight * straight * std::min(bb, nearest))
+  // Beside a point that nearly touches the line, rounding of its own points is no sag either.
+  if (cc <= std::max(straight * straight * std::min(bb, nearest),
+                     rounding * rounding * std::max({bb, r[0], r[2]})))
     return std::max(1.0, 0.5 * (std::sqrt(r[0]) + std::sqrt(r[2])) / std::sqrt(bb));
   const double z0 = nearest == r[1] ? 0 : nearest == r[0] ? -1 : 1;
   const double axis = axis_from(middle, b, c, z0);

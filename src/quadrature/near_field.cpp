@@ -13,7 +13,9 @@ namespace {
 constexpr int max_depth = 100;  ///< halvings of area; what is left is smaller than rounding
 constexpr int too_many = 99;
 constexpr double most_uneven = 0.3;  ///< departure from the tangent map that polar takes
-constexpr double reach_affine = 2;   ///< how far outside polar works, in half sizes
+// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding
+// would choose.
+constexpr double reach_affine = 2.5;
 constexpr double reach_mapped = 0.3;
 
 class Integration {

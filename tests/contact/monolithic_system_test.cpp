@@ -19,12 +19,6 @@ using validation::expect_error;
 constexpr double bound = 1e-9;
 constexpr Scheme schemes[] = {Scheme::godunov, Scheme::least_squares, Scheme::characteristic};
 
-std::string name_of(Scheme scheme) {
-  return scheme == Scheme::godunov         ? "Godunov"
-         : scheme == Scheme::least_squares ? "least squares"
-                                           : "characteristic";
-}
-
 StepOptions monolithic(const Case& c, LinearMethod linear = LinearMethod::lu,
                        Preconditioner preconditioner = Preconditioner::automatic) {
   return {true, c.tangential, linear, preconditioner};
@@ -236,7 +230,7 @@ TEST(monolithic_system, update_gives_displacements_and_slip_of_tractions) {
       Point z = c.z;
       const Point expected = image_of(c, c.z);
       system.update(z);
-      expect_error("update, " + name_of(scheme), difference(c, z, expected), bound);
+      expect_error(std::string("update, ") + name_of(scheme), difference(c, z, expected), bound);
       for (auto& v : z.lambda) std::fill(v.begin(), v.end(), 0.0);
       system.update(z);
       EXPECT_EQ(*std::max_element(z.depth.begin(), z.depth.end()), 0);

@@ -35,6 +35,7 @@ void loosen_held_tangents(ContactOperators& op) {
 // Rows that take a node and the sample ahead of it alone.
 Convection pick(const TractionSpace& space, const Convection& whole) {
   Convection c;
+  c.factor = pick(space, whole.factor);
   c.ahead = pick(space, whole.ahead);
   c.slip_x = pick(space, whole.slip_x);
   c.slip_y = pick(space, whole.slip_y);

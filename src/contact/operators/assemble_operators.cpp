@@ -113,11 +113,12 @@ class Assembly {
     for (std::size_t k = 0; k < nodes; ++k)
       if (rows_[k] || used(k)) needed.push_back(static_cast<std::int32_t>(k));
     in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_nodes(sample); });
-    if (!wanted_.slip() || op_.convection.ahead.empty()) return;
+    if (!wanted_.slip()) return;
     needed.clear();
     for (std::size_t k = nodes; k < samples(); ++k)
       if (used(k)) needed.push_back(static_cast<std::int32_t>(k));
     in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_ahead(sample); });
+    scale();
   }
 
  private:
@@ -188,6 +189,17 @@ class Assembly {
         for (std::size_t p = 0; wanted_.block[r][c] && p < sample.size(); ++p)
           scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), rows_,
                   op_.block[r][c]);
+  }
+
+  void scale() {
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 3; ++c)
+        for (std::int64_t i = 0; wanted_.block[r][c] && i < n_; ++i) {
+          const double factor = op_.convection.factor[at(i)];
+          if (!rows_[at(i)] || factor == 1) continue;
+          double* row = op_.block[r][c].row(i);
+          for (std::int64_t k = 0; k < n_; ++k) row[k] *= factor;
+        }
   }
 
   const Frame& frame_;

@@ -15,11 +15,6 @@
 namespace rollcon {
 namespace {
 
-Scheme scheme_of(const std::string& name) {
-  if (name == "godunov") return Scheme::godunov;
-  return name == "characteristic" ? Scheme::characteristic : Scheme::least_squares;
-}
-
 using Poses = Preparation::Poses;
 
 // A pose matters to bodies with a mesh only.

@@ -208,10 +208,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          "step(s) of explicit tractions",
          static_cast<long long>(s.report.sliding_steps));
   if (op.tangential || s.procedure.monolithic)
-    line(text, "convective scheme: %s",
-         s.prepared->scheme == Scheme::godunov         ? "godunov"
-         : s.prepared->scheme == Scheme::least_squares ? "least_squares"
-                                                       : "characteristic");
+    line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
       static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",

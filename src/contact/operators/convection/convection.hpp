@@ -3,6 +3,7 @@
 /// operator D with (D w)_I ~ v . grad w at node I for unit speed, v = -(ex, ey).
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "mesh/frame.hpp"
@@ -21,10 +22,16 @@ enum class Scheme { godunov, least_squares, characteristic };
 /// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at
 /// samples, which are the nodes and, for some schemes, one point ahead (upstream) of each.
 struct Convection {
-  SparseRows rows;            ///< by node; column n + j: the sample ahead of node j of n
+  SparseRows rows;  ///< by node; column n + j: the sample ahead of node j of n
+  /// Of each row's sum: samples that lie close are subtracted before, lest digits are lost.
+  std::vector<double> factor;
   std::vector<double> ahead;  ///< distances along t1, in the projection; empty: no such samples
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 };
+
+/// By the option's text; least_squares where it is none of them.
+Scheme scheme_of(const std::string& name);
+const char* name_of(Scheme scheme);
 
 /// step: distance ahead over the local spacing along the flow, characteristic scheme only. On a
 /// curved frame derivatives are taken along the surface: those in the projection times

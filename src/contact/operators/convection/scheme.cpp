@@ -1,6 +1,6 @@
 /// A scheme's rows and samples.
 
-#include <cmath>
+#include <utility>
 
 #include "contact/operators/convection/convection.hpp"
 #include "support/index.hpp"
@@ -8,7 +8,7 @@
 namespace rollcon {
 namespace {
 
-// (w(x_I) - w(x_I + delta e)) / delta, both displacements exact.
+// w(x_I) - w(x_I + delta e), both displacements exact.
 SparseRows differences(const std::vector<double>& ahead) {
   SparseRows rows;
   const std::size_t n = ahead.size();
@@ -16,41 +16,70 @@ SparseRows differences(const std::vector<double>& ahead) {
   for (std::size_t k = 0; k < n; ++k) {
     if (ahead[k] > 0) {
       rows.column.push_back(static_cast<std::int32_t>(k));
-      rows.value.push_back(1 / ahead[k]);
+      rows.value.push_back(1);
       rows.column.push_back(static_cast<std::int32_t>(n + k));
-      rows.value.push_back(-1 / ahead[k]);
+      rows.value.push_back(-1);
     }
     rows.start.push_back(static_cast<std::int64_t>(rows.column.size()));
   }
   return rows;
 }
 
-void follow_surface(const Frame& frame, SparseRows& rows) {
-  for (std::size_t i = 0; i < frame.t1.size(); ++i)
-    for (auto k = at(rows.start[i]); k < at(rows.start[i + 1]); ++k)
-      rows.value[k] *= dot(frame.t1[i], frame.axes.t1);
+Convection with_rows(const Frame& frame, SparseRows rows) {
+  return {.rows = std::move(rows),
+          .factor = std::vector<double>(frame.x.size(), 1.0),
+          .ahead = {},
+          .slip_x = frame.x,
+          .slip_y = frame.y};
+}
+
+struct Row {
+  Scheme scheme;
+  const char* name;
+  Convection (*make)(const Frame& frame, double step);
+};
+
+// A scheme is a row of this table, and an allowed value of the option `convection`.
+constexpr Row schemes[] = {
+    {Scheme::least_squares, "least_squares",
+     [](const Frame& frame, double) { return with_rows(frame, least_squares(frame, 1, 0)); }},
+    {Scheme::godunov, "godunov",
+     [](const Frame& frame, double) { return with_rows(frame, godunov(frame, 1, 0)); }},
+    {Scheme::characteristic, "characteristic",
+     [](const Frame& frame, double step) {
+       const std::vector<double> ahead = characteristic_steps(frame, step);
+       Convection c = with_rows(frame, differences(ahead));
+       for (std::size_t i = 0; i < ahead.size(); ++i) {
+         c.factor[i] = ahead[i] > 0 ? 1 / ahead[i] : 0;
+         c.slip_x[i] += ahead[i] / 2;  // second order: the difference is centred there
+       }
+       c.ahead = ahead;
+       return c;
+     }},
+};
+
+const Row& row_of(Scheme scheme) {
+  for (const Row& row : schemes)
+    if (row.scheme == scheme) return row;
+  return schemes[0];
 }
 
 }  // namespace
 
+Scheme scheme_of(const std::string& name) {
+  for (const Row& row : schemes)
+    if (name == row.name) return row.scheme;
+  return schemes[0].scheme;
+}
+
+const char* name_of(Scheme scheme) {
+  return row_of(scheme).name;
+}
+
 Convection make_convection(const Frame& frame, Scheme scheme, double step) {
-  Convection c;
-  c.slip_x = frame.x;
-  c.slip_y = frame.y;
-  switch (scheme) {
-    case Scheme::godunov:
-      c.rows = godunov(frame, 1, 0);
-      break;
-    case Scheme::least_squares:
-      c.rows = least_squares(frame, 1, 0);
-      break;
-    case Scheme::characteristic:
-      c.ahead = characteristic_steps(frame, step);
-      c.rows = differences(c.ahead);
-      // Second order: the difference is centred half a step upstream.
-      for (std::size_t i = 0; i < c.ahead.size(); ++i) c.slip_x[i] += c.ahead[i] / 2;
-  }
-  if (frame.curved()) follow_surface(frame, c.rows);
+  Convection c = row_of(scheme).make(frame, step);
+  // Along the surface.
+  for (std::size_t i = 0; i < frame.t1.size(); ++i) c.factor[i] *= dot(frame.t1[i], frame.axes.t1);
   return c;
 }
 
@@ -60,11 +89,14 @@ void convect(const Convection& convection, const double* w, const double* ahead,
   const std::size_t n = convection.slip_x.size();
   for (std::size_t c = 0; c < 2; ++c) {
     slip[c].assign(n, 0.0);
-    for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t k = 0; k < n; ++k) {
+      double sum = 0;
       for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j) {
         const std::size_t sample = at(d.column[j]);
-        slip[c][k] += d.value[j] * (sample < n ? w[3 * sample + c] : ahead[3 * (sample - n) + c]);
+        sum += d.value[j] * (sample < n ? w[3 * sample + c] : ahead[3 * (sample - n) + c]);
       }
+      slip[c][k] = convection.factor[k] * sum;
+    }
   }
 }
 
