@@ -55,7 +55,8 @@ def affected(sources, changed):
 def commands_for(commands, sources, folder, jobs):
     """A command for each of the sources that the build compiles alone, and for groups of the others."""
     alone = {command["file"]: command for command in commands}
-    loose = [source for source in sources if source not in alone]
+    # What stands for an absent component defines the same functions as the component.
+    loose = [source for source in sources if source not in alone and not source.endswith("_absent.cpp")]
     first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
     number = min(len(loose), max(jobs, -(-len(loose) // GROUP)))
     joined = unity.write_joined(folder, "joined", number, loose, [ROOT / "src"]) if loose else []
