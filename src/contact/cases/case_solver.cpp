@@ -10,6 +10,7 @@
 #include "contact/solution.hpp"
 
 namespace rollcon {
+
 bool can_share(const SolverState& state) {
   return state.procedure.standard();
 }
