@@ -1,5 +1,5 @@
-// Boundary elements: point evaluations of Kelvin's T and U with all shape functions per second, of
-// the far kernel alone for each instruction set, and of a body's whole assembly.
+// Boundary elements: point evaluations of Kelvin's T and U with all shape functions per second, of the far kernel alone
+// for each instruction set, and of a body's whole assembly.
 
 #include <algorithm>
 #include <string>
@@ -28,13 +28,12 @@ Record record_of(const Runner& runner, std::string method, std::string model, El
   return record;
 }
 
-/// Eight points far from the elements of a sphere: 2 x 2 points on linear quadrilaterals, 3 x 3 on
-/// quadratic ones, a rule of degree 4 on triangles.
+/// Eight points far from the elements of a sphere: 2 x 2 points on linear quadrilaterals, 3 x 3 on quadratic ones, a
+/// rule of degree 4 on triangles.
 double far_rate(ElementType type, InstructionSet set, double least_seconds) {
   const SurfaceMesh mesh = surfaces::cube_sphere(type, 4, 1);
   std::vector<bem::ElementGeometry> elements;
-  for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    elements.push_back(bem::element_geometry(mesh, e, 1));
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) elements.push_back(bem::element_geometry(mesh, e, 1));
   const bem::Kernels& kernels = bem::kelvin_kernels(set);
   const bem::KelvinConstants constants(0.3);
   const int n = corner_count(type) == 3 ? 4 : is_quadratic(type) ? 3 : 2;
@@ -74,11 +73,10 @@ double far_rate(ElementType type, InstructionSet set, double least_seconds) {
 }
 
 void far_kernels(Runner& runner) {
-  const std::pair<const char*, InstructionSet> sets[] = {{"baseline", InstructionSet::baseline},
-                                                         {"avx2", InstructionSet::avx2},
-                                                         {"avx512", InstructionSet::avx512}};
-  for (const ElementType type : {ElementType::tri3, ElementType::quad4, ElementType::tri6,
-                                 ElementType::quad8, ElementType::quad9})
+  const std::pair<const char*, InstructionSet> sets[] = {
+      {"baseline", InstructionSet::baseline}, {"avx2", InstructionSet::avx2}, {"avx512", InstructionSet::avx512}};
+  for (const ElementType type :
+       {ElementType::tri3, ElementType::quad4, ElementType::tri6, ElementType::quad8, ElementType::quad9})
     for (const auto& [name, set] : sets) {
       if (set > rollcon::best_instruction_set()) continue;
       Record record = record_of(runner, name, "far kernel, T and U", type);
@@ -96,13 +94,12 @@ void assemblies(Runner& runner) {
   for (const ElementType type : {ElementType::quad4, ElementType::quad8}) {
     Record record = record_of(runner, "assembly", "ring of example 1, T and U of the hub", type);
     const double began = now();
-    auto pair = example1::pair(example1::bem_ring(is_quadratic(type) ? 6 : 12), type,
-                               "characteristic", runner.threads);
+    auto pair = example1::pair(example1::bem_ring(is_quadratic(type) ? 6 : 12), type, "characteristic", runner.threads);
     timed_solve(*pair, record, began);
     const double evaluations = pair->body_stat(1, "kernel_evaluations");
     const double seconds = pair->body_stat(1, "seconds_assembly");
-    record.mesh = surfaces::name_of(type) + ", " +
-                  std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes";
+    record.mesh =
+        surfaces::name_of(type) + ", " + std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes";
     record.value = evaluations / seconds;
     record.error = record.value / (wanted * runner.threads) - 1;
     record.extra = {{"kernel_evaluations", evaluations}, {"seconds_assembly", seconds}};

@@ -1,6 +1,5 @@
-// The boundary integrals in detail: the cost of one pair of point and element near, on and far from
-// each other, and all rows of a ring of about the size of the paper's first example. (The far
-// kernel alone: bem_kernel.cpp.)
+// The boundary integrals in detail: the cost of one pair of point and element near, on and far from each other, and all
+// rows of a ring of about the size of the paper's first example. (The far kernel alone: bem_kernel.cpp.)
 
 #include <benchmark/benchmark.h>
 
@@ -30,12 +29,10 @@ void near_pair(benchmark::State& state, ElementType type, double height) {
   bem::NearWorkspace workspace;
   bem::NearIntegrals integrals;
   for (auto _ : state) {
-    bem::near_integrals(element, x, on, {1e-7, 1e-8}, bem::both_layers, constants, kernels,
-                        workspace, integrals);
+    bem::near_integrals(element, x, on, {1e-7, 1e-8}, bem::both_layers, constants, kernels, workspace, integrals);
     benchmark::DoNotOptimize(integrals.t[0][0]);
   }
-  state.counters["points"] =
-      static_cast<double>(workspace.evaluations) / static_cast<double>(state.iterations());
+  state.counters["points"] = static_cast<double>(workspace.evaluations) / static_cast<double>(state.iterations());
 }
 
 /// All rows at all nodes; with_u: columns of all tractions, too.
@@ -48,11 +45,11 @@ void rows_of_ring(benchmark::State& state, ElementType type, bool with_u) {
   std::vector<double> h(9 * bem::lanes * mesh.node.size()), g(h.size());
   for (auto _ : state)
     for (std::size_t i = 0; i < points.size(); i += bem::lanes)
-      integrals.rows({points.data() + i, std::min<std::size_t>(bem::lanes, points.size() - i)},
-                     h.data(), mesh.connectivity.data(), mesh.nodes(), with_u ? g.data() : nullptr);
+      integrals.rows({points.data() + i, std::min<std::size_t>(bem::lanes, points.size() - i)}, h.data(),
+                     mesh.connectivity.data(), mesh.nodes(), with_u ? g.data() : nullptr);
   state.counters["nodes"] = static_cast<double>(mesh.nodes());
-  state.counters["points/s"] = benchmark::Counter(
-      static_cast<double>(integrals.kernel_evaluations()), benchmark::Counter::kIsRate);
+  state.counters["points/s"] =
+      benchmark::Counter(static_cast<double>(integrals.kernel_evaluations()), benchmark::Counter::kIsRate);
 }
 
 #define ROLLCON_NEAR_BENCH(type)                                      \
@@ -63,11 +60,9 @@ ROLLCON_NEAR_BENCH(tri3);
 ROLLCON_NEAR_BENCH(quad4);
 ROLLCON_NEAR_BENCH(quad9);
 BENCHMARK_CAPTURE(rows_of_ring, quad4_T, ElementType::quad4, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rows_of_ring, quad4_T_and_U, ElementType::quad4, true)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows_of_ring, quad4_T_and_U, ElementType::quad4, true)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(rows_of_ring, quad8_T, ElementType::quad8, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(rows_of_ring, quad8_T_and_U, ElementType::quad8, true)
-    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(rows_of_ring, quad8_T_and_U, ElementType::quad8, true)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace rollcon

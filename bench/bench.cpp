@@ -49,10 +49,9 @@ bool trustworthy(std::int32_t status) {
 }  // namespace
 
 void Runner::emit(const Record& r) {
-  std::printf("%-12s %-15s %-12s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n",
-              r.case_name.c_str(), r.method.c_str(), r.element.c_str(), r.mesh.c_str(),
-              static_cast<long long>(r.nodes), r.quantity.c_str(), r.value, r.error, r.seconds,
-              static_cast<long long>(r.iterations),
+  std::printf("%-12s %-15s %-12s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n", r.case_name.c_str(),
+              r.method.c_str(), r.element.c_str(), r.mesh.c_str(), static_cast<long long>(r.nodes), r.quantity.c_str(),
+              r.value, r.error, r.seconds, static_cast<long long>(r.iterations),
               trustworthy(r.status) ? "" : "  (not converged)");
   for (const auto& [name, value] : r.extra) std::printf("    %s = %.6g\n", name.c_str(), value);
   std::fflush(stdout);

@@ -14,7 +14,7 @@ namespace rollcon::bench {
 
 struct Record {
   std::string case_name{}, method{}, model{}, mesh{};
-  std::string element{};  ///< kind of element: with method and model it names a curve of a plot
+  std::string element{};              ///< kind of element: with method and model it names a curve of a plot
   std::string quantity{}, against{};  ///< what `error` is of, and what it is against
   double value = 0, error = 0;        ///< error relative unless `quantity` says otherwise
   std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
@@ -27,7 +27,7 @@ struct Record {
   int threads = 1;
   std::vector<std::pair<std::string, double>> extra{};
   std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< by iteration
-  std::string note{};  ///< what the library said, if it refused
+  std::string note{};                                                 ///< what the library said, if it refused
 };
 
 class Runner {
@@ -84,8 +84,8 @@ std::vector<Case> stability_cases();
 
 double now();  ///< seconds, monotonic
 
-/// Solves, times the solve, and fills status, sizes, phases, memory and iterations of the record.
-/// `began`: now() before the caller built the scene; the record's seconds count from there.
+/// Solves, times the solve, and fills status, sizes, phases, memory and iterations of the record. `began`: now() before
+/// the caller built the scene; the record's seconds count from there.
 scenes::Solution timed_solve(scenes::RollingPair& pair, Record& record, double began);
 
 }  // namespace rollcon::bench

@@ -1,5 +1,5 @@
-// Boundary-element bodies: the paper's two rings and its wheel on a rail, the loaded ring against
-// its Fourier solution, and how the phases of a body's preparation grow.
+// Boundary-element bodies: the paper's two rings and its wheel on a rail, the loaded ring against its Fourier solution,
+// and how the phases of a body's preparation grow.
 
 #include <algorithm>
 #include <cmath>
@@ -17,16 +17,15 @@ namespace example4 = scenes::example4;
 
 void add_body(Record& record, const scenes::RollingPair& pair) {
   for (const char* phase : {"assembly", "factor", "condense"})
-    record.phase_seconds.emplace_back(phase,
-                                      pair.body_stat(1, (std::string("seconds_") + phase).c_str()));
+    record.phase_seconds.emplace_back(phase, pair.body_stat(1, (std::string("seconds_") + phase).c_str()));
   for (const char* name : {"unknowns", "condition", "kernel_evaluations", "peak_bytes"})
     record.extra.emplace_back(std::string("body_") + name, pair.body_stat(1, name));
   record.peak_bytes += static_cast<std::int64_t>(pair.body_stat(1, "peak_bytes"));
 }
 
 double warm_seconds(scenes::RollingPair& pair, const scenes::Solution& s) {
-  // The first re-solve with creepages given may still size workspaces. Back where it came from, a
-  // prediction would be the solution.
+  // The first re-solve with creepages given may still size workspaces. Back where it came from, a prediction would be
+  // the solution.
   pair.option("prediction", std::int64_t{0});
   for (const double factor : {1.0, 1.01, 1.0}) {
     pair.creep(factor * s.creep[0], factor * s.creep[1], factor * s.creep[2]);
@@ -47,10 +46,9 @@ void rings(Runner& runner) {
     ElementType type;
     int parts;
   };
-  std::vector<Mesh> meshes{
-      {ElementType::quad4, 6}, {ElementType::quad4, 12}, {ElementType::quad4, 18},
-      {ElementType::tri3, 12}, {ElementType::quad8, 4},  {ElementType::quad8, 6},
-      {ElementType::quad8, 8}, {ElementType::quad9, 6},  {ElementType::tri6, 6}};
+  std::vector<Mesh> meshes{{ElementType::quad4, 6}, {ElementType::quad4, 12}, {ElementType::quad4, 18},
+                           {ElementType::tri3, 12}, {ElementType::quad8, 4},  {ElementType::quad8, 6},
+                           {ElementType::quad8, 8}, {ElementType::quad9, 6},  {ElementType::tri6, 6}};
   if (runner.quick) meshes.resize(2);
   for (const Mesh& mesh : meshes)
     for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
@@ -59,9 +57,8 @@ void rings(Runner& runner) {
       auto pair = example1::pair(example1::bem_ring(mesh.parts), mesh.type, scheme, runner.threads);
       const auto s = timed_solve(*pair, record, began);
       record.mesh = surfaces::name_of(mesh.type) + ", " +
-                    std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) +
-                    " nodes, zone " + std::to_string(mesh.parts) + " x " +
-                    std::to_string(mesh.parts);
+                    std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes, zone " +
+                    std::to_string(mesh.parts) + " x " + std::to_string(mesh.parts);
       record.threads = runner.threads;
       record.quantity = "creepage at Ft = 0.6271 mu Fn";
       record.against = "Carter, plane problem";
@@ -102,11 +99,9 @@ void growth(Runner& runner) {
   for (const int n : parts) {
     Record record{.case_name = "growth", .method = "characteristic", .model = "BEM on BEM"};
     const double began = now();
-    auto pair =
-        example1::pair(example1::bem_ring(n), ElementType::quad4, "characteristic", runner.threads);
+    auto pair = example1::pair(example1::bem_ring(n), ElementType::quad4, "characteristic", runner.threads);
     const auto s = timed_solve(*pair, record, began);
-    record.mesh =
-        "quad4, " + std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes";
+    record.mesh = "quad4, " + std::to_string(std::lround(pair->body_stat(1, "unknowns") / 3)) + " nodes";
     record.threads = runner.threads;
     record.quantity = "mid-plane p0";
     record.against = "Hertz, plane problem";
@@ -120,10 +115,9 @@ void growth(Runner& runner) {
 }  // namespace
 
 std::vector<Case> body_cases() {
-  return {
-      {"rings", "two equal rings, the paper's example 1: meshes and schemes", rings},
-      {"wheel", "wheel on a rigid rail head, the paper's example 4", wheel},
-      {"growth", "boundary-element bodies from 500 to 8000 nodes: seconds of each phase", growth}};
+  return {{"rings", "two equal rings, the paper's example 1: meshes and schemes", rings},
+          {"wheel", "wheel on a rigid rail head, the paper's example 4", wheel},
+          {"growth", "boundary-element bodies from 500 to 8000 nodes: seconds of each phase", growth}};
 }
 
 }  // namespace rollcon::bench

@@ -1,5 +1,5 @@
-// Carter's strip: force and traction over nodes across the contact, kind of element, scheme and
-// grading; and the same on CONTACT's grids (case e).
+// Carter's strip: force and traction over nodes across the contact, kind of element, scheme and grading; and the same
+// on CONTACT's grids (case e).
 
 #include <utility>
 
@@ -34,8 +34,7 @@ double roll(Runner& runner, Record& record, ElementType type, const std::vector<
   record.model = "half-spaces";
   record.threads = runner.threads;
   const Solved solved = cold_solve(runner, record, [&] {
-    auto pair =
-        std::make_unique<scenes::RollingPair>(scenes::roller, scenes::roller, runner.threads);
+    auto pair = std::make_unique<scenes::RollingPair>(scenes::roller, scenes::roller, runner.threads);
     pair->frame(mesh).option("convection", record.method.c_str());
     scenes::load_strip(*pair, strip, mesh);
     return pair;
@@ -47,8 +46,7 @@ double roll(Runner& runner, Record& record, ElementType type, const std::vector<
   record.error = error.force;
   record.extra = {{"error_traction_l2", error.traction}, {"error_load", error.load}};
 
-  record.extra.emplace_back("warm_seconds",
-                            warm_solve(runner, *solved.pair, {scenes::carter.xi, 0, 0}));
+  record.extra.emplace_back("warm_seconds", warm_solve(runner, *solved.pair, {scenes::carter.xi, 0, 0}));
   return error.force;
 }
 
@@ -56,10 +54,9 @@ void carter(Runner& runner) {
   for (const FrameKind& kind : frame_kinds) {
     if (kind.rings) continue;
     for (const bool graded : {false, true}) {
-      const std::vector<int> sizes = graded ? std::vector{10, 20, 30, 40, 60}
-                                     : kind.type == ElementType::quad4
-                                         ? std::vector{12, 25, 50, 100, 150}
-                                         : std::vector{12, 24, 48, 72, 96};
+      const std::vector<int> sizes = graded                            ? std::vector{10, 20, 30, 40, 60}
+                                     : kind.type == ElementType::quad4 ? std::vector{12, 25, 50, 100, 150}
+                                                                       : std::vector{12, 24, 48, 72, 96};
       for (const int across : sizes) {
         if (runner.quick && across > 20 && across != 24 && across != 25) continue;
         for (const char* scheme : scenes::schemes) {
@@ -67,8 +64,7 @@ void carter(Runner& runner) {
           record.mesh = (graded ? "graded " : "uniform ") + std::to_string(across);
           record.element = kind.name + std::string(graded ? " graded" : "");
           roll(runner, record, kind.type,
-               graded ? corners(scenes::graded_nodes(across), kind.type)
-                      : uniform(across, kind.type));
+               graded ? corners(scenes::graded_nodes(across), kind.type) : uniform(across, kind.type));
           add_size(record, across, 0);
           runner.emit(record);
         }
@@ -77,17 +73,14 @@ void carter(Runner& runner) {
   }
 }
 
-/// CONTACT on N strips of which 90 % are in contact: error of the force against its own limit, and
-/// seconds of a warm solve of the plane problem. Measured as those of cases (a) and (b).
+/// CONTACT on N strips of which 90 % are in contact: error of the force against its own limit, and seconds of a warm
+/// solve of the plane problem. Measured as those of cases (a) and (b).
 struct Mark {
   int n;
   double error, seconds;
 };
-constexpr Mark contact[] = {{16, 0.010, 0.06e-3},
-                            {32, 0.010, 0.16e-3},
-                            {64, 0.010, 0.6e-3},
-                            {128, 0.007, 2.8e-3},
-                            {256, 0.0006, 15e-3}};
+constexpr Mark contact[] = {
+    {16, 0.010, 0.06e-3}, {32, 0.010, 0.16e-3}, {64, 0.010, 0.6e-3}, {128, 0.007, 2.8e-3}, {256, 0.0006, 15e-3}};
 
 void case_e(Runner& runner) {
   for (const Mark& mark : contact) {
@@ -98,13 +91,11 @@ void case_e(Runner& runner) {
       record.element = "quad4";
       // Nodes at the centres of the strips.
       const double half = (1 - 1.0 / mark.n) / 0.9;
-      const double error =
-          roll(runner, record, ElementType::quad4, frames::uniform_lines(-half, half, mark.n - 1));
-      record.extra.insert(record.extra.end(),
-                          {{"n", mark.n},
-                           {"contact_error", mark.error},
-                           {"contact_seconds", mark.seconds},
-                           {"error_over_contact", std::abs(error) / mark.error}});
+      const double error = roll(runner, record, ElementType::quad4, frames::uniform_lines(-half, half, mark.n - 1));
+      record.extra.insert(record.extra.end(), {{"n", mark.n},
+                                               {"contact_error", mark.error},
+                                               {"contact_seconds", mark.seconds},
+                                               {"error_over_contact", std::abs(error) / mark.error}});
       add_size(record, 0.9 * mark.n, 0);
       runner.emit(record);
     }
@@ -114,9 +105,8 @@ void case_e(Runner& runner) {
 }  // namespace
 
 std::vector<Case> carter_cases() {
-  return {
-      {"carter", "long strip of identical cylinders: elements, gradings, three schemes", carter},
-      {"case_e", "Carter's strip: beside CONTACT", case_e}};
+  return {{"carter", "long strip of identical cylinders: elements, gradings, three schemes", carter},
+          {"case_e", "Carter's strip: beside CONTACT", case_e}};
 }
 
 }  // namespace rollcon::bench

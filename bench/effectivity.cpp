@@ -1,5 +1,5 @@
-// Error estimates beside true errors, and what they cost: every scene with a known solution, five
-// frames and more of each kind.
+// Error estimates beside true errors, and what they cost: every scene with a known solution, five frames and more of
+// each kind.
 
 #include "support/effectivity.hpp"
 
@@ -63,8 +63,7 @@ void rolling(Runner& runner, const char* scheme) {
       if (runner.quick && across > 16) continue;
       emit(runner, judge_steady_rolling(which, judged_grid(5, 5, across), scheme));
       emit(runner, judge_steady_rolling(which, judged_unstructured(5, 5, across), scheme));
-      if (across <= 24)
-        emit(runner, judge_steady_rolling(which, judged_grid(5, 5, across, false, true), scheme));
+      if (across <= 24) emit(runner, judge_steady_rolling(which, judged_grid(5, 5, across, false, true), scheme));
     }
     for (int rings : {5, 6, 8, 12, 16}) {
       if (runner.quick && rings > 6) continue;

@@ -1,5 +1,5 @@
-// The paper's example 1, two equal rings: creepage over element size, by boundary and by finite
-// elements and by one ring of each.
+// The paper's example 1, two equal rings: creepage over element size, by boundary and by finite elements and by one
+// ring of each.
 
 #include "support/example1.hpp"
 
@@ -35,15 +35,12 @@ SurfaceMesh graded_frame(int lines) {
   return frame;
 }
 
-/// The contact's own mesh limits the creepage more than the bodies' meshes do: the reference has
-/// lines graded to the edges of the contact, laid on rings of quadratic elements.
-void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int lines,
-                   int threads) {
+/// The contact's own mesh limits the creepage more than the bodies' meshes do: the reference has lines graded to the
+/// edges of the contact, laid on rings of quadratic elements.
+void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int lines, int threads) {
   add_frame_limits(
       limits, parts, coarse, lines,
-      [&](int n) {
-        return example1::pair(ring(kind, n), scenes::TwinBody{}, "characteristic", threads);
-      },
+      [&](int n) { return example1::pair(ring(kind, n), scenes::TwinBody{}, "characteristic", threads); },
       [](scenes::RollingPair& pair, int n) {
         pair.frame(graded_frame(n)).solve();
         const scenes::Solution s = pair.solution();
@@ -65,10 +62,8 @@ void solve(Runner& runner, Study& study, const Record& start, double across, con
 void solve_on_zone(Runner& runner, Study& study, Record start, const scenes::MeshedBody& ring1,
                    const scenes::AnyBody& ring2, int parts, bool quadratic) {
   start.mesh = start.element + ", zone " + std::to_string(parts) + " x " + std::to_string(parts);
-  const double across =
-      2 * example1::hertz_a / example1::paper_ring().zone * parts * (quadratic ? 2 : 1);
-  solve(runner, study, start, across,
-        [&] { return example1::pair(ring1, ring2, "characteristic", runner.threads); });
+  const double across = 2 * example1::hertz_a / example1::paper_ring().zone * parts * (quadratic ? 2 : 1);
+  solve(runner, study, start, across, [&] { return example1::pair(ring1, ring2, "characteristic", runner.threads); });
 }
 
 /// Frames graded to the contact's edges, laid on one mesh of the rings.
@@ -77,8 +72,8 @@ void solve_on_graded(Runner& runner, Study& study, Record start, const BodyKind&
   start.element = "laid on " + kind.name;
   for (const int lines : {8, 12, 16, 20, 24}) {
     if (runner.quick && lines > 12) continue;
-    start.mesh = std::to_string(lines) + " graded lines on " + kind.name + ", zone " +
-                 std::to_string(parts) + " x " + std::to_string(parts);
+    start.mesh = std::to_string(lines) + " graded lines on " + kind.name + ", zone " + std::to_string(parts) + " x " +
+                 std::to_string(parts);
     solve(runner, study, start, lines, [&] {
       auto pair = example1::pair(body, scenes::TwinBody{}, "characteristic", runner.threads);
       pair->frame(graded_frame(lines));
@@ -105,21 +100,20 @@ void run(Runner& runner) {
   add_reference(limits, hex20, runner.quick ? 4 : 10, runner.quick ? 3 : 7, lines, runner.threads);
   for (const BodyKind& kind : boundary)
     for (const int n : sizes(kind.quadratic, runner.quick))
-      solve_on_zone(runner, study, blank(runner, "BEM on BEM", kind.name), ring(kind, n),
-                    scenes::TwinBody{}, n, kind.quadratic);
+      solve_on_zone(runner, study, blank(runner, "BEM on BEM", kind.name), ring(kind, n), scenes::TwinBody{}, n,
+                    kind.quadratic);
   for (const BodyKind& kind : finite)
     for (const int n : sizes(kind.quadratic, runner.quick))
-      solve_on_zone(runner, study, blank(runner, "FEM on FEM", kind.name), ring(kind, n),
-                    scenes::TwinBody{}, n, kind.quadratic);
+      solve_on_zone(runner, study, blank(runner, "FEM on FEM", kind.name), ring(kind, n), scenes::TwinBody{}, n,
+                    kind.quadratic);
   for (const auto& [volume, surface] : {std::pair{hex8, quad4}, {hex20, quad8}})
     for (const int n : sizes(volume.quadratic, runner.quick))
-      solve_on_zone(runner, study, blank(runner, "FEM on BEM", volume.name + " on " + surface.name),
-                    ring(volume, n), ring(surface, n), n, volume.quadratic);
+      solve_on_zone(runner, study, blank(runner, "FEM on BEM", volume.name + " on " + surface.name), ring(volume, n),
+                    ring(surface, n), n, volume.quadratic);
   solve_on_graded(runner, study, blank(runner, "BEM on BEM", ""), quad8, runner.quick ? 3 : 4);
   solve_on_graded(runner, study, blank(runner, "FEM on FEM", ""), hex20, runner.quick ? 4 : 6);
   study.compare("approach", combine(limits.second));
-  study.emit(runner, combine(limits.first),
-             "own extrapolation, frames graded to the contact's edges");
+  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edges");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The paper's example 2, a ring of finite elements on a half-space or on a block of boundary
-// elements: creepage over element size.
+// The paper's example 2, a ring of finite elements on a half-space or on a block of boundary elements: creepage over
+// element size.
 
 #include "support/example2.hpp"
 
@@ -26,8 +26,7 @@ scenes::MeshedBody ring(const BodyKind& kind, int parts) {
 /// As many elements below the ring's zone as there are in it.
 scenes::MeshedBody ground(const BodyKind& kind, int parts) {
   surfaces::Block b;
-  b.line[0] =
-      lines_with_zone(example2::ring_of().zone / 2, parts, std::max(2, parts / 4), side / 2);
+  b.line[0] = lines_with_zone(example2::ring_of().zone / 2, parts, std::max(2, parts / 4), side / 2);
   b.line[1] = lines_with_zone(example2::width / 2, parts, std::max(2, parts / 4), side / 2);
   b.line[2] = surfaces::graded_to(std::max(2, parts / 4), -depth, 0, 1);
   b.tag = {4, 5, 6, 7, 3, 1};
@@ -37,8 +36,7 @@ scenes::MeshedBody ground(const BodyKind& kind, int parts) {
   return body;
 }
 
-std::unique_ptr<scenes::RollingPair> roll(const scenes::MeshedBody& ring1,
-                                          const scenes::AnyBody& body2, int threads) {
+std::unique_ptr<scenes::RollingPair> roll(const scenes::MeshedBody& ring1, const scenes::AnyBody& body2, int threads) {
   auto p = std::make_unique<scenes::RollingPair>(ring1, body2, threads);
   // The ring stands on its top, the ground lies above it.
   if (std::holds_alternative<scenes::MeshedBody>(body2))
@@ -57,8 +55,8 @@ SurfaceMesh graded_frame(int lines) {
 }
 
 /// Such lines on a fine ring.
-void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse,
-                   const scenes::AnyBody& body2, int lines, int threads) {
+void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, const scenes::AnyBody& body2,
+                   int lines, int threads) {
   add_frame_limits(
       limits, parts, coarse, lines, [&](int n) { return roll(ring(kind, n), body2, threads); },
       [](scenes::RollingPair& pair, int n) {
@@ -99,8 +97,7 @@ void run(Runner& runner) {
       solve_by_schemes(runner, blank, make, [&](Record& record, const Solved& solved) {
         record.value = solved.solution.creep[0];
         record.extra.emplace_back("approach", solved.solution.approach);
-        record.extra.emplace_back("p0",
-                                  scenes::mid_plane(solved.solution, zone, example2::width).p0);
+        record.extra.emplace_back("p0", scenes::mid_plane(solved.solution, zone, example2::width).p0);
         study.add(record, across);
       });
     };
@@ -131,16 +128,14 @@ void run(Runner& runner) {
       });
     }
     study.compare("approach", combine(limits.second));
-    study.emit(runner, combine(limits.first),
-               "own extrapolation, frames graded to the contact's edges");
+    study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edges");
   }
 }
 
 }  // namespace
 
 std::vector<Case> example2_cases() {
-  return {
-      {"example2", "ring of finite elements on a half-space or block, the paper's example 2", run}};
+  return {{"example2", "ring of finite elements on a half-space or block, the paper's example 2", run}};
 }
 
 }  // namespace rollcon::bench

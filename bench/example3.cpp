@@ -1,5 +1,5 @@
-// The paper's example 3 on its four frames and with each scheme: cold from arrays to tractions, and
-// the re-solve after a small change of creepage, its heap allocations counted.
+// The paper's example 3 on its four frames and with each scheme: cold from arrays to tractions, and the re-solve after
+// a small change of creepage, its heap allocations counted.
 
 #include "support/example3.hpp"
 
@@ -16,8 +16,8 @@ namespace {
 
 namespace example3 = scenes::example3;
 
-/// The paper's frames and others like them: discs of quadrilaterals around a core, discs of
-/// triangles in equal rings, and triangles in rings graded to the contact's edge.
+/// The paper's frames and others like them: discs of quadrilaterals around a core, discs of triangles in equal rings,
+/// and triangles in rings graded to the contact's edge.
 struct Frame {
   std::string element, name;
   int across;  ///< nodes from edge to edge of the contact, nearly
@@ -48,28 +48,22 @@ std::vector<Frame> all_frames(bool quick) {
     all.push_back(std::move(frame));
   };
   for (const int core : {6, 8, 10, 12, 16, 20, 24}) {
-    const auto disc = [&](ElementType type) {
-      return frames::o_grid(type, core, (3 * core + 4) / 8, reach, reach);
-    };
+    const auto disc = [&](ElementType type) { return frames::o_grid(type, core, (3 * core + 4) / 8, reach, reach); };
     const int across = core * 4 / 3;
-    if (core >= 8 && core != 10)
-      add(ElementType::quad4, core == 16, 673, across, disc(ElementType::quad4));
+    if (core >= 8 && core != 10) add(ElementType::quad4, core == 16, 673, across, disc(ElementType::quad4));
     if (core <= 16) add(ElementType::quad8, core == 16, 1985, 2 * across, disc(ElementType::quad8));
   }
   for (const int rings : {6, 8, 10, 12, 16, 20, 24}) {
     const int across = static_cast<int>(2 * rings / 1.3);
     if (rings >= 8 && rings != 10)
-      add(ElementType::tri3, rings == 16, 703, across,
-          equal_rings(ElementType::tri3, rings, reach));
+      add(ElementType::tri3, rings == 16, 703, across, equal_rings(ElementType::tri3, rings, reach));
     if (rings <= 16)
-      add(ElementType::tri6, rings == 16, 2745, 2 * across,
-          equal_rings(ElementType::tri6, rings, reach));
+      add(ElementType::tri6, rings == 16, 2745, 2 * across, equal_rings(ElementType::tri6, rings, reach));
   }
   for (const FrameKind& kind : frame_kinds)
     for (const int across : {12, 16, 24, 32, 40})
       if (kind.rings)
-        all.push_back({kind.name, "rings " + std::to_string(across / 2), across,
-                       frame_over(kind, across, a, a, 0)});
+        all.push_back({kind.name, "rings " + std::to_string(across / 2), across, frame_over(kind, across, a, a, 0)});
   for (Frame& frame : all)
     if (frame.name.empty()) frame.name = std::to_string(frame.mesh.nodes()) + " " + frame.element;
   if (quick) std::erase_if(all, [](const Frame& frame) { return frame.mesh.nodes() > 720; });
@@ -82,15 +76,14 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
   record.element = frame.element;
   record.threads = runner.threads;
   record.quantity = "creepage at Ft = 0.75 mu Fn";
-  const Solved solved = cold_solve(
-      runner, record, [&] { return example3::pair(frame.mesh, scheme, runner.threads); });
+  const Solved solved = cold_solve(runner, record, [&] { return example3::pair(frame.mesh, scheme, runner.threads); });
   const scenes::Solution& s = solved.solution;
   scenes::RollingPair& pair = *solved.pair;
   record.value = s.creep[0];
   const double p0 = *std::max_element(s.pressure.begin(), s.pressure.end());
 
-  // Creepage-driven re-solves, each after 1 % of change; the first one may still size workspaces.
-  // Back where it came from, a prediction would be the solution.
+  // Creepage-driven re-solves, each after 1 % of change; the first one may still size workspaces. Back where it came
+  // from, a prediction would be the solution.
   pair.option("prediction", std::int64_t{0});
   pair.creep(s.creep[0], s.creep[1], 0);
   pair.solve();
@@ -115,8 +108,7 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
 void run(Runner& runner) {
   Study study;
   for (const Frame& frame : all_frames(runner.quick))
-    for (const char* scheme : {"godunov", "least_squares", "characteristic"})
-      roll(runner, study, frame, scheme);
+    for (const char* scheme : {"godunov", "least_squares", "characteristic"}) roll(runner, study, frame, scheme);
   study.emit(runner, study.limit(), "own extrapolation of graded rings, characteristic");
 }
 

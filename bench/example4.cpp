@@ -1,5 +1,5 @@
-// The paper's example 4, a wheel on a rigid rail head: longitudinal force over element size, the
-// wheel of boundary or of finite elements.
+// The paper's example 4, a wheel on a rigid rail head: longitudinal force over element size, the wheel of boundary or
+// of finite elements.
 
 #include "support/example4.hpp"
 
@@ -18,15 +18,15 @@ constexpr double creepage = -9e-4;
 constexpr double half_width = 65, rim = 60, sector = 120;  ///< of the part of the wheel
 constexpr double zone_along = 5.49, zone_across = 7;
 
-/// As examples/wheel_mesh.h, with n by n elements in the zone: lines along the tread, across, and
-/// from the rim's inner face to the conical tread.
+/// As examples/wheel_mesh.h, with n by n elements in the zone: lines along the tread, across, and from the rim's inner
+/// face to the conical tread.
 surfaces::Block wheel_block(int n, bool volume) {
   surfaces::Block b;
   const int beyond = std::max(2, n / 2);
   b.line[0] = lines_with_zone(zone_along / 2, n, beyond, sector / 2);
   b.line[1] = lines_with_zone(zone_across / 2, n, beyond, half_width);
-  b.line[2] = surfaces::graded_to(volume ? std::max(4, n) : std::max(2, n / 2), 0, 1,
-                                  volume ? zone_along / n / rim : 4 / rim);
+  b.line[2] =
+      surfaces::graded_to(volume ? std::max(4, n) : std::max(2, n / 2), 0, 1, volume ? zone_along / n / rim : 4 / rim);
   const double inner = example4::radius - rim;
   b.map = [inner](const Vec3& q) {
     const double angle = q[0] / example4::radius;
@@ -52,12 +52,12 @@ scenes::MeshedBody wheel(const BodyKind& kind, int n) {
 scenes::MeshedBody rail() {
   constexpr double half_length = 10, half_angle = 20 / example4::rail;
   scenes::MeshedBody body;
-  body.mesh = frames::transform(
-      frames::rectangle(ElementType::quad8, frames::uniform_lines(-half_length, half_length, 8),
-                        frames::uniform_lines(-half_angle, half_angle, 8)),
-      [](const Vec3& q) {
-        return Vec3{q[0], example4::rail * std::sin(q[1]), example4::rail * (std::cos(q[1]) - 1)};
-      });
+  body.mesh =
+      frames::transform(frames::rectangle(ElementType::quad8, frames::uniform_lines(-half_length, half_length, 8),
+                                          frames::uniform_lines(-half_angle, half_angle, 8)),
+                        [](const Vec3& q) {
+                          return Vec3{q[0], example4::rail * std::sin(q[1]), example4::rail * (std::cos(q[1]) - 1)};
+                        });
   body.mesh.tag.assign(body.mesh.tag.size(), 1);
   return body;
 }
@@ -75,9 +75,9 @@ std::unique_ptr<scenes::RollingPair> roll(const scenes::MeshedBody& on, int thre
 
 /// Rings graded to the edge of the contact, on top of the wheel.
 SurfaceMesh graded_frame(int rings) {
-  const closed_forms::Hertz hertz = closed_forms::hertz_from_approach(
-      1 / (2 * example4::radius), 1 / (2 * example4::rail),
-      closed_forms::effective_modulus(example4::material), example4::depth);
+  const closed_forms::Hertz hertz =
+      closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
+                                        closed_forms::effective_modulus(example4::material), example4::depth);
   const double c = 1 / std::hypot(1, example4::cone), s = example4::cone * c;
   SurfaceMesh frame = scenes::graded_disc(hertz.a, hertz.b, rings);
   for (Vec3& x : frame.node) x = {x[0], c * x[1], example4::radius - s * x[1]};
@@ -85,8 +85,7 @@ SurfaceMesh graded_frame(int rings) {
 }
 
 /// Such rings on a fine wheel: longitudinal and normal force.
-void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings,
-                   int threads) {
+void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings, int threads) {
   add_frame_limits(
       limits, parts, coarse, rings, [&](int n) { return roll(wheel(kind, n), threads); },
       [](scenes::RollingPair& pair, int n) {
@@ -116,8 +115,8 @@ void run(Runner& runner) {
   FrameLimits limits;
   for (const BodyKind& kind : kinds)
     if (kind.name == "quad8" || kind.name == "hex20")
-      add_reference(limits, kind, parts_of(kind, runner.quick), coarse_of(kind, runner.quick),
-                    runner.quick ? 8 : 16, runner.threads);
+      add_reference(limits, kind, parts_of(kind, runner.quick), coarse_of(kind, runner.quick), runner.quick ? 8 : 16,
+                    runner.threads);
   Record blank{.case_name = "example4"};
   blank.threads = runner.threads;
   blank.quantity = "longitudinal force at creepage -9e-4 and approach 0.015 mm";
@@ -155,8 +154,7 @@ void run(Runner& runner) {
     }
   }
   study.compare("normal_force", combine(limits.second));
-  study.emit(runner, combine(limits.first),
-             "own extrapolation, frames graded to the contact's edge");
+  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edge");
 }
 
 }  // namespace

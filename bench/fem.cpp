@@ -1,6 +1,5 @@
-// Finite-element bodies: how the phases of their preparation grow, the paper's ring on a
-// half-space, its two rings by finite and by boundary elements, one block by both, and the location
-// of a frame on many faces.
+// Finite-element bodies: how the phases of their preparation grow, the paper's ring on a half-space, its two rings by
+// finite and by boundary elements, one block by both, and the location of a frame on many faces.
 
 #include <algorithm>
 #include <cmath>
@@ -27,8 +26,7 @@ constexpr const char* factorizations[] = {"automatic", "CHOLMOD", "UMFPACK"};
 
 void add_body(Record& record, const scenes::RollingPair& pair, int which, const std::string& of) {
   for (const char* phase : {"assembly", "order", "factor", "condense"})
-    record.phase_seconds.emplace_back(
-        of + phase, pair.body_stat(which, (std::string("seconds_") + phase).c_str()));
+    record.phase_seconds.emplace_back(of + phase, pair.body_stat(which, (std::string("seconds_") + phase).c_str()));
   for (const char* name : {"unknowns", "condensed_unknowns", "factor_nonzeros", "condition"})
     record.extra.emplace_back(of + name, pair.body_stat(which, name));
   const double bytes = pair.body_stat(which, "peak_bytes");
@@ -46,8 +44,7 @@ scenes::MeshedBody contact_block(int nx, int nz) {
   shape.zone_from = {(nx - contact) / 2, (nx - contact) / 2};
   shape.zone_to = {shape.zone_from[0] + contact, shape.zone_from[1] + contact};
   shape.zone_tag = 2;
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::block(shape, VolumeType::hex8), example1::material);
+  scenes::MeshedBody body = scenes::meshed(volumes::block(shape, VolumeType::hex8), example1::material);
   body.held_tag = {3};
   body.contact_tag = {2};
   return body;
@@ -78,8 +75,7 @@ void press_block(Runner& runner, int nx, int nz, std::int64_t factorization) {
 
 void growth(Runner& runner) {
   // (nx, nz): 3 (nx + 1)^2 nz unknowns, 1200 of them in contact.
-  std::vector<std::pair<int, int>> sizes{{19, 4},  {19, 8},  {20, 16}, {24, 24},
-                                         {31, 31}, {40, 40}, {45, 47}};
+  std::vector<std::pair<int, int>> sizes{{19, 4}, {19, 8}, {20, 16}, {24, 24}, {31, 31}, {40, 40}, {45, 47}};
   if (runner.threads > 1) sizes = {{24, 24}, {40, 40}};
   if (runner.quick) sizes.resize(2);
   constexpr int most_by_umfpack = 31;
@@ -94,10 +90,8 @@ void ring_on_halfspace(Runner& runner) {
     VolumeType type;
     int parts;  ///< elements along and across the zone
   };
-  std::vector<Mesh> meshes{{VolumeType::hex8, 12},
-                           {VolumeType::hex8, 18},
-                           {VolumeType::hex20, 6},
-                           {VolumeType::hex20, 8}};
+  std::vector<Mesh> meshes{
+      {VolumeType::hex8, 12}, {VolumeType::hex8, 18}, {VolumeType::hex20, 6}, {VolumeType::hex20, 8}};
   if (runner.quick) meshes.resize(1);
   const double creepage = example2::plane_creepage();
   for (const Mesh& mesh : meshes)
@@ -112,10 +106,8 @@ void ring_on_halfspace(Runner& runner) {
         pair->option("convection", scheme);
         const auto s = timed_solve(*pair, record, began);
         const scenes::MidPlane m = scenes::mid_plane(s, shape.zone, example2::width);
-        record.mesh = volumes::name_of(mesh.type) + ", " +
-                      std::to_string(shape.around * shape.across * shape.deep) +
-                      " elements, zone " + std::to_string(mesh.parts) + " x " +
-                      std::to_string(mesh.parts);
+        record.mesh = volumes::name_of(mesh.type) + ", " + std::to_string(shape.around * shape.across * shape.deep) +
+                      " elements, zone " + std::to_string(mesh.parts) + " x " + std::to_string(mesh.parts);
         record.quantity = "creepage at Ft = 0.5373 mu Fn";
         record.against = "plane problem of the two materials";
         record.value = s.creep[0];
@@ -138,10 +130,9 @@ void ring_pairs(Runner& runner) {
     ElementType bem;
     int parts;
   };
-  std::vector<Mesh> meshes{
-      {VolumeType::hex8, ElementType::quad4, 6},  {VolumeType::hex8, ElementType::quad4, 12},
-      {VolumeType::hex8, ElementType::quad4, 18}, {VolumeType::hex20, ElementType::quad8, 4},
-      {VolumeType::hex20, ElementType::quad8, 6}, {VolumeType::hex20, ElementType::quad8, 8}};
+  std::vector<Mesh> meshes{{VolumeType::hex8, ElementType::quad4, 6},  {VolumeType::hex8, ElementType::quad4, 12},
+                           {VolumeType::hex8, ElementType::quad4, 18}, {VolumeType::hex20, ElementType::quad8, 4},
+                           {VolumeType::hex20, ElementType::quad8, 6}, {VolumeType::hex20, ElementType::quad8, 8}};
   if (runner.quick) meshes.resize(1);
   for (const Mesh& mesh : meshes) {
     for (const char* kinds : {"FEM on FEM", "FEM on BEM", "BEM on BEM"}) {
@@ -151,9 +142,9 @@ void ring_pairs(Runner& runner) {
       const scenes::MeshedBody bem = example1::ring_body(example1::bem_ring(mesh.parts), mesh.bem);
       const bool first_fem = kinds[0] == 'F', last_fem = kinds[7] == 'F';
       const double began = now();
-      auto pair = example1::pair(first_fem ? fem : bem,
-                                 first_fem == last_fem ? scenes::AnyBody{scenes::TwinBody{}} : bem,
-                                 "least_squares", runner.threads);
+      auto pair =
+          example1::pair(first_fem ? fem : bem, first_fem == last_fem ? scenes::AnyBody{scenes::TwinBody{}} : bem,
+                         "least_squares", runner.threads);
       const auto s = timed_solve(*pair, record, began);
       const scenes::MidPlane m = scenes::mid_plane(s, example1::paper_ring().zone, example1::width);
       record.mesh = volumes::name_of(mesh.fem) + ", " + surfaces::name_of(mesh.bem) + ", zone " +
@@ -173,8 +164,7 @@ void ring_pairs(Runner& runner) {
 }
 
 scenes::MeshedBody elastic_block(ElementType type, int n) {
-  return scenes::meshed(surfaces::zone_block({10, 5, 2.5, n, n / 2, n / 2}, type),
-                        example3::sphere);
+  return scenes::meshed(surfaces::zone_block({10, 5, 2.5, n, n / 2, n / 2}, type), example3::sphere);
 }
 
 scenes::MeshedBody elastic_block(VolumeType type, int n) {
@@ -187,10 +177,8 @@ void same_block(Runner& runner) {
   const auto add = [&](auto type, const std::string& name) {
     elements.emplace_back(name, [type](int n) { return elastic_block(type, n); });
   };
-  for (const ElementType type : {ElementType::quad4, ElementType::quad8})
-    add(type, "BEM " + surfaces::name_of(type));
-  for (const VolumeType type :
-       {VolumeType::hex8, VolumeType::hex20, VolumeType::wedge15, VolumeType::tet10})
+  for (const ElementType type : {ElementType::quad4, ElementType::quad8}) add(type, "BEM " + surfaces::name_of(type));
+  for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20, VolumeType::wedge15, VolumeType::tet10})
     add(type, "FEM " + volumes::name_of(type));
   const closed_forms::Hertz hertz = example3::hertz();
   const SurfaceMesh frame = scenes::graded_disc(hertz.a, hertz.a, 10);
@@ -236,8 +224,7 @@ void location(Runner& runner) {
     return mesh;
   };
   const auto square = [&](ElementType type, int n, int m, double half) {
-    return bent(frames::rectangle(type, frames::uniform_lines(-half, half, n),
-                                  frames::uniform_lines(-half, half, m)));
+    return bent(frames::rectangle(type, frames::uniform_lines(-half, half, n), frames::uniform_lines(-half, half, m)));
   };
   const SurfaceMesh frame = square(ElementType::quad4, parts * 7 / 10 - 1, parts * 7 / 10 + 1, 0.9);
   for (const ElementType type : surfaces::all_types) {
@@ -268,13 +255,11 @@ void location(Runner& runner) {
 }  // namespace
 
 std::vector<Case> fem_cases() {
-  return {
-      {"fem_growth", "finite elements from 5,000 to 300,000 unknowns, CHOLMOD and UMFPACK", growth},
-      {"ring_on_halfspace", "ring of finite elements on a half-space, beside long cylinders",
-       ring_on_halfspace},
-      {"ring_pairs", "the paper's example 1 by finite and by boundary elements", ring_pairs},
-      {"same_block", "one block by finite and by boundary elements: refinement", same_block},
-      {"location", "5,000 frame nodes on 20,000 faces", location}};
+  return {{"fem_growth", "finite elements from 5,000 to 300,000 unknowns, CHOLMOD and UMFPACK", growth},
+          {"ring_on_halfspace", "ring of finite elements on a half-space, beside long cylinders", ring_on_halfspace},
+          {"ring_pairs", "the paper's example 1 by finite and by boundary elements", ring_pairs},
+          {"same_block", "one block by finite and by boundary elements: refinement", same_block},
+          {"location", "5,000 frame nodes on 20,000 faces", location}};
 }
 
 }  // namespace rollcon::bench

@@ -1,6 +1,6 @@
-// What guards, checks and statistics cost: each measured by itself, many times over, and counted as
-// often as it happens in a warm re-solve of 169 pairs and in preparing a boundary-element body.
-// Instructions counted by callgrind say the same (docs/speed.md).
+// What guards, checks and statistics cost: each measured by itself, many times over, and counted as often as it happens
+// in a warm re-solve of 169 pairs and in preparing a boundary-element body. Instructions counted by callgrind say the
+// same (docs/speed.md).
 
 #include <time.h>
 
@@ -81,8 +81,7 @@ double solves(const scenes::RollingPair& pair) {
   return pair.stat("right_sides");
 }
 
-void resolve(Runner& runner, const std::string& model, const Elastic& body2, double change,
-             double tolerance) {
+void resolve(Runner& runner, const std::string& model, const Elastic& body2, double change, double tolerance) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
   rolling::prepare(pair, rolling::grid(13), "b");
@@ -93,8 +92,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   record.mesh = "13 x 13";
   record.threads = runner.threads;
   char what[80];
-  std::snprintf(what, sizeof what, "share of a re-solve after %g %%, tolerance %.0e", 100 * change,
-                tolerance);
+  std::snprintf(what, sizeof what, "share of a re-solve after %g %%, tolerance %.0e", 100 * change, tolerance);
   record.quantity = what;
 
   // Back and forth; the quicker way is the stricter measure.
@@ -102,8 +100,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   const auto factor = [&](int k) { return k % 2 == 0 ? 1 + change : 1; };
   for (int k = 0; k < (runner.quick ? 20 : 400); ++k) {
     const double began = now();
-    rollcon_contact_set_creep(pair.handle(), factor(k) * rolling::creepage, 0,
-                              factor(k) * rolling::spin);
+    rollcon_contact_set_creep(pair.handle(), factor(k) * rolling::creepage, 0, factor(k) * rolling::spin);
     record.status = rollcon_contact_solve(pair.handle());
     const double seconds = now() - began;
     if (k < 4 || !(seconds < whole)) continue;
@@ -124,19 +121,15 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   volatile double sink = 0;
   volatile bool seen = false;
   std::vector<Guard> guards;
-  // Handle, busy flag, floating-point environment, exceptions to statuses; of both calls, the
-  // checks of the creepages included.
-  guards.push_back({"calls", 1, seconds_of([&] {
-                      rollcon_contact_set_progress(pair.handle(), nullptr, nullptr);
-                    })});
+  // Handle, busy flag, floating-point environment, exceptions to statuses; of both calls, the checks of the creepages
+  // included.
+  guards.push_back({"calls", 1, seconds_of([&] { rollcon_contact_set_progress(pair.handle(), nullptr, nullptr); })});
   guards.push_back({"setter", 1, seconds_of([&] {
                       rollcon_contact_set_creep(pair.handle(), rolling::creepage, 0, rolling::spin);
                     })});
   guards.push_back({"blas_threads", 1, seconds_of([] { const BlasThreads blas(1); })});
-  guards.push_back(
-      {"clocks", 2 + records + 2 * systems, seconds_of([&] { sink = now_seconds(); })});
-  guards.push_back(
-      {"log", 3 + records, seconds_of([&] { quiet.log(LogLevel::debug, "%lld", 1LL); })});
+  guards.push_back({"clocks", 2 + records + 2 * systems, seconds_of([&] { sink = now_seconds(); })});
+  guards.push_back({"log", 3 + records, seconds_of([&] { quiet.log(LogLevel::debug, "%lld", 1LL); })});
   guards.push_back({"history", records, seconds_of([&] {
                       if (history.size() > 4000) history.clear();
                       for (int k = 0; k < 9; ++k) history.push_back(k);
@@ -148,34 +141,29 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   // Pressures that the tangential part stands on are those that the normal part ended with.
   guards.push_back({"last_guard", 1, seconds_of([&] {
                       copy[2] = tractions[2];
-                      seen = std::memcmp(copy[2].data(), tractions[2].data(),
-                                         nodes * sizeof(double)) == 0;
+                      seen = std::memcmp(copy[2].data(), tractions[2].data(), nodes * sizeof(double)) == 0;
                     })});
   guards.push_back({"finite", systems, seconds_of([&] {
-                      seen = std::all_of(x.begin(), x.end(),
-                                         [](double v) { return std::isfinite(v); });
+                      seen = std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
                     })});
   guards.push_back({"rim", 1, seconds_of([&] {
                       std::int64_t count = 0;
                       for (std::size_t k = 0; k < nodes; ++k)
-                        count += static_cast<std::int64_t>(rim[k] != 0) &
-                                 static_cast<std::int64_t>(tractions[2][k] < 0);
+                        count +=
+                            static_cast<std::int64_t>(rim[k] != 0) & static_cast<std::int64_t>(tractions[2][k] < 0);
                       sink = static_cast<double>(count);
                     })});
   SolverState whole_contact;
   Frame& whole_frame = begin_preparation(whole_contact).frame;
   whole_frame = build_frame(rolling::grid(13), Axes{});
-  for (const std::uint8_t at_rim : whole_frame.rim)
-    whole_contact.iterate.lambda[2].push_back(at_rim ? 0 : -1);
-  guards.push_back(
-      {"inside", 1, seconds_of([&] { sink = static_cast<double>(nodes_inside(whole_contact)); })});
+  for (const std::uint8_t at_rim : whole_frame.rim) whole_contact.iterate.lambda[2].push_back(at_rim ? 0 : -1);
+  guards.push_back({"inside", 1, seconds_of([&] { sink = static_cast<double>(nodes_inside(whole_contact)); })});
   emit(runner, record, guards, whole);
 }
 
 void prepare(Runner& runner, int parts) {
   namespace example1 = scenes::example1;
-  const scenes::MeshedBody ring =
-      example1::ring_body(example1::bem_ring(parts), ElementType::quad4);
+  const scenes::MeshedBody ring = example1::ring_body(example1::bem_ring(parts), ElementType::quad4);
   Record record{.case_name = "guards", .method = "", .model = "BEM ring"};
   record.threads = runner.threads;
   record.quantity = "share of preparing a body";
@@ -201,21 +189,17 @@ void prepare(Runner& runner, int parts) {
   const auto n = static_cast<int>(unknowns);
   const auto size = static_cast<std::size_t>(n);
   std::vector<Guard> guards;
-  guards.push_back(
-      {"mesh", 1, cpu_seconds_of([&] { check_surface(ring.mesh, SurfaceKind::closed); })});
+  guards.push_back({"mesh", 1, cpu_seconds_of([&] { check_surface(ring.mesh, SurfaceKind::closed); })});
   // Equal bodies are found by their content.
   guards.push_back({"digest", 1, cpu_seconds_of([&] {
                       Checksum sum;
                       sum.add(ring.mesh.node.data(), ring.mesh.node.size() * sizeof(Vec3));
-                      sum.add(ring.mesh.connectivity.data(),
-                              ring.mesh.connectivity.size() * sizeof(std::int32_t));
+                      sum.add(ring.mesh.connectivity.data(), ring.mesh.connectivity.size() * sizeof(std::int32_t));
                       sink = static_cast<double>(sum.value());
                     })});
-  guards.push_back({"memory_limit", 1, cpu_seconds_of([] {
-                      require_memory({2e7, 2e7}, "none", "a matrix needs");
-                    })});
-  // The condition: a norm of a seventh of the matrix, and a solution with its factors. Factors of
-  // the unit matrix take as long as any.
+  guards.push_back({"memory_limit", 1, cpu_seconds_of([] { require_memory({2e7, 2e7}, "none", "a matrix needs"); })});
+  // The condition: a norm of a seventh of the matrix, and a solution with its factors. Factors of the unit matrix take
+  // as long as any.
   std::vector<double> factors(size * size, 0.0), b(size, 1.0);
   std::vector<int> pivot(size);
   for (std::size_t k = 0; k < size; ++k) factors[k * (size + 1)] = 1;
@@ -228,11 +212,9 @@ void prepare(Runner& runner, int parts) {
                         for (std::size_t i = 0; i + 4 <= size; i += 4)
                           for (std::size_t k = 0; k < 4; ++k) sum[k] += std::abs(column[i + k]);
                         for (std::size_t i = 0; i + 4 <= size; i += 4)
-                          for (std::size_t k = 0; k < 4; ++k)
-                            square[k] += column[i + k] * column[i + k];
+                          for (std::size_t k = 0; k < 4; ++k) square[k] += column[i + k] * column[i + k];
                       }
-                      sink = sum[0] + sum[1] + sum[2] + sum[3] + square[0] + square[1] + square[2] +
-                             square[3];
+                      sink = sum[0] + sum[1] + sum[2] + sum[3] + square[0] + square[1] + square[2] + square[3];
                     })});
   guards.push_back({"condition", 1, cpu_seconds_of([&] {
                       const int one = 1;

@@ -1,5 +1,5 @@
-// The half-space integrals alone: point evaluations per second of the far and near kernels for each
-// instruction set, and whole matrices on discs of about the size
+// The half-space integrals alone: point evaluations per second of the far and near kernels for each instruction set,
+// and whole matrices on discs of about the size
 // of the frames of the paper's third example.
 
 #include <benchmark/benchmark.h>
@@ -19,8 +19,7 @@ namespace {
 
 using rollcon::InstructionSet;
 
-/// A disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a
-/// cell.
+/// A disc: a grid of n x n cells pressed into a circle, one quadrilateral or two triangles to a cell.
 SurfaceMesh disc(ElementType type) {
   const bool triangles = corner_count(type) == 3, quadratic = is_quadratic(type);
   const int n = triangles ? 26 : 25, step = quadratic ? 2 : 1, row = n * step + 1;
@@ -71,8 +70,7 @@ void far_kernel(benchmark::State& state, InstructionSet set) {
   const Frame frame = build_frame(disc(ElementType::quad4), Axes{});
   std::vector<std::int64_t> elements;
   for (std::int64_t e = 0; e < 64; ++e) elements.push_back(e);
-  const halfspace::FarGroup group(frame, elements, ElementType::quad4,
-                                  quadrature::MapKind::straight);
+  const halfspace::FarGroup group(frame, elements, ElementType::quad4, quadrature::MapKind::straight);
   const auto& kernels = halfspace::kernels(set);
   const auto sources = group.sources(2);
   alignas(64) double integral[halfspace::integral_count * halfspace::max_shape_stride];
@@ -81,9 +79,8 @@ void far_kernel(benchmark::State& state, InstructionSet set) {
       kernels.far(sources, e, 5.0, 3.0, halfspace::all_terms, integral);
       benchmark::DoNotOptimize(integral[0]);
     }
-  state.counters["points/s"] =
-      benchmark::Counter(static_cast<double>(state.iterations() * group.size() * sources.n),
-                         benchmark::Counter::kIsRate);
+  state.counters["points/s"] = benchmark::Counter(static_cast<double>(state.iterations() * group.size() * sources.n),
+                                                  benchmark::Counter::kIsRate);
 }
 
 /// All rows and blocks at all nodes.
@@ -97,8 +94,8 @@ void matrix(benchmark::State& state, ElementType type, double tolerance) {
   for (std::size_t k = 0; k < 9; ++k) block.a[k / 3][k % 3] = storage.data() + k * n * n;
   const auto before = compliance->kernel_evaluations();
   for (auto _ : state) compliance->block({frame.x, frame.y}, block);
-  state.counters["points/s"] = benchmark::Counter(
-      static_cast<double>(compliance->kernel_evaluations() - before), benchmark::Counter::kIsRate);
+  state.counters["points/s"] =
+      benchmark::Counter(static_cast<double>(compliance->kernel_evaluations() - before), benchmark::Counter::kIsRate);
 }
 
 void product(benchmark::State& state, ElementType type, double tolerance) {

@@ -46,23 +46,18 @@ void run(Runner& runner) {
   const double e_star = closed_forms::effective_modulus(steel, steel);
   const Hertz circle = closed_forms::hertz_from_axes(1, 1, 1000, e_star);
   for (const FrameKind& kind : frame_kinds) {
-    const std::vector<int> sizes =
-        kind.rings ? std::vector{12, 16, 24, 32, 40} : std::vector{12, 24, 36, 48, 60};
+    const std::vector<int> sizes = kind.rings ? std::vector{12, 16, 24, 32, 40} : std::vector{12, 24, 36, 48, 60};
     for (const int across : sizes) {
       if (runner.quick && across > 24) continue;
-      const std::string name =
-          kind.rings ? " " + std::to_string(across / 2) : " grid " + std::to_string(across);
-      press(runner, circle, frame_over(kind, across, 1, 1, reach), kind.name, kind.name + name,
-            across);
+      const std::string name = kind.rings ? " " + std::to_string(across / 2) : " grid " + std::to_string(across);
+      press(runner, circle, frame_over(kind, across, 1, 1, reach), kind.name, kind.name + name, across);
     }
   }
   for (double ratio : {0.02, 0.1, 0.2, 0.5, 2.0, 5.0, 10.0, 50.0}) {
-    const Hertz exact =
-        closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000, e_star);
+    const Hertz exact = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000, e_star);
     char name[40];
     std::snprintf(name, sizeof name, "quad4 24, a/b = %g", ratio);
-    press(runner, exact, frame_over(frame_kinds[0], 24, exact.a, exact.b, reach), "quad4", name,
-          24);
+    press(runner, exact, frame_over(frame_kinds[0], 24, exact.a, exact.b, reach), "quad4", name, 24);
   }
 }
 

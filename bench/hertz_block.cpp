@@ -1,5 +1,5 @@
-// Frictionless contact of a rigid sphere with a block of boundary or of finite elements, the
-// frame being the block's own faces: approach over element size.
+// Frictionless contact of a rigid sphere with a block of boundary or of finite elements, the frame being the block's
+// own faces: approach over element size.
 
 #include <cmath>
 
@@ -18,8 +18,8 @@ constexpr double side = 10, depth = 5, zone = 2.5;
 
 /// n elements along the zone, held at its bottom.
 scenes::MeshedBody block(const BodyKind& kind, int n) {
-  scenes::MeshedBody body = meshed_zone_block(
-      {side, depth, zone, n, (n + 1) / 2, kind.volume ? n : (n + 1) / 2}, kind, example3::sphere);
+  scenes::MeshedBody body =
+      meshed_zone_block({side, depth, zone, n, (n + 1) / 2, kind.volume ? n : (n + 1) / 2}, kind, example3::sphere);
   body.held_tag = {3};
   body.contact_tag = {2};
   return body;
@@ -27,8 +27,7 @@ scenes::MeshedBody block(const BodyKind& kind, int n) {
 
 std::vector<int> sizes(const BodyKind& kind, bool quick) {
   if (quick) return kind.quadratic ? std::vector{3, 4} : std::vector{4, 6};
-  if (kind.volume)
-    return kind.quadratic ? std::vector{2, 3, 4, 6, 8} : std::vector{4, 6, 8, 10, 14};
+  if (kind.volume) return kind.quadratic ? std::vector{2, 3, 4, 6, 8} : std::vector{4, 6, 8, 10, 14};
   return kind.quadratic ? std::vector{2, 3, 4, 5, 6} : std::vector{4, 6, 8, 10, 12};
 }
 
@@ -41,8 +40,7 @@ std::unique_ptr<scenes::RollingPair> press(const scenes::MeshedBody& body, int t
 }
 
 /// Rings graded to the edge of the contact, laid on a fine block: approach and largest pressure.
-void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings,
-                   int threads) {
+void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings, int threads) {
   const closed_forms::Hertz hertz = example3::hertz();
   add_frame_limits(
       limits, parts, coarse, rings, [&](int n) { return press(block(kind, n), threads); },
@@ -67,8 +65,7 @@ void run(Runner& runner) {
       record.threads = runner.threads;
       record.quantity = "approach at given force";
       const scenes::MeshedBody body = block(kind, n);
-      const auto s =
-          cold_solve(runner, record, [&] { return press(body, runner.threads); }).solution;
+      const auto s = cold_solve(runner, record, [&] { return press(body, runner.threads); }).solution;
       record.value = s.approach;
       const scenes::FittedEllipse fit = scenes::fit_hertz(s, hertz.a, hertz.a);
       record.extra.emplace_back("p0", fit.p0);
@@ -82,8 +79,7 @@ void run(Runner& runner) {
       add_reference(limits, kind, parts, parts - 2, runner.quick ? 8 : 12, runner.threads);
     }
   study.compare("p0", combine(limits.second));
-  study.emit(runner, combine(limits.first),
-             "own extrapolation, frames graded to the contact's edge");
+  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edge");
 }
 
 }  // namespace

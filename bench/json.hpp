@@ -11,24 +11,16 @@ namespace rollcon::bench {
 
 class JsonObject {
  public:
-  JsonObject& add(const std::string& key, const std::string& value) {
-    return raw(key, quoted(value));
-  }
-  JsonObject& add(const std::string& key, const char* value) {
-    return add(key, std::string(value));
-  }
+  JsonObject& add(const std::string& key, const std::string& value) { return raw(key, quoted(value)); }
+  JsonObject& add(const std::string& key, const char* value) { return add(key, std::string(value)); }
   JsonObject& add(const std::string& key, double value) { return raw(key, number(value)); }
   JsonObject& add(const std::string& key, const std::vector<double>& values) {
     std::string list;
     for (const double value : values) list += (list.empty() ? "" : ", ") + number(value);
     return raw(key, "[" + list + "]");
   }
-  JsonObject& add(const std::string& key, std::int64_t value) {
-    return raw(key, std::to_string(value));
-  }
-  JsonObject& add(const std::string& key, const JsonObject& value) {
-    return raw(key, value.text());
-  }
+  JsonObject& add(const std::string& key, std::int64_t value) { return raw(key, std::to_string(value)); }
+  JsonObject& add(const std::string& key, const JsonObject& value) { return raw(key, value.text()); }
   std::string text() const { return "{" + body_ + "}"; }
 
  private:

@@ -30,9 +30,8 @@ void coefficients(Runner& runner) {
   for (double ratio : {0.2, 0.5, 1.0, 2.0, 5.0})
     for (double nu : {0.0, 0.25, 0.5}) {
       const closed_forms::Elastic body{.shear = 82000, .poisson = nu};
-      const Hertz hertz =
-          closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
-                                        closed_forms::effective_modulus(body, body));
+      const Hertz hertz = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
+                                                        closed_forms::effective_modulus(body, body));
       const auto table = closed_forms::kalker_table(ratio, nu);
       const double unit = 0.006 * mu * hertz.load / body.shear;  // 0.6 % of mu P without slip
       double began = now();
@@ -69,8 +68,8 @@ void coefficients(Runner& runner) {
 void creep_curve(Runner& runner) {
   const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
   const double mu = 0.33;
-  const Hertz hertz = closed_forms::hertz_from_load(
-      .0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
+  const Hertz hertz =
+      closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   double began = now();
   RollingPair pair(steel, steel, runner.threads);
   pair.frame(scenes::graded_disc(hertz.a, hertz.b, runner.quick ? 8 : 14));

@@ -21,8 +21,7 @@ std::vector<int> sizes(const FrameKind& kind, bool quick) {
   return kind.rings ? std::vector{12, 16, 20, 24, 32} : std::vector{10, 16, 20, 24, 32};
 }
 
-/// On rings graded to the contact's edge the characteristic scheme comes nearest to what is known
-/// (cases a and b).
+/// On rings graded to the contact's edge the characteristic scheme comes nearest to what is known (cases a and b).
 bool trusted(const FrameKind& kind, const std::string& scheme) {
   return kind.rings && scheme == "characteristic";
 }
@@ -34,8 +33,7 @@ std::string mesh_name(const FrameKind& kind, int across) {
 /// All four coefficients of a circle at nu = 1/4: three solves on one frame; worst error.
 void coefficients(Runner& runner) {
   const closed_forms::Elastic body{.shear = 82000, .poisson = 0.25};
-  const Hertz hertz =
-      closed_forms::hertz_from_axes(1, 1, 1000, closed_forms::effective_modulus(body, body));
+  const Hertz hertz = closed_forms::hertz_from_axes(1, 1, 1000, closed_forms::effective_modulus(body, body));
   const auto table = closed_forms::kalker_table(1, body.poisson);
   const double unit = 0.0006 * mu * hertz.load / body.shear;  // 0.06 % of mu P without slip
   constexpr const char* name[] = {"C11", "C22", "C23", "C33"};
@@ -56,8 +54,7 @@ void coefficients(Runner& runner) {
           pair->option("convection", scheme).creep(unit / table.c11, 0, 0);
           return pair;
         });
-        std::array<double, 4> found{-solved.solution.force[0] / unit * table.c11 / body.shear, 0, 0,
-                                    0};
+        std::array<double, 4> found{-solved.solution.force[0] / unit * table.c11 / body.shear, 0, 0, 0};
         const double began = now();
         const auto next = [&](double eta, double phi) {
           solved.pair->creep(0, eta, phi).solve();
@@ -84,8 +81,8 @@ void coefficients(Runner& runner) {
 void curve(Runner& runner) {
   const closed_forms::Elastic steel{.shear = 82000, .poisson = 0.28};
   constexpr double friction = 0.33;
-  const Hertz hertz = closed_forms::hertz_from_load(
-      .0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
+  const Hertz hertz =
+      closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   const auto points = closed_forms::creep_curve();
   struct Entry {
     Record record;
@@ -98,10 +95,8 @@ void curve(Runner& runner) {
     for (const int across : sizes(kind, runner.quick))
       for (const char* scheme : scenes::schemes) {
         const SurfaceMesh mesh = frame_over(kind, across, hertz.a, hertz.b, reach);
-        Entry entry{{.case_name = "creep_curve_meshes", .method = scheme, .model = "half-spaces"},
-                    across,
-                    kind.rings,
-                    {}};
+        Entry entry{
+            {.case_name = "creep_curve_meshes", .method = scheme, .model = "half-spaces"}, across, kind.rings, {}};
         entry.record.element = kind.name;
         entry.record.mesh = mesh_name(kind, across);
         entry.record.threads = runner.threads;
@@ -158,8 +153,7 @@ void curve(Runner& runner) {
 }  // namespace
 
 std::vector<Case> kalker_mesh_cases() {
-  return {{"kalker_meshes", "creepage coefficients of a circle: elements, sizes, schemes",
-           coefficients},
+  return {{"kalker_meshes", "creepage coefficients of a circle: elements, sizes, schemes", coefficients},
           {"creep_curve_meshes", "creep-force curve: elements, sizes, schemes", curve}};
 }
 

@@ -1,5 +1,5 @@
-// Thick walls under pressure from inside (Lame): bodies by themselves, of every element by boundary
-// and by finite elements.
+// Thick walls under pressure from inside (Lame): bodies by themselves, of every element by boundary and by finite
+// elements.
 
 #include <algorithm>
 #include <cmath>
@@ -31,16 +31,13 @@ struct Wall {
 /// A quarter around the y axis, plane strain.
 surfaces::Block cylinder(int n) {
   surfaces::Block b = surfaces::brick({2 * n, n, n}, {pi / 2, 1, outer - inner});
-  b.map = [](const Vec3& q) {
-    return Vec3{(inner + q[2]) * std::sin(q[0]), q[1], (inner + q[2]) * std::cos(q[0])};
-  };
+  b.map = [](const Vec3& q) { return Vec3{(inner + q[2]) * std::sin(q[0]), q[1], (inner + q[2]) * std::cos(q[0])}; };
   return b;
 }
 
 Vec3 cylinder_displacement(const Vec3& x) {
   const double r = std::hypot(x[0], x[2]), a2 = inner * inner, b2 = outer * outer;
-  const double u =
-      pressure * a2 * (1 + poisson) / (young * (b2 - a2)) * ((1 - 2 * poisson) * r + b2 / r);
+  const double u = pressure * a2 * (1 + poisson) / (young * (b2 - a2)) * ((1 - 2 * poisson) * r + b2 / r);
   return (u / r) * Vec3{x[0], 0, x[2]};
 }
 
@@ -56,14 +53,12 @@ surfaces::Block sphere(int n) {
 
 Vec3 sphere_displacement(const Vec3& x) {
   const double r = length(x), a3 = std::pow(inner, 3), b3 = std::pow(outer, 3);
-  const double u = pressure * a3 / (young * (b3 - a3)) *
-                   ((1 - 2 * poisson) * r + (1 + poisson) * b3 / (2 * r * r));
+  const double u = pressure * a3 / (young * (b3 - a3)) * ((1 - 2 * poisson) * r + (1 + poisson) * b3 / (2 * r * r));
   return (u / r) * x;
 }
 
-const Wall walls[] = {
-    {"cylinder", cylinder, cylinder_displacement, {{1, 1}, {2, 4}, {3, 2}, {4, 2}}, 0},
-    {"sphere", sphere, sphere_displacement, {{1, 2}, {2, 1}, {3, 4}}, 4}};
+const Wall walls[] = {{"cylinder", cylinder, cylinder_displacement, {{1, 1}, {2, 4}, {3, 2}, {4, 2}}, 0},
+                      {"sphere", sphere, sphere_displacement, {{1, 2}, {2, 1}, {3, 4}}, 4}};
 
 void give_displacements(rollcon_body* body, const SurfaceMesh& mesh, const Wall& wall) {
   const std::int32_t tag[] = {wall.given_tag};
@@ -73,8 +68,7 @@ void give_displacements(rollcon_body* body, const SurfaceMesh& mesh, const Wall&
     const Vec3 u = wall.exact(mesh.node[static_cast<std::size_t>(k)]);
     value.insert(value.end(), u.begin(), u.end());
   }
-  must(rollcon_body_set_support(body, static_cast<std::int64_t>(node.size()), node.data(), 0, 7,
-                                value.data()),
+  must(rollcon_body_set_support(body, static_cast<std::int64_t>(node.size()), node.data(), 0, 7, value.data()),
        "set_support");
 }
 
@@ -117,8 +111,7 @@ void press(const Wall& wall, const scenes::MeshedBody& shape, Record& record) {
 
 std::vector<int> sizes(const BodyKind& kind, bool quick) {
   if (quick) return kind.quadratic ? std::vector{1, 2} : std::vector{2, 4};
-  if (kind.volume)
-    return kind.quadratic ? std::vector{1, 2, 3, 4, 6, 8} : std::vector{2, 4, 6, 8, 12, 16};
+  if (kind.volume) return kind.quadratic ? std::vector{1, 2, 3, 4, 6, 8} : std::vector{2, 4, 6, 8, 12, 16};
   return kind.quadratic ? std::vector{1, 2, 3, 4, 6} : std::vector{2, 4, 6, 8, 12};
 }
 

@@ -1,5 +1,5 @@
-// Regular frames on half-spaces by FFT: cases (a) and (b) up to 512 x 512, with creepages or forces
-// given, alike and unlike bodies; time and memory over the number of nodes.
+// Regular frames on half-spaces by FFT: cases (a) and (b) up to 512 x 512, with creepages or forces given, alike and
+// unlike bodies; time and memory over the number of nodes.
 
 #include <algorithm>
 #include <cmath>
@@ -25,20 +25,16 @@ struct Variant {
   bool forces;        ///< the forces of the creepage-driven solution given instead
 };
 
-constexpr Variant variants[] = {
-    {"a", "a", false, false},          {"a, forces", "a", false, true},
-    {"a, on rigid", "a", true, false}, {"a, on rigid, forces", "a", true, true},
-    {"b", "b", false, false},          {"b, forces", "b", false, true},
-    {"b, on rigid", "b", true, false}, {"b, on rigid, forces", "b", true, true}};
+constexpr Variant variants[] = {{"a", "a", false, false},          {"a, forces", "a", false, true},
+                                {"a, on rigid", "a", true, false}, {"a, on rigid, forces", "a", true, true},
+                                {"b", "b", false, false},          {"b, forces", "b", false, true},
+                                {"b, on rigid", "b", true, false}, {"b, on rigid, forces", "b", true, true}};
 
-std::unique_ptr<RollingPair> make(const Runner& runner, const Variant& v, int n,
-                                  const char* operators) {
+std::unique_ptr<RollingPair> make(const Runner& runner, const Variant& v, int n, const char* operators) {
   // Half as stiff a body on a rigid one has the same contact.
-  const scenes::Elastic half{.shear = steady_rolling::steel.shear / 2,
-                             .poisson = steady_rolling::steel.poisson};
+  const scenes::Elastic half{.shear = steady_rolling::steel.shear / 2, .poisson = steady_rolling::steel.poisson};
   auto pair = v.rigid ? std::make_unique<RollingPair>(half, std::nullopt, runner.threads)
-                      : std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel,
-                                                      runner.threads);
+                      : std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel, runner.threads);
   steady_rolling::prepare(*pair, steady_rolling::grid(n), v.which);
   pair->option("tolerance", engineering).option("operators", operators);
   return pair;
@@ -74,17 +70,15 @@ void solve(Runner& runner, const Variant& v, int n, const char* operators) {
   if (!v.rigid) record.error = steady_rolling::force_error(s, v.which);
   record.extra.emplace_back("n", n);
   record.extra.emplace_back("applications", pair.stat("operator_applications"));
-  record.extra.emplace_back(
-      "bytes_per_node", static_cast<double>(record.peak_bytes) / static_cast<double>(record.nodes));
+  record.extra.emplace_back("bytes_per_node",
+                            static_cast<double>(record.peak_bytes) / static_cast<double>(record.nodes));
   if (!v.forces) {
     const double spin = v.which[0] == 'b' ? steady_rolling::spin : 0;
-    record.extra.emplace_back("warm_seconds",
-                              warm_solve(runner, pair, {steady_rolling::creepage, 0, spin}));
+    record.extra.emplace_back("warm_seconds", warm_solve(runner, pair, {steady_rolling::creepage, 0, spin}));
     record.extra.emplace_back("warm_iterations", pair.stat("iterations"));
   }
   if (!v.rigid && !v.forces && n >= 16 && n <= 256)
-    record.extra.emplace_back(
-        "contact_seconds", closed_forms::steady_rolling(v.which, "seconds_" + std::to_string(n)));
+    record.extra.emplace_back("contact_seconds", closed_forms::steady_rolling(v.which, "seconds_" + std::to_string(n)));
   runner.emit(record);
 }
 
@@ -101,8 +95,7 @@ void run(Runner& runner) {
 }  // namespace
 
 std::vector<Case> lattice_cases() {
-  return {
-      {"lattice", "regular frames on half-spaces by FFT: time and memory up to 512 x 512", run}};
+  return {{"lattice", "regular frames on half-spaces by FFT: time and memory up to 512 x 512", run}};
 }
 
 }  // namespace rollcon::bench

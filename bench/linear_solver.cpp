@@ -22,8 +22,7 @@ void solve(Runner& runner, scenes::RollingPair& pair, const std::string& mesh, c
   timed_solve(pair, record, began);
   record.value = record.seconds - pair.stat("seconds_compliance");
   record.extra = {
-      {"seconds_per_iteration",
-       record.value / static_cast<double>(std::max<std::int64_t>(1, record.iterations))},
+      {"seconds_per_iteration", record.value / static_cast<double>(std::max<std::int64_t>(1, record.iterations))},
       {"factorizations", pair.stat("factorizations")}};
   runner.emit(record);
 }

@@ -18,31 +18,11 @@ using rollcon::bench::Case;
 std::vector<Case> all_cases() {
   using namespace rollcon::bench;
   std::vector<Case> cases;
-  for (auto family : {hertz_cases,
-                      carter_cases,
-                      kalker_cases,
-                      kalker_mesh_cases,
-                      steady_rolling_cases,
-                      lame_cases,
-                      hertz_block_cases,
-                      example1_cases,
-                      example2_cases,
-                      example3_cases,
-                      example4_cases,
-                      procedure_cases,
-                      kernel_cases,
-                      linear_solver_cases,
-                      body_cases,
-                      ring_load_cases,
-                      fem_cases,
-                      effectivity_cases,
-                      resolve_cases,
-                      guard_cases,
-                      thrift_cases,
-                      time_loop_cases,
-                      many_cases,
-                      saved_body_cases,
-                      lattice_cases,
+  for (auto family : {hertz_cases,     carter_cases,      kalker_cases,      kalker_mesh_cases,   steady_rolling_cases,
+                      lame_cases,      hertz_block_cases, example1_cases,    example2_cases,      example3_cases,
+                      example4_cases,  procedure_cases,   kernel_cases,      linear_solver_cases, body_cases,
+                      ring_load_cases, fem_cases,         effectivity_cases, resolve_cases,       guard_cases,
+                      thrift_cases,    time_loop_cases,   many_cases,        saved_body_cases,    lattice_cases,
                       stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
 #ifdef ROLLCON_BENCH_KERNELS
@@ -65,8 +45,7 @@ int run(const std::vector<Case>& cases, int argc, char** argv) {
   std::vector<std::string> wanted;
   const auto want = [&](const std::string& name) {
     if (name == "stability")  // all of its parts
-      wanted.insert(wanted.end(), {"stability_named", "stability_random", "stability_forces",
-                                   "stability_bodies"});
+      wanted.insert(wanted.end(), {"stability_named", "stability_random", "stability_forces", "stability_bodies"});
     else
       wanted.push_back(name);
   };
@@ -93,8 +72,7 @@ int run(const std::vector<Case>& cases, int argc, char** argv) {
   if (wanted.empty()) return usage();
   const bool everything = std::find(wanted.begin(), wanted.end(), "all") != wanted.end();
   for (const std::string& name : wanted)
-    if (name != "all" &&
-        std::none_of(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; })) {
+    if (name != "all" && std::none_of(cases.begin(), cases.end(), [&](const Case& c) { return c.name == name; })) {
       std::fprintf(stderr, "no case %s; see rollcon-bench list\n", name.c_str());
       return 2;
     }

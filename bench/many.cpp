@@ -28,9 +28,8 @@ List grid(bool quick) {
     for (int s = 0; s < 3; ++s)
       for (int b = 0; b < across; ++b)
         for (int a = 0; a < along; ++a)
-          list.values.insert(list.values.end(),
-                             {wheelset_run::load * (1 + 0.3 * part(l, 3)), 4e-4 * part(s, 3),
-                              4e-3 * part(b, across), 4e-3 * part(a, along)});
+          list.values.insert(list.values.end(), {wheelset_run::load * (1 + 0.3 * part(l, 3)), 4e-4 * part(s, 3),
+                                                 4e-3 * part(b, across), 4e-3 * part(a, along)});
   return list;
 }
 
@@ -39,9 +38,8 @@ List scattered(bool quick) {
   std::mt19937 generator(11);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int i = 0; i < (quick ? 150 : 2000); ++i)
-    list.values.insert(list.values.end(),
-                       {wheelset_run::load * (1 + 0.3 * unit(generator)), 4e-4 * unit(generator),
-                        4e-3 * unit(generator), 4e-3 * unit(generator)});
+    list.values.insert(list.values.end(), {wheelset_run::load * (1 + 0.3 * unit(generator)), 4e-4 * unit(generator),
+                                           4e-3 * unit(generator), 4e-3 * unit(generator)});
   return list;
 }
 
@@ -61,8 +59,7 @@ Run one_by_one(scenes::RollingPair& pair, const List& list) {
     rollcon_contact_set_creep(pair.handle(), v[3], v[2], v[1]);
     rollcon_contact_prescribe(pair.handle(), ROLLCON_NORMAL, ROLLCON_BY_FORCE, v[0]);
     r.not_ok += rollcon_contact_solve(pair.handle()) != ROLLCON_OK;
-    rollcon_contact_get_resultant(pair.handle(), ROLLCON_LOCAL,
-                                  &r.force[3 * static_cast<std::size_t>(i)], nullptr);
+    rollcon_contact_get_resultant(pair.handle(), ROLLCON_LOCAL, &r.force[3 * static_cast<std::size_t>(i)], nullptr);
     double n = 0;
     rollcon_contact_get_stat(pair.handle(), "iterations", &n);
     r.iterations += n;
@@ -78,9 +75,8 @@ Run at_once(scenes::RollingPair& pair, const List& list) {
   std::vector<double> row(4 * n);
   std::vector<std::int32_t> status(n);
   const double began = now();
-  rollcon_contact_solve_many(pair.handle(), "normal spin lateral longitudinal", list.cases(),
-                             list.values.data(), "force iterations", 4, row.data(), nullptr,
-                             status.data());
+  rollcon_contact_solve_many(pair.handle(), "normal spin lateral longitudinal", list.cases(), list.values.data(),
+                             "force iterations", 4, row.data(), nullptr, status.data());
   r.seconds = now() - began;
   for (std::size_t i = 0; i < n; ++i) {
     std::copy_n(&row[4 * i], 3, &r.force[3 * i]);
@@ -90,15 +86,14 @@ Run at_once(scenes::RollingPair& pair, const List& list) {
   return r;
 }
 
-void emit(Runner& runner, const List& list, const Run& run, const Run& loop, const char* method,
-          int threads, scenes::RollingPair& pair, int elements) {
+void emit(Runner& runner, const List& list, const Run& run, const Run& loop, const char* method, int threads,
+          scenes::RollingPair& pair, int elements) {
   double off = 0;
   for (std::size_t i = 0; i < run.force.size(); ++i)
     off = std::max(off, std::abs(run.force[i] - loop.force[i]) / wheelset_run::load);
   Record record{.case_name = "many", .method = method, .model = "identical half-spaces"};
   record.element = "quad4";
-  record.mesh =
-      std::to_string(elements) + " x " + std::to_string(elements) + ", " + list.name + " list";
+  record.mesh = std::to_string(elements) + " x " + std::to_string(elements) + ", " + list.name + " list";
   record.threads = threads;
   rollcon_contact_get_size(pair.handle(), &record.nodes, &record.elements);
   record.quantity = "milliseconds per case, error: of forces over the load";
@@ -116,9 +111,8 @@ void emit(Runner& runner, const List& list, const Run& run, const Run& loop, con
 }
 
 void many(Runner& runner) {
-  const closed_forms::Elastic steel{
-      .shear = wheelset_run::young / (2 * (1 + wheelset_run::poisson)),
-      .poisson = wheelset_run::poisson};
+  const closed_forms::Elastic steel{.shear = wheelset_run::young / (2 * (1 + wheelset_run::poisson)),
+                                    .poisson = wheelset_run::poisson};
   for (const int elements : {11, 15})
     for (const List& list : {grid(runner.quick), scattered(runner.quick)}) {
       scenes::RollingPair single(steel, steel, 1), twin(steel, steel, 2);
@@ -130,9 +124,9 @@ void many(Runner& runner) {
       // The least of three, in turns.
       Run loop, one, two;
       for (int k = 0; k < 3; ++k) {
-        for (auto& [best, next] : {std::pair<Run&, Run>{loop, one_by_one(single, list)},
-                                   std::pair<Run&, Run>{one, at_once(single, list)},
-                                   std::pair<Run&, Run>{two, at_once(twin, list)}})
+        for (auto& [best, next] :
+             {std::pair<Run&, Run>{loop, one_by_one(single, list)}, std::pair<Run&, Run>{one, at_once(single, list)},
+              std::pair<Run&, Run>{two, at_once(twin, list)}})
           if (k == 0 || next.seconds < best.seconds) best = next;
       }
       emit(runner, list, loop, loop, "one by one", 1, single, elements);

@@ -9,39 +9,35 @@
 namespace rollcon::bench {
 
 SurfaceMesh frame_over(const FrameKind& kind, int across, double a, double b, double reach) {
-  if (kind.rings)
-    return scenes::graded_disc(a, b, is_quadratic(kind.type) ? across / 4 : across / 2, kind.type);
+  if (kind.rings) return scenes::graded_disc(a, b, is_quadratic(kind.type) ? across / 4 : across / 2, kind.type);
   const int steps = 2 * static_cast<int>(std::ceil(0.5 * across * reach - 1e-9));
   const double half = static_cast<double>(steps) / across;
-  const auto lines =
-      frames::uniform_lines(-half, half, is_quadratic(kind.type) ? steps / 2 : steps);
+  const auto lines = frames::uniform_lines(-half, half, is_quadratic(kind.type) ? steps / 2 : steps);
   return frames::stretch(frames::rectangle(kind.type, lines, lines), a, b);
 }
 
 std::vector<BodyKind> boundary_elements() {
   std::vector<BodyKind> kinds;
-  for (const ElementType type : {ElementType::quad4, ElementType::tri3, ElementType::quad8,
-                                 ElementType::quad9, ElementType::tri6})
+  for (const ElementType type :
+       {ElementType::quad4, ElementType::tri3, ElementType::quad8, ElementType::quad9, ElementType::tri6})
     kinds.push_back({surfaces::name_of(type), false, is_quadratic(type), type, {}});
   return kinds;
 }
 
 std::vector<BodyKind> finite_elements() {
   std::vector<BodyKind> kinds;
-  for (const VolumeType type : {VolumeType::hex8, VolumeType::wedge6, VolumeType::tet4,
-                                VolumeType::hex20, VolumeType::wedge15, VolumeType::tet10})
+  for (const VolumeType type : {VolumeType::hex8, VolumeType::wedge6, VolumeType::tet4, VolumeType::hex20,
+                                VolumeType::wedge15, VolumeType::tet10})
     kinds.push_back({volumes::name_of(type), true, is_quadratic(type), {}, type});
   return kinds;
 }
 
-scenes::MeshedBody meshed_block(const surfaces::Block& shape, const BodyKind& kind,
-                                const scenes::Elastic& material) {
+scenes::MeshedBody meshed_block(const surfaces::Block& shape, const BodyKind& kind, const scenes::Elastic& material) {
   if (kind.volume) return scenes::meshed(volumes::block(shape, kind.volume_type), material);
   return scenes::meshed(surfaces::block(shape, kind.surface_type), material);
 }
 
-scenes::MeshedBody meshed_ring(const surfaces::Ring& shape, const BodyKind& kind,
-                               const scenes::Elastic& material) {
+scenes::MeshedBody meshed_ring(const surfaces::Ring& shape, const BodyKind& kind, const scenes::Elastic& material) {
   if (kind.volume) return scenes::meshed(volumes::ring(shape, kind.volume_type), material);
   return scenes::meshed(surfaces::ring(shape, kind.surface_type), material);
 }

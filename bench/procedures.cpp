@@ -17,8 +17,7 @@ void must(std::int32_t status, const char* what) {
 
 void add_error_function(Record& record, const scenes::RollingPair& pair) {
   std::int64_t rows = 0;
-  must(rollcon_contact_get_error_function(pair.handle(), 0, nullptr, nullptr, &rows),
-       "get_error_function");
+  must(rollcon_contact_get_error_function(pair.handle(), 0, nullptr, nullptr, &rows), "get_error_function");
   std::vector<double> psi(static_cast<std::size_t>(rows)), seconds(psi.size());
   must(rollcon_contact_get_error_function(pair.handle(), rows, psi.data(), seconds.data(), &rows),
        "get_error_function");
@@ -29,8 +28,7 @@ void add_error_function(Record& record, const scenes::RollingPair& pair) {
 
 void apply(const Procedure& procedure, scenes::RollingPair& pair) {
   procedure.apply(pair);
-  pair.option("max_iterations",
-              procedure.max_iterations ? procedure.max_iterations : most_iterations);
+  pair.option("max_iterations", procedure.max_iterations ? procedure.max_iterations : most_iterations);
 }
 
 void add_body_unknowns(Record& record, const scenes::RollingPair& pair) {
@@ -38,14 +36,12 @@ void add_body_unknowns(Record& record, const scenes::RollingPair& pair) {
   for (const int which : {1, 2}) {
     std::int32_t kind = 0;
     must(rollcon_body_get_kind(pair.body(which), &kind), "get_kind");
-    if (kind == ROLLCON_BODY_BEM || kind == ROLLCON_BODY_FEM)
-      unknowns += pair.body_stat(which, "unknowns");
+    if (kind == ROLLCON_BODY_BEM || kind == ROLLCON_BODY_FEM) unknowns += pair.body_stat(which, "unknowns");
   }
   record.extra.emplace_back("body_unknowns", unknowns);
 }
 
-scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair, Record& record,
-                          int repeats) {
+scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair, Record& record, int repeats) {
   const Record blank = record;
   scenes::Solution solution;
   for (int k = 0; k < repeats; ++k) {
@@ -61,8 +57,8 @@ scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair,
       add_error_function(attempt, pair);
     } catch (const std::exception& e) {
       attempt.status = -1;
-      std::fprintf(stderr, "%s, %s, %s: %s\n", attempt.case_name.c_str(), attempt.model.c_str(),
-                   attempt.method.c_str(), e.what());
+      std::fprintf(stderr, "%s, %s, %s: %s\n", attempt.case_name.c_str(), attempt.model.c_str(), attempt.method.c_str(),
+                   e.what());
     }
     if (k == 0 || attempt.seconds < record.seconds) record = attempt;
     if (attempt.seconds > short_solve || attempt.status < 0) break;
@@ -71,8 +67,7 @@ scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair,
 }
 
 double solving_seconds(const scenes::RollingPair& pair) {
-  return pair.stat("seconds_total") - pair.stat("seconds_compliance") -
-         pair.stat("seconds_convection");
+  return pair.stat("seconds_total") - pair.stat("seconds_compliance") - pair.stat("seconds_convection");
 }
 
 bool converged(const Record& record) {

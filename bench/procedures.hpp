@@ -22,12 +22,10 @@ using scenes::traction_difference;
 
 void apply(const Procedure& procedure, scenes::RollingPair& pair);
 
-/// Solves from zero tractions on what is already prepared (`fresh`: from arrays, `began` says
-/// when) and fills the record but for quantity, value and error: method, sizes, time, the error
-/// function of every iteration. A solve that is refused or fails keeps its message and a negative
-/// status. `repeats`: the fastest of so many short solves counts.
-scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair, Record& record,
-                          int repeats = 1);
+/// Solves from zero tractions on what is already prepared (`fresh`: from arrays, `began` says when) and fills the
+/// record but for quantity, value and error: method, sizes, time, the error function of every iteration. A solve that
+/// is refused or fails keeps its message and a negative status. `repeats`: the fastest of so many short solves counts.
+scenes::Solution solve_by(const Procedure& procedure, scenes::RollingPair& pair, Record& record, int repeats = 1);
 
 /// Unknowns of both bodies, where they have any of their own, as an extra.
 void add_body_unknowns(Record& record, const scenes::RollingPair& pair);

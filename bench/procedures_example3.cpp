@@ -47,10 +47,8 @@ void one_mesh(Runner& runner) {
         if (scheme == std::string("godunov"))
           procedures.push_back(p);
         else if (p.system == "condensed" && p.linear_solver == "lu")
-          procedures.push_back({.jacobian = p.jacobian,
-                                .slip_estimate = p.slip_estimate,
-                                .linear_solver = "lu",
-                                .max_iterations = 600});
+          procedures.push_back(
+              {.jacobian = p.jacobian, .slip_estimate = p.slip_estimate, .linear_solver = "lu", .max_iterations = 600});
       }
     solve_all(runner, "procedures_example3", mesh, scheme, procedures, runner.quick ? 1 : 2);
     if (runner.quick) break;
@@ -78,8 +76,7 @@ void densities(Runner& runner) {
 }  // namespace
 
 std::vector<Case> procedure_example3_cases() {
-  return {{"procedures_example3", "sphere on a plane: every solution procedure, figure 16(a)",
-           one_mesh},
+  return {{"procedures_example3", "sphere on a plane: every solution procedure, figure 16(a)", one_mesh},
           {"procedures_density", "the same over the density of the mesh, figure 16(b)", densities}};
 }
 

@@ -14,12 +14,10 @@ void error_function(Runner& runner) {
   scenes::Solution standard;
   std::vector<Procedure> procedures{Procedure{}};
   for (const char* jacobian : {"b_derivative", "simplified"})
-    for (const char* solver : linear_solvers)
-      procedures.push_back({.jacobian = jacobian, .linear_solver = solver});
+    for (const char* solver : linear_solvers) procedures.push_back({.jacobian = jacobian, .linear_solver = solver});
   for (const char* estimate : slip_estimates)
     for (const char* solver : linear_solvers)
-      procedures.push_back(
-          {.jacobian = "reduced", .slip_estimate = estimate, .linear_solver = solver});
+      procedures.push_back({.jacobian = "reduced", .slip_estimate = estimate, .linear_solver = solver});
   procedures.push_back({"monolithic", "b_derivative", "auto", "lu", "auto"});
   for (const char* solver : {"gmres", "gmres_adaptive"})
     procedures.push_back({"monolithic", "b_derivative", "auto", solver, "bodies"});
@@ -41,8 +39,7 @@ void error_function(Runner& runner) {
 }  // namespace
 
 std::vector<Case> procedure_example4_cases() {
-  return {{"procedures_example4", "wheel on a rail: error function by iteration, figure 21",
-           error_function}};
+  return {{"procedures_example4", "wheel on a rail: error function by iteration, figure 21", error_function}};
 }
 
 }  // namespace rollcon::bench

@@ -1,5 +1,5 @@
-// Every admissible combination of system, Jacobian, slip estimate and linear solver on the paper's
-// examples, and the standard procedure beside the monolithic ones.
+// Every admissible combination of system, Jacobian, slip estimate and linear solver on the paper's examples, and the
+// standard procedure beside the monolithic ones.
 
 #include <cmath>
 #include <exception>
@@ -29,8 +29,8 @@ void combinations(Runner& runner) {
     for (const char* system : systems) {
       if (example.condensed_only && system == std::string("monolithic")) continue;
       for (const Procedure& procedure : procedures_by_solver(system)) {
-        const bool plain = procedure.linear_solver == "lu" && (procedure.slip_estimate == "auto" ||
-                                                               procedure.slip_estimate == "jacobi");
+        const bool plain = procedure.linear_solver == "lu" &&
+                           (procedure.slip_estimate == "auto" || procedure.slip_estimate == "jacobi");
         if (!runner.quick || (plain && procedure.system == "condensed")) add(procedure);
       }
     }
@@ -43,8 +43,8 @@ void add_resolves(Record& record, scenes::RollingPair& pair, const scenes::Solut
   constexpr int most = 4;
   constexpr double long_enough = 0.1;  // seconds; slower ones are not repeated as often
   double fastest = INFINITY, iterations = 0;
-  // The first one with creepages given may still size workspaces. Back where it came from, a
-  // prediction would be the solution.
+  // The first one with creepages given may still size workspaces. Back where it came from, a prediction would be the
+  // solution.
   pair.option("prediction", std::int64_t{0});
   pair.creep(s.creep[0], s.creep[1], s.creep[2]).solve();
   for (int k = 0; k < (fastest > long_enough && k > 0 ? 2 : most); ++k) {
@@ -91,8 +91,7 @@ void speed(Runner& runner) {
         if (converged(record)) add_resolves(record, *pair, s);
       } catch (const std::exception& e) {
         record.status = -1;
-        std::fprintf(stderr, "procedures_speed, %s, %s: %s\n", record.model.c_str(),
-                     record.method.c_str(), e.what());
+        std::fprintf(stderr, "procedures_speed, %s, %s: %s\n", record.model.c_str(), record.method.c_str(), e.what());
       }
       record.mesh = std::to_string(record.nodes) + " nodes";
       runner.emit(record);
@@ -104,10 +103,8 @@ void speed(Runner& runner) {
 }  // namespace
 
 std::vector<Case> procedure_examples_cases() {
-  return {
-      {"procedures_examples", "every solution procedure on the paper's four examples, coarse",
-       combinations},
-      {"procedures_speed", "standard against monolithic procedures, cold and on re-solve", speed}};
+  return {{"procedures_examples", "every solution procedure on the paper's four examples, coarse", combinations},
+          {"procedures_speed", "standard against monolithic procedures, cold and on re-solve", speed}};
 }
 
 }  // namespace rollcon::bench

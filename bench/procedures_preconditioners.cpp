@@ -21,24 +21,22 @@ bool plain(const std::string& preconditioner) {
   return preconditioner == "none" || preconditioner == "diagonal";
 }
 
-void solve(Runner& runner, scenes::RollingPair& pair, const std::string& model,
-           const std::string& mesh, const char* system, const char* preconditioner) {
+void solve(Runner& runner, scenes::RollingPair& pair, const std::string& model, const std::string& mesh,
+           const char* system, const char* preconditioner) {
   Record record{.case_name = "preconditioners", .model = model};
   record.threads = runner.threads;
   record.mesh = mesh;
   pair.option("linear_tolerance", 0.0);
-  const Procedure procedure{.system = system,
-                            .jacobian = "b_derivative",
-                            .linear_solver = "gmres",
-                            .preconditioner = preconditioner};
+  const Procedure procedure{
+      .system = system, .jacobian = "b_derivative", .linear_solver = "gmres", .preconditioner = preconditioner};
   apply(procedure, pair);
   pair.option("linear_tolerance", tolerance);
   solve_by(procedure, pair, record);
   record.series.clear();
   record.quantity = "Krylov iterations per linear system";
   record.against = "none";
-  record.value = static_cast<double>(record.linear_iterations) /
-                 static_cast<double>(std::max<std::int64_t>(1, record.iterations));
+  record.value =
+      static_cast<double>(record.linear_iterations) / static_cast<double>(std::max<std::int64_t>(1, record.iterations));
   record.error = NAN;
   runner.emit(record);
 }
@@ -52,17 +50,15 @@ void run(Runner& runner) {
     pair.option("convection", "least_squares");
     for (const char* preconditioner : {"none", "diagonal", "kept_lu"})
       if (n <= largest_plain_grid || !plain(preconditioner))
-        solve(runner, pair, "half-space on rigid, condensed", "grid " + std::to_string(n),
-              "condensed", preconditioner);
+        solve(runner, pair, "half-space on rigid, condensed", "grid " + std::to_string(n), "condensed", preconditioner);
   }
   std::vector<int> rings{4, 6, 8, 10, 12};
   if (runner.quick) rings.resize(1);
   for (const int n : rings)
     for (const bool finite : {false, true}) {
       if (n == 12 && !finite) continue;
-      const scenes::MeshedBody ring =
-          finite ? example1::ring_body(example1::fem_ring(n), VolumeType::hex8)
-                 : example1::ring_body(example1::bem_ring(n), ElementType::quad4);
+      const scenes::MeshedBody ring = finite ? example1::ring_body(example1::fem_ring(n), VolumeType::hex8)
+                                             : example1::ring_body(example1::bem_ring(n), ElementType::quad4);
       const auto pair = example1::pair(ring, scenes::TwinBody{}, "least_squares", runner.threads);
       for (const char* system : systems)
         for (const char* preconditioner : {"none", "diagonal", "bodies", "kept_lu"}) {

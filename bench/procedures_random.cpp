@@ -22,16 +22,14 @@ Drawn draw(std::uint32_t seed, int threads) {
   Elastic second{.shear = std::pow(10, random.between(-1, 1)), .poisson = random.between(0, 0.45)};
   const bool twins = either(), rigid = either();
   if (twins) second = first;
-  const double e_star = twins || !rigid ? closed_forms::effective_modulus(first, second)
-                                        : closed_forms::effective_modulus(first);
+  const double e_star =
+      twins || !rigid ? closed_forms::effective_modulus(first, second) : closed_forms::effective_modulus(first);
   const double a = random.between(0.5, 2), b = 1, mu = random.between(0.05, 0.6);
   const auto hertz = closed_forms::hertz_from_axes(a, b, 1e-3, e_star);
   auto pair = twins || !rigid ? std::make_unique<scenes::RollingPair>(first, second, threads)
                               : std::make_unique<scenes::RollingPair>(first, std::nullopt, threads);
   const int n = 2 * static_cast<int>(random.between(5, 9));
-  const auto lines = [&](double half) {
-    return frames::uniform_lines(-1.25 * half, 1.25 * half, n);
-  };
+  const auto lines = [&](double half) { return frames::uniform_lines(-1.25 * half, 1.25 * half, n); };
   pair->frame(frames::rectangle(ElementType::quad4, lines(a), lines(b)));
   pair->gap_quadratic(hertz.A, hertz.B).friction(mu).option("convection", "godunov");
   if (either())
@@ -44,8 +42,7 @@ Drawn draw(std::uint32_t seed, int threads) {
   const double longitudinal = full * random.between(-1, 1), lateral = full * random.between(-1, 1);
   const double turning = either() ? full / std::sqrt(a * b) * random.between(-1, 1) : 0;
   pair->creep(longitudinal, lateral, turning);
-  if (force_given)
-    pair->tangential_force(ROLLCON_LONGITUDINAL, mu * hertz.load * random.between(-0.8, 0.8));
+  if (force_given) pair->tangential_force(ROLLCON_LONGITUDINAL, mu * hertz.load * random.between(-0.8, 0.8));
   return {std::move(pair), force_given};
 }
 

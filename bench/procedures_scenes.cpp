@@ -90,31 +90,26 @@ Pair rolling_wheel(Pair pair) {
 }  // namespace
 
 std::vector<Example> coarse_examples() {
-  return {
-      {"example 1, BEM on BEM", bem_on_bem},
-      {"example 1, FEM on FEM", fem_on_fem},
-      {"example 1, FEM on BEM", fem_on_bem},
-      {"example 2, FEM on half-space", coarse_ring_on_ground},
-      {"example 3, half-space on rigid", sphere},
-      {"example 4, BEM on rigid", [](int threads) { return rolling_wheel(coarse_wheel(threads)); }},
-      {"example 1, whole rings", whole_rings, true}};
+  return {{"example 1, BEM on BEM", bem_on_bem},
+          {"example 1, FEM on FEM", fem_on_fem},
+          {"example 1, FEM on BEM", fem_on_bem},
+          {"example 2, FEM on half-space", coarse_ring_on_ground},
+          {"example 3, half-space on rigid", sphere},
+          {"example 4, BEM on rigid", [](int threads) { return rolling_wheel(coarse_wheel(threads)); }},
+          {"example 1, whole rings", whole_rings, true}};
 }
 
 std::vector<Example> paper_examples() {
   return {{"example 1, BEM on BEM",
-           [](int threads) {
-             return example1::pair(example1::paper_ring(), ElementType::quad4, scheme, threads);
-           }},
+           [](int threads) { return example1::pair(example1::paper_ring(), ElementType::quad4, scheme, threads); }},
           {"example 1, FEM on FEM",
            [](int threads) {
-             return example1::pair(example1::ring_body(example1::fem_ring(12), VolumeType::hex8),
-                                   scenes::TwinBody{}, scheme, threads);
+             return example1::pair(example1::ring_body(example1::fem_ring(12), VolumeType::hex8), scenes::TwinBody{},
+                                   scheme, threads);
            }},
-          {"example 2, FEM on half-space",
-           [](int threads) { return ring_on_ground(example2::ring_of(), threads); }},
-          {"example 4, BEM on rigid", [](int threads) {
-             return rolling_wheel(example4::pair(ElementType::quad4, scheme, threads));
-           }}};
+          {"example 2, FEM on half-space", [](int threads) { return ring_on_ground(example2::ring_of(), threads); }},
+          {"example 4, BEM on rigid",
+           [](int threads) { return rolling_wheel(example4::pair(ElementType::quad4, scheme, threads)); }}};
 }
 
 }  // namespace rollcon::bench

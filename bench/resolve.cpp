@@ -1,5 +1,5 @@
-// Solving again: after a change of creepage (dense systems), along a table of creepages, and along
-// a creep curve. What a Newton iteration costs is set against LAPACK's time for its own system.
+// Solving again: after a change of creepage (dense systems), along a table of creepages, and along a creep curve. What
+// a Newton iteration costs is set against LAPACK's time for its own system.
 
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,7 @@ std::vector<Scene> resolved_scenes(const Runner& runner) {
   namespace rolling = scenes::steady_rolling;
   std::vector<Scene> all;
   {
-    auto pair =
-        std::make_unique<scenes::RollingPair>(rolling::steel, rolling::steel, runner.threads);
+    auto pair = std::make_unique<scenes::RollingPair>(rolling::steel, rolling::steel, runner.threads);
     rolling::prepare(*pair, rolling::grid(13), "b");
     all.push_back({"identical half-spaces", "13 x 13", std::move(pair)});
   }
@@ -67,8 +66,7 @@ std::vector<Scene> resolved_scenes(const Runner& runner) {
   }
   {
     const int parts = runner.quick ? 6 : 12;
-    auto pair = example1::pair(example1::bem_ring(parts), ElementType::quad4, "characteristic",
-                               runner.threads);
+    auto pair = example1::pair(example1::bem_ring(parts), ElementType::quad4, "characteristic", runner.threads);
     const std::string n = std::to_string(parts);
     all.push_back({"BEM rings", "zone " + n + " x " + n, std::move(pair)});
   }
@@ -82,16 +80,14 @@ std::vector<Scene> resolved_scenes(const Runner& runner) {
 void resolve(Runner& runner, Scene& scene, double change, double tolerance) {
   scenes::RollingPair& pair = *scene.pair;
   char what[80];
-  std::snprintf(what, sizeof what, "seconds of a re-solve after %g %%, tolerance %.0e",
-                100 * change, tolerance);
+  std::snprintf(what, sizeof what, "seconds of a re-solve after %g %%, tolerance %.0e", 100 * change, tolerance);
   Record record{.case_name = "resolve", .method = "", .model = scene.model};
   record.mesh = scene.mesh;
   record.threads = runner.threads;
   record.quantity = what;
   record.against = "none";
   pair.option("tolerance", tolerance).option("prediction", std::int64_t{0});
-  double least = INFINITY, prepare = 0, newton = 0, linear = 0, iterations = 0, gmres = 0,
-         factorizations = 0;
+  double least = INFINITY, prepare = 0, newton = 0, linear = 0, iterations = 0, gmres = 0, factorizations = 0;
   const int rounds = runner.quick ? 6 : 24;
   for (int k = 0; k < rounds; ++k) {
     const double factor = k % 2 == 0 ? 1 + change : 1;
@@ -176,21 +172,18 @@ void run_resolve(Runner& runner) {
   }
 }
 
-/// 3000 creepages on a grid of nodes, one after the other, as three nested loops; every other line
-/// backwards so that each scene neighbours the one before.
-void table(Runner& runner, int nodes, const std::string& model, const Elastic& body2,
-           double tolerance, bool turning) {
+/// 3000 creepages on a grid of nodes, one after the other, as three nested loops; every other line backwards so that
+/// each scene neighbours the one before.
+void table(Runner& runner, int nodes, const std::string& model, const Elastic& body2, double tolerance, bool turning) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
-  const auto hertz =
-      closed_forms::hertz_from_axes(rolling::radius, rolling::radius, 1000,
-                                    closed_forms::effective_modulus(rolling::steel, body2));
+  const auto hertz = closed_forms::hertz_from_axes(rolling::radius, rolling::radius, 1000,
+                                                   closed_forms::effective_modulus(rolling::steel, body2));
   pair.frame(rolling::grid(nodes)).gap_quadratic(hertz.A, hertz.B).load(hertz.load);
   pair.friction(rolling::mu).option("tolerance", tolerance);
   const int n1 = 20, n2 = 15, n3 = runner.quick ? 1 : 10;
   // Full sliding near 0.75 of mu F / (G a^2); tables are finer at small creepages.
-  const double unit =
-      0.7 * rolling::mu * hertz.load / (rolling::steel.shear * rolling::radius * rolling::radius);
+  const double unit = 0.7 * rolling::mu * hertz.load / (rolling::steel.shear * rolling::radius * rolling::radius);
   const auto graded = [](double t) { return t * std::abs(t); };
   Record record{.case_name = "table", .method = turning ? "turning" : "rewinding", .model = model};
   record.mesh = std::to_string(nodes) + " x " + std::to_string(nodes) + " nodes";
@@ -256,8 +249,7 @@ void run_table(Runner& runner) {
 }
 
 /// A time loop of a vehicle: load and creepages vary slowly, each with periods of its own.
-void loop(Runner& runner, const std::string& model, const Elastic& body2, double tolerance,
-          std::int64_t prediction) {
+void loop(Runner& runner, const std::string& model, const Elastic& body2, double tolerance, std::int64_t prediction) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
   rolling::prepare(pair, rolling::grid(13), "b");
@@ -309,8 +301,7 @@ void run_loop(Runner& runner) {
 void run_curve(Runner& runner) {
   namespace example1 = scenes::example1;
   const int parts = runner.quick ? 6 : 12;
-  auto pair = example1::pair(example1::bem_ring(parts), ElementType::quad4, "characteristic",
-                             runner.threads);
+  auto pair = example1::pair(example1::bem_ring(parts), ElementType::quad4, "characteristic", runner.threads);
   pair->solve();
   rollcon_contact_prescribe(pair->handle(), ROLLCON_LONGITUDINAL, ROLLCON_BY_MOTION, 0);
   Record record{.case_name = "curve", .method = "", .model = "BEM rings"};

@@ -1,5 +1,5 @@
-// The ring of the paper's first example under loads on a patch, as a body by itself: against its
-// Fourier series in the angle, over meshes and elements.
+// The ring of the paper's first example under loads on a patch, as a body by itself: against its Fourier series in the
+// angle, over meshes and elements.
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,8 @@ void must(std::int32_t status, const char* what) {
   if (status < 0) throw std::runtime_error(what);
 }
 
-/// The faces of a tag share one traction, so each column of elements along the patch gets a tag of
-/// its own. What that leaves of the load's turning within a column has no resultant.
+/// The faces of a tag share one traction, so each column of elements along the patch gets a tag of its own. What that
+/// leaves of the load's turning within a column has no resultant.
 std::map<std::int32_t, Vec3> tag_columns(SurfaceMesh& mesh) {
   constexpr std::int32_t first_tag = 100;
   std::map<std::int64_t, std::int32_t> tag_of_place;
@@ -65,8 +65,7 @@ std::map<std::int32_t, Vec3> tag_columns(SurfaceMesh& mesh) {
 Solved press(scenes::MeshedBody shape, const LoadCase& load, int threads) {
   const std::map<std::int32_t, Vec3> columns = tag_columns(shape.mesh);
   const SurfaceMesh& mesh = shape.mesh;
-  shape.material = scenes::Elastic{.shear = loaded_ring::young / (2 * (1 + load.poisson)),
-                                   .poisson = load.poisson};
+  shape.material = scenes::Elastic{.shear = loaded_ring::young / (2 * (1 + load.poisson)), .poisson = load.poisson};
   shape.held_tag = {3};
   shape.contact_tag = {columns.begin()->first};
   rollcon_context* context = nullptr;
@@ -77,8 +76,7 @@ Solved press(scenes::MeshedBody shape, const LoadCase& load, int threads) {
     if (load.load == Load::normal)
       must(rollcon_body_set_pressure(body, tag, loaded_ring::load), "set_pressure");
     else
-      must(rollcon_body_set_traction(body, tag, loaded_ring::traction(load.load, middle).data()),
-           "set_traction");
+      must(rollcon_body_set_traction(body, tag, loaded_ring::traction(load.load, middle).data()), "set_traction");
   }
   must(rollcon_body_prepare(body), "prepare");
   std::vector<double> u(3 * mesh.node.size());
@@ -118,8 +116,8 @@ struct Meshed {
   std::string method, mesh;
 };
 
-/// Elements on half of the zone |s| <= 2 (as many along the patch |s| <= 1), on half of the rest,
-/// on half of the width, and from hub to rim. Edges at the patch's ends: along is even.
+/// Elements on half of the zone |s| <= 2 (as many along the patch |s| <= 1), on half of the rest, on half of the width,
+/// and from hub to rim. Edges at the patch's ends: along is even.
 struct BemMesh {
   int along, far, across, deep;
 };
@@ -127,8 +125,7 @@ struct BemMesh {
 Meshed by(ElementType type, const BemMesh& n) {
   Meshed m{{},
            "BEM",
-           surfaces::name_of(type) + ", patch of " + std::to_string(n.along) + " x " +
-               std::to_string(2 * n.across)};
+           surfaces::name_of(type) + ", patch of " + std::to_string(n.along) + " x " + std::to_string(2 * n.across)};
   m.body.mesh = surfaces::ring({.zone = 4,
                                 .around = 2 * (n.along + n.far),
                                 .zone_around = 2 * n.along,
@@ -232,11 +229,10 @@ void run(Runner& runner, const char* case_name, const std::vector<Maker>& meshes
 }  // namespace
 
 std::vector<Case> ring_load_cases() {
-  return {
-      {"ring_loads", "a ring under pressure, shear and axial load on a patch: boundary elements",
-       [](Runner& r) { run(r, "ring_loads", boundary_element_meshes(r.quick)); }},
-      {"fem_ring_loads", "the same by finite elements",
-       [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }}};
+  return {{"ring_loads", "a ring under pressure, shear and axial load on a patch: boundary elements",
+           [](Runner& r) { run(r, "ring_loads", boundary_element_meshes(r.quick)); }},
+          {"fem_ring_loads", "the same by finite elements",
+           [](Runner& r) { run(r, "fem_ring_loads", finite_element_meshes(r.quick)); }}};
 }
 
 }  // namespace rollcon::bench

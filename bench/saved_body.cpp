@@ -47,8 +47,7 @@ rollcon_context* new_context(int threads) {
 }
 
 void saved_ring(Runner& runner, const scenes::MeshedBody& ring, const std::string& name) {
-  const fs::path path =
-      fs::temp_directory_path() / ("rollcon_saved_" + std::to_string(getpid()) + ".rcb");
+  const fs::path path = fs::temp_directory_path() / ("rollcon_saved_" + std::to_string(getpid()) + ".rcb");
   Record record{.case_name = "saved_body", .method = "condensed", .model = "twins"};
   record.threads = runner.threads;
   const int runs = runner.quick ? 1 : 3;
@@ -100,24 +99,22 @@ void saved_ring(Runner& runner, const scenes::MeshedBody& ring, const std::strin
   record.phase_seconds.emplace_back("save_prepared", first);
   record.phase_seconds.emplace_back("save_after_a_solve", save);
   record.phase_seconds.emplace_back("prepare_equal", shared);
-  for (const auto& [phase, seconds] : {std::pair("prepare", prepare), std::pair("save", save),
-                                       std::pair("load", load), std::pair("prepare_equal", shared)})
+  for (const auto& [phase, seconds] : {std::pair("prepare", prepare), std::pair("save", save), std::pair("load", load),
+                                       std::pair("prepare_equal", shared)})
     record.extra.emplace_back(std::string("seconds_") + phase, seconds);
   runner.emit(record);
 }
 
 void saved(Runner& runner) {
   saved_ring(runner, example1::ring_body(example1::paper_ring(), ElementType::quad4), "BEM quad4");
-  if (!runner.quick)
-    saved_ring(runner, example1::ring_body(example1::fem_ring(10), VolumeType::hex20), "FEM hex20");
+  if (!runner.quick) saved_ring(runner, example1::ring_body(example1::fem_ring(10), VolumeType::hex20), "FEM hex20");
   saved_ring(runner, example1::ring_body(example1::fem_ring(12), VolumeType::hex8), "FEM hex8");
 }
 
 }  // namespace
 
 std::vector<Case> saved_body_cases() {
-  return {
-      {"saved_body", "a prepared body saved and loaded, or shared, against preparing it", saved}};
+  return {{"saved_body", "a prepared body saved and loaded, or shared, against preparing it", saved}};
 }
 
 }  // namespace rollcon::bench

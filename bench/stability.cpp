@@ -1,8 +1,8 @@
 // rollcon-bench stability [--quick] [--json FILE] [--scenes N] [--threads N]
 //
-// Named scenes and N random ones (5000), from nothing and from wildly different states; the
-// published procedures on a part of them. One record for every solve. Cases stability_named,
-// stability_random, stability_forces (1000 scenes) and stability_bodies are its parts.
+// Named scenes and N random ones (5000), from nothing and from wildly different states; the published procedures on a
+// part of them. One record for every solve. Cases stability_named, stability_random, stability_forces (1000 scenes) and
+// stability_bodies are its parts.
 
 #include "stability.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 using extremes::Ending;
 using extremes::Scene;
 
-/// The standard procedure and those of the paper on condensed systems. The others cost more and
-/// make the same steps (docs/procedures.md).
+/// The standard procedure and those of the paper on condensed systems. The others cost more and make the same steps
+/// (docs/procedures.md).
 std::vector<Procedure> published() {
   std::vector<Procedure> all;
   const auto add = [&](const char* jacobian, const char* linear) {
@@ -62,14 +62,12 @@ class Suite {
         (void)rollcon_contact_solve(pair->handle());
         extremes::give_loads(*pair, scene);
       } catch (const std::exception& error) {
-        std::printf("%s: %s, %s: %s\n", scene.group.c_str(), scene.name.c_str(), name,
-                    error.what());
+        std::printf("%s: %s, %s: %s\n", scene.group.c_str(), scene.name.c_str(), name, error.what());
         continue;
       }
       const Ending warm = extremes::solve(*pair, scene);
-      const double difference = warm.solved() && cold.solved()
-                                    ? extremes::traction_difference(warm.traction, cold.traction)
-                                    : 0;
+      const double difference =
+          warm.solved() && cold.solved() ? extremes::traction_difference(warm.traction, cold.traction) : 0;
       judge(scene, name, warm, difference);
     }
   }
@@ -79,9 +77,8 @@ class Suite {
     std::erase_if(scene.option, [](const auto& option) { return option.first == "operators"; });
     scene.set("operators", std::string("auto"));
     for (const Procedure& procedure : published()) {
-      scene.given.scheme = procedure.jacobian == "reduced" && scheme == laws::Scheme::characteristic
-                               ? laws::Scheme::godunov
-                               : scheme;
+      scene.given.scheme =
+          procedure.jacobian == "reduced" && scheme == laws::Scheme::characteristic ? laws::Scheme::godunov : scheme;
       const std::string name = procedure.jacobian + " " + procedure.linear_solver;
       const auto pair = begin(scene, name);
       if (!pair) continue;
@@ -115,9 +112,8 @@ class Suite {
     table_.add(way, scene.group, e, right);
     const bool good = right && e.honest(law_bound);
     if (!good && (way == "cold" || way.starts_with("warm")))
-      std::printf("%s: %s, %s: status %d, %s %.1e; %s; %s\n", scene.group.c_str(),
-                  scene.name.c_str(), way.c_str(), e.status, e.law.worst_name(), e.law.worst(),
-                  extremes::describe(scene).c_str(), e.message.c_str());
+      std::printf("%s: %s, %s: status %d, %s %.1e; %s; %s\n", scene.group.c_str(), scene.name.c_str(), way.c_str(),
+                  e.status, e.law.worst_name(), e.law.worst(), extremes::describe(scene).c_str(), e.message.c_str());
     std::fflush(stdout);
     Record record{.case_name = "stability", .method = way, .model = scene.group};
     record.mesh = scene.name;
@@ -155,16 +151,12 @@ class Suite {
 
 constexpr std::int64_t small = 300;  // nodes: published procedures can be waited for
 
-void run_named(Suite& suite, const std::vector<Scene>& scenes, bool quick,
-               std::size_t published_every) {
+void run_named(Suite& suite, const std::vector<Scene>& scenes, bool quick, std::size_t published_every) {
   std::size_t number = 0;
   for (const Scene& scene : scenes) {
     const bool large = scene.given.frame.nodes() > 2000;
-    suite.run_scene(scene, large   ? std::vector<int>{}
-                           : quick ? std::vector{0}
-                                   : std::vector{0, 1, 2});
-    if (scene.given.frame.nodes() <= small && number++ % published_every == 0)
-      suite.run_published(scene);
+    suite.run_scene(scene, large ? std::vector<int>{} : quick ? std::vector{0} : std::vector{0, 1, 2});
+    if (scene.given.frame.nodes() <= small && number++ % published_every == 0) suite.run_published(scene);
   }
 }
 
@@ -175,8 +167,7 @@ std::uint32_t random_count(const Runner& runner) {
 void run_halfspaces(Runner& runner) {
   Suite suite(runner);
   std::vector<Scene> named = extremes::named_scenes();
-  if (runner.quick)
-    std::erase_if(named, [](const Scene& s) { return s.given.frame.nodes() > 400; });
+  if (runner.quick) std::erase_if(named, [](const Scene& s) { return s.given.frame.nodes() > 400; });
   run_named(suite, named, runner.quick, runner.quick ? 10 : 1);
   for (const auto& [limit, said] : stability_refusals()) {
     std::printf("%s: %s\n", limit.c_str(), said.c_str());
@@ -202,9 +193,7 @@ void run_random(Runner& runner) {
 
 void run_forces(Runner& runner) {
   Suite suite(runner);
-  const std::uint32_t count = runner.scenes > 0 ? static_cast<std::uint32_t>(runner.scenes)
-                              : runner.quick    ? 100
-                                                : 1000;
+  const std::uint32_t count = runner.scenes > 0 ? static_cast<std::uint32_t>(runner.scenes) : runner.quick ? 100 : 1000;
   for (std::uint32_t seed = 1; seed <= count; ++seed) {
     const Scene scene = extremes::forces_scene(seed);
     const bool warm = seed % 4 == 0;
@@ -218,16 +207,14 @@ void run_bodies(Runner& runner) {
   Suite suite(runner);
   run_named(suite, stability_body_scenes(runner.quick), runner.quick, 5);
   const std::uint32_t count = stability_random_body_count(random_count(runner));
-  for (std::uint32_t seed = 1; seed <= count; ++seed)
-    suite.run_scene(stability_random_body_scene(seed), {});
+  for (std::uint32_t seed = 1; seed <= count; ++seed) suite.run_scene(stability_random_body_scene(seed), {});
   suite.print();
 }
 
 }  // namespace
 
 std::vector<Case> stability_cases() {
-  return {{"stability_named", "extreme scenes of half-spaces, judged by laws recomputed",
-           run_halfspaces},
+  return {{"stability_named", "extreme scenes of half-spaces, judged by laws recomputed", run_halfspaces},
           {"stability_random", "likewise random ones", run_random},
           {"stability_forces", "likewise with two or three tangential loads given", run_forces},
           {"stability_bodies", "likewise bodies with meshes, named and random ones", run_bodies}};

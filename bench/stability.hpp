@@ -1,6 +1,5 @@
 #pragma once
-/// The stability suite: stiff and extreme scenes, each judged by laws of contact recomputed without
-/// the solver.
+/// The stability suite: stiff and extreme scenes, each judged by laws of contact recomputed without the solver.
 
 #include <array>
 #include <cstdint>
@@ -41,8 +40,7 @@ struct StabilityRow {
 /// Rows by way of solving and group, in the order of their first record.
 class StabilityTable {
  public:
-  void add(const std::string& way, const std::string& group, const extremes::Ending& ending,
-           bool right);
+  void add(const std::string& way, const std::string& group, const extremes::Ending& ending, bool right);
   void print() const;
 
  private:

@@ -22,8 +22,7 @@ std::vector<extremes::Scene> stability_body_scenes(bool quick) {
   // The largest: once.
   extremes::BlockShape large;
   large.n = {24, 24, 15};
-  all.push_back(extremes::scene_on_block("meshes", "finite elements, 10000 nodes", large,
-                                         scenes::RigidBody{}));
+  all.push_back(extremes::scene_on_block("meshes", "finite elements, 10000 nodes", large, scenes::RigidBody{}));
   extremes::ConformalShape bore;
   for (const extremes::Model model : {extremes::Model::fem, extremes::Model::bem}) {
     bore.model = model;
@@ -33,8 +32,7 @@ std::vector<extremes::Scene> stability_body_scenes(bool quick) {
   }
   large.model = extremes::Model::bem;
   large.n = {18, 18, 12};
-  all.push_back(extremes::scene_on_block("meshes", "boundary elements, 1500 nodes", large,
-                                         scenes::RigidBody{}));
+  all.push_back(extremes::scene_on_block("meshes", "boundary elements, 1500 nodes", large, scenes::RigidBody{}));
   return all;
 }
 

@@ -63,13 +63,10 @@ std::vector<Impossible> impossible() {
        [] {
          Scene scene = extremes::base("", "");
          const double most = 0.3 * base_load(scene);
-         return scene.load(base_load(scene))
-             .force(ROLLCON_LONGITUDINAL, 0.8 * most)
-             .force(ROLLCON_SPIN, 0.5 * most);
+         return scene.load(base_load(scene)).force(ROLLCON_LONGITUDINAL, 0.8 * most).force(ROLLCON_SPIN, 0.5 * most);
        }},
       {"an element folded over", [] { return with_node_moved(ElementType::quad4, 12, 0.9, 0.9); }},
-      {"a midside node too far off",
-       [] { return with_node_moved(ElementType::quad8, 29, 0.3, 0.3); }},
+      {"a midside node too far off", [] { return with_node_moved(ElementType::quad8, 29, 0.3, 0.3); }},
       {"two nodes in one place", [] { return with_node_moved(ElementType::tri3, 12, 0.65, 0); }},
   };
 }

@@ -1,5 +1,5 @@
-// Cases (a) and (b): error of Fx and time per solve beside CONTACT's on grids of N x N, and on
-// frames fitted to the contact.
+// Cases (a) and (b): error of Fx and time per solve beside CONTACT's on grids of N x N, and on frames fitted to the
+// contact.
 
 #include "support/steady_rolling.hpp"
 
@@ -30,8 +30,7 @@ SurfaceMesh grid(ElementType type, int n) {
 void add_marks(Record& record, const std::string& which, int n) {
   record.extra.emplace_back("n", n);
   record.extra.emplace_back("contact_error", steady_rolling::contact_error(which, n));
-  record.extra.emplace_back("error_over_contact",
-                            std::abs(record.error) / steady_rolling::contact_error(which, n));
+  record.extra.emplace_back("error_over_contact", std::abs(record.error) / steady_rolling::contact_error(which, n));
   if (n == 16 || n == 32 || n == 64 || n == 128 || n == 256) {
     const double mark = closed_forms::steady_rolling(which, "seconds_" + std::to_string(n));
     record.extra.emplace_back("contact_seconds", mark);
@@ -43,8 +42,7 @@ void add_marks(Record& record, const std::string& which, int n) {
 void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n) {
   // A ring's nodes lie within the contact, nine tenths of a grid's.
   const SurfaceMesh mesh =
-      kind.rings ? frame_over(kind, n, steady_rolling::radius, steady_rolling::radius, 0)
-                 : grid(kind.type, n);
+      kind.rings ? frame_over(kind, n, steady_rolling::radius, steady_rolling::radius, 0) : grid(kind.type, n);
   Record blank{.case_name = "case_" + which, .model = "half-spaces"};
   blank.mesh = (kind.rings ? "rings " + std::to_string(n / 2) : "grid " + std::to_string(n));
   blank.element = kind.name;
@@ -57,8 +55,7 @@ void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n
     Record record = blank;
     record.method = scheme;
     const Solved solved = cold_solve(runner, record, [&] {
-      auto pair = std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel,
-                                                runner.threads);
+      auto pair = std::make_unique<RollingPair>(steady_rolling::steel, steady_rolling::steel, runner.threads);
       steady_rolling::prepare(*pair, mesh, which);
       pair->option("convection", scheme);
       return pair;
@@ -70,8 +67,7 @@ void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n
     record.extra = {{"warm_seconds", warm_solve(runner, pair, {steady_rolling::creepage, 0, spin})},
                     {"warm_iterations", pair.stat("iterations")},
                     {"fy", s.force[1] / (steady_rolling::mu * steady_rolling::hertz.load)},
-                    {"mz", s.moment[2] / (steady_rolling::mu * steady_rolling::hertz.load *
-                                          steady_rolling::radius)}};
+                    {"mz", s.moment[2] / (steady_rolling::mu * steady_rolling::hertz.load * steady_rolling::radius)}};
     if (!kind.rings) add_marks(record, which, n);
     add_size(record, kind.rings ? n : 0.9 * n, (which == "a" ? 0.0004 : 0.0001) / limit);
     runner.emit(record);
@@ -80,8 +76,7 @@ void roll(Runner& runner, const std::string& which, const FrameKind& kind, int n
 
 void run(Runner& runner, const std::string& which) {
   for (const FrameKind& kind : frame_kinds) {
-    const std::vector<int> sizes =
-        kind.rings ? std::vector{12, 16, 24, 32, 40} : std::vector{12, 16, 24, 32, 48, 64};
+    const std::vector<int> sizes = kind.rings ? std::vector{12, 16, 24, 32, 40} : std::vector{12, 16, 24, 32, 48, 64};
     for (const int n : sizes) {
       if (runner.quick && n > 24) continue;
       if (n > 48 && kind.type != ElementType::quad4) continue;
@@ -93,10 +88,8 @@ void run(Runner& runner, const std::string& which) {
 }  // namespace
 
 std::vector<Case> steady_rolling_cases() {
-  return {{"case_a", "circle, longitudinal creepage: beside CONTACT",
-           [](Runner& runner) { run(runner, "a"); }},
-          {"case_b", "circle, creepage and spin: beside CONTACT",
-           [](Runner& runner) { run(runner, "b"); }}};
+  return {{"case_a", "circle, longitudinal creepage: beside CONTACT", [](Runner& runner) { run(runner, "a"); }},
+          {"case_b", "circle, creepage and spin: beside CONTACT", [](Runner& runner) { run(runner, "b"); }}};
 }
 
 }  // namespace rollcon::bench

@@ -30,8 +30,7 @@ Fit straight_line(const std::vector<double>& x, const std::vector<double>& y) {
   }
   const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
   Fit fit{(sy - slope * sx) / n, 0};
-  for (std::size_t k = 0; k < x.size(); ++k)
-    fit.residual += std::pow(fit.value + slope * x[k] - y[k], 2);
+  for (std::size_t k = 0; k < x.size(); ++k) fit.residual += std::pow(fit.value + slope * x[k] - y[k], 2);
   // Two of the points go into the line.
   fit.residual = x.size() > 2 ? std::sqrt(fit.residual / (n - 2)) : 0;
   return fit;
@@ -56,8 +55,7 @@ Limit extrapolate(std::vector<Sample> curve) {
     return a.across != b.across ? a.across > b.across : a.value < b.value;
   });
   std::size_t count = 0;
-  while (count < curve.size() && (count < 3 || curve[count].across >= 0.45 * curve[0].across))
-    ++count;
+  while (count < curve.size() && (count < 3 || curve[count].across >= 0.45 * curve[0].across)) ++count;
   curve.resize(count);
   const double finest = curve.front().value, floor = least_uncertainty * std::abs(finest);
   if (count < 2) return {finest, std::abs(finest)};
@@ -81,15 +79,13 @@ Limit combine(std::span<const Limit> limits) {
     weights += weight, mean += weight * limit.value;
   }
   mean /= weights;
-  for (const Limit& limit : limits)
-    spread += std::pow((limit.value - mean) / limit.uncertainty, 2) / weights;
+  for (const Limit& limit : limits) spread += std::pow((limit.value - mean) / limit.uncertainty, 2) / weights;
   return {mean, std::max(std::sqrt(1 / weights), std::sqrt(spread))};
 }
 
-void add_frame_limits(
-    FrameLimits& limits, int parts, int coarse, int lines,
-    const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
-    const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve) {
+void add_frame_limits(FrameLimits& limits, int parts, int coarse, int lines,
+                      const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
+                      const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve) {
   std::array<std::vector<Sample>, 2> curve;
   const auto fine = make(parts);
   for (const int n : {lines / 2, 3 * lines / 4, lines}) {
@@ -161,8 +157,7 @@ Solved cold_solve(const Runner& runner, Record& record, const MakePair& make) {
   return best;
 }
 
-double warm_solve(const Runner& runner, scenes::RollingPair& pair,
-                  const std::array<double, 3>& creep) {
+double warm_solve(const Runner& runner, scenes::RollingPair& pair, const std::array<double, 3>& creep) {
   double best = std::numeric_limits<double>::max(), spent = 0;
   // Back where it came from, a prediction would be the solution.
   pair.option("prediction", std::int64_t{0});
@@ -191,8 +186,7 @@ void solve_by_schemes(const Runner& runner, const Record& blank, const MakePair&
         pair->option("convection", scheme);
         return pair;
       });
-      prepared = record.seconds -
-                 (solved.pair->stat("seconds_total") - solved.pair->stat("seconds_compliance"));
+      prepared = record.seconds - (solved.pair->stat("seconds_total") - solved.pair->stat("seconds_compliance"));
     } else {
       const double began = now();
       solved.pair->option("convection", scheme).reset();

@@ -1,6 +1,6 @@
 #pragma once
-/// Work-precision studies: solves over element sizes whose records are emitted once the answer for
-/// vanishing size is known.
+/// Work-precision studies: solves over element sizes whose records are emitted once the answer for vanishing size is
+/// known.
 
 #include <array>
 #include <functional>
@@ -23,26 +23,23 @@ struct Sample {
   double across = 0, value = 0;  ///< elements or nodes across the contact
 };
 
-/// Limit of one curve: value + c / across^p through its finer half (three at least, if there are),
-/// p of 1, 1.5, 2, 3 that leaves the least residual. Uncertain by half of what is extrapolated and
-/// by twice the residual.
+/// Limit of one curve: value + c / across^p through its finer half (three at least, if there are), p of 1, 1.5, 2, 3
+/// that leaves the least residual. Uncertain by half of what is extrapolated and by twice the residual.
 Limit extrapolate(std::vector<Sample> curve);
 
-/// Mean weighted with 1 / uncertainty^2. Uncertain by what the weights say or by how far the limits
-/// lie apart, whichever is more.
+/// Mean weighted with 1 / uncertainty^2. Uncertain by what the weights say or by how far the limits lie apart,
+/// whichever is more.
 Limit combine(std::span<const Limit> limits);
 
 /// Two quantities of a pair on frames of its own that grow finer, laid on bodies of fixed meshes.
 struct FrameLimits {
   std::vector<Limit> first, second;  ///< one for each kind of body that was asked for
 };
-/// Appends what frames of lines/2, 3 lines/4 and `lines` extrapolate to on bodies of `parts`.
-/// Bodies of `coarse` parts tell how much the bodies' meshes may add; solve(pair, lines) reads the
-/// answers.
-void add_frame_limits(
-    FrameLimits& limits, int parts, int coarse, int lines,
-    const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
-    const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve);
+/// Appends what frames of lines/2, 3 lines/4 and `lines` extrapolate to on bodies of `parts`. Bodies of `coarse` parts
+/// tell how much the bodies' meshes may add; solve(pair, lines) reads the answers.
+void add_frame_limits(FrameLimits& limits, int parts, int coarse, int lines,
+                      const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
+                      const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve);
 
 class Study {
  public:
@@ -50,8 +47,8 @@ class Study {
   void add(Record record, double across, bool trusted = true);
   /// From the trusted curves, of the records' values or of one of their extras.
   Limit limit(const std::string& extra = "") const;
-  /// A second quantity, an extra `name`: gives every record its `error_name` relative to `limit`,
-  /// and `uncertainty_name`.
+  /// A second quantity, an extra `name`: gives every record its `error_name` relative to `limit`, and
+  /// `uncertainty_name`.
   void compare(const std::string& name, const Limit& limit);
   /// Errors relative to `limit`; `against` says where it is from.
   void emit(Runner& runner, const Limit& limit, const std::string& against);
@@ -76,17 +73,16 @@ struct Solved {
   scenes::Solution solution{};
 };
 
-/// Solves from nothing (arrays to tractions). What takes little time is repeated, five times at
-/// most while it takes less than a quarter of a second; the fastest counts.
+/// Solves from nothing (arrays to tractions). What takes little time is repeated, five times at most while it takes
+/// less than a quarter of a second; the fastest counts.
 Solved cold_solve(const Runner& runner, Record& record, const MakePair& make);
 
-/// Seconds of a solve with creepages given, after 1 % more of them and back; repeated and the
-/// fastest taken like a cold one.
-double warm_solve(const Runner& runner, scenes::RollingPair& pair,
-                  const std::array<double, 3>& creep);
+/// Seconds of a solve with creepages given, after 1 % more of them and back; repeated and the fastest taken like a cold
+/// one.
+double warm_solve(const Runner& runner, scenes::RollingPair& pair, const std::array<double, 3>& creep);
 
-/// cold_solve by each scheme of convection. Bodies are prepared once and the frame's compliance is
-/// assembled once; their seconds count for each scheme.
+/// cold_solve by each scheme of convection. Bodies are prepared once and the frame's compliance is assembled once;
+/// their seconds count for each scheme.
 void solve_by_schemes(const Runner& runner, const Record& blank, const MakePair& make,
                       const std::function<void(Record&, const Solved&)>& finish);
 

@@ -1,5 +1,5 @@
-// What each row of the plan saves: the same scene with the shortcut and without, in turn, several
-// times; processor time and the library's own count of bytes, the least of each. docs/thrift.md.
+// What each row of the plan saves: the same scene with the shortcut and without, in turn, several times; processor time
+// and the library's own count of bytes, the least of each. docs/thrift.md.
 
 #include <algorithm>
 #include <cmath>
@@ -72,13 +72,12 @@ void compare(Runner& runner, const Shortcut& shortcut) {
   record.value = cost[1].seconds / cost[0].seconds;
   record.error = difference(cost[1], cost[0]);
   record.seconds = cost[1].seconds;
-  record.extra = {
-      {"seconds_without", cost[0].seconds},
-      {"seconds_with", cost[1].seconds},
-      {"bytes_with_over_without", cost[1].bytes / cost[0].bytes},
-      {"kernels_with_over_without", cost[0].kernels > 0 ? cost[1].kernels / cost[0].kernels : 0},
-      {"systems_without", cost[0].systems},
-      {"systems_with", cost[1].systems}};
+  record.extra = {{"seconds_without", cost[0].seconds},
+                  {"seconds_with", cost[1].seconds},
+                  {"bytes_with_over_without", cost[1].bytes / cost[0].bytes},
+                  {"kernels_with_over_without", cost[0].kernels > 0 ? cost[1].kernels / cost[0].kernels : 0},
+                  {"systems_without", cost[0].systems},
+                  {"systems_with", cost[1].systems}};
   runner.emit(record);
 }
 
@@ -109,8 +108,7 @@ PairPointer wide(int n, int threads) {
   namespace rolling = scenes::steady_rolling;
   auto pair = case_b(n, 0, threads);
   const auto lines = frames::uniform_lines(-2 * rolling::radius, 2 * rolling::radius, n);
-  pair->frame(frames::rectangle(ElementType::quad4, lines, lines))
-      .gap_quadratic(rolling::hertz.A, rolling::hertz.B);
+  pair->frame(frames::rectangle(ElementType::quad4, lines, lines)).gap_quadratic(rolling::hertz.A, rolling::hertz.B);
   return pair;
 }
 
@@ -130,8 +128,7 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                    const double curvature = 1 / (2 * example3::radius);
                    pair->frame(example3::frame(nodes).mesh).gap_quadratic(curvature, curvature);
                    pair->friction(example3::mu).load(example3::load).speed(example3::speed);
-                   pair->tangential_force(ROLLCON_LONGITUDINAL,
-                                          example3::force_ratio * example3::mu * example3::load);
+                   pair->tangential_force(ROLLCON_LONGITUDINAL, example3::force_ratio * example3::mu * example3::load);
                    pair->option("convection", "characteristic").option("tolerance", 1e-12);
                    pair->option("operators", "dense");
                    return pair;
@@ -174,45 +171,40 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                    const auto ring = example1::ring_body(shape, ElementType::quad4);
                    scenes::MeshedBody other = ring;
                    other.material->shear *= 1 + 1e-14;
-                   auto pair = example1::pair(
-                       ring, with ? scenes::AnyBody(scenes::TwinBody{}) : scenes::AnyBody(other),
-                       "characteristic", t);
+                   auto pair = example1::pair(ring, with ? scenes::AnyBody(scenes::TwinBody{}) : scenes::AnyBody(other),
+                                              "characteristic", t);
                    return pair;
                  },
                  solve, [](RollingPair&, bool) {}, 2});
   for (const bool example1 : {false, true})
-    all.push_back(
-        {"unchanged scene", example1 ? "example 1, another creepage" : "example 3, another load",
-         [=](bool) {
-           if (!example1) return sphere(nodes, t);
-           namespace e1 = scenes::example1;
-           auto pair =
-               e1::pair(e1::bem_ring(quick ? 6 : 8), ElementType::quad4, "characteristic", t);
-           pair->option("tolerance", 1e-12);
-           return pair;
-         },
-         [=](RollingPair& pair, bool) {
-           if (example1)
-             pair.creep(-2e-3, 0, 0).solve();
-           else
-             pair.load(0.98 * scenes::example3::load).solve();
-         },
-         [](RollingPair& pair, bool with) {
-           if (with) pair.solve();
-         },
-         example1 ? 2 : 5});
+    all.push_back({"unchanged scene", example1 ? "example 1, another creepage" : "example 3, another load",
+                   [=](bool) {
+                     if (!example1) return sphere(nodes, t);
+                     namespace e1 = scenes::example1;
+                     auto pair = e1::pair(e1::bem_ring(quick ? 6 : 8), ElementType::quad4, "characteristic", t);
+                     pair->option("tolerance", 1e-12);
+                     return pair;
+                   },
+                   [=](RollingPair& pair, bool) {
+                     if (example1)
+                       pair.creep(-2e-3, 0, 0).solve();
+                     else
+                       pair.load(0.98 * scenes::example3::load).solve();
+                   },
+                   [](RollingPair& pair, bool with) {
+                     if (with) pair.solve();
+                   },
+                   example1 ? 2 : 5});
   const auto reach = [](PairPointer pair, bool with) {
     pair->option("reach", std::int64_t{with});
     return pair;
   };
-  all.push_back(
-      {"reach", "example 3", [=](bool with) { return reach(sphere(nodes, t), with); }, solve});
+  all.push_back({"reach", "example 3", [=](bool with) { return reach(sphere(nodes, t), with); }, solve});
   all.push_back({"reach", "case (b), 90 % of the width in contact",
                  [=](bool with) { return reach(case_b(n, 0, t), with); }, solve});
-  all.push_back({"reach", "case (b), 50 % of the width in contact",
-                 [=](bool with) { return reach(wide(n, t), with); }, solve});
-  all.push_back({"reach", "the same, 10 new creepages",
-                 [=](bool with) { return reach(wide(n, t), with); },
+  all.push_back(
+      {"reach", "case (b), 50 % of the width in contact", [=](bool with) { return reach(wide(n, t), with); }, solve});
+  all.push_back({"reach", "the same, 10 new creepages", [=](bool with) { return reach(wide(n, t), with); },
                  [](RollingPair& pair, bool) {
                    for (int i = 1; i <= 10; ++i) pair.creep(-1e-3, 1e-5 * i, 3e-4).solve();
                  },
@@ -232,21 +224,20 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                      return pair;
                    },
                    solve, [](RollingPair&, bool) {}, 2});
-  all.push_back(
-      {"results not asked for", "example 3: all fields, laws, displacements, estimates",
-       [=](bool) { return sphere(nodes, t); },
-       [](RollingPair& pair, bool with) {
-         pair.solve();
-         if (with) return;
-         pair.solution();
-         pair.stat("law_slip");
-         pair.stat("error_estimate");
-         std::vector<double> u(3 * 4096);
-         for (const std::int32_t which : {ROLLCON_FIELD_DISPLACEMENT1, ROLLCON_FIELD_DISPLACEMENT2})
-           rollcon_contact_get_field(pair.handle(), which, ROLLCON_LOCAL,
-                                     static_cast<std::int64_t>(u.size()), u.data(), nullptr);
-       },
-       [](RollingPair&, bool) {}, 3});
+  all.push_back({"results not asked for", "example 3: all fields, laws, displacements, estimates",
+                 [=](bool) { return sphere(nodes, t); },
+                 [](RollingPair& pair, bool with) {
+                   pair.solve();
+                   if (with) return;
+                   pair.solution();
+                   pair.stat("law_slip");
+                   pair.stat("error_estimate");
+                   std::vector<double> u(3 * 4096);
+                   for (const std::int32_t which : {ROLLCON_FIELD_DISPLACEMENT1, ROLLCON_FIELD_DISPLACEMENT2})
+                     rollcon_contact_get_field(pair.handle(), which, ROLLCON_LOCAL, static_cast<std::int64_t>(u.size()),
+                                               u.data(), nullptr);
+                 },
+                 [](RollingPair&, bool) {}, 3});
   return all;
 }
 

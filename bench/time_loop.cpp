@@ -1,5 +1,5 @@
-// The time loop of a vehicle simulation: one contact of a wheelset, solved again and again while
-// load and creepages change slowly. Does it stay as fast and as small as it began?
+// The time loop of a vehicle simulation: one contact of a wheelset, solved again and again while load and creepages
+// change slowly. Does it stay as fast and as small as it began?
 
 #include <algorithm>
 #include <array>
@@ -40,9 +40,8 @@ struct Part {
 void run(Runner& runner, const Loop& loop) {
   constexpr double young2_over_young = 0.7;  // of dissimilar bodies
   const bool same = loop.second_poisson == wheelset_run::poisson;
-  const closed_forms::Elastic steel =
-      closed_forms::Elastic{.shear = wheelset_run::young / (2 * (1 + wheelset_run::poisson)),
-                            .poisson = wheelset_run::poisson};
+  const closed_forms::Elastic steel = closed_forms::Elastic{
+      .shear = wheelset_run::young / (2 * (1 + wheelset_run::poisson)), .poisson = wheelset_run::poisson};
   closed_forms::Elastic other = steel;
   if (!same) {
     other.poisson = loop.second_poisson;
@@ -86,8 +85,7 @@ void run(Runner& runner, const Loop& loop) {
       std::printf(
           "    step %lld: status %d, %g iterations, %g fallbacks; load %.17g, "
           "longitudinal %.17g, lateral %.17g, spin %.17g\n",
-          static_cast<long long>(i), status, iterations, fallbacks, s.load, s.longitudinal,
-          s.lateral, s.spin);
+          static_cast<long long>(i), status, iterations, fallbacks, s.load, s.longitudinal, s.lateral, s.spin);
     }
     if (i == tenth - 1) resident_first = peak_resident_bytes();
   }
@@ -116,30 +114,29 @@ void run(Runner& runner, const Loop& loop) {
   record.iterations = all.iterations;
   rollcon_contact_get_size(contact, &record.nodes, &record.elements);
   record.resident_bytes = peak_resident_bytes();
-  record.extra = {
-      {"solves", static_cast<double>(all.solves)},
-      {"milliseconds_per_solve", 1e3 * per_solve(all)},
-      {"milliseconds_first_tenth", 1e3 * per_solve(part[0])},
-      {"milliseconds_last_tenth", 1e3 * per_solve(part[2])},
-      {"most_iterations", static_cast<double>(all.most_iterations)},
-      {"fallbacks", static_cast<double>(all.fallbacks)},
-      {"allocations", static_cast<double>(all.allocations)},
-      {"resident_growth_bytes", static_cast<double>(record.resident_bytes - resident_first)},
-      {"converged", static_cast<double>(all.status[0])},
-      {"not_converged", static_cast<double>(all.status[1])},
-      {"rim_contact", static_cast<double>(all.status[4])},
-      {"coarse", static_cast<double>(all.status[5])},
-      {"failed", static_cast<double>(all.failed)}};
+  record.extra = {{"solves", static_cast<double>(all.solves)},
+                  {"milliseconds_per_solve", 1e3 * per_solve(all)},
+                  {"milliseconds_first_tenth", 1e3 * per_solve(part[0])},
+                  {"milliseconds_last_tenth", 1e3 * per_solve(part[2])},
+                  {"most_iterations", static_cast<double>(all.most_iterations)},
+                  {"fallbacks", static_cast<double>(all.fallbacks)},
+                  {"allocations", static_cast<double>(all.allocations)},
+                  {"resident_growth_bytes", static_cast<double>(record.resident_bytes - resident_first)},
+                  {"converged", static_cast<double>(all.status[0])},
+                  {"not_converged", static_cast<double>(all.status[1])},
+                  {"rim_contact", static_cast<double>(all.status[4])},
+                  {"coarse", static_cast<double>(all.status[5])},
+                  {"failed", static_cast<double>(all.failed)}};
   runner.emit(record);
 }
 
 void time_loop(Runner& runner) {
   const double nu = wheelset_run::poisson;
   for (const int n : {11, 15})
-    for (const Loop& loop : {Loop{"creepages given", n, Drive::creepage, nu},
-                             Loop{"traction given", n, Drive::traction, nu},
-                             Loop{"creepages given, dissimilar", n, Drive::creepage, 0.45},
-                             Loop{"traction given, dissimilar", n, Drive::traction, 0.45}})
+    for (const Loop& loop :
+         {Loop{"creepages given", n, Drive::creepage, nu}, Loop{"traction given", n, Drive::traction, nu},
+          Loop{"creepages given, dissimilar", n, Drive::creepage, 0.45},
+          Loop{"traction given, dissimilar", n, Drive::traction, 0.45}})
       run(runner, loop);
 }
 

@@ -56,8 +56,7 @@ static double on_half_line(const body_grid* g, int axis, int h) {
 static int32_t grid_node(body_mesh* m, const body_grid* g, int32_t* known, const int at[3]) {
   const int turn = g->ring && at[0] == 2 * g->n[0] ? 0 : at[0];
   const size_t place =
-      ((size_t)turn * (size_t)(2 * g->n[1] + 1) + (size_t)at[1]) * (size_t)(2 * g->n[2] + 1) +
-      (size_t)at[2];
+      ((size_t)turn * (size_t)(2 * g->n[1] + 1) + (size_t)at[1]) * (size_t)(2 * g->n[2] + 1) + (size_t)at[2];
   if (known[place] == 0) {
     double q[3];
     q[0] = on_half_line(g, 0, turn);
@@ -70,16 +69,14 @@ static int32_t grid_node(body_mesh* m, const body_grid* g, int32_t* known, const
 }
 
 static int32_t grid_tag(const body_grid* g, int face, int i, int j) {
-  const int in_zone = face == 5 && i >= g->zone_from[0] && i < g->zone_to[0] &&
-                      j >= g->zone_from[1] && j < g->zone_to[1];
+  const int in_zone =
+      face == 5 && i >= g->zone_from[0] && i < g->zone_to[0] && j >= g->zone_from[1] && j < g->zone_to[1];
   return in_zone ? g->zone_tag : g->face_tag[face];
 }
 
 /* The element of `face` at row i, column j of the grid on it. */
-static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, int face, int i,
-                             int j) {
-  static const int corner_first[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
-                                         {2, 1}, {1, 2}, {0, 1}, {1, 1}};
+static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, int face, int i, int j) {
+  static const int corner_first[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
   const int axis = face / 2, most = face % 2;
   const int p = (axis + 1) % 3, q = (axis + 2) % 3;
   int32_t* id = m->id + m->elements++ * m->per_element;
@@ -95,10 +92,9 @@ static void add_grid_element(body_mesh* m, const body_grid* g, int32_t* known, i
 
 /* The hexahedron at place i of the grid. */
 static void add_grid_cell(body_mesh* m, const body_grid* g, int32_t* known, const int i[3]) {
-  static const int place[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2},
-                                   {2, 0, 2}, {2, 2, 2}, {0, 2, 2}, {1, 0, 0}, {2, 1, 0},
-                                   {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2},
-                                   {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+  static const int place[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+                                   {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+                                   {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
   int32_t* id = m->cell + m->cells++ * m->per_cell;
   int k, c, at[3];
   for (k = 0; k < m->per_cell; ++k) {
@@ -165,8 +161,7 @@ static int nodes_of_tag(const body_mesh* m, int tag, int32_t* list) {
 
 /* line[0] = from, ..., line[n] = to. The first step has the size `first`, the others grow by one
    factor but not beyond `largest` (0: no bound), as far as n steps allow. */
-static void graded_lines(double* line, int n, double from, double to, double first,
-                         double largest) {
+static void graded_lines(double* line, int n, double from, double to, double first, double largest) {
   const double length = fabs(to - from), toward = to > from ? 1 : -1;
   double low = 1e-3, high = 1e3, sum = 0, step;
   int k, i;
@@ -174,8 +169,7 @@ static void graded_lines(double* line, int n, double from, double to, double fir
   if (n * largest < length) largest = 2 * length / n;
   for (i = 0; i < 200; ++i) {
     const double factor = sqrt(low * high);
-    for (k = 0, sum = 0, step = first; k < n; ++k, step *= factor)
-      sum += step < largest ? step : largest;
+    for (k = 0, sum = 0, step = first; k < n; ++k, step *= factor) sum += step < largest ? step : largest;
     if (sum < length) {
       low = factor;
     } else {
@@ -198,8 +192,7 @@ static void reverse_lines(double* line, int n) {
 }
 
 /* n steps from -half to half, zone_n equal ones of them from -half_zone to half_zone. */
-static void lines_with_zone(double* line, int n, double half, int zone_n, double half_zone,
-                            double largest) {
+static void lines_with_zone(double* line, int n, double half, int zone_n, double half_zone, double largest) {
   const int before = (n - zone_n) / 2, after = n - zone_n - before;
   const double step = 2 * half_zone / zone_n;
   int k;

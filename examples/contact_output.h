@@ -76,14 +76,11 @@ static void frame_of_tag(frame_results* r, const body_mesh* m, int tag) {
 static void read_results(frame_results* r, const rollcon_contact* contact) {
   const int64_t most = MOST_FRAME_NODES;
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, most, &r->t[0][0]));
-  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_LOCAL, 3 * most, &r->x[0][0],
-                                 NULL));
-  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * most,
-                                 &r->slip[0][0], NULL));
+  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_LOCAL, 3 * most, &r->x[0][0], NULL));
+  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * most, &r->slip[0][0], NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, most, r->gap, NULL));
   must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, most, r->area, NULL));
-  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_WEIGHT, ROLLCON_LOCAL, most, r->weight,
-                                 NULL));
+  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_WEIGHT, ROLLCON_LOCAL, most, r->weight, NULL));
   must(rollcon_contact_get_status(contact, most, r->state));
 }
 
@@ -102,8 +99,8 @@ static FILE* open_file(const char* folder, const char* name) {
 }
 
 static void write_row(FILE* file, const frame_results* r, int k) {
-  fprintf(file, "%.6f %.6f %.5e %.5e %.5e %.5e %.5e %.5e %d\n", r->x[k][0], r->x[k][1], -r->t[k][2],
-          r->t[k][0], r->t[k][1], r->slip[k][0], r->slip[k][1], r->gap[k], (int)r->state[k]);
+  fprintf(file, "%.6f %.6f %.5e %.5e %.5e %.5e %.5e %.5e %d\n", r->x[k][0], r->x[k][1], -r->t[k][2], r->t[k][0],
+          r->t[k][1], r->slip[k][0], r->slip[k][1], r->gap[k], (int)r->state[k]);
 }
 
 /* The point where the edge from a to b crosses the line y = 0. */
@@ -114,8 +111,7 @@ static void write_crossing(FILE* file, const frame_results* r, int a, int b) {
   fprintf(file, "%.6f 0", r->x[a][0] + s * (r->x[b][0] - r->x[a][0]));
   fprintf(file, " %.5e", -(r->t[a][2] + s * (r->t[b][2] - r->t[a][2])));
   for (c = 0; c < 2; ++c) fprintf(file, " %.5e", r->t[a][c] + s * (r->t[b][c] - r->t[a][c]));
-  for (c = 0; c < 2; ++c)
-    fprintf(file, " %.5e", r->slip[a][c] + s * (r->slip[b][c] - r->slip[a][c]));
+  for (c = 0; c < 2; ++c) fprintf(file, " %.5e", r->slip[a][c] + s * (r->slip[b][c] - r->slip[a][c]));
   fprintf(file, " %.5e\n", r->gap[a] + s * (r->gap[b] - r->gap[a]));
 }
 
@@ -133,8 +129,7 @@ static void write_frame(const frame_results* r, const char* folder, const char* 
   patches = open_file(folder, name);
   snprintf(name, sizeof name, "%s_section.txt", stem);
   section = open_file(folder, name);
-  fprintf(nodes,
-          "# x y [mm] p t1 t2 [MPa] s1 s2 [mm/s] gap [mm] status (0 open, 1 stick, 2 slip)\n");
+  fprintf(nodes, "# x y [mm] p t1 t2 [MPa] s1 s2 [mm/s] gap [mm] status (0 open, 1 stick, 2 slip)\n");
   for (k = 0; k < r->nodes; ++k) write_row(nodes, r, k);
   for (e = 0; e < r->elements; ++e) {
     const int32_t* id = r->id + e * r->per_element;
@@ -152,8 +147,8 @@ static void write_frame(const frame_results* r, const char* folder, const char* 
 }
 
 /* All faces of a body where its pose has put it, x y z and tag, in the form of pm3d. */
-static void write_body(const body_mesh* m, const double rotation[9], const double translation[3],
-                       const char* folder, const char* name) {
+static void write_body(const body_mesh* m, const double rotation[9], const double translation[3], const char* folder,
+                       const char* name) {
   static const int corner[4] = {0, 1, 3, 2};
   FILE* file = open_file(folder, name);
   int tag, e, i, c;
@@ -164,8 +159,7 @@ static void write_body(const body_mesh* m, const double rotation[9], const doubl
         const double* x = m->x[m->id[e * m->per_element + corner[i]]];
         for (c = 0; c < 3; ++c)
           fprintf(file, "%.5f ",
-                  translation[c] + rotation[3 * c] * x[0] + rotation[3 * c + 1] * x[1] +
-                      rotation[3 * c + 2] * x[2]);
+                  translation[c] + rotation[3 * c] * x[0] + rotation[3 * c + 1] * x[1] + rotation[3 * c + 2] * x[2]);
         fprintf(file, i % 2 == 1 ? "%d\n\n" : "%d\n", tag);
       }
       fprintf(file, "\n");
@@ -183,12 +177,10 @@ static void give_mesh(rollcon_body* body, const body_mesh* m, int held_tags, con
   for (tag = 1; tag < MOST_TAGS; ++tag) {
     const int count = m->first[tag + 1] - m->first[tag];
     if (count > 0)
-      must(rollcon_body_add_elements(body, m->type, count, m->id + m->first[tag] * m->per_element,
-                                     0, tag));
+      must(rollcon_body_add_elements(body, m->type, count, m->id + m->first[tag] * m->per_element, 0, tag));
   }
   for (i = 0; list != NULL && i < held_tags; ++i)
-    must(rollcon_body_set_support(body, nodes_of_tag(m, held[i], list), list, 0, ROLLCON_DOF_XYZ,
-                                  NULL));
+    must(rollcon_body_set_support(body, nodes_of_tag(m, held[i], list), list, 0, ROLLCON_DOF_XYZ, NULL));
   free(list);
 }
 

@@ -92,10 +92,9 @@ static void write_table(const char* folder) {
           "load,spin,lateral,longitudinal,F1,F2,M3,dF1/dlongitudinal,dF1/dlateral,"
           "dF2/dlongitudinal,dF2/dlateral,friction_power\n");
   for (k = 0; k < CASES; ++k)
-    fprintf(file, "%g,%g,%g,%g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g\n", values[k][0],
-            values[k][1], values[k][2], values[k][3], result[k][FORCE], result[k][FORCE + 1],
-            result[k][MOMENT + 2], result[k][BY_LONGITUDINAL], result[k][BY_LATERAL],
-            result[k][BY_LONGITUDINAL + 1], result[k][BY_LATERAL + 1], result[k][POWER]);
+    fprintf(file, "%g,%g,%g,%g,%.9g,%.9g,%.9g,%.6g,%.6g,%.6g,%.6g,%.6g\n", values[k][0], values[k][1], values[k][2],
+            values[k][3], result[k][FORCE], result[k][FORCE + 1], result[k][MOMENT + 2], result[k][BY_LONGITUDINAL],
+            result[k][BY_LATERAL], result[k][BY_LONGITUDINAL + 1], result[k][BY_LATERAL + 1], result[k][POWER]);
   if (fclose(file) != 0) exit(1);
 }
 
@@ -126,15 +125,14 @@ int main(int argc, char** argv) {
   set_scene(contact);
   list_cases();
   must(rollcon_contact_solve_many(contact, "normal spin lateral longitudinal", CASES, values[0],
-                                  "force moment iterations friction_power derivatives", WIDTH,
-                                  result[0], NULL, status));
+                                  "force moment iterations friction_power derivatives", WIDTH, result[0], NULL,
+                                  status));
   for (k = 0; k < CASES; ++k) {
     failed += status[k] != ROLLCON_OK;
     iterations += result[k][ITERATIONS];
   }
   print_piece();
-  printf("\n%d cases, %.2f iterations each, %d without a good solution\n", (int)CASES,
-         iterations / CASES, failed);
+  printf("\n%d cases, %.2f iterations each, %d without a good solution\n", (int)CASES, iterations / CASES, failed);
   write_table(argc > 1 ? argv[1] : ".");
   rollcon_contact_release(contact);
   rollcon_body_release(rail);

@@ -48,8 +48,7 @@ static void triangle_disc(disc_frame* f, double radius) {
     const double r = radius * ring / rings;
     const double phase = fmod(inner_phase + 0.5 / no, 1.0 / no);
     for (i = 0; i < no; ++i)
-      add_node(f, r * cos(turn * (phase + (double)i / no)),
-               r * sin(turn * (phase + (double)i / no)));
+      add_node(f, r * cos(turn * (phase + (double)i / no)), r * sin(turn * (phase + (double)i / no)));
     /* Walk round both rings; each step takes the next node of the ring that lags behind. */
     for (i = j = 0; i < no || (ni > 1 && j < ni);) {
       const int a = inner + j % ni, b = outer + i % no;
@@ -88,8 +87,7 @@ static void quad_disc(disc_frame* f, double radius) {
       const double *core = f->x[rim[i]], angle = 0.5 * acos(-1.0) * ((double)i / SIDE - 0.5);
       const double t = (double)k / RINGS;
       const int a = k == 1 ? rim[i] : first - RIM + i, m = (i + 1) % RIM;
-      add_node(f, core[0] + t * (radius * sin(angle) - core[0]),
-               core[1] + t * (-radius * cos(angle) - core[1]));
+      add_node(f, core[0] + t * (radius * sin(angle) - core[0]), core[1] + t * (-radius * cos(angle) - core[1]));
       add_corners(f, a, first + i, first + m, k == 1 ? rim[m] : first - RIM + m);
     }
   }
@@ -124,10 +122,7 @@ static int make_disc_frame(disc_frame* f, const char* name, double radius) {
   static const struct {
     const char* name;
     int32_t type;
-  } types[] = {{"tri3", ROLLCON_TRI3},
-               {"tri6", ROLLCON_TRI6},
-               {"quad4", ROLLCON_QUAD4},
-               {"quad8", ROLLCON_QUAD8}};
+  } types[] = {{"tri3", ROLLCON_TRI3}, {"tri6", ROLLCON_TRI6}, {"quad4", ROLLCON_QUAD4}, {"quad8", ROLLCON_QUAD8}};
   int i;
   for (i = 0; i < 4; ++i) {
     if (strcmp(name, types[i].name) != 0) continue;

@@ -56,8 +56,7 @@ static void hexahedra(int k, int32_t id[LAYER][8]) {
   int i, j, c;
   for (j = 0; j + 1 < NY; ++j)
     for (i = 0; i + 1 < NX; ++i)
-      for (c = 0; c < 8; ++c)
-        id[j * (NX - 1) + i][c] = node(i + corner[c % 4][0], j + corner[c % 4][1], k + c / 4);
+      for (c = 0; c < 8; ++c) id[j * (NX - 1) + i][c] = node(i + corner[c % 4][0], j + corner[c % 4][1], k + c / 4);
 }
 
 int main(void) {
@@ -86,8 +85,7 @@ int main(void) {
   must(rollcon_body_set_nodes(block, NODES, &x[0][0], 3, 1));
   for (k = 0; k + 1 < NZ; ++k) {
     hexahedra(k, element);
-    must(rollcon_body_add_elements(block, ROLLCON_HEX8, LAYER, &element[0][0], 0,
-                                   k < 6 ? BASE : TREAD));
+    must(rollcon_body_add_elements(block, ROLLCON_HEX8, LAYER, &element[0][0], 0, k < 6 ? BASE : TREAD));
   }
 
   /* 2 materials by tag; the bottom's nodes are held; the top's nodes name the faces of contact */

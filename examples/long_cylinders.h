@@ -74,8 +74,7 @@ static cylinder_results roll_long_cylinders(const cylinder_pair* c, double ratio
   must(rollcon_contact_set_friction(pair, "coulomb", 1, &c->mu));
   must(rollcon_contact_set_rolling(pair, c->speed));
   must(rollcon_contact_prescribe(pair, ROLLCON_NORMAL, ROLLCON_BY_FORCE, c->load * far));
-  must(rollcon_contact_prescribe(pair, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE,
-                                 ratio * c->mu * c->load * far));
+  must(rollcon_contact_prescribe(pair, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, ratio * c->mu * c->load * far));
   if (must(rollcon_contact_solve(pair)) != ROLLCON_COARSE) { /* one line of nodes has no inside */
     fprintf(stderr, "the long cylinders touch elsewhere than on their middle line\n");
     exit(1);
@@ -83,15 +82,14 @@ static cylinder_results roll_long_cylinders(const cylinder_pair* c, double ratio
   must(rollcon_contact_get_motion(pair, NULL, creep));
   found.creepage = creep[0];
   must(rollcon_contact_get_tractions(pair, ROLLCON_LOCAL, LINES_ALONG * LINES_ACROSS, &t[0][0]));
-  must(rollcon_contact_get_field(pair, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL,
-                                 2 * LINES_ALONG * LINES_ACROSS, &slip[0][0], NULL));
-  must(rollcon_contact_get_field(pair, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, LINES_ALONG * LINES_ACROSS,
-                                 gap, NULL));
+  must(rollcon_contact_get_field(pair, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * LINES_ALONG * LINES_ACROSS, &slip[0][0],
+                                 NULL));
+  must(rollcon_contact_get_field(pair, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, LINES_ALONG * LINES_ACROSS, gap, NULL));
   for (i = LINES_ALONG; i < 2 * LINES_ALONG; ++i) {
     if (t[i][2] < 0) found.fastest = fmax(found.fastest, fabs(slip[i][0]));
     if (file != NULL)
-      fprintf(file, "%.6f 0 %.5e %.5e %.5e %.5e %.5e %.5e\n", x[i][0], -t[i][2], t[i][0], t[i][1],
-              slip[i][0], slip[i][1], gap[i]);
+      fprintf(file, "%.6f 0 %.5e %.5e %.5e %.5e %.5e %.5e\n", x[i][0], -t[i][2], t[i][0], t[i][1], slip[i][0],
+              slip[i][1], gap[i]);
   }
   rollcon_contact_release(pair);
   for (i = 0; i < 2; ++i) rollcon_body_release(body[i]);

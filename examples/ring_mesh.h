@@ -56,14 +56,13 @@ static int make_ring_mesh(body_mesh* m, const ring_shape* r, int32_t type) {
   if (line == NULL) return 0;
   y = line + r->around + 1;
   radius = y + r->across + 1;
-  lines_with_zone(line, r->around, r->sector > 0 ? r->sector / 2 : pi, r->zone_around,
-                  r->zone / 2 / r->outer, r->largest / r->outer);
+  lines_with_zone(line, r->around, r->sector > 0 ? r->sector / 2 : pi, r->zone_around, r->zone / 2 / r->outer,
+                  r->largest / r->outer);
   for (k = 0; k <= r->across; ++k) {
     const double t = 2.0 * k / r->across - 1;
     y[k] = r->width / 2 * (t + r->side_grading * (sin(pi / 2 * t) - t));
   }
-  graded_lines(radius, r->deep, r->outer, r->inner,
-               r->top_layer > 0 ? r->top_layer : depth / r->deep, 0);
+  graded_lines(radius, r->deep, r->outer, r->inner, r->top_layer > 0 ? r->top_layer : depth / r->deep, 0);
   reverse_lines(radius, r->deep);
   g.n[0] = r->around;
   g.n[1] = r->across;

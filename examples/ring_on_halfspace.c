@@ -78,16 +78,15 @@ static void write_plane(const char* folder, const char* name) {
 /* Rolls under the tangential force `share` mu times the load; returns the creepage. */
 static double roll(double share) {
   double creep[3];
-  must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE,
-                                 share * mu * load));
+  must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, share * mu * load));
   must_solve(contact);
   must(rollcon_contact_get_motion(contact, NULL, creep));
   return creep[0];
 }
 
 static void print_table(const char* folder, double zone, double free_rolling, double driven) {
-  const cylinder_pair cylinders = {
-      {young[0], young[1]}, {poisson[0], poisson[1]}, 1 / radius, load / width, mu, omega * radius};
+  const cylinder_pair cylinders = {{young[0], young[1]}, {poisson[0], poisson[1]}, 1 / radius, load / width, mu,
+                                   omega * radius};
   FILE* file = open_file(folder, "ring_on_halfspace_long.txt");
   const cylinder_results h = roll_long_cylinders(&cylinders, ratio, file);
   const double h_free = roll_long_cylinders(&cylinders, 0, NULL).creepage;
@@ -108,24 +107,19 @@ static void print_table(const char* folder, double zone, double free_rolling, do
   printf("  pressure at mid-plane   MPa      %11.5g    107.9* %11.5g\n", h.pressure, pressure);
   printf("  half-width there        mm       %11.4g     0.99* %11.4g\n", h.half_width, half_width);
   printf("  pressure at the sides   MPa                           %11.5g\n", edge);
-  printf("  creepage, no force      %%        %11.4f           %11.4f\n", 100 * h_free,
-         100 * free_rolling);
-  printf("  creepage                %%        %11.4f           %11.4f\n", 100 * h.creepage,
-         100 * driven);
-  printf("  creepage by the force   %%        %11.4f           %11.4f\n",
-         100 * (h.creepage - h_free), 100 * (driven - free_rolling));
-  printf("    Carter, equal bodies  %%        %11.4f\n",
-         -100 * mu * h.half_width / radius * (1 - sqrt(1 - ratio)));
-  printf("  widest gap of frame     mm       %11.5f   0.0086  %11.5f\n",
-         hertz_gap(&cylinders, h.half_width, zone / 2), widest);
+  printf("  creepage, no force      %%        %11.4f           %11.4f\n", 100 * h_free, 100 * free_rolling);
+  printf("  creepage                %%        %11.4f           %11.4f\n", 100 * h.creepage, 100 * driven);
+  printf("  creepage by the force   %%        %11.4f           %11.4f\n", 100 * (h.creepage - h_free),
+         100 * (driven - free_rolling));
+  printf("    Carter, equal bodies  %%        %11.4f\n", -100 * mu * h.half_width / radius * (1 - sqrt(1 - ratio)));
+  printf("  widest gap of frame     mm       %11.5f   0.0086  %11.5f\n", hertz_gap(&cylinders, h.half_width, zone / 2),
+         widest);
   printf("  fastest slip of frame   mm/s                  0.0139  %11.4f\n", fastest);
   printf("  in contact at mid-plane mm/s     %11.4f           %11.4f\n", h.fastest, middle);
   printf("  normal force            N        %11.6g   1345    %11.6g\n", load, -force[2]);
-  printf("  force along t1          mu Fn    %11.4f   0.5373  %11.4f\n", ratio,
-         force[0] / (-mu * force[2]));
+  printf("  force along t1          mu Fn    %11.4f   0.5373  %11.4f\n", ratio, force[0] / (-mu * force[2]));
   printf("  approach                mm                            %11.5f\n", approach);
-  printf("  power of friction       mW                            %11.5g\n",
-         statistic(contact, "friction_power"));
+  printf("  power of friction       mW                            %11.5g\n", statistic(contact, "friction_power"));
   printf("  (* Hertz's values; long cylinders: half-spaces in plane strain, rolled by rollcon)\n");
   if (young[0] < young[1])
     printf(
@@ -135,17 +129,16 @@ static void print_table(const char* folder, double zone, double free_rolling, do
         "  plane problem too; what it left out or where it read its value, the paper does not "
         "say.\n");
   printf("\nlaws recomputed from the tractions (relative residuals)\n");
-  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n",
-         statistic(contact, "law_normal"), statistic(contact, "law_friction"));
-  printf("  slip against friction   %8.1e     forces as given   %8.1e\n",
-         statistic(contact, "law_slip"), statistic(contact, "law_equilibrium"));
+  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n", statistic(contact, "law_normal"),
+         statistic(contact, "law_friction"));
+  printf("  slip against friction   %8.1e     forces as given   %8.1e\n", statistic(contact, "law_slip"),
+         statistic(contact, "law_equilibrium"));
 }
 
 static void print_cost(const char* name, const rollcon_body* body) {
-  printf(
-      "%s: %.0f unknowns, %.0f of them condensed; %.2g nonzeros in the factor, at most %.0f MB\n",
-      name, body_statistic(body, "unknowns"), body_statistic(body, "condensed_unknowns"),
-      body_statistic(body, "factor_nonzeros"), 1e-6 * body_statistic(body, "peak_bytes"));
+  printf("%s: %.0f unknowns, %.0f of them condensed; %.2g nonzeros in the factor, at most %.0f MB\n", name,
+         body_statistic(body, "unknowns"), body_statistic(body, "condensed_unknowns"),
+         body_statistic(body, "factor_nonzeros"), 1e-6 * body_statistic(body, "peak_bytes"));
   printf("  assembly %.3f s, order %.3f s, factor %.3f s, condensation %.3f s\n",
          body_statistic(body, "seconds_assembly"), body_statistic(body, "seconds_order"),
          body_statistic(body, "seconds_factor"), body_statistic(body, "seconds_condense"));
@@ -206,23 +199,22 @@ int main(int argc, char** argv) {
 
   /* 6 results */
   read_results(&r, contact);
-  printf("ring (radii %g and %g mm, width %g mm, E %g MPa) on %s (E %g MPa); nu %g; V %g mm/s\n",
-         shape.inner, radius, width, young[0], on_block ? "a block" : "a half-space", young[1],
-         poisson[0], omega * radius);
-  printf("ring: %d nodes, %d %s, %d around x %d across x %d deep, the first layer %g mm\n",
-         ring_mesh.nodes, ring_mesh.cells, type == ROLLCON_HEX8 ? "hex8" : "hex20", shape.around,
-         shape.across, shape.deep, shape.top_layer);
+  printf("ring (radii %g and %g mm, width %g mm, E %g MPa) on %s (E %g MPa); nu %g; V %g mm/s\n", shape.inner, radius,
+         width, young[0], on_block ? "a block" : "a half-space", young[1], poisson[0], omega * radius);
+  printf("ring: %d nodes, %d %s, %d around x %d across x %d deep, the first layer %g mm\n", ring_mesh.nodes,
+         ring_mesh.cells, type == ROLLCON_HEX8 ? "hex8" : "hex20", shape.around, shape.across, shape.deep,
+         shape.top_layer);
   if (on_block)
-    printf("block: 80 x 80 x 40 mm, %d nodes, %d quad4, 16 x 18 of them on its top\n",
-           block_mesh.nodes, block_mesh.elements);
-  printf("frame: %g x %g mm, %d nodes, %d elements; %.0f nodes in contact; %s\n", shape.zone, width,
-         r.nodes, r.elements, statistic(contact, "nodes_contact"), scheme);
+    printf("block: 80 x 80 x 40 mm, %d nodes, %d quad4, 16 x 18 of them on its top\n", block_mesh.nodes,
+           block_mesh.elements);
+  printf("frame: %g x %g mm, %d nodes, %d elements; %.0f nodes in contact; %s\n", shape.zone, width, r.nodes,
+         r.elements, statistic(contact, "nodes_contact"), scheme);
   print_table(folder, shape.zone, free_rolling, driven);
   printf("\n");
   print_cost("ring", ring);
   if (on_block) print_cost("block", ground);
-  printf("contact: %.0f iterations, %.0f ms, after those of free rolling\n",
-         statistic(contact, "iterations"), 1e3 * statistic(contact, "seconds_newton"));
+  printf("contact: %.0f iterations, %.0f ms, after those of free rolling\n", statistic(contact, "iterations"),
+         1e3 * statistic(contact, "seconds_newton"));
   snprintf(path, sizeof path, "%s/ring_on_halfspace.vtu", folder);
   must(rollcon_contact_write(contact, path));
   write_frame(&r, folder, "ring_on_halfspace");

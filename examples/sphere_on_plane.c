@@ -57,8 +57,7 @@ static measures solve(void) {
   return m;
 }
 
-static void compare(const char* name, const char* unit, double hertz, double smooth,
-                    double rolling) {
+static void compare(const char* name, const char* unit, double hertz, double smooth, double rolling) {
   printf("  %-22s%-6s %11.5g %11.5g %11.5g\n", name, unit, hertz, smooth, rolling);
 }
 
@@ -75,18 +74,15 @@ static void print_table(const measures* smooth, const measures* free, const meas
   }
   printf("\n                                     Hertz     rollcon     rollcon\n");
   printf("                                    mu = 0      mu = 0    mu = 0.1\n");
-  compare("largest pressure", "MPa", 3 * load / (2 * pi * a * a), smooth->pressure,
-          driven->pressure);
+  compare("largest pressure", "MPa", 3 * load / (2 * pi * a * a), smooth->pressure, driven->pressure);
   compare("radius from the area", "mm", a, smooth->radius, driven->radius);
   compare("approach", "mm", a * a / radius, smooth->approach, driven->approach);
   compare("normal force", "N", load, -smooth->force[2], -driven->force[2]);
   printf("\nrolling with mu = 0.1\n");
-  printf("  force along t1         N     %11.5g   = %.4f mu Fn\n", driven->force[0],
-         driven->force[0] / (mu * load));
-  printf("  creepage                     %11.3e   free rolling %.3e, by the force %.3e\n",
-         driven->creep, free->creep, driven->creep - free->creep);
-  printf("  sticking               mm2   %11.5g   = %.0f %% of the contact\n", stick,
-         100 * stick / (stick + sliding));
+  printf("  force along t1         N     %11.5g   = %.4f mu Fn\n", driven->force[0], driven->force[0] / (mu * load));
+  printf("  creepage                     %11.3e   free rolling %.3e, by the force %.3e\n", driven->creep, free->creep,
+         driven->creep - free->creep);
+  printf("  sticking               mm2   %11.5g   = %.0f %% of the contact\n", stick, 100 * stick / (stick + sliding));
   printf("  slipping               mm2   %11.5g   at up to %.4f mm/s\n", sliding, fastest);
   printf("  power of friction      mW    %11.5g\n", statistic("friction_power"));
   printf("\nlaws recomputed from the tractions (relative residuals)\n");
@@ -94,8 +90,8 @@ static void print_table(const measures* smooth, const measures* free, const meas
          statistic("law_friction"));
   printf("  slip against friction   %8.1e     forces as given   %8.1e\n", statistic("law_slip"),
          statistic("law_equilibrium"));
-  printf("\n%.0f Newton iterations for the last solution; %.2f s for the three solutions\n",
-         statistic("iterations"), smooth->seconds + free->seconds + driven->seconds);
+  printf("\n%.0f Newton iterations for the last solution; %.2f s for the three solutions\n", statistic("iterations"),
+         smooth->seconds + free->seconds + driven->seconds);
 }
 
 /* ------------------------------------------------------------------------------------- Files */
@@ -115,8 +111,8 @@ static FILE* open_file(const char* folder, const char* name) {
 static FILE *nodes, *patches, *section;
 
 static void write_row(FILE* file, int k) {
-  fprintf(file, "%.6f %.6f %.4e %.4e %.4e %.4e %.4e %d\n", frame.x[k][0], frame.x[k][1], -t[k][2],
-          t[k][0], t[k][1], slip[k][0], slip[k][1], (int)state[k]);
+  fprintf(file, "%.6f %.6f %.4e %.4e %.4e %.4e %.4e %d\n", frame.x[k][0], frame.x[k][1], -t[k][2], t[k][0], t[k][1],
+          slip[k][0], slip[k][1], (int)state[k]);
 }
 
 /* The point where the edge from a to b crosses the rolling axis. */
@@ -212,15 +208,12 @@ int main(int argc, char** argv) {
 
   /* 6 results */
   must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, MOST_NODES, &t[0][0]));
-  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * MOST_NODES,
-                                 &slip[0][0], NULL));
-  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, MOST_NODES, area,
-                                 NULL));
+  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * MOST_NODES, &slip[0][0], NULL));
+  must(rollcon_contact_get_field(contact, ROLLCON_FIELD_AREA, ROLLCON_LOCAL, MOST_NODES, area, NULL));
   must(rollcon_contact_get_status(contact, MOST_NODES, state));
-  printf("elastic sphere (R %g mm, E %g MPa, nu %g) on a rigid plane; V %g mm/s\n", radius, young,
-         poisson, speed);
-  printf("frame %s: %d nodes, %d elements; %.0f nodes in contact; %s\n", type, frame.nodes,
-         frame.elements, statistic("nodes_contact"), scheme);
+  printf("elastic sphere (R %g mm, E %g MPa, nu %g) on a rigid plane; V %g mm/s\n", radius, young, poisson, speed);
+  printf("frame %s: %d nodes, %d elements; %.0f nodes in contact; %s\n", type, frame.nodes, frame.elements,
+         statistic("nodes_contact"), scheme);
   print_table(&smooth, &free_rolling, &driven);
 
   snprintf(path, sizeof path, "%s/sphere_on_plane.vtu", folder);

@@ -25,10 +25,8 @@ static frame_results r;
 static void print_sides(void) {
   double pressure, half_width, previous = -1e-6;
   const int full = on_line(&r, 0, &pressure, &half_width);
-  printf(
-      "\ntowards a free side: without the stress 2 nu p along the axle the same strain leaves\n");
-  printf("(1 + nu)(1 - 2 nu)/(1 - nu) = %.2f of the pressure\n",
-         (1 + poisson) * (1 - 2 * poisson) / (1 - poisson));
+  printf("\ntowards a free side: without the stress 2 nu p along the axle the same strain leaves\n");
+  printf("(1 + nu)(1 - 2 nu)/(1 - nu) = %.2f of the pressure\n", (1 + poisson) * (1 - 2 * poisson) / (1 - poisson));
   printf("  y [mm]          largest pressure [MPa]  half-width [mm]\n");
   for (;;) {
     double y = width;
@@ -63,33 +61,29 @@ static void print_table(void) {
   printf("\n                                 long cylinders     paper     rollcon\n");
   printf("  pressure at mid-plane   MPa      %11.5g           %11.5g\n", p0, pressure);
   printf("  half-width there        mm       %11.5g           %11.5g\n", a, half_width);
-  printf("  creepage                %%        %11.5f           %11.5f\n", 100 * carter,
-         100 * creep[0]);
+  printf("  creepage                %%        %11.5f           %11.5f\n", 100 * carter, 100 * creep[0]);
   printf("  fastest slip of frame   mm/s                   0.0428 %11.5f\n", fastest);
   printf("  fastest slip in contact mm/s                          %11.5f\n", contact_fastest);
   printf("  widest gap of frame     mm                     0.0156 %11.5f\n", widest);
   printf("  normal force            N        %11.6g           %11.6g\n", load, -force[2]);
-  printf("  force along t1          mu Fn    %11.5g           %11.5g\n", ratio,
-         force[0] / (-mu * force[2]));
+  printf("  force along t1          mu Fn    %11.5g           %11.5g\n", ratio, force[0] / (-mu * force[2]));
   printf("  approach                mm                            %11.5f\n", approach);
-  printf("  power of friction       mW                            %11.5g\n",
-         statistic(contact, "friction_power"));
+  printf("  power of friction       mW                            %11.5g\n", statistic(contact, "friction_power"));
   print_sides();
   printf("\nlaws recomputed from the tractions (relative residuals)\n");
-  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n",
-         statistic(contact, "law_normal"), statistic(contact, "law_friction"));
-  printf("  slip against friction   %8.1e     forces as given   %8.1e\n",
-         statistic(contact, "law_slip"), statistic(contact, "law_equilibrium"));
+  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n", statistic(contact, "law_normal"),
+         statistic(contact, "law_friction"));
+  printf("  slip against friction   %8.1e     forces as given   %8.1e\n", statistic(contact, "law_slip"),
+         statistic(contact, "law_equilibrium"));
 }
 
 static void print_cost(void) {
   printf(
       "\nring: %.0f unknowns, condition %.1e, assembled %.0f time; assembly %.2f s, factors %.2f "
       "s, condensation %.2f s, at most %.0f MB\n",
-      body_statistic(ring, "unknowns"), body_statistic(ring, "condition"),
-      body_statistic(ring, "assemblies"), body_statistic(ring, "seconds_assembly"),
-      body_statistic(ring, "seconds_factor"), body_statistic(ring, "seconds_condense"),
-      1e-6 * body_statistic(ring, "peak_bytes"));
+      body_statistic(ring, "unknowns"), body_statistic(ring, "condition"), body_statistic(ring, "assemblies"),
+      body_statistic(ring, "seconds_assembly"), body_statistic(ring, "seconds_factor"),
+      body_statistic(ring, "seconds_condense"), 1e-6 * body_statistic(ring, "peak_bytes"));
   printf("contact: %.2f s, the ring's preparation included; %.0f iterations, %.0f ms\n",
          statistic(contact, "seconds_total"), statistic(contact, "iterations"),
          1e3 * statistic(contact, "seconds_newton"));
@@ -149,14 +143,13 @@ int main(int argc, char** argv) {
   /* 4 loads, 5 solve: pressed together and driven by forces; approach and creepage are unknown */
   must(rollcon_contact_set_rolling(contact, omega * radius));
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
-  must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE,
-                                 ratio * mu * load));
+  must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, ratio * mu * load));
   must_solve(contact);
 
   /* 6 results */
   read_results(&r, contact);
-  printf("two rings (radii %g and %g mm, width %g mm, E %g MPa, nu %g); V %g mm/s\n", shape.inner,
-         radius, width, young, poisson, omega * radius);
+  printf("two rings (radii %g and %g mm, width %g mm, E %g MPa, nu %g); V %g mm/s\n", shape.inner, radius, width, young,
+         poisson, omega * radius);
   printf(
       "each ring: %d nodes, %d %s; frame: %d nodes, %d elements, %g mm long; %.0f nodes in "
       "contact; %s\n",

@@ -83,8 +83,7 @@ static double tread_radius(const wheel_shape* w, double y) {
   h = p[k + 1][0] - p[k][0];
   a = (p[k + 1][0] - y) / h;
   b = 1 - a;
-  return a * p[k][1] + b * p[k + 1][1] +
-         h * h / 6 * ((a * a * a - a) * w->bend[k] + (b * b * b - b) * w->bend[k + 1]);
+  return a * p[k][1] + b * p[k + 1][1] + h * h / 6 * ((a * a * a - a) * w->bend[k] + (b * b * b - b) * w->bend[k + 1]);
 }
 
 /* q: angle from the top, y, height in the rim from 0 to 1. */
@@ -120,8 +119,7 @@ static int make_wheel_mesh(body_mesh* m, wheel_shape* w, int32_t type) {
   graded_lines(y, before, y0, left, step, 0);
   reverse_lines(y, before);
   for (k = 0; k <= w->zone_across_n; ++k) y[before + k] = y0 + k * step;
-  graded_lines(y + before + w->zone_across_n, w->across - before - w->zone_across_n, y1, right,
-               step, 0);
+  graded_lines(y + before + w->zone_across_n, w->across - before - w->zone_across_n, y1, right, step, 0);
   graded_lines(height, w->deep, 1, 0, top > 0 ? top : 1.0 / w->deep, 0);
   reverse_lines(height, w->deep);
   g.n[0] = w->along;

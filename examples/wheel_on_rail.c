@@ -24,8 +24,7 @@ static int solutions;
 /* Part of a cylinder along x whose top is the origin: n x n faces. The rail is rigid, so only what
    lies near the contact is wanted. */
 static int make_rail_head(body_mesh* m, double half_length, double half_width, int n) {
-  static const int place[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0},
-                                  {2, 1}, {1, 2}, {0, 1}, {1, 1}};
+  static const int place[9][2] = {{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}, {1, 1}};
   const int side = 2 * n + 1;
   int i, j, k;
   m->type = ROLLCON_QUAD9;
@@ -47,8 +46,7 @@ static int make_rail_head(body_mesh* m, double half_length, double half_width, i
   }
   for (j = 0; j < side - 1; j += 2)
     for (i = 0; i < side - 1; i += 2, ++m->elements)
-      for (k = 0; k < 9; ++k)
-        m->id[9 * m->elements + k] = (j + place[k][1]) * side + i + place[k][0];
+      for (k = 0; k < 9; ++k) m->id[9 * m->elements + k] = (j + place[k][1]) * side + i + place[k][0];
   for (k = 0; k <= MOST_TAGS; ++k) m->first[k] = k < 2 ? 0 : m->elements; /* all have tag 1 */
   return 1;
 }
@@ -92,8 +90,7 @@ static void compare(const char* name, const char* unit, double smooth, double ro
   printf("  %-24s%-5s %11.5g %11.5g\n", name, unit, smooth, rolling);
 }
 
-static void print_table(const measures* smooth, const measures* free_rolling,
-                        const measures* driven) {
+static void print_table(const measures* smooth, const measures* free_rolling, const measures* driven) {
   double stick = 0, sliding = 0, fastest = 0;
   int k;
   for (k = 0; k < r.nodes; ++k) {
@@ -111,26 +108,23 @@ static void print_table(const measures* smooth, const measures* free_rolling,
   printf("\nrolling with mu = 0.1\n");
   printf("  force along t1         N     %11.5g   = %.4f mu Fn\n", driven->force[0],
          driven->force[0] / (-mu * driven->force[2]));
-  printf("  creepage               %%     %11.4f   free rolling %.4f, by the force %.4f\n",
-         100 * driven->creep[0], 100 * free_rolling->creep[0],
-         100 * (driven->creep[0] - free_rolling->creep[0]));
+  printf("  creepage               %%     %11.4f   free rolling %.4f, by the force %.4f\n", 100 * driven->creep[0],
+         100 * free_rolling->creep[0], 100 * (driven->creep[0] - free_rolling->creep[0]));
   printf("  force along t2         N     %11.3f   no lateral creepage\n", driven->force[1]);
   printf("  spin                   1/mm  %11.3e\n", driven->creep[2]);
-  printf("  sticking               mm2   %11.5g   = %.0f %% of the contact\n", stick,
-         100 * stick / (stick + sliding));
+  printf("  sticking               mm2   %11.5g   = %.0f %% of the contact\n", stick, 100 * stick / (stick + sliding));
   printf("  slipping               mm2   %11.5g   at up to %.4f mm/s\n", sliding, fastest);
   printf("  power of friction      mW    %11.5g\n", statistic(contact, "friction_power"));
   printf("\nlaws recomputed from the tractions (relative residuals)\n");
-  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n",
-         statistic(contact, "law_normal"), statistic(contact, "law_friction"));
-  printf("  slip against friction   %8.1e     forces as given   %8.1e\n",
-         statistic(contact, "law_slip"), statistic(contact, "law_equilibrium"));
+  printf("  no tension, no overlap  %8.1e     friction bound    %8.1e\n", statistic(contact, "law_normal"),
+         statistic(contact, "law_friction"));
+  printf("  slip against friction   %8.1e     forces as given   %8.1e\n", statistic(contact, "law_slip"),
+         statistic(contact, "law_equilibrium"));
 }
 
 static void print_cost(void) {
-  printf("\nwheel: %.0f unknowns, condition %.1e, at most %.0f MB\n",
-         body_statistic(wheel, "unknowns"), body_statistic(wheel, "condition"),
-         1e-6 * body_statistic(wheel, "peak_bytes"));
+  printf("\nwheel: %.0f unknowns, condition %.1e, at most %.0f MB\n", body_statistic(wheel, "unknowns"),
+         body_statistic(wheel, "condition"), 1e-6 * body_statistic(wheel, "peak_bytes"));
   printf(
       "%.2f s for all: assembly %.2f, factors %.2f, condensation %.2f s; %d solutions of %.0f "
       "iterations\n",
@@ -159,8 +153,7 @@ int main(int argc, char** argv) {
   must(rollcon_context_create(ROLLCON_ABI, &context));
   must(rollcon_body_create(context, ROLLCON_BODY_BEM, &wheel));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &rail));
-  if (!make_wheel_mesh(&wheel_mesh, &shape, ROLLCON_QUAD4) ||
-      !make_rail_head(&rail_mesh, 10, 20, 8)) {
+  if (!make_wheel_mesh(&wheel_mesh, &shape, ROLLCON_QUAD4) || !make_rail_head(&rail_mesh, 10, 20, 8)) {
     fprintf(stderr, "not enough memory\n");
     return 1;
   }
@@ -188,22 +181,19 @@ int main(int argc, char** argv) {
   must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, depth));
   smooth = solve();
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
-  if (spinning)
-    must(rollcon_contact_prescribe(contact, ROLLCON_SPIN, ROLLCON_BY_MOTION, -s / radius));
+  if (spinning) must(rollcon_contact_prescribe(contact, ROLLCON_SPIN, ROLLCON_BY_MOTION, -s / radius));
   must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0));
   driven = free_rolling = solve();
   while (solutions < 6 && fabs(driven.force[0] / (mu * driven.force[2]) + ratio) > 1e-6) {
-    must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE,
-                                   -ratio * mu * driven.force[2]));
+    must(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, -ratio * mu * driven.force[2]));
     driven = solve();
   }
 
   /* 6 results */
-  printf("wheel (R %g mm, cone 1:%g, E %g MPa, nu %g) on a rigid rail head (R %g mm); V %g mm/s\n",
-         radius, 1 / cone, young, poisson, rail_radius, omega * radius);
-  printf("wheel: %d nodes, %d quad4; frame: %d nodes, %d elements; %.0f nodes in contact; %s\n",
-         wheel_mesh.nodes, wheel_mesh.elements, r.nodes, r.elements,
-         statistic(contact, "nodes_contact"), scheme);
+  printf("wheel (R %g mm, cone 1:%g, E %g MPa, nu %g) on a rigid rail head (R %g mm); V %g mm/s\n", radius, 1 / cone,
+         young, poisson, rail_radius, omega * radius);
+  printf("wheel: %d nodes, %d quad4; frame: %d nodes, %d elements; %.0f nodes in contact; %s\n", wheel_mesh.nodes,
+         wheel_mesh.elements, r.nodes, r.elements, statistic(contact, "nodes_contact"), scheme);
   print_table(&smooth, &free_rolling, &driven);
   print_cost();
   snprintf(path, sizeof path, "%s/wheel_on_rail.vtu", folder);

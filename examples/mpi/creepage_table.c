@@ -21,7 +21,7 @@ enum { RATIOS = 3, LATERALS = 5, SPINS = 3, ROWS = RATIOS * LATERALS * SPINS };
 enum { VALUES = 5 }; /* of one solve: approach, two forces, moment, status */
 
 static const double young = 210000, poisson = 0.28, mu = 0.3, pressure = 1000;
-static const double ratio[RATIOS] = {0.5, 1, 2}; /* a/b, a along the rolling direction, ab = 1 */
+static const double ratio[RATIOS] = {0.5, 1, 2};                   /* a/b, a along the rolling direction, ab = 1 */
 static const double lateral[LATERALS] = {-0.8, -0.4, 0, 0.4, 0.8}; /* over the unit of creepage */
 static const double spin[SPINS] = {0, 0.5, 1};
 static const double longest = 1; /* longitudinal creepage at the end of a row, likewise */
@@ -63,16 +63,15 @@ static void elliptic(double m, double* first, double* second) {
 
 /* Hertz: curvatures of the gap A x^2 + B y^2 that make semi-axes a (along x) and b. */
 static void curvatures(double a, double b, double* A, double* B) {
-  const double modulus = young / (2 * (1 - poisson * poisson)), large = fmax(a, b),
-               small = fmin(a, b), m = 1 - small * small / (large * large);
+  const double modulus = young / (2 * (1 - poisson * poisson)), large = fmax(a, b), small = fmin(a, b),
+               m = 1 - small * small / (large * large);
   double K, E, along, across; /* along and across the longer semi-axis */
   elliptic(m, &K, &E);
   if (m < 1e-12) {
     along = across = acos(-1.0) * pressure / (4 * modulus * a);
   } else {
     along = pressure / modulus * small / (m * large * large) * (K - E);
-    across = pressure / modulus * small / (m * large * large) *
-             (E * large * large / (small * small) - K);
+    across = pressure / modulus * small / (m * large * large) * (E * large * large / (small * small) - K);
   }
   *A = a >= b ? along : across;
   *B = a >= b ? across : along;
@@ -121,8 +120,7 @@ static void solve_row(int row, int creepages, double* out) {
   for (i = 0; i < creepages; ++i, out += VALUES) {
     double force[3], moment[3], creep[3];
     must(rollcon_contact_set_creep(contact, unit * longest * i / (creepages - 1),
-                                   unit * lateral[row / SPINS % LATERALS],
-                                   unit * spin[row % SPINS]));
+                                   unit * lateral[row / SPINS % LATERALS], unit * spin[row % SPINS]));
     out[4] = must(rollcon_contact_solve(contact));
     must(rollcon_contact_get_motion(contact, &out[0], creep));
     must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment));
@@ -145,9 +143,8 @@ static void write_table(const char* path, int creepages, const double* table) {
   for (row = 0; row < ROWS; ++row) {
     for (i = 0; i < creepages; ++i, table += VALUES) {
       const double unit = unit_of_creepage();
-      fprintf(file, "%g,%.17g,%.17g,%.17g", ratio[row / (SPINS * LATERALS)],
-              unit * longest * i / (creepages - 1), unit * lateral[row / SPINS % LATERALS],
-              unit * spin[row % SPINS]);
+      fprintf(file, "%g,%.17g,%.17g,%.17g", ratio[row / (SPINS * LATERALS)], unit * longest * i / (creepages - 1),
+              unit * lateral[row / SPINS % LATERALS], unit * spin[row % SPINS]);
       for (v = 0; v < 4; ++v) {
         fprintf(file, ",%.17g", table[v]);
         sum += fabs(table[v]);
@@ -160,8 +157,7 @@ static void write_table(const char* path, int creepages, const double* table) {
     perror(path);
     MPI_Abort(MPI_COMM_WORLD, 1);
   }
-  printf("%d solves in %d rows, %ld with a caveat; sum of magnitudes %.10f\n", ROWS * creepages,
-         ROWS, odd, sum);
+  printf("%d solves in %d rows, %ld with a caveat; sum of magnitudes %.10f\n", ROWS * creepages, ROWS, odd, sum);
 }
 
 int main(int argc, char** argv) {

@@ -16,8 +16,8 @@ namespace rollcon {
 
 namespace {
 
-/// A body that is in memory serves instead of one in a file that is equal to it, unless more would
-/// have to be factorised again.
+/// A body that is in memory serves instead of one in a file that is equal to it, unless more would have to be
+/// factorised again.
 bool serves_for(const BodyModel& known, SectionReader& file) {
   if (!known.response) return true;
   std::int64_t solvable = 0;
@@ -53,8 +53,7 @@ bool Body::meshed() const {
 
 std::pair<std::int64_t, std::int64_t> Body::size() const {
   const std::lock_guard lock(mutex_);
-  return {given().surface.nodes(),
-          traits_.volume ? given().volume.elements() : given().surface.elements()};
+  return {given().surface.nodes(), traits_.volume ? given().volume.elements() : given().surface.elements()};
 }
 
 SurfaceMesh Body::surface_copy() {
@@ -88,18 +87,15 @@ void Body::log_preparation() const {
   const char* model = traits_.name;
   const auto unknowns = static_cast<long long>(s.unknowns);
   if (shared_)
-    context_->log(LogLevel::info,
-                  "%s body: %lld unknowns, equal to a body of this context: nothing assembled",
-                  model, unknowns);
-  else if (loaded())
-    context_->log(LogLevel::info, "%s body: %lld unknowns, from a file: nothing assembled", model,
+    context_->log(LogLevel::info, "%s body: %lld unknowns, equal to a body of this context: nothing assembled", model,
                   unknowns);
+  else if (loaded())
+    context_->log(LogLevel::info, "%s body: %lld unknowns, from a file: nothing assembled", model, unknowns);
   else if (s.factorizations == 0)
-    context_->log(LogLevel::info, "%s body: %lld unknowns, to be factorised for its first frame",
-                  model, unknowns);
+    context_->log(LogLevel::info, "%s body: %lld unknowns, to be factorised for its first frame", model, unknowns);
   else
-    context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s", model, unknowns,
-                  s.condition, s.seconds_assembly + s.seconds_factor);
+    context_->log(LogLevel::info, "%s body: %lld unknowns, condition %.1e, %.3f s", model, unknowns, s.condition,
+                  s.seconds_assembly + s.seconds_factor);
   const double worst = traits_.worst_condition;
   if (s.condition > worst)
     context_->log(LogLevel::warning,
@@ -108,8 +104,8 @@ void Body::log_preparation() const {
                   "unequal moduli do that",
                   model, s.condition, worst);
   if (const std::string missed = imbalances_of(response()).notable(); !missed.empty())
-    context_->log(LogLevel::warning, "%s body: the reactions of its supports miss %s: %s", model,
-                  missed.c_str(), imbalance_remedy);
+    context_->log(LogLevel::warning, "%s body: the reactions of its supports miss %s: %s", model, missed.c_str(),
+                  imbalance_remedy);
   if (traits_.dense && !shared_ && !loaded())
     if (const std::string slow = slow_factorization(blas_kernels(), s.unknowns); !slow.empty())
       context_->log(LogLevel::warning, "%s body: %s", model, slow.c_str());
@@ -124,8 +120,7 @@ void Body::log_preparation() const {
 
 void Body::require_complete() const {
   if (!rigid() && model_->material.empty())
-    fail(Status::err_state,
-         "the body has no elastic constants: rollcon_body_set_elastic was not called");
+    fail(Status::err_state, "the body has no elastic constants: rollcon_body_set_elastic was not called");
   const char* remedy = "rollcon_body_set_nodes and rollcon_body_add_elements";
   if (traits_.volume && given().volume.elements() == 0)
     fail(Status::err_state, "the body has no volume elements: %s", remedy);
@@ -144,8 +139,7 @@ void Body::require_materials() const {
     const std::int32_t base = given().surface.index_base;
     if (found == model_->material.end()) {
       std::string tags;
-      for (const auto& [tag, material] : model_->material)
-        tags += (tags.empty() ? "" : ", ") + std::to_string(tag);
+      for (const auto& [tag, material] : model_->material) tags += (tags.empty() ? "" : ", ") + std::to_string(tag);
       fail(Status::err_state,
            "element %lld (counting from %d) has tag %d, for which rollcon_body_set_elastic gave no "
            "constants; it was called for tags: %s",
@@ -159,8 +153,8 @@ void Body::require_materials() const {
            "element %lld (counting from %d) is a %s of poisson %.9g; allowed: up to %g, beyond "
            "which "
            "it is far too stiff; use %s or hexahedra",
-           static_cast<long long>(e) + base, base, name(volume.type[i]), found->second.poisson,
-           most, tetrahedron ? "tet10" : "wedge15");
+           static_cast<long long>(e) + base, base, name(volume.type[i]), found->second.poisson, most,
+           tetrahedron ? "tet10" : "wedge15");
     fail(Status::err_unsupported,
          "element %lld (counting from %d) has poisson %.9g; allowed for finite elements: up to "
          "%.9g; use a boundary-element body beyond",

@@ -1,6 +1,6 @@
 #pragma once
-/// A body: its model and what the caller gave for it. Half-spaces need no mesh; rigid bodies may
-/// have a surface mesh, from which gaps are computed. Finite-element bodies have volume elements.
+/// A body: its model and what the caller gave for it. Half-spaces need no mesh; rigid bodies may have a surface mesh,
+/// from which gaps are computed. Finite-element bodies have volume elements.
 
 #include <atomic>
 #include <cstdint>
@@ -19,29 +19,27 @@ class Body {
   /// Throws Error(err_unsupported) for kinds this build does not have, err_argument for others.
   Body(std::shared_ptr<Context> context, std::int32_t kind);
 
-  // Setters check what can be checked at once, throw Error and then leave everything as it was.
-  // After prepare: err_state. Half-spaces: err_state for all that needs a mesh.
+  // Setters check what can be checked at once, throw Error and then leave everything as it was. After prepare:
+  // err_state. Half-spaces: err_state for all that needs a mesh.
 
-  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state). Finite elements: for those
-  /// with this tag; all others have one material.
+  /// E > 0, -1 < nu <= 0.5, finite. Not for rigid bodies (err_state). Finite elements: for those with this tag; all
+  /// others have one material.
   void set_elastic(std::int32_t tag, double young, double poisson);
   /// Forgets elements, supports, loads and contact faces.
-  void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
-                 std::int64_t component_stride);
-  /// Of finite-element bodies: volume elements, whose tag names their material, and surface
-  /// elements, which give their tag to the boundary faces with the same nodes.
-  void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
-                    std::int32_t index_base, std::int32_t tag);
+  void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
+  /// Of finite-element bodies: volume elements, whose tag names their material, and surface elements, which give their
+  /// tag to the boundary faces with the same nodes.
+  void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
+                    std::int32_t tag);
   /// Tags boundary faces of finite elements by element and side.
-  void tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
-                 std::int32_t index_base, std::int32_t tag);
+  void tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side, std::int32_t index_base,
+                 std::int32_t tag);
   /// Tags the faces all of whose nodes are given: of any body with a mesh.
-  void tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
-                          std::int32_t tag);
-  /// dof_mask: 1 x, 2 y, 4 z; value: 3 per node (unused components ignored), null: zero. Adds to
-  /// what is held already; a component held twice takes the last value.
-  void set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
-                   std::int32_t dof_mask, const double* value);
+  void tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base, std::int32_t tag);
+  /// dof_mask: 1 x, 2 y, 4 z; value: 3 per node (unused components ignored), null: zero. Adds to what is held already;
+  /// a component held twice takes the last value.
+  void set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base, std::int32_t dof_mask,
+                   const double* value);
   void set_traction(std::int32_t tag, const double* traction);
   void set_pressure(std::int32_t tag, double pressure);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
@@ -50,13 +48,12 @@ class Body {
   std::int64_t get_int(const char* option) const;
   double get_real(const char* option) const;
 
-  /// Checks that the body is complete (err_state), its mesh (err_mesh) and supports, assembles and
-  /// factorises (err_singular), and freezes it. Idempotent; contacts in several threads may call it
-  /// at the same time. Only a prepared body may be read. A body equal to one that was prepared in
-  /// the same context shares what that one has.
+  /// Checks that the body is complete (err_state), its mesh (err_mesh) and supports, assembles and factorises
+  /// (err_singular), and freezes it. Idempotent; contacts in several threads may call it at the same time. Only a
+  /// prepared body may be read. A body equal to one that was prepared in the same context shares what that one has.
   void prepare() { prepare(nullptr); }
-  /// Writes the body, prepared if it was not, to a file: what was given, and what of its equations
-  /// is kept. err_io. See body_file.cpp for the sections.
+  /// Writes the body, prepared if it was not, to a file: what was given, and what of its equations is kept. err_io. See
+  /// body_file.cpp for the sections.
   void save(const std::string& path);
   /// A prepared body from such a file; nothing is assembled or factorised. err_io, err_unsupported.
   static std::shared_ptr<Body> load(std::shared_ptr<Context> context, const std::string& path);
@@ -69,13 +66,12 @@ class Body {
   bool meshed() const;
   /// Nodes and elements (of a volume: those inside) given so far; likewise.
   std::pair<std::int64_t, std::int64_t> size() const;
-  /// Where the contact is: of a prepared body of several materials, that of the greatest part of
-  /// its contact faces.
+  /// Where the contact is: of a prepared body of several materials, that of the greatest part of its contact faces.
   double young() const { return model_->contact_material.young; }
   double poisson() const { return model_->contact_material.poisson; }
   const BodyMesh& mesh() const { return model_->mesh; }
-  /// The surface as it is now; also while another thread gives more of it or prepares the body.
-  /// Throws err_mesh when faces of finite elements were tagged that are not on the boundary.
+  /// The surface as it is now; also while another thread gives more of it or prepares the body. Throws err_mesh when
+  /// faces of finite elements were tagged that are not on the boundary.
   SurfaceMesh surface_copy();
   const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }

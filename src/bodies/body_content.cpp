@@ -15,8 +15,7 @@ namespace rollcon {
 namespace {
 
 /// Bytes that an entry of a list takes at least.
-constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 36,
-                      least_face = 12;
+constexpr std::size_t least_material = 20, least_option = 28, least_naming = 40, least_load = 36, least_face = 12;
 
 void require(bool good, const char* what) {
   if (!good) fail(Status::err_mesh, "%s", what);
@@ -103,23 +102,20 @@ void content(Archive& ar, Model& model) {
   ar(model.kind);
   materials(ar, model);
   options(ar, model);
-  if constexpr (Archive::reads)
-    require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
+  if constexpr (Archive::reads) require(find_traits(model.kind) != nullptr, "the kind of body is unknown");
   mesh_content(ar, model.mesh, model.traits().volume);
 }
 
 template <class Type>
-std::vector<std::int64_t> offsets(const std::vector<Type>& types,
-                                  const std::vector<std::int32_t>& tags,
+std::vector<std::int64_t> offsets(const std::vector<Type>& types, const std::vector<std::int32_t>& tags,
                                   const std::vector<std::int32_t>& connectivity) {
   std::vector<std::int64_t> offset{0};
   for (const Type type : types) {
     require(node_count(type) > 0, "an element's type is unknown");
     offset.push_back(offset.back() + node_count(type));
   }
-  require(
-      tags.size() == types.size() && static_cast<std::size_t>(offset.back()) == connectivity.size(),
-      "counts of elements, tags and nodes do not match");
+  require(tags.size() == types.size() && static_cast<std::size_t>(offset.back()) == connectivity.size(),
+          "counts of elements, tags and nodes do not match");
   return offset;
 }
 
@@ -135,11 +131,9 @@ void require_all_finite(const std::vector<Vec3>& vectors) {
 
 void check_naming(const FaceNaming& naming, const BodyMesh& mesh) {
   for (const BoundaryFace& face : naming.face) {
-    require(face.element >= 0 && face.element < mesh.volume.elements(),
-            "a tagged face belongs to no element");
+    require(face.element >= 0 && face.element < mesh.volume.elements(), "a tagged face belongs to no element");
     const auto sides = faces_of(mesh.volume.type[static_cast<std::size_t>(face.element)]).size();
-    require(face.side >= 0 && static_cast<std::size_t>(face.side) < sides,
-            "an element has no such face");
+    require(face.side >= 0 && static_cast<std::size_t>(face.side) < sides, "an element has no such face");
   }
   require_ids(naming.nodes, mesh.surface.nodes());
   require_ids(naming.connectivity, mesh.surface.nodes());
@@ -165,17 +159,15 @@ void check_mesh(BodyModel& model) {
   require(model.traits().meshed || nodes == 0, "a half-space has nodes");
   require(model.traits().volume || (mesh.volume.type.empty() && mesh.naming.empty()),
           "a body without volume has volume elements");
-  require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1,
-          "the index base is neither 0 nor 1");
+  require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1, "the index base is neither 0 nor 1");
   if (!model.traits().volume)
     mesh.surface.offset = offsets(mesh.surface.type, mesh.surface.tag, mesh.surface.connectivity);
   mesh.volume.offset = offsets(mesh.volume.type, mesh.volume.tag, mesh.volume.connectivity);
   require_ids(mesh.surface.connectivity, nodes);
   require_ids(mesh.volume.connectivity, nodes);
   for (const FaceNaming& naming : mesh.naming) check_naming(naming, mesh);
-  require(
-      mesh.held.size() == mesh.surface.node.size() && mesh.held_value.size() == mesh.held.size(),
-      "counts of nodes and supports do not match");
+  require(mesh.held.size() == mesh.surface.node.size() && mesh.held_value.size() == mesh.held.size(),
+          "counts of nodes and supports do not match");
   for (const std::uint8_t held : mesh.held) require(held <= 7, "a support holds no such component");
   require_all_finite(mesh.surface.node);
   require_all_finite(mesh.held_value);

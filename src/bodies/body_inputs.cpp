@@ -20,8 +20,7 @@ namespace {
 constexpr double most_given = 1e100;
 
 void require_mesh_kind(const BodyTraits& traits, const char* what) {
-  if (!traits.meshed)
-    fail(Status::err_state, "a %s has no mesh and takes no %s", traits.name, what);
+  if (!traits.meshed) fail(Status::err_state, "a %s has no mesh and takes no %s", traits.name, what);
 }
 
 void require_elastic_mesh_kind(const BodyTraits& traits, const char* what) {
@@ -29,28 +28,24 @@ void require_elastic_mesh_kind(const BodyTraits& traits, const char* what) {
   if (!traits.elastic) fail(Status::err_state, "a %s body takes no %s", traits.name, what);
 }
 
-void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
-                      std::int64_t nodes, const char* what) {
+void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t index_base, std::int64_t nodes,
+                      const char* what) {
   require_count(n, "n");
   require_index_base(index_base);
-  if (nodes == 0)
-    fail(Status::err_state, "the body has no nodes: call rollcon_body_set_nodes before its %s",
-         what);
+  if (nodes == 0) fail(Status::err_state, "the body has no nodes: call rollcon_body_set_nodes before its %s", what);
   if (n == 0) return;
   require_pointer(node, "nodes");
   for (std::int64_t i = 0; i < n; ++i) {
     const std::int64_t id = std::int64_t{node[i]} - index_base;
     if (id < 0 || id >= nodes)
-      fail(Status::err_mesh,
-           "entry %lld of nodes (counting from %d) has id %d; allowed: %d to %lld",
+      fail(Status::err_mesh, "entry %lld of nodes (counting from %d) has id %d; allowed: %d to %lld",
            static_cast<long long>(i) + index_base, index_base, node[i], index_base,
            static_cast<long long>(nodes) - 1 + index_base);
   }
 }
 
 FaceLoad& load_of(std::vector<FaceLoad>& load, std::int32_t tag) {
-  const auto found =
-      std::find_if(load.begin(), load.end(), [&](const FaceLoad& l) { return l.tag == tag; });
+  const auto found = std::find_if(load.begin(), load.end(), [&](const FaceLoad& l) { return l.tag == tag; });
   if (found != load.end()) return *found;
   load.push_back({.tag = tag});
   return load.back();
@@ -62,12 +57,11 @@ void Body::require_unprepared(const char* what) const {
   if (prepared()) fail(Status::err_state, "the body is prepared: its %s fixed", what);
 }
 
-// err_state without elements, err_argument if no face has the tag. entry: how messages name the
-// tag. Tags given to faces of a volume count before its boundary is known.
+// err_state without elements, err_argument if no face has the tag. entry: how messages name the tag. Tags given to
+// faces of a volume count before its boundary is known.
 void Body::require_tag(std::int32_t tag, const std::string& entry) const {
   if (given().surface.elements() == 0 && given().volume.elements() == 0)
-    fail(Status::err_state,
-         "the body has no %selements: call rollcon_body_add_elements before naming their tags",
+    fail(Status::err_state, "the body has no %selements: call rollcon_body_add_elements before naming their tags",
          traits_.volume ? "volume " : "");
   const std::vector<std::int32_t>& tags = given().surface.tag;
   const bool volume = given().volume.elements() > 0;
@@ -92,12 +86,10 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
     }
     names += (names.empty() ? "" : ", ") + std::to_string(p);
   }
-  fail(Status::err_argument, "%s is %d, which no face has; tags of this body: %s", entry.c_str(),
-       tag, names.c_str());
+  fail(Status::err_argument, "%s is %d, which no face has; tags of this body: %s", entry.c_str(), tag, names.c_str());
 }
 
-void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
-                     std::int64_t component_stride) {
+void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) {
   require_mesh_kind(traits_, "nodes");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
@@ -108,8 +100,8 @@ void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
   std::swap(given(), mesh);
 }
 
-void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
-                        std::int32_t index_base, std::int32_t tag) {
+void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
+                        std::int32_t tag) {
   require_mesh_kind(traits_, "elements");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
@@ -119,8 +111,7 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
     return;
   }
   if (is_volume_type(type)) {
-    append_elements(given().volume, given().surface.nodes(), type, n, connectivity, index_base, tag,
-                    node_setter);
+    append_elements(given().volume, given().surface.nodes(), type, n, connectivity, index_base, tag, node_setter);
   } else if (is_element_type(type)) {
     SurfaceMesh faces;  // for its checks
     faces.offset = {0};
@@ -128,9 +119,8 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
     try {
       append_elements(faces, type, n, connectivity, index_base, tag, "body", node_setter);
       if (n > 0)
-        given().naming.push_back({.tag = tag,
-                                  .connectivity = std::move(faces.connectivity),
-                                  .type = static_cast<ElementType>(type)});
+        given().naming.push_back(
+            {.tag = tag, .connectivity = std::move(faces.connectivity), .type = static_cast<ElementType>(type)});
     } catch (...) {
       faces.node.swap(given().surface.node);
       throw;
@@ -147,8 +137,8 @@ void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* c
   given().boundary_current = false;
 }
 
-void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side,
-                     std::int32_t index_base, std::int32_t tag) {
+void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int32_t* side, std::int32_t index_base,
+                     std::int32_t tag) {
   if (!traits_.volume)
     fail(Status::err_state,
          "the body has no volume elements whose faces could be tagged: it is not a finite-element "
@@ -159,8 +149,7 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   require_index_base(index_base);
   const VolumeElements& volume = given().volume;
   if (volume.elements() == 0)
-    fail(Status::err_state,
-         "the body has no volume elements: call rollcon_body_add_elements before tagging faces");
+    fail(Status::err_state, "the body has no volume elements: call rollcon_body_add_elements before tagging faces");
   if (n == 0) return;
   require_pointer(element, "elements");
   require_pointer(side, "faces");
@@ -170,16 +159,13 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
     const std::int64_t e = std::int64_t{element[i]} - index_base;
     const auto entry = static_cast<long long>(i) + index_base;
     if (e < 0 || e >= volume.elements())
-      fail(Status::err_mesh, "entry %lld of elements (counting from %d) is %d; allowed: %d to %lld",
-           entry, index_base, element[i], index_base,
-           static_cast<long long>(volume.elements()) - 1 + index_base);
-    const auto sides =
-        static_cast<std::int64_t>(faces_of(volume.type[static_cast<std::size_t>(e)]).size());
+      fail(Status::err_mesh, "entry %lld of elements (counting from %d) is %d; allowed: %d to %lld", entry, index_base,
+           element[i], index_base, static_cast<long long>(volume.elements()) - 1 + index_base);
+    const auto sides = static_cast<std::int64_t>(faces_of(volume.type[static_cast<std::size_t>(e)]).size());
     const std::int64_t s = std::int64_t{side[i]} - index_base;
     if (s < 0 || s >= sides)
-      fail(Status::err_mesh,
-           "entry %lld of faces (counting from %d) is %d; allowed for its element: %d to %lld",
-           entry, index_base, side[i], index_base, static_cast<long long>(sides) - 1 + index_base);
+      fail(Status::err_mesh, "entry %lld of faces (counting from %d) is %d; allowed for its element: %d to %lld", entry,
+           index_base, side[i], index_base, static_cast<long long>(sides) - 1 + index_base);
     naming.face.push_back({e, static_cast<std::int32_t>(s)});
   }
   given().naming.push_back(std::move(naming));
@@ -187,15 +173,13 @@ void Body::tag_faces(std::int64_t n, const std::int32_t* element, const std::int
   given().boundary_current = false;
 }
 
-void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
-                              std::int32_t tag) {
+void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int32_t index_base, std::int32_t tag) {
   require_mesh_kind(traits_, "faces");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
   require_node_ids(n, node, index_base, given().surface.nodes(), "faces");
   if (given().surface.elements() == 0 && given().volume.elements() == 0)
-    fail(Status::err_state,
-         "the body has no elements: call rollcon_body_add_elements before tagging their faces");
+    fail(Status::err_state, "the body has no elements: call rollcon_body_add_elements before tagging their faces");
   if (n == 0) return;
   given().surface.index_base = index_base;
   FaceNaming naming{.tag = tag};
@@ -208,33 +192,29 @@ void Body::tag_faces_of_nodes(std::int64_t n, const std::int32_t* node, std::int
   }
 }
 
-void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base,
-                       std::int32_t dof_mask, const double* value) {
+void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t index_base, std::int32_t dof_mask,
+                       const double* value) {
   require_elastic_mesh_kind(traits_, "supports");
   const std::lock_guard lock(mutex_);
   require_unprepared("supports are");
   require_node_ids(n, node, index_base, given().surface.nodes(), "supports");
   if (dof_mask < 1 || dof_mask > 7)
-    fail(Status::err_argument, "dof_mask is %d; allowed: 1 to 7, a sum of 1 (x), 2 (y), 4 (z)",
-         dof_mask);
+    fail(Status::err_argument, "dof_mask is %d; allowed: 1 to 7, a sum of 1 (x), 2 (y), 4 (z)", dof_mask);
   for (std::int64_t i = 0; i < n && value; ++i) {
     for (int c = 0; c < 3; ++c) {
       if (dof_mask >> c & 1 && !std::isfinite(value[3 * i + c]))
-        fail(Status::err_nonfinite, "component %c of entry %lld of values (counting from %d) is %g",
-             "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c]);
+        fail(Status::err_nonfinite, "component %c of entry %lld of values (counting from %d) is %g", "xyz"[c],
+             static_cast<long long>(i) + index_base, index_base, value[3 * i + c]);
       if (dof_mask >> c & 1 && std::abs(value[3 * i + c]) > most_given)
-        fail(Status::err_argument,
-             "component %c of entry %lld of values (counting from %d) is %g; allowed: -%g to %g",
-             "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c],
-             most_given, most_given);
+        fail(Status::err_argument, "component %c of entry %lld of values (counting from %d) is %g; allowed: -%g to %g",
+             "xyz"[c], static_cast<long long>(i) + index_base, index_base, value[3 * i + c], most_given, most_given);
     }
   }
   for (std::int64_t i = 0; i < n; ++i) {
     const auto id = static_cast<std::size_t>(node[i] - index_base);
     given().held[id] = static_cast<std::uint8_t>(given().held[id] | dof_mask);
     for (std::size_t c = 0; c < 3; ++c) {
-      if (dof_mask >> c & 1)
-        given().held_value[id][c] = value ? value[3 * static_cast<std::size_t>(i) + c] : 0;
+      if (dof_mask >> c & 1) given().held_value[id][c] = value ? value[3 * static_cast<std::size_t>(i) + c] : 0;
     }
   }
 }
@@ -244,8 +224,8 @@ void Body::set_traction(std::int32_t tag, const double* traction) {
   require_finite_vector(traction, "traction");
   for (int c = 0; c < 3; ++c)
     if (std::abs(traction[c]) > most_given)
-      fail(Status::err_argument, "component %c of traction is %g; allowed: -%g to %g", "xyz"[c],
-           traction[c], most_given, most_given);
+      fail(Status::err_argument, "component %c of traction is %g; allowed: -%g to %g", "xyz"[c], traction[c],
+           most_given, most_given);
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");
@@ -256,8 +236,7 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   require_elastic_mesh_kind(traits_, "pressures");
   require_finite(pressure, "pressure");
   if (std::abs(pressure) > most_given)
-    fail(Status::err_argument, "pressure is %g; allowed: -%g to %g", pressure, most_given,
-         most_given);
+    fail(Status::err_argument, "pressure is %g; allowed: -%g to %g", pressure, most_given, most_given);
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");

@@ -15,32 +15,26 @@
 namespace rollcon {
 namespace {
 
-std::unique_ptr<Compliance> on_halfspace(const Frame& frame, const PairOfBodies& pair, int which,
-                                         double accuracy, int threads) {
+std::unique_ptr<Compliance> on_halfspace(const Frame& frame, const PairOfBodies& pair, int which, double accuracy,
+                                         int threads) {
   const Body& body = *pair.body[at(which)];
-  return make_halfspace_compliance(
-      frame, halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1), accuracy,
-      threads);
+  return make_halfspace_compliance(frame, halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1),
+                                   accuracy, threads);
 }
 
-std::unique_ptr<SurfaceResponse> by_finite_elements(BodyModel& model, int threads,
-                                                    SectionReader* saved) {
-  return fem::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads,
-                            saved);
+std::unique_ptr<SurfaceResponse> by_finite_elements(BodyModel& model, int threads, SectionReader* saved) {
+  return fem::make_response(model.mesh, model.smooth_fans, model.material, model.options, threads, saved);
 }
 
-std::unique_ptr<SurfaceResponse> by_boundary_elements(BodyModel& model, int threads,
-                                                      SectionReader* saved) {
+std::unique_ptr<SurfaceResponse> by_boundary_elements(BodyModel& model, int threads, SectionReader* saved) {
   const auto [young, poisson] = model.contact_material;
   refuse_incompressible_cavities(model.mesh, poisson);
-  return bem::make_response(model.mesh, model.traction_nodes, young, poisson, model.options,
-                            threads, saved);
+  return bem::make_response(model.mesh, model.traction_nodes, young, poisson, model.options, threads, saved);
 }
 
-// Clamped plates under pressure lost two thirds of their deflection at a length of the elements of
-// 8 thicknesses (quadratic boundary elements), 17 (hex8) and 80 (hex20); of linear boundary
-// elements at one of 1.7. From the worst conditions on rounding (of boundary integrals: their
-// tolerance) shows in the fourth digit.
+// Clamped plates under pressure lost two thirds of their deflection at a length of the elements of 8 thicknesses
+// (quadratic boundary elements), 17 (hex8) and 80 (hex20); of linear boundary elements at one of 1.7. From the worst
+// conditions on rounding (of boundary integrals: their tolerance) shows in the fourth digit.
 constexpr BodyTraits kinds[] = {
     {.kind = BodyKind::fem,
      .name = "finite-element",
@@ -76,8 +70,8 @@ constexpr BodyTraits kinds[] = {
 }  // namespace
 
 const BodyTraits* find_traits(BodyKind kind) {
-  const auto* found = std::find_if(std::begin(kinds), std::end(kinds),
-                                   [&](const BodyTraits& row) { return row.kind == kind; });
+  const auto* found =
+      std::find_if(std::begin(kinds), std::end(kinds), [&](const BodyTraits& row) { return row.kind == kind; });
   return found == std::end(kinds) ? nullptr : found;
 }
 

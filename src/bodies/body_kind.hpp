@@ -27,11 +27,10 @@ struct BodyTraits {
   /// Throws err_unsupported in a build without the component; null: always there.
   void (*require_support)() = nullptr;
   /// Its part of u1 - u2 on a frame; null: rigid.
-  std::unique_ptr<Compliance> (*make_compliance)(const Frame& frame, const PairOfBodies& pair,
-                                                 int which, double accuracy, int threads) = nullptr;
+  std::unique_ptr<Compliance> (*make_compliance)(const Frame& frame, const PairOfBodies& pair, int which,
+                                                 double accuracy, int threads) = nullptr;
   // Of bodies with equations; null: it has none.
-  std::unique_ptr<SurfaceResponse> (*make_response)(BodyModel& model, int threads,
-                                                    SectionReader* saved) = nullptr;
+  std::unique_ptr<SurfaceResponse> (*make_response)(BodyModel& model, int threads, SectionReader* saved) = nullptr;
   double worst_condition = 0;  ///< beyond it few digits of its displacements are left
   bool dense = false;          ///< its matrix
   /// Its displacement less that of a half-space is smooth between nodes, too.

@@ -36,8 +36,8 @@ struct BodyModel {
 /// Young's modulus and Poisson's ratio that every model takes; err_argument, err_nonfinite.
 void require_elastic_constants(double young, double poisson);
 
-/// Checks the mesh, and assembles and factorises what is known to be needed; with `saved`, takes
-/// instead what a file has of the equations. Throws what Body::prepare does.
+/// Checks the mesh, and assembles and factorises what is known to be needed; with `saved`, takes instead what a file
+/// has of the equations. Throws what Body::prepare does.
 void prepare_model(BodyModel& model, int threads, SectionReader* saved);
 
 using ContentDigest = std::pair<std::uint64_t, std::uint64_t>;
@@ -45,8 +45,8 @@ using ContentDigest = std::pair<std::uint64_t, std::uint64_t>;
 /// Of all that was given: kind, materials, mesh, supports, loads, contact faces, options.
 ContentDigest digest_of(const BodyModel& model);
 
-/// The same to and from section "body" of a file. Reading throws err_io for what cannot be: nothing
-/// of it is then used. (Shapes of elements are checked by preparing, as always.)
+/// The same to and from section "body" of a file. Reading throws err_io for what cannot be: nothing of it is then used.
+/// (Shapes of elements are checked by preparing, as always.)
 void write_content(const BodyModel& model, SectionWriter& file);
 void read_content(SectionReader& file, BodyModel& model);
 

@@ -23,8 +23,7 @@ void require_tagged_faces(const BodyMesh& mesh) {
            "own are given, midside nodes too, and later calls win over earlier ones",
            tag, what);
   };
-  for (const FaceLoad& load : mesh.load)
-    require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
+  for (const FaceLoad& load : mesh.load) require(load.tag, "rollcon_body_set_traction or rollcon_body_set_pressure");
   for (const std::int32_t tag : mesh.contact_tag) require(tag, "rollcon_body_set_contact_faces");
 }
 
@@ -33,8 +32,7 @@ void choose_contact_material(BodyModel& model) {
   const BodyMesh& mesh = model.mesh;
   std::map<std::int32_t, double> area;
   for (const std::int64_t e : contact_elements(mesh))
-    area[mesh.volume
-             .tag[static_cast<std::size_t>(mesh.origin[static_cast<std::size_t>(e)].element)]] +=
+    area[mesh.volume.tag[static_cast<std::size_t>(mesh.origin[static_cast<std::size_t>(e)].element)]] +=
         element_area(mesh.surface, e);
   double most = 0;
   for (const auto& [tag, a] : area) {
@@ -63,11 +61,8 @@ void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
   std::map<std::pair<std::int32_t, std::uint8_t>, std::int32_t> part_number;
   for (std::size_t e = 0; e < parts.tag.size(); ++e)
     parts.tag[e] =
-        part_number
-            .try_emplace({parts.tag[e], held[e]}, static_cast<std::int32_t>(part_number.size()))
-            .first->second;
-  if (traits.surface == SurfaceKind::closed)
-    model.traction_nodes = split_at_edges(parts, model.options.edge_angle);
+        part_number.try_emplace({parts.tag[e], held[e]}, static_cast<std::int32_t>(part_number.size())).first->second;
+  if (traits.surface == SurfaceKind::closed) model.traction_nodes = split_at_edges(parts, model.options.edge_angle);
   std::fill(parts.tag.begin(), parts.tag.end(), 0);
   model.smooth_fans = split_at_edges(parts, model.options.edge_angle);
   model.search = std::make_unique<SurfaceSearch>(mesh.surface, contact_elements(mesh));

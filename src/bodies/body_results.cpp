@@ -14,13 +14,11 @@ namespace rollcon {
 namespace {
 
 void require_prepared(const Body& body) {
-  if (!body.prepared())
-    fail(Status::err_state, "the body is not prepared: call rollcon_body_prepare first");
+  if (!body.prepared()) fail(Status::err_state, "the body is not prepared: call rollcon_body_prepare first");
 }
 
 void require_prepared_mesh(const Body& body) {
-  if (!body.traits().meshed)
-    fail(Status::err_state, "a %s has no mesh: there is nothing to read", body.traits().name);
+  if (!body.traits().meshed) fail(Status::err_state, "a %s has no mesh: there is nothing to read", body.traits().name);
   require_prepared(body);
 }
 
@@ -62,8 +60,7 @@ constexpr Statistic statistics[] = {
     {"imbalance_x", missed_along<0>},
     {"imbalance_y", missed_along<1>},
     {"imbalance_z", missed_along<2>},
-    {"imbalance_pressure",
-     [](const Body& body) { return imbalances_of(body.response()).pressure; }},
+    {"imbalance_pressure", [](const Body& body) { return imbalances_of(body.response()).pressure; }},
     {"imbalance_loads", [](const Body& body) { return imbalances_of(body.response()).loads; }},
     {"shared", [](const Body& body) { return body.shared() ? 1.0 : 0.0; }},
     {"loaded", [](const Body& body) { return body.loaded() ? 1.0 : 0.0; }},
@@ -75,8 +72,8 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u) {
   require_prepared_mesh(body);
   const std::int64_t nodes = body.mesh().surface.nodes();
   if (capacity < nodes)
-    fail(Status::err_capacity, "capacity is %lld nodes; needed: %lld",
-         static_cast<long long>(capacity), static_cast<long long>(nodes));
+    fail(Status::err_capacity, "capacity is %lld nodes; needed: %lld", static_cast<long long>(capacity),
+         static_cast<long long>(nodes));
   std::span<const double> own;
   if (body.response()) own = body.response()->own_displacement();
   if (own.empty())
@@ -98,8 +95,7 @@ double body_statistic(const Body& body, const char* name) {
                                    [&](const Statistic& s) { return !std::strcmp(s.name, name); });
   if (found == std::end(statistics)) {
     std::string known;
-    for (const Statistic& s : statistics)
-      known += (known.empty() ? "" : ", ") + std::string(s.name);
+    for (const Statistic& s : statistics) known += (known.empty() ? "" : ", ") + std::string(s.name);
     fail(Status::err_option, "unknown statistic '%.64s'; statistics are: %s", name, known.c_str());
   }
   require_prepared(body);

@@ -24,8 +24,7 @@ Vec3 smooth_normal(const Body& body, const SurfacePoint& point) {
   return (1 / length(n)) * n;
 }
 
-std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3& direction,
-                                 const Vec3& facing) {
+std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3& direction, const Vec3& facing) {
   const auto hit = body.search().along(from, direction, facing);
   if (!hit) return std::nullopt;
   const Vec3 n = smooth_normal(body, *hit);
@@ -39,19 +38,16 @@ std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3&
   // The faces around, a little off the line; those at the same edge are no further along it.
   constexpr double aside = 1e-6, same = 1e-4;  // part of the element's size; 1 - cosine
   const double off = aside * element_diameter(mesh, hit->element);
-  const Vec3 u =
-      normalized(cross(direction, std::abs(direction[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 u = normalized(cross(direction, std::abs(direction[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 v = cross(direction, u);
   std::vector<Vec3> met{n};
   Vec3 sum = n;
   for (int i = 0; i < 8; ++i) {
     const double angle = (i + 0.5) * std::numbers::pi / 4;
-    const auto near = body.search().along(from + off * (std::cos(angle) * u + std::sin(angle) * v),
-                                          direction, facing);
+    const auto near = body.search().along(from + off * (std::cos(angle) * u + std::sin(angle) * v), direction, facing);
     if (!near || std::abs(near->distance - hit->distance) > 10 * off) continue;
     const Vec3 m = smooth_normal(body, *near);
-    if (std::any_of(met.begin(), met.end(), [&](const Vec3& k) { return dot(k, m) > 1 - same; }))
-      continue;
+    if (std::any_of(met.begin(), met.end(), [&](const Vec3& k) { return dot(k, m) > 1 - same; })) continue;
     met.push_back(m);
     sum = sum + m;
   }

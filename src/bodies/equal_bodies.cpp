@@ -10,9 +10,8 @@ std::shared_ptr<EqualBodies::Slot> EqualBodies::slot_of(const BodyModel& model) 
   const std::lock_guard lock(mutex_);
   if (slot_.size() >= clean_at_) {
     // Slots that threads hold are in use: their models may not be there yet.
-    std::erase_if(slot_, [](const auto& entry) {
-      return entry.second.use_count() == 1 && entry.second->model.expired();
-    });
+    std::erase_if(slot_,
+                  [](const auto& entry) { return entry.second.use_count() == 1 && entry.second->model.expired(); });
     clean_at_ = std::max(clean_at_, 2 * slot_.size());
   }
   std::shared_ptr<Slot>& slot = slot_[digest];

@@ -10,8 +10,7 @@
 namespace rollcon {
 namespace {
 
-std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Pose& pose,
-                                  int which) {
+std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Pose& pose, int which) {
   std::vector<SurfacePoint> on_body(at(frame.nodes()));
   MissedNodes missed(frame, body, pose, which);
   for (std::size_t k = 0; k < on_body.size(); ++k) {
@@ -27,14 +26,11 @@ std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Po
 }
 
 /// The node of the element found that stands on the line to it; -1: none.
-std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point, const Vec3& from,
-                     const Vec3& direction) {
+std::int32_t node_at(const SurfaceMesh& mesh, const SurfacePoint& point, const Vec3& from, const Vec3& direction) {
   const double reach = coincidence * element_diameter(mesh, point.element);
   for (const std::int32_t k : mesh.element(point.element)) {
     const Vec3 d = mesh.node[at(k)] - from;
-    if (length(d - dot(d, direction) * direction) <= reach &&
-        length(mesh.node[at(k)] - point.x) <= 4 * reach)
-      return k;
+    if (length(d - dot(d, direction) * direction) <= reach && length(mesh.node[at(k)] - point.x) <= 4 * reach) return k;
   }
   return -1;
 }
@@ -75,8 +71,7 @@ std::vector<std::int64_t> matching_faces(const Frame& frame, const SurfaceMesh& 
 }
 
 /// Nodes of the elements found and of all contact elements that touch them, ascending.
-std::vector<std::int32_t> nodes_around(const SurfaceMesh& mesh,
-                                       const std::vector<std::int64_t>& candidates,
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& mesh, const std::vector<std::int64_t>& candidates,
                                        const std::vector<SurfacePoint>& point) {
   std::vector<std::uint8_t> touched(at(mesh.nodes()), 0), wanted(at(mesh.nodes()), 0);
   for (const SurfacePoint& p : point)
@@ -128,8 +123,7 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
   const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
-    result.node[at(k)] =
-        node_at(mesh, point[at(k)], pose.to_body(frame.mesh.node[at(k)]), direction);
+    result.node[at(k)] = node_at(mesh, point[at(k)], pose.to_body(frame.mesh.node[at(k)]), direction);
     all = all && result.node[at(k)] >= 0;
   }
   if (all) result.face = matching_faces(frame, mesh, candidates, result.node);

@@ -1,5 +1,5 @@
-/// In place of what elastic bodies with a mesh share, in a build without finite and boundary
-/// elements. Not reached: there is no such body. Rigid bodies with a mesh need none of it.
+/// In place of what elastic bodies with a mesh share, in a build without finite and boundary elements. Not reached:
+/// there is no such body. Rigid bodies with a mesh need none of it.
 
 #include "bodies/meshed_compliance.hpp"
 #include "bodies/model/supports.hpp"
@@ -16,8 +16,7 @@ namespace {
 
 }  // namespace
 
-std::unique_ptr<Compliance> make_meshed_compliance(const Frame& /*frame*/,
-                                                   const PairOfBodies& /*pair*/, int /*which*/,
+std::unique_ptr<Compliance> make_meshed_compliance(const Frame& /*frame*/, const PairOfBodies& /*pair*/, int /*which*/,
                                                    double /*accuracy*/, int /*threads*/) {
   refuse();
 }

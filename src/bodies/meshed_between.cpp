@@ -9,10 +9,10 @@
 
 namespace rollcon {
 
-// Boundary elements: what a half-space does, and the difference, which is smooth. Under the load of
-// a single node finite elements move by what the mesh does not resolve: their difference is not
-// smooth. On faces of their own shape functions serve; under a layer the remainder goes to a
-// half-space. Beyond the zone, where its rim's displacement would be all, they take the difference.
+// Boundary elements: what a half-space does, and the difference, which is smooth. Under the load of a single node
+// finite elements move by what the mesh does not resolve: their difference is not smooth. On faces of their own shape
+// functions serve; under a layer the remainder goes to a half-space. Beyond the zone, where its rim's displacement
+// would be all, they take the difference.
 MeshedCompliance::Local MeshedCompliance::local_part(bool beyond) const {
   if (by_shape_functions()) return {};
   if (body_.traits().smooth_difference || beyond) {
@@ -20,8 +20,8 @@ MeshedCompliance::Local MeshedCompliance::local_part(bool beyond) const {
       const bool seen = outline().young > 0;
       halfspace_ = make_halfspace_compliance(
           frame_,
-          halfspace_constants(seen ? outline().young : body_.young(),
-                              seen ? outline().poisson : body_.poisson(), which_ == 0 ? 1 : -1),
+          halfspace_constants(seen ? outline().young : body_.young(), seen ? outline().poisson : body_.poisson(),
+                              which_ == 0 ? 1 : -1),
           accuracy_, threads_);
     }
     return {halfspace_.get(), true};

@@ -12,8 +12,8 @@
 
 namespace rollcon {
 
-MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which,
-                                   double accuracy, int threads)
+MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which, double accuracy,
+                                   int threads)
     : frame_(frame),
       body_(*pair.body[at(which)]),
       pair_(pair),
@@ -35,8 +35,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
   std::vector<std::int64_t> usable;
   for (const std::int64_t e : contact_elements(body_.mesh())) {
     const auto nodes = body_.mesh().surface.element(e);
-    if (std::all_of(nodes.begin(), nodes.end(),
-                    [&](std::int32_t k) { return row_of_body_node_[at(k)] >= 0; }))
+    if (std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return row_of_body_node_[at(k)] >= 0; }))
       usable.push_back(e);
   }
   zone_ = std::make_unique<SurfaceSearch>(body_.mesh().surface, usable);
@@ -65,8 +64,7 @@ bool MeshedCompliance::resolves_frame() const {
     const Interpolation where = locate(frame_.x[at(k)], frame_.y[at(k)]);
     for (int a = 0; a < where.count; ++a) moves[at(where.row[a])] = 1;
   }
-  return std::count(frame_.used.begin(), frame_.used.end(), 1) <=
-         std::count(moves.begin(), moves.end(), 1);
+  return std::count(frame_.used.begin(), frame_.used.end(), 1) <= std::count(moves.begin(), moves.end(), 1);
 }
 
 std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outline) const {
@@ -77,8 +75,7 @@ std::vector<std::int64_t> MeshedCompliance::columns(const SurfaceOutline& outlin
     return column;
   }
   std::vector<std::int64_t> of_node(row_of_body_node_.size(), -1);
-  for (std::size_t k = 0; k < outline.column.size(); ++k)
-    of_node[at(outline.column[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < outline.column.size(); ++k) of_node[at(outline.column[k])] = static_cast<std::int64_t>(k);
   for (std::size_t k = 0; k < column.size(); ++k)
     if (on_body_.node[k] >= 0) column[k] = of_node[at(on_body_.node[k])];
   return column;
@@ -107,14 +104,13 @@ void MeshedCompliance::require_response() const {
             row[b] = local[i][0] * u[0][3 * c + static_cast<std::int64_t>(b)] +
                      local[i][1] * u[1][3 * c + static_cast<std::int64_t>(b)] +
                      local[i][2] * u[2][3 * c + static_cast<std::int64_t>(b)];
-        for (std::size_t j = 0; j < 3; ++j)
-          out[3 * k + static_cast<std::int64_t>(j)] = dot(row, load[at(k)][j]);
+        for (std::size_t j = 0; j < 3; ++j) out[3 * k + static_cast<std::int64_t>(j)] = dot(row, load[at(k)][j]);
       }
     }
   }
   if (const std::string missed = imbalances_of(&body).notable(); !missed.empty())
-    body_.context().log(LogLevel::warning, "body %d: the reactions of its supports miss %s: %s",
-                        which_ + 1, missed.c_str(), imbalance_remedy);
+    body_.context().log(LogLevel::warning, "body %d: the reactions of its supports miss %s: %s", which_ + 1,
+                        missed.c_str(), imbalance_remedy);
   constexpr double shallow = 1.9;
   if (depth_ < shallow && !on_body_.of_faces() && !by_shape_functions())
     body_.context().log(LogLevel::warning,
@@ -156,8 +152,7 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
           if (part.local) std::copy_n(local.row(i, j, b), n, to);
           const Interpolation& where = group.where[b];
           for (int a = 0; a < where.count; ++a)
-            add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j,
-                where.weight[a], to);
+            add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j, where.weight[a], to);
         }
   }
 }
@@ -179,8 +174,7 @@ void MeshedCompliance::apply(Points points, const double* traction, double* disp
       const Interpolation& where = group.where[b];
       for (std::size_t i = 0; i < 3; ++i) {
         double u = local[3 * b + i];
-        for (int a = 0; a < where.count; ++a)
-          u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
+        for (int a = 0; a < where.count; ++a) u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
         displacement[3 * group.point[b] + i] = u;
       }
     }
@@ -217,13 +211,12 @@ bool MeshedCompliance::offset(Points points, double* u) const {
 std::string MeshedCompliance::description() const {
   std::string text = "body " + std::to_string(which_ + 1) + ": " + body_.traits().parts + ", " +
                      std::to_string(body_.mesh().surface.nodes()) + " nodes; ";
-  if (on_body_.of_faces())
-    return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
+  if (on_body_.of_faces()) return text + "the frame is " + std::to_string(on_body_.face.size()) + " of its faces";
   return text + "the frame is a mesh of its own laid on it";
 }
 
-std::unique_ptr<Compliance> make_meshed_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                   int which, double accuracy, int threads) {
+std::unique_ptr<Compliance> make_meshed_compliance(const Frame& frame, const PairOfBodies& pair, int which,
+                                                   double accuracy, int threads) {
   return std::make_unique<MeshedCompliance>(frame, pair, which, accuracy, threads);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// See meshed_compliance.hpp; condensed in meshed_compliance.cpp, between nodes in
-/// meshed_between.cpp, written out in meshed_expansion.cpp.
+/// See meshed_compliance.hpp; condensed in meshed_compliance.cpp, between nodes in meshed_between.cpp, written out in
+/// meshed_expansion.cpp.
 
 #include <array>
 #include <cstdint>
@@ -20,8 +20,7 @@ namespace rollcon {
 
 class MeshedCompliance final : public Compliance {
  public:
-  MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which, double accuracy,
-                   int threads);
+  MeshedCompliance(const Frame& frame, const PairOfBodies& pair, int which, double accuracy, int threads);
 
   std::int64_t nodes() const override { return frame_.nodes(); }
   bool couples() const override { return true; }
@@ -37,12 +36,10 @@ class MeshedCompliance final : public Compliance {
       if (part) part->set_threads(threads);
   }
   std::int64_t kernel_evaluations() const override {
-    return (halfspace_ ? halfspace_->kernel_evaluations() : 0) +
-           (remainder_ ? remainder_->kernel_evaluations() : 0);
+    return (halfspace_ ? halfspace_->kernel_evaluations() : 0) + (remainder_ ? remainder_->kernel_evaluations() : 0);
   }
   std::size_t bytes() const override {
-    return response_.bytes() + correction_.bytes() + halfspace_on_zone_.bytes() +
-           (loads_ ? loads_->load.bytes() : 0);
+    return response_.bytes() + correction_.bytes() + halfspace_on_zone_.bytes() + (loads_ ? loads_->load.bytes() : 0);
   }
 
  private:
@@ -61,8 +58,7 @@ class MeshedCompliance final : public Compliance {
   const SurfaceOutline& outline() const;
   /// The outline's column of each node of the frame; -1: none.
   std::vector<std::int64_t> columns(const SurfaceOutline& outline) const;
-  /// The frame's own at its nodes: at a ridge the field knows only one of the faces that meet
-  /// there.
+  /// The frame's own at its nodes: at a ridge the field knows only one of the faces that meet there.
   Triad triad(double x, double y) const {
     const auto found = node_at_.find({x, y});
     return found == node_at_.end() ? local_triad(frame_.axes, normals_.at(x, y))
@@ -97,8 +93,8 @@ class MeshedCompliance final : public Compliance {
   mutable RowMatrix<double> correction_;         ///< response less the half-space's
   mutable RowMatrix<double> halfspace_on_zone_;  ///< that part alone
 
-  /// Displacements between nodes: a local part, which needs no unknowns, and one interpolated on
-  /// the zone: of the response or, when the local part corrects, of its difference from that part.
+  /// Displacements between nodes: a local part, which needs no unknowns, and one interpolated on the zone: of the
+  /// response or, when the local part corrects, of its difference from that part.
   struct Local {
     const Compliance* compliance = nullptr;
     bool corrects = false;
@@ -112,8 +108,8 @@ class MeshedCompliance final : public Compliance {
   void require_halfspace_on_zone() const;
   SparseMatrix local_loads() const;
   SparseMatrix local_displacements(Points points) const;
-  /// As asked for; and on a boundary-element body's own faces where it is thin: a half-space
-  /// between their nodes would be far softer than the body.
+  /// As asked for; and on a boundary-element body's own faces where it is thin: a half-space between their nodes would
+  /// be far softer than the body.
   bool by_shape_functions() const {
     return body_.options().between_nodes == 1 ||
            (body_.traits().smooth_difference && on_body_.of_faces() && depth_ < least_depth);

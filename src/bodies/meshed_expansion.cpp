@@ -40,8 +40,7 @@ SparseMatrix MeshedCompliance::local_displacements(Points points) const {
       where = locate(points.x[p], points.y[p]);
     }
     LocalAxes local[max_element_nodes];  // at the body's nodes, as in the response
-    for (int a = 0; a < where.count; ++a)
-      local[a] = local_axes(zone_x_[at(where.row[a])], zone_y_[at(where.row[a])]);
+    for (int a = 0; a < where.count; ++a) local[a] = local_axes(zone_x_[at(where.row[a])], zone_y_[at(where.row[a])]);
     for (std::size_t i = 0; i < 3; ++i) {
       for (int a = 0; a < where.count; ++a)
         for (std::size_t b = 0; b < 3; ++b)

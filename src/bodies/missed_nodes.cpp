@@ -26,8 +26,8 @@ struct Listed {
 
 }  // namespace
 
-std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n,
-                                               const Body& body, const Pose& pose, int which) {
+std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n, const Body& body,
+                                               const Pose& pose, int which) {
   const Vec3 direction = pose.turn_back(n);
   const Vec3 facing = which == 0 ? direction : -1.0 * direction;
   return look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
@@ -51,17 +51,16 @@ void MissedNodes::fail_if_any() const {
       beyond.add(id);
   }
   const auto used = std::count(frame_.used.begin(), frame_.used.end(), std::uint8_t{1});
-  const std::string text =
-      beyond.text("beyond the edge of the body, whose contact faces the frame outgrows") +
-      other.text("over faces that are held, loaded or not among rollcon_body_set_contact_faces") +
-      behind.text(
-          "meet a contact face from behind (the normal of the axes must point out of body "
-          "1, into body 2)");
+  const std::string text = beyond.text("beyond the edge of the body, whose contact faces the frame outgrows") +
+                           other.text("over faces that are held, loaded or not among rollcon_body_set_contact_faces") +
+                           behind.text(
+                               "meet a contact face from behind (the normal of the axes must point out of body "
+                               "1, into body 2)");
   fail(Status::err_mesh,
        "%lld of the %lld nodes of the frame (counting from %d) do not lie over the contact faces "
        "of body %d, along the normal there%s; check frame, axes and poses",
-       static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base,
-       which_ + 1, text.c_str());
+       static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base, which_ + 1,
+       text.c_str());
 }
 
 }  // namespace rollcon

@@ -1,6 +1,5 @@
 #pragma once
-/// Lines from a frame's nodes to the contact faces of a body, and what is said of those that meet
-/// none.
+/// Lines from a frame's nodes to the contact faces of a body, and what is said of those that meet none.
 
 #include <cmath>
 #include <cstdint>
@@ -16,8 +15,8 @@
 
 namespace rollcon {
 
-/// Over the size of an element: nodes so far apart across the line are one, and a line that misses
-/// an edge by so much meets it.
+/// Over the size of an element: nodes so far apart across the line are one, and a line that misses an edge by so much
+/// meets it.
 inline constexpr double coincidence = 1e-6;
 
 /// Of the elements around a frame node: at a corner of a quadratic one its own cell is far smaller.
@@ -25,15 +24,13 @@ inline double element_size(const Frame& frame, std::size_t k) {
   return 4 * std::sqrt(frame.cell_area[k]);
 }
 
-/// look(point) for a point in the body's axes and, if that gives nothing, for points a little aside
-/// of the line with that direction: a frame that ends where the body does must not miss it by what
-/// its coordinates were rounded to.
+/// look(point) for a point in the body's axes and, if that gives nothing, for points a little aside of the line with
+/// that direction: a frame that ends where the body does must not miss it by what its coordinates were rounded to.
 template <class F>
 auto look_aside(const Vec3& from, const Vec3& direction, double size, F look) {
   auto found = look(from);
   if (found) return found;
-  const Vec3 u =
-      normalized(cross(direction, std::abs(direction[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+  const Vec3 u = normalized(cross(direction, std::abs(direction[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
   const Vec3 v = cross(direction, u);
   for (int i = 0; i < 8 && !found; ++i) {
     const double angle = i * std::numbers::pi / 4, r = coincidence * size;
@@ -42,10 +39,10 @@ auto look_aside(const Vec3& from, const Vec3& direction, double size, F look) {
   return found;
 }
 
-/// Where the line from frame node k along n, out of body 1, meets the contact faces of body `which`
-/// (0 or 1) that look towards the other body. In the body's axes.
-std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n,
-                                               const Body& body, const Pose& pose, int which);
+/// Where the line from frame node k along n, out of body 1, meets the contact faces of body `which` (0 or 1) that look
+/// towards the other body. In the body's axes.
+std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k, const Vec3& n, const Body& body,
+                                               const Pose& pose, int which);
 
 /// Frame nodes whose lines lead to no contact face of a body.
 class MissedNodes {
@@ -53,9 +50,8 @@ class MissedNodes {
   MissedNodes(const Frame& frame, const Body& body, const Pose& pose, int which)
       : frame_(frame), body_(body), pose_(pose), which_(which) {}
   void add(std::size_t k, const Vec3& n) { missed_.emplace_back(k, n); }
-  /// Throws err_mesh with their number and the first of them, by what lies there: nothing (the
-  /// frame is larger than the body), faces that may not come into contact, contact faces seen from
-  /// behind.
+  /// Throws err_mesh with their number and the first of them, by what lies there: nothing (the frame is larger than the
+  /// body), faces that may not come into contact, contact faces seen from behind.
   void fail_if_any() const;
 
  private:

@@ -19,8 +19,8 @@ HalfspaceConstants constants_of(const Body& body, int which) {
 
 }  // namespace
 
-std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                 double accuracy, int threads) {
+std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
+                                                 int threads) {
   std::vector<std::unique_ptr<Compliance>> parts;
   const HalfspaceConstants c1 = constants_of(*pair.body[0], 0), c2 = constants_of(*pair.body[1], 1);
   HalfspaceConstants sum{c1.cn + c2.cn, c1.cv + c2.cv, c1.ck + c2.ck};
@@ -29,10 +29,8 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
   if (sum.cn > 0) parts.push_back(make_halfspace_compliance(frame, sum, accuracy, threads));
   for (int which = 0; which < 2; ++which)
     if (pair.body[at(which)]->kind() != BodyKind::halfspace)
-      if (auto part = make_body_compliance(frame, pair, which, accuracy, threads))
-        parts.push_back(std::move(part));
-  if (std::none_of(parts.begin(), parts.end(),
-                   [](const auto& part) { return part->resolves_frame(); }) &&
+      if (auto part = make_body_compliance(frame, pair, which, accuracy, threads)) parts.push_back(std::move(part));
+  if (std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part->resolves_frame(); }) &&
       !parts.empty())
     fail(Status::err_mesh,
          "the frame has more nodes than the faces of the body below it, whose option between_nodes "
@@ -40,8 +38,8 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
   return make_sum(std::move(parts));
 }
 
-std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                 int which, double accuracy, int threads) {
+std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,
+                                                 double accuracy, int threads) {
   const BodyTraits& traits = pair.body[at(which)]->traits();
   if (!traits.make_compliance) return nullptr;
   return traits.make_compliance(frame, pair, which, accuracy, threads);

@@ -9,13 +9,12 @@
 
 namespace rollcon {
 
-/// u1 - u2 under tractions on body 1 (-traction on body 2). frame must outlive it. accuracy: of
-/// half-space integrals.
-std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                 double accuracy, int threads);
+/// u1 - u2 under tractions on body 1 (-traction on body 2). frame must outlive it. accuracy: of half-space integrals.
+std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
+                                                 int threads);
 /// The part of body `which` (0 or 1) in that difference; null for a rigid body.
-std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                 int which, double accuracy, int threads);
+std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,
+                                                 double accuracy, int threads);
 /// E* of the pair as if both were half-spaces: scale of stiffness for first guesses.
 double contact_modulus(const PairOfBodies& pair);
 

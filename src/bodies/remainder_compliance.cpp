@@ -12,8 +12,7 @@ namespace rollcon {
 namespace {
 
 /// The faces that feel the layer as a frame; they look out of body 1.
-Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
-                     const SurfaceOutline& rows) {
+Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which, const SurfaceOutline& rows) {
   const SurfaceMesh& surface = pair.body[at(which)]->mesh().surface;
   std::vector<std::int32_t> number(at(surface.nodes()), -1);
   SurfaceMesh faces;
@@ -21,8 +20,7 @@ Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
   for (std::size_t i = 0; i < rows.seen_node.size(); ++i) {
     number[at(rows.seen_node[i])] = static_cast<std::int32_t>(i);
     // Half-spaces see the projection on the axes' plane alone; steep faces are not refused for it.
-    const Vec3 d =
-        pair.pose[at(which)].place(surface.node[at(rows.seen_node[i])]) - frame.axes.origin;
+    const Vec3 d = pair.pose[at(which)].place(surface.node[at(rows.seen_node[i])]) - frame.axes.origin;
     faces.node.push_back(plane_point(frame.axes, dot(d, frame.axes.t1), dot(d, frame.axes.t2)));
   }
   for (const std::int64_t e : rows.seen_face) {
@@ -37,11 +35,10 @@ Frame frame_of_faces(const Frame& frame, const PairOfBodies& pair, int which,
 
 class RemainderCompliance final : public Compliance {
  public:
-  RemainderCompliance(const Frame& frame, const PairOfBodies& pair, int which,
-                      const SurfaceOutline& rows, double accuracy, int threads)
+  RemainderCompliance(const Frame& frame, const PairOfBodies& pair, int which, const SurfaceOutline& rows,
+                      double accuracy, int threads)
       : rows_(rows), faces_(frame_of_faces(frame, pair, which, rows)) {
-    const HalfspaceConstants constants =
-        halfspace_constants(rows.young, rows.poisson, which == 0 ? 1 : -1);
+    const HalfspaceConstants constants = halfspace_constants(rows.young, rows.poisson, which == 0 ? 1 : -1);
     on_layer_ = make_halfspace_compliance(frame, constants, accuracy, threads);
     on_faces_ = make_halfspace_compliance(faces_, constants, accuracy, threads);
   }
@@ -77,8 +74,8 @@ void RemainderCompliance::block(Points points, const ComplianceBlock& out) const
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
       if (out.a[i][j])
-        dgemm_("N", "N", &layer, &count, &faces, &minus, rows_.seen.data(), &layer,
-               felt.row(i, j, 0), &faces, &one, out.a[i][j], &stride);
+        dgemm_("N", "N", &layer, &count, &faces, &minus, rows_.seen.data(), &layer, felt.row(i, j, 0), &faces, &one,
+               out.a[i][j], &stride);
 }
 
 void RemainderCompliance::apply(Points points, const double* traction, double* displacement) const {
@@ -96,9 +93,8 @@ void RemainderCompliance::apply(Points points, const double* traction, double* d
 
 }  // namespace
 
-std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair,
-                                                      int which, const SurfaceOutline& rows,
-                                                      double accuracy, int threads) {
+std::unique_ptr<Compliance> make_remainder_compliance(const Frame& frame, const PairOfBodies& pair, int which,
+                                                      const SurfaceOutline& rows, double accuracy, int threads) {
   return std::make_unique<RemainderCompliance>(frame, pair, which, rows, accuracy, threads);
 }
 

@@ -11,12 +11,10 @@ namespace {
 
 class SumCompliance final : public Compliance {
  public:
-  explicit SumCompliance(std::vector<std::unique_ptr<Compliance>> parts)
-      : parts_(std::move(parts)) {}
+  explicit SumCompliance(std::vector<std::unique_ptr<Compliance>> parts) : parts_(std::move(parts)) {}
   std::int64_t nodes() const override { return parts_.front()->nodes(); }
   bool couples() const override {
-    return std::any_of(parts_.begin(), parts_.end(),
-                       [](const auto& part) { return part->couples(); });
+    return std::any_of(parts_.begin(), parts_.end(), [](const auto& part) { return part->couples(); });
   }
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override {
@@ -26,12 +24,10 @@ class SumCompliance final : public Compliance {
     });
   }
   bool offset(Points points, double* displacement) const override {
-    return add(points, displacement,
-               [&](const Compliance& part, double* u) { return part.offset(points, u); });
+    return add(points, displacement, [&](const Compliance& part, double* u) { return part.offset(points, u); });
   }
   bool expand(Points points, ExpandedCompliance& out) const override {
-    return std::all_of(parts_.begin(), parts_.end(),
-                       [&](const auto& part) { return part->expand(points, out); });
+    return std::all_of(parts_.begin(), parts_.end(), [&](const auto& part) { return part->expand(points, out); });
   }
   std::string description() const override {
     std::string text;
@@ -83,8 +79,7 @@ void SumCompliance::block(Points points, const ComplianceBlock& out) const {
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t p = 0; out.a[i][j] && p < points.size(); ++p)
-          axpy(1, term.row(i, j, p), out.a[i][j] + static_cast<std::ptrdiff_t>(p) * out.stride,
-               nodes());
+          axpy(1, term.row(i, j, p), out.a[i][j] + static_cast<std::ptrdiff_t>(p) * out.stride, nodes());
   }
 }
 

@@ -13,13 +13,13 @@ struct Thinness {
   double ratio = 0;  ///< their mean length over the thickness, by area
 };
 
-/// Thickness: along the inward normal at an element's middle, to the opposite side of the body.
-/// Elements that are held, or opposite to held ones, do not count: glued layers do not bend.
-/// linear, quadratic: largest length (diagonal over sqrt 2) over the thickness, by kind of element.
+/// Thickness: along the inward normal at an element's middle, to the opposite side of the body. Elements that are held,
+/// or opposite to held ones, do not count: glued layers do not bend. linear, quadratic: largest length (diagonal over
+/// sqrt 2) over the thickness, by kind of element.
 Thinness thinness(const BodyMesh& mesh, double linear, double quadratic);
 
-/// Thickness of the body under some elements over their length (square root of the area), their
-/// mean by area; at most 10 counts for each.
+/// Thickness of the body under some elements over their length (square root of the area), their mean by area; at most
+/// 10 counts for each.
 double mean_depth(const SurfaceMesh& surface, std::span<const std::int64_t> element);
 
 }  // namespace rollcon

@@ -18,8 +18,7 @@ rollcon_body* handle_of(const std::shared_ptr<Context>& context, std::shared_ptr
   auto object = std::make_shared<Object>();
   object->context = context;
   object->body = std::move(body);
-  return static_cast<rollcon_body*>(
-      const_cast<void*>(handles().insert(Kind::body, std::move(object))));
+  return static_cast<rollcon_body*>(const_cast<void*>(handles().insert(Kind::body, std::move(object))));
 }
 
 }  // namespace

@@ -18,8 +18,7 @@ rollcon_status rollcon_body_get_size(const rollcon_body* body, int64_t* nodes, i
   });
 }
 
-rollcon_status rollcon_body_get_displacements(const rollcon_body* body, int64_t capacity,
-                                              double* u) {
+rollcon_status rollcon_body_get_displacements(const rollcon_body* body, int64_t capacity, double* u) {
   return with_body(__func__, body, [&](const Body& b) {
     require_count(capacity, "capacity");
     require_pointer(u, "u");
@@ -51,8 +50,7 @@ int32_t rollcon_body_stat_count(void) {
 rollcon_status rollcon_body_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
   return guarded(__func__, nullptr, [&] {
     if (i < 0 || i >= body_statistic_count())
-      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i,
-           static_cast<long long>(body_statistic_count()) - 1);
+      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(body_statistic_count()) - 1);
     copy_text(body_statistic_name(i), capacity, text, needed);
   });
 }

@@ -27,8 +27,8 @@ constexpr MakePublished published = nullptr;
 
 }  // namespace
 
-rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* body1,
-                                      rollcon_body* body2, rollcon_contact** contact) {
+rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* body1, rollcon_body* body2,
+                                      rollcon_contact** contact) {
   if (contact) *contact = nullptr;
   return with_object(__func__, Kind::context, context, [&](Object& parent) {
     std::shared_ptr<Body> first = body_of(body1, "body1");
@@ -36,10 +36,8 @@ rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* bo
     require_pointer(contact, "contact");
     auto object = std::make_shared<Object>();
     object->context = parent.context;
-    object->contact =
-        std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published);
-    *contact = static_cast<rollcon_contact*>(
-        const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
+    object->contact = std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published);
+    *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
   });
 }
 

@@ -22,16 +22,15 @@ void require_capacity(int64_t capacity) {
 
 }  // namespace
 
-rollcon_status rollcon_contact_get_size(const rollcon_contact* contact, int64_t* nodes,
-                                        int64_t* elements) {
+rollcon_status rollcon_contact_get_size(const rollcon_contact* contact, int64_t* nodes, int64_t* elements) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     if (nodes) *nodes = c.nodes();
     if (elements) *elements = c.elements();
   });
 }
 
-rollcon_status rollcon_contact_get_tractions(const rollcon_contact* contact, int32_t axes,
-                                             int64_t capacity, double* t) {
+rollcon_status rollcon_contact_get_tractions(const rollcon_contact* contact, int32_t axes, int64_t capacity,
+                                             double* t) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     const InAxes in = checked_axes(axes);
     require_capacity(capacity);
@@ -40,13 +39,11 @@ rollcon_status rollcon_contact_get_tractions(const rollcon_contact* contact, int
   });
 }
 
-rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t field,
-                                         int32_t axes, int64_t capacity, double* v,
-                                         int64_t* n_values) {
+rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t field, int32_t axes, int64_t capacity,
+                                         double* v, int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     if (field < ROLLCON_FIELD_POINT || field > ROLLCON_FIELD_WEIGHT)
-      fail(Status::err_argument, "field is %d; allowed: %d to %d", field, ROLLCON_FIELD_POINT,
-           ROLLCON_FIELD_WEIGHT);
+      fail(Status::err_argument, "field is %d; allowed: %d to %d", field, ROLLCON_FIELD_POINT, ROLLCON_FIELD_WEIGHT);
     const InAxes in = checked_axes(axes);
     const auto which = static_cast<Field>(field);
     const std::int64_t count = c.field(which, in, 0, nullptr);
@@ -54,8 +51,7 @@ rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t
   });
 }
 
-rollcon_status rollcon_contact_get_status(const rollcon_contact* contact, int64_t capacity,
-                                          int32_t* status) {
+rollcon_status rollcon_contact_get_status(const rollcon_contact* contact, int64_t capacity, int32_t* status) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_capacity(capacity);
     require_pointer(status, "status");
@@ -63,8 +59,8 @@ rollcon_status rollcon_contact_get_status(const rollcon_contact* contact, int64_
   });
 }
 
-rollcon_status rollcon_contact_get_resultant(const rollcon_contact* contact, int32_t axes,
-                                             double* force, double* moment) {
+rollcon_status rollcon_contact_get_resultant(const rollcon_contact* contact, int32_t axes, double* force,
+                                             double* moment) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     double f[3], m[3];
     c.resultant(checked_axes(axes), f, m);
@@ -73,8 +69,7 @@ rollcon_status rollcon_contact_get_resultant(const rollcon_contact* contact, int
   });
 }
 
-rollcon_status rollcon_contact_get_motion(const rollcon_contact* contact, double* approach,
-                                          double* creep) {
+rollcon_status rollcon_contact_get_motion(const rollcon_contact* contact, double* approach, double* creep) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     double a = 0, xi[3];
     c.motion(&a, xi);
@@ -83,13 +78,11 @@ rollcon_status rollcon_contact_get_motion(const rollcon_contact* contact, double
   });
 }
 
-rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, int32_t parameter,
-                                               double* force, double* moment, double* approach,
-                                               double* creep) {
+rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, int32_t parameter, double* force,
+                                               double* moment, double* approach, double* creep) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     if (parameter < ROLLCON_LONGITUDINAL || parameter > ROLLCON_FRICTION)
-      fail(Status::err_argument,
-           "parameter is %d; allowed: %d to %d (longitudinal, lateral, normal, spin, friction)",
+      fail(Status::err_argument, "parameter is %d; allowed: %d to %d (longitudinal, lateral, normal, spin, friction)",
            parameter, ROLLCON_LONGITUDINAL, ROLLCON_FRICTION);
     double f[3], m[3], a = 0, xi[3];
     c.sensitivity(static_cast<Parameter>(parameter), f, m, &a, xi);
@@ -100,29 +93,27 @@ rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, i
   });
 }
 
-rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t body,
-                                                    int64_t n, const double* xy, double* u) {
+rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t body, int64_t n,
+                                                    const double* xy, double* u) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1, 2", body);
     require_count(n, "n");
     constexpr std::int64_t most = PTRDIFF_MAX / (3 * std::int64_t{sizeof(double)});
-    if (n > most)
-      fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+    if (n > most) fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
     if (n > 0) {
       require_pointer(xy, "xy");
       require_pointer(u, "u");
     }
     for (std::int64_t i = 0; i < 2 * n; ++i) {
       if (!std::isfinite(xy[i]))
-        fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g",
-             "xy"[i % 2], static_cast<long long>(i / 2), xy[i]);
+        fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", "xy"[i % 2],
+             static_cast<long long>(i / 2), xy[i]);
     }
     c.displacements_at(body, n, xy, u);
   });
 }
 
-rollcon_status rollcon_contact_get_stat(const rollcon_contact* contact, const char* name,
-                                        double* value) {
+rollcon_status rollcon_contact_get_stat(const rollcon_contact* contact, const char* name, double* value) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_pointer(name, "name");
     require_pointer(value, "value");
@@ -137,24 +128,22 @@ int32_t rollcon_stat_count(void) {
 rollcon_status rollcon_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
   return guarded(__func__, nullptr, [&] {
     if (i < 0 || i >= Contact::stat_count())
-      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i,
-           static_cast<long long>(Contact::stat_count()) - 1);
+      fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(Contact::stat_count()) - 1);
     copy_text(Contact::stat_name(i), capacity, text, needed);
   });
 }
 
-rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, int64_t capacity,
-                                           double* rows, int64_t* n_rows) {
+rollcon_status rollcon_contact_get_history(const rollcon_contact* contact, int64_t capacity, double* rows,
+                                           int64_t* n_rows) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     const std::span<const double> history = c.history();
     const auto count = static_cast<std::int64_t>(history.size() / 8);
-    if (wants_copy(count, capacity, rows, "rows", n_rows, "rows"))
-      std::copy(history.begin(), history.end(), rows);
+    if (wants_copy(count, capacity, rows, "rows", n_rows, "rows")) std::copy(history.begin(), history.end(), rows);
   });
 }
 
-rollcon_status rollcon_contact_get_error_function(const rollcon_contact* contact, int64_t capacity,
-                                                  double* psi, double* seconds, int64_t* n_rows) {
+rollcon_status rollcon_contact_get_error_function(const rollcon_contact* contact, int64_t capacity, double* psi,
+                                                  double* seconds, int64_t* n_rows) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     const std::span<const double> merit = c.error_function(), history = c.history();
     const auto count = static_cast<std::int64_t>(merit.size());

@@ -40,8 +40,7 @@ void rollcon_context_release(rollcon_context* context) {
   release(Kind::context, context);
 }
 
-rollcon_status rollcon_context_set_log(rollcon_context* context, int32_t max_level,
-                                       rollcon_log_fn fn, void* user) {
+rollcon_status rollcon_context_set_log(rollcon_context* context, int32_t max_level, rollcon_log_fn fn, void* user) {
   return with_object(__func__, Kind::context, context,
                      [&](Object& object) { object.context->set_log(max_level, fn, user); });
 }
@@ -55,8 +54,7 @@ rollcon_status rollcon_context_set_latch(rollcon_context* context, int32_t on) {
 
 rollcon_status rollcon_context_check(const rollcon_context* context) {
   const std::shared_ptr<Object> object = handles().find(Kind::context, context);
-  return object ? report_latched(*object->context)
-                : report_handle(__func__, Kind::context, context);
+  return object ? report_latched(*object->context) : report_handle(__func__, Kind::context, context);
 }
 
 int32_t rollcon_id_of(const void* handle) {

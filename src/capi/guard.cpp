@@ -50,12 +50,10 @@ std::int32_t report_handle(const char* function, Kind kind, const void* handle) 
   const int hosts_errno = errno;
   char text[128];
   if (handle)
-    std::snprintf(text, sizeof text,
-                  "%s is no live %s: it was released, is of another kind, or never was a handle",
+    std::snprintf(text, sizeof text, "%s is no live %s: it was released, is of another kind, or never was a handle",
                   name(kind), name(kind));
   else
-    std::snprintf(text, sizeof text, "%s is NULL: there is no %s to work on", name(kind),
-                  name(kind));
+    std::snprintf(text, sizeof text, "%s is NULL: there is no %s to work on", name(kind), name(kind));
   set_last_error(function, text);
   errno = hosts_errno;
   return handle ? ROLLCON_ERR_HANDLE : ROLLCON_ERR_ARGUMENT;
@@ -67,8 +65,7 @@ std::int32_t report_latched(const Context& context) noexcept {
 
 void report_caveat(const char* function, Context& context, Status status) noexcept {
   char text[256];
-  std::snprintf(text, sizeof text, "%s: %s", function,
-                rollcon_status_string(static_cast<std::int32_t>(status)));
+  std::snprintf(text, sizeof text, "%s: %s", function, rollcon_status_string(static_cast<std::int32_t>(status)));
   context.keep(status, text);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What every public function does: quiet environment, handle to object, busy flag, exceptions to
-/// statuses. Functions pass their own name: inside a lambda __func__ is not theirs.
+/// What every public function does: quiet environment, handle to object, busy flag, exceptions to statuses. Functions
+/// pass their own name: inside a lambda __func__ is not theirs.
 
 #include <cerrno>
 #include <cstdint>
@@ -57,8 +57,7 @@ std::int32_t with_shared(const char* function, Kind kind, const void* handle, F&
   return guarded(function, object->context.get(), [&] { return body(*object); });
 }
 
-/// Runs the body with the object of a handle for itself alone, unless the context's latch has
-/// caught a failure.
+/// Runs the body with the object of a handle for itself alone, unless the context's latch has caught a failure.
 template <class F>
 std::int32_t with_object(const char* function, Kind kind, const void* handle, F&& body) noexcept {
   const std::shared_ptr<Object> found = handles().find(kind, handle);
@@ -78,14 +77,12 @@ std::int32_t with_object(const char* function, Kind kind, const void* handle, F&
 
 template <class F>
 std::int32_t with_contact(const char* function, const rollcon_contact* handle, F&& body) noexcept {
-  return with_object(function, Kind::contact, handle,
-                     [&](Object& object) { return body(*object.contact); });
+  return with_object(function, Kind::contact, handle, [&](Object& object) { return body(*object.contact); });
 }
 
 template <class F>
 std::int32_t with_body(const char* function, const rollcon_body* handle, F&& body) noexcept {
-  return with_object(function, Kind::body, handle,
-                     [&](Object& object) { return body(*object.body); });
+  return with_object(function, Kind::body, handle, [&](Object& object) { return body(*object.body); });
 }
 
 std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept;

@@ -1,7 +1,6 @@
 #pragma once
-/// Handles of the C API. The value of a handle is a number - kind (2 bits), generation (13 bits),
-/// slot (16 bits) - that is looked up here and never dereferenced, so that released, garbage and
-/// wrong-kind handles are told from live ones.
+/// Handles of the C API. The value of a handle is a number - kind (2 bits), generation (13 bits), slot (16 bits) - that
+/// is looked up here and never dereferenced, so that released, garbage and wrong-kind handles are told from live ones.
 
 #include <array>
 #include <atomic>

@@ -23,9 +23,8 @@ const char* rollcon_version_string(void) {
 }
 
 const char* rollcon_build_info(void) {
-  return "rollcon " ROLLCON_VERSION_STRING "; licences: " ROLLCON_BUILD_LICENCES
-         "; compiler: " ROLLCON_BUILD_COMPILER "; build type: " ROLLCON_BUILD_TYPE
-         "; LAPACK: " ROLLCON_BUILD_LAPACK
+  return "rollcon " ROLLCON_VERSION_STRING "; licences: " ROLLCON_BUILD_LICENCES "; compiler: " ROLLCON_BUILD_COMPILER
+         "; build type: " ROLLCON_BUILD_TYPE "; LAPACK: " ROLLCON_BUILD_LAPACK
 #if ROLLCON_BUILD_OPENMP
          "; OpenMP: on";
 #else
@@ -47,11 +46,9 @@ const char* rollcon_last_error(void) {
 
 int32_t rollcon_report(const void* handle, int32_t status, const char* text) {
   const rollcon::QuietFloatingPoint quiet;
-  const auto failure =
-      status < 0 ? static_cast<rollcon::Status>(status) : rollcon::Status::err_argument;
+  const auto failure = status < 0 ? static_cast<rollcon::Status>(status) : rollcon::Status::err_argument;
   const std::shared_ptr<Object> object = handles().find(handle);
-  return static_cast<int32_t>(
-      report(nullptr, object ? object->context.get() : nullptr, failure, text ? text : ""));
+  return static_cast<int32_t>(report(nullptr, object ? object->context.get() : nullptr, failure, text ? text : ""));
 }
 
 const char* rollcon_status_string(int32_t status) {

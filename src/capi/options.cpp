@@ -19,8 +19,8 @@ const auto& row(const Table& table, int32_t i) {
 }
 
 template <class Row>
-void copy_row(const Row& from, int64_t capacity, char* name, int32_t* type, double* low,
-              double* high, double* standard) {
+void copy_row(const Row& from, int64_t capacity, char* name, int32_t* type, double* low, double* high,
+              double* standard) {
   std::int64_t unused = 0;
   copy_text(from.name, capacity, name, &unused);
   if (type) *type = static_cast<int32_t>(from.type);
@@ -42,30 +42,26 @@ int32_t rollcon_option_count(void) {
   return static_cast<int32_t>(option_table().size());
 }
 
-rollcon_status rollcon_option_info(int32_t i, int64_t capacity, char* name, int32_t* type,
-                                   double* low, double* high, double* standard) {
-  return guarded(__func__, nullptr, [&] {
-    copy_row(row(option_table(), i), capacity, name, type, low, high, standard);
-  });
+rollcon_status rollcon_option_info(int32_t i, int64_t capacity, char* name, int32_t* type, double* low, double* high,
+                                   double* standard) {
+  return guarded(__func__, nullptr,
+                 [&] { copy_row(row(option_table(), i), capacity, name, type, low, high, standard); });
 }
 
 rollcon_status rollcon_option_doc(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr,
-                 [&] { copy_doc(row(option_table(), i), capacity, text, needed); });
+  return guarded(__func__, nullptr, [&] { copy_doc(row(option_table(), i), capacity, text, needed); });
 }
 
 int32_t rollcon_body_option_count(void) {
   return static_cast<int32_t>(body_option_table().settings().size());
 }
 
-rollcon_status rollcon_body_option_info(int32_t i, int64_t capacity, char* name, int32_t* type,
-                                        double* low, double* high, double* standard) {
-  return guarded(__func__, nullptr, [&] {
-    copy_row(row(body_option_table().settings(), i), capacity, name, type, low, high, standard);
-  });
+rollcon_status rollcon_body_option_info(int32_t i, int64_t capacity, char* name, int32_t* type, double* low,
+                                        double* high, double* standard) {
+  return guarded(__func__, nullptr,
+                 [&] { copy_row(row(body_option_table().settings(), i), capacity, name, type, low, high, standard); });
 }
 
 rollcon_status rollcon_body_option_doc(int32_t i, int64_t capacity, char* text, int64_t* needed) {
-  return guarded(__func__, nullptr,
-                 [&] { copy_doc(row(body_option_table().settings(), i), capacity, text, needed); });
+  return guarded(__func__, nullptr, [&] { copy_doc(row(body_option_table().settings(), i), capacity, text, needed); });
 }

@@ -8,13 +8,11 @@
 
 namespace rollcon::capi {
 
-/// Sets `needed`, then says whether to copy: false for capacity 0 (only asking); throws
-/// err_capacity when too small.
+/// Sets `needed`, then says whether to copy: false for capacity 0 (only asking); throws err_capacity when too small.
 inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to, const char* name,
                        std::int64_t* needed, const char* unit) {
   if (capacity < 0)
-    fail(Status::err_argument, "capacity is %lld; allowed: 0 or more",
-         static_cast<long long>(capacity));
+    fail(Status::err_argument, "capacity is %lld; allowed: 0 or more", static_cast<long long>(capacity));
   if (capacity == 0) {
     if (!needed) fail(Status::err_argument, "capacity is 0 and there is no place for the need");
     *needed = count;
@@ -23,14 +21,13 @@ inline bool wants_copy(std::int64_t count, std::int64_t capacity, const void* to
   require_pointer(to, name);
   if (needed) *needed = count;
   if (capacity < count)
-    fail(Status::err_capacity, "capacity is %lld %s; needed: %lld",
-         static_cast<long long>(capacity), unit, static_cast<long long>(count));
+    fail(Status::err_capacity, "capacity is %lld %s; needed: %lld", static_cast<long long>(capacity), unit,
+         static_cast<long long>(count));
   return true;
 }
 
 /// Copies with the terminating NUL, which counts.
-inline void copy_text(std::string_view from, std::int64_t capacity, char* text,
-                      std::int64_t* needed) {
+inline void copy_text(std::string_view from, std::int64_t capacity, char* text, std::int64_t* needed) {
   const auto count = static_cast<std::int64_t>(from.size()) + 1;
   if (!wants_copy(count, capacity, text, "text", needed, "bytes")) return;
   std::memcpy(text, from.data(), from.size());

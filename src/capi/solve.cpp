@@ -9,8 +9,8 @@ using namespace rollcon::capi;
 
 namespace {
 
-/// Events that live in callbacks of this thread, the innermost first. An event handle is an address
-/// and is compared with these before use.
+/// Events that live in callbacks of this thread, the innermost first. An event handle is an address and is compared
+/// with these before use.
 struct LiveEvent {
   const Event& event;
   Context* context;
@@ -44,8 +44,7 @@ std::int32_t with_event(const char* function, const rollcon_event* handle, F&& b
 
 }  // namespace
 
-rollcon_status rollcon_contact_set_progress(rollcon_contact* contact, rollcon_progress_fn fn,
-                                            void* user) {
+rollcon_status rollcon_contact_set_progress(rollcon_contact* contact, rollcon_progress_fn fn, void* user) {
   return with_object(__func__, Kind::contact, contact, [&](Object& object) {
     object.progress = fn;
     object.progress_user = user;
@@ -86,6 +85,5 @@ rollcon_status rollcon_event_get_real(const rollcon_event* event, int32_t key, d
 }
 
 rollcon_status rollcon_contact_request_cancel(rollcon_contact* contact) {
-  return with_shared(__func__, Kind::contact, contact,
-                     [](Object& object) { object.contact->request_cancel(); });
+  return with_shared(__func__, Kind::contact, contact, [](Object& object) { object.contact->request_cancel(); });
 }

@@ -32,12 +32,10 @@ std::vector<Parameter> read_parameters(const char* names) {
   std::vector<Parameter> list;
   each_word(names, [&](const char* word, std::size_t length) {
     int p = 0;
-    while (p < 5 && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0))
-      ++p;
+    while (p < 5 && (std::strlen(known[p]) != length || std::memcmp(known[p], word, length) != 0)) ++p;
     const int shown = static_cast<int>(std::min<std::size_t>(length, 60));
     if (p == 5)
-      fail(Status::err_argument,
-           "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction", shown,
+      fail(Status::err_argument, "parameters has '%.*s'; allowed: longitudinal, lateral, normal, spin, friction", shown,
            word);
     const auto parameter = static_cast<Parameter>(p + 1);
     if (std::find(list.begin(), list.end(), parameter) != list.end())
@@ -55,48 +53,43 @@ void check_values(const Contact& c, const CaseList& list) {
       const double v = list.value[static_cast<std::size_t>(i) * n + j];
       const Parameter p = list.parameter[j];
       if (!std::isfinite(v))
-        fail(Status::err_nonfinite, "value %d of case %lld (both counting from 0) is %g",
-             static_cast<int>(j), static_cast<long long>(i), v);
+        fail(Status::err_nonfinite, "value %d of case %lld (both counting from 0) is %g", static_cast<int>(j),
+             static_cast<long long>(i), v);
       if (p == Parameter::normal && c.scene.load(Direction::normal).how == How::by_force && v < 0)
         fail(Status::err_argument,
              "the normal load of case %lld (counting from 0) is %g; allowed: 0 or more "
              "(compression)",
              static_cast<long long>(i), v);
       if (p == Parameter::friction && v < 0)
-        fail(Status::err_argument,
-             "the factor on friction of case %lld (counting from 0) is %g; allowed: 0 or more",
+        fail(Status::err_argument, "the factor on friction of case %lld (counting from 0) is %g; allowed: 0 or more",
              static_cast<long long>(i), v);
     }
 }
 
 }  // namespace
 
-rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* parameters,
-                                          int64_t n_cases, const double* values,
-                                          const char* columns, int64_t capacity, double* results,
+rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* parameters, int64_t n_cases,
+                                          const double* values, const char* columns, int64_t capacity, double* results,
                                           int64_t* n_results, int32_t* status) {
   return with_contact(__func__, contact, [&](Contact& c) {
     const std::vector<Parameter> parameter = read_parameters(parameters);
     require_count(n_cases, "n_cases");
     constexpr int64_t most_cases = int64_t{1} << 40;
     if (n_cases > most_cases)
-      fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld",
-           static_cast<long long>(n_cases), static_cast<long long>(most_cases));
+      fail(Status::err_argument, "n_cases is %lld; allowed: 0 to %lld", static_cast<long long>(n_cases),
+           static_cast<long long>(most_cases));
     std::vector<CaseColumn> column;
     int64_t width = 0;
     each_word(columns, [&](const char* word, std::size_t length) {
-      column.push_back(
-          case_column(word, length, static_cast<int64_t>(parameter.size()), c.nodes()));
+      column.push_back(case_column(word, length, static_cast<int64_t>(parameter.size()), c.nodes()));
       width += column.back().width;
     });
     if (width == 0) {
       require_count(capacity, "capacity");
       if (n_results) *n_results = 0;
     } else {
-      const void* room = n_cases > 0 ? static_cast<const void*>(results)
-                                     : &width;  // a list without cases needs none
-      if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case"))
-        return Status::ok;
+      const void* room = n_cases > 0 ? static_cast<const void*>(results) : &width;  // a list without cases needs none
+      if (!wants_copy(width, capacity, room, "results", n_results, "numbers per case")) return Status::ok;
     }
     if (n_cases > 0 && capacity > PTRDIFF_MAX / n_cases / int64_t{sizeof(double)})
       fail(Status::err_argument, "n_cases = %lld with capacity %lld is beyond the address space",
@@ -104,12 +97,10 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact* contact, const char* 
     // The order in which they are solved, and a status each; results are the caller's.
     constexpr double bytes_per_case = 32;
     const double bytes = bytes_per_case * static_cast<double>(n_cases);
-    require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes",
-                   static_cast<long long>(n_cases));
+    require_memory({bytes, bytes}, "solve it in parts", "a list of %lld cases takes", static_cast<long long>(n_cases));
     if (n_cases > 0 && !parameter.empty()) require_pointer(values, "values");
     const CaseList list{parameter, n_cases, values};
     check_values(c, list);
-    return c.solve_many(list,
-                        {.status = status, .row = results, .stride = capacity, .column = column});
+    return c.solve_many(list, {.status = status, .row = results, .stride = capacity, .column = column});
   });
 }

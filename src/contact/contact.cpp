@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t history_rows = 512;  // room without allocation
 
-// Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move
-// there otherwise than at midside nodes: tractions on both swing from node to node. Linear ones,
-// told from the displacements of the vertices, do not (docs/theory.md, section 10).
+// Pressures at the vertices of tri6 have no resultant, and under a smooth one finite elements move there otherwise than
+// at midside nodes: tractions on both swing from node to node. Linear ones, told from the displacements of the
+// vertices, do not (docs/theory.md, section 10).
 bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
   for (std::size_t e = 0; e < surface.type.size(); ++e)
     if (surface.tag[e] == tag && surface.type[e] == ElementType::tri6) return true;
@@ -32,31 +32,24 @@ bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
 // Records history and passes every iteration to the caller's callback.
 class Watch final : public Monitor {
  public:
-  Watch(SolverState& state, const Context& context, ProgressFunction function, void* user,
-        std::atomic<bool>& cancel, double start)
-      : state_(state),
-        context_(context),
-        function_(function),
-        user_(user),
-        cancel_(cancel),
-        start_(start) {}
+  Watch(SolverState& state, const Context& context, ProgressFunction function, void* user, std::atomic<bool>& cancel,
+        double start)
+      : state_(state), context_(context), function_(function), user_(user), cancel_(cancel), start_(start) {}
 
   bool step(const StepRecord& r) override {
     const double seconds = prepared_ > 0 ? prepared_ : now_seconds() - start_;
     prepared_ = 0;
-    for (const double v : {static_cast<double>(r.part), static_cast<double>(r.iteration),
-                           r.residual_normal, r.residual_tangential, r.step,
-                           static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
+    for (const double v :
+         {static_cast<double>(r.part), static_cast<double>(r.iteration), r.residual_normal, r.residual_tangential,
+          r.step, static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
       state_.history.push_back(v);
     state_.merit.push_back(r.merit);
     context_.log(LogLevel::debug,
                  "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
                  "in contact, %lld sliding",
-                 name(r.part), static_cast<long long>(r.iteration), r.residual_normal,
-                 r.residual_tangential, r.step, static_cast<long long>(r.contact),
-                 static_cast<long long>(r.sliding));
-    return tell(static_cast<Phase>(r.part), r.iteration,
-                std::max(r.residual_normal, r.residual_tangential), seconds);
+                 name(r.part), static_cast<long long>(r.iteration), r.residual_normal, r.residual_tangential, r.step,
+                 static_cast<long long>(r.contact), static_cast<long long>(r.sliding));
+    return tell(static_cast<Phase>(r.part), r.iteration, std::max(r.residual_normal, r.residual_tangential), seconds);
   }
 
   bool cancelled() const override { return cancel_.load(); }
@@ -99,13 +92,13 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.factorizations = -linear.factorizations;
   s.timings.linear = -linear.seconds;
   start_on_lattice(s, monitor);
-  s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless,
-                            options.tolerance, options.max_iterations, monitor);
+  s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
+                            options.max_iterations, monitor);
   // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
   while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
     const NewtonReport before = s.report;
-    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless,
-                              options.tolerance, options.max_iterations, monitor);
+    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
+                              options.max_iterations, monitor);
     s.report.add(before);
   }
   s.images_known = false;
@@ -122,8 +115,7 @@ void tell_caveats(const SolverState& s, Status status, const Context& context) {
   if (!context.hears(LogLevel::warning)) return;
   const bool coarse = status == Status::coarse;
   if (coarse) context.log(LogLevel::warning, "%s", describe_few_nodes(s).c_str());
-  if (status == Status::not_converged || status == Status::rim_contact ||
-      (coarse && nodes_at_rim(s) > 0))
+  if (status == Status::not_converged || status == Status::rim_contact || (coarse && nodes_at_rim(s) > 0))
     context.log(LogLevel::warning, "%s", describe_outcome(s).c_str());
 }
 
@@ -149,8 +141,7 @@ std::int64_t nodes_at_rim(const SolverState& s) {
 
 void refuse_tangential_loads(const Prescribed& given) {
   for (const int m : {xi1, xi2, spin})
-    if (given.by_force[static_cast<std::size_t>(m)] &&
-        given.value[static_cast<std::size_t>(m)] != 0)
+    if (given.by_force[static_cast<std::size_t>(m)] && given.value[static_cast<std::size_t>(m)] != 0)
       fail(Status::err_load,
            "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
            "at every node: there is no steady solution");
@@ -159,8 +150,7 @@ void refuse_tangential_loads(const Prescribed& given) {
 Status status_of(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::no_solution:
-      fail(Status::err_load, "%s: there is no steady solution",
-           describe_beyond_friction(s.report.share).c_str());
+      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(s.report.share).c_str());
     case Outcome::cancelled:
       return Status::cancelled;
     case Outcome::not_converged:
@@ -174,8 +164,8 @@ Status status_of(const SolverState& s) {
   return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
 }
 
-Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
-                 std::shared_ptr<Body> body2, MakePublished published)
+Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
+                 MakePublished published)
     : context_(std::move(context)),
       body1_(std::move(body1)),
       body2_(std::move(body2)),
@@ -206,8 +196,7 @@ void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
   Body& body = which == 1 ? *body1_ : *body2_;
   const SurfaceMesh surface = body.surface_copy();
   if (surface.nodes() == 0)
-    fail(Status::err_state,
-         "body %d has no mesh: the frame needs one of its own (rollcon_contact_set_frame_nodes)",
+    fail(Status::err_state, "body %d has no mesh: the frame needs one of its own (rollcon_contact_set_frame_nodes)",
          which);
   if (surface.elements() == 0)
     fail(Status::err_state,
@@ -243,8 +232,8 @@ Status Contact::solve() {
     context_->log(LogLevel::info, "cancelled during preparation");
     return Status::cancelled;
   } catch (...) {
-    // Whatever was half built when memory ran out or a callback threw must not be taken for whole.
-    // A refused load leaves everything but the solution intact.
+    // Whatever was half built when memory ran out or a callback threw must not be taken for whole. A refused load
+    // leaves everything but the solution intact.
     if (!state_->settled) clear_state();
     throw;
   }
@@ -292,12 +281,9 @@ Status Contact::solve_scene() {
   s.timings.newton = end - prepared;
   s.timings.total = end - start;
   context_->log(
-      LogLevel::info,
-      "Newton: %lld normal, %lld tangential, %lld full iterations, %lld fallbacks, %.3f s",
-      static_cast<long long>(s.report.normal_iterations),
-      static_cast<long long>(s.report.tangential_iterations),
-      static_cast<long long>(s.report.full_iterations), static_cast<long long>(s.report.fallbacks),
-      s.timings.newton);
+      LogLevel::info, "Newton: %lld normal, %lld tangential, %lld full iterations, %lld fallbacks, %.3f s",
+      static_cast<long long>(s.report.normal_iterations), static_cast<long long>(s.report.tangential_iterations),
+      static_cast<long long>(s.report.full_iterations), static_cast<long long>(s.report.fallbacks), s.timings.newton);
 
   const Status status = status_of(s);
   s.solved = true;

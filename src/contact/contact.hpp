@@ -22,14 +22,14 @@ struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
 class Contact {
  public:
   /// published: makes the published procedures; null where the build has none.
-  Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1,
-          std::shared_ptr<Body> body2, MakePublished published = nullptr);
+  Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
+          MakePublished published = nullptr);
   ~Contact();
 
   Scene scene;  ///< setters live here
 
-  /// Takes the faces of body `which` (1 or 2) with a tag for the frame, as they are now. err_state:
-  /// the body has no mesh; err_argument: no such faces.
+  /// Takes the faces of body `which` (1 or 2) with a tag for the frame, as they are now. err_state: the body has no
+  /// mesh; err_argument: no such faces.
   void frame_from_body(std::int32_t which, std::int32_t tag);
 
   void set_progress(ProgressFunction function, void* user);
@@ -38,9 +38,9 @@ class Contact {
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
-  /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok,
-  /// or the first that fits of cancelled, not_converged (or failed), coarse, rim_contact,
-  /// no_contact. The scene stays, and so does the last solution unless something was set since.
+  /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
+  /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
+  /// last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
   /// Forgets warm start, solution and history; keeps the scene and the caches that still fit.
   void reset();
@@ -54,18 +54,17 @@ class Contact {
   void node_status(std::int64_t capacity, std::int32_t* status) const;
   void resultant(InAxes axes, double* force, double* moment) const;
   void motion(double* approach, double* creep) const;
-  /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state:
-  /// the last solve did not converge, or a tangential load is prescribed without friction.
-  void sensitivity(Parameter parameter, double* force, double* moment, double* approach,
-                   double* creep) const;
-  /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a
-  /// curved frame in the local directions there.
+  /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last solve did not
+  /// converge, or a tangential load is prescribed without friction.
+  void sensitivity(Parameter parameter, double* force, double* moment, double* approach, double* creep) const;
+  /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a curved frame in the
+  /// local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);
-  /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in
-  /// contact, nodes in slip, seconds.
+  /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip,
+  /// seconds.
   std::span<const double> history() const;
   /// Error function Psi of each row of history().
   std::span<const double> error_function() const;

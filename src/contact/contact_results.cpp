@@ -38,8 +38,8 @@ Triad triad_of(const Axes& axes) {
 
 void require_capacity(std::int64_t capacity, std::int64_t needed, const char* unit) {
   if (capacity < needed)
-    fail(Status::err_capacity, "capacity is %lld but %lld %s are needed",
-         static_cast<long long>(capacity), static_cast<long long>(needed), unit);
+    fail(Status::err_capacity, "capacity is %lld but %lld %s are needed", static_cast<long long>(capacity),
+         static_cast<long long>(needed), unit);
 }
 
 std::int64_t components_of(Field field, InAxes axes) {
@@ -117,8 +117,7 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
   const Iterate& it = state_->iterate;
   require_capacity(capacity, state_->prepared->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
-    put(state_->prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k],
-        std::min(it.lambda[2][k], 0.0),
+    put(state_->prepared->frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], std::min(it.lambda[2][k], 0.0),
         t + 3 * k);  // within the tolerance a node about to open may pull
 }
 
@@ -131,14 +130,12 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   const std::int64_t needed = components * s.prepared->problem.nodes;
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
-  if (field == Field::gap || field == Field::slip || field == Field::friction_power)
-    derive_fields(s);
+  if (field == Field::gap || field == Field::slip || field == Field::friction_power) derive_fields(s);
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(2 * n);
     for (std::size_t k = 0; k < n; ++k) xy[2 * k] = frame.x[k], xy[2 * k + 1] = frame.y[k];
     displacements_at(field == Field::displacement1 ? 1 : 2, needed / 3, xy.data(), v);
-    for (std::size_t k = 0; k < n; ++k)
-      put(frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
+    for (std::size_t k = 0; k < n; ++k) put(frame.triad(k), axes, v[3 * k], v[3 * k + 1], v[3 * k + 2], v + 3 * k);
     return needed;
   }
   for (std::size_t k = 0; k < n; ++k, v += components) write_value(s, field, axes, k, v);
@@ -168,13 +165,11 @@ void Contact::motion(double* depth, double* creep) const {
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 
-void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth,
-                          double* creep) const {
+void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth, double* creep) const {
   SolverState& s = *state_;
   require_solution(s, scene);
   if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
-    fail(Status::err_state,
-         "the last solve did not converge: only a converged solution has derivatives");
+    fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
   require_operators(s, scene.options);
   const Rates& r = find_rates(s, parameter);
@@ -184,8 +179,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   if (creep) creep[0] = r.motion[xi1], creep[1] = r.motion[xi2], creep[2] = r.motion[spin];
 }
 
-void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy,
-                               double* u) const {
+void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const {
   SolverState& s = *state_;
   require_solution(s, scene);
   const Body& which = body == 1 ? *body1_ : *body2_;
@@ -194,20 +188,17 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   if (which.rigid()) return;
   auto& compliance = s.body_compliance[body - 1];
   if (!compliance)
-    compliance = make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1,
-                                      s.prepared->accuracy, context_->threads());
+    compliance =
+        make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1, s.prepared->accuracy, context_->threads());
   compliance->set_threads(context_->threads());
-  std::vector<double> x(points), y(points),
-      t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
+  std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
   for (std::size_t k = 0; k < t.size() / 3; ++k)
     for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
   ++s.work.displacements;
   ++s.work.applications;
-  const bool at_nodes =
-      s.prepared->problem.op.field && x == s.prepared->frame.x && y == s.prepared->frame.y;
-  if (!at_nodes || !displacements_on_lattice(s, *compliance, u))
-    compliance->apply({x, y}, t.data(), u);
+  const bool at_nodes = s.prepared->problem.op.field && x == s.prepared->frame.x && y == s.prepared->frame.y;
+  if (!at_nodes || !displacements_on_lattice(s, *compliance, u)) compliance->apply({x, y}, t.data(), u);
   std::vector<double> own(3 * points);
   if (compliance->offset({x, y}, own.data()))
     for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
@@ -250,8 +241,7 @@ void Contact::write(const char* path) const {
   values.reserve(std::size(columns) + 1);
   for (const Column& c : columns) {
     values.emplace_back(n * static_cast<std::size_t>(c.components));
-    field(c.field, InAxes::global, static_cast<std::int64_t>(values.back().size()),
-          values.back().data());
+    field(c.field, InAxes::global, static_cast<std::int64_t>(values.back().size()), values.back().data());
     arrays.push_back({c.name, c.components, values.back().data(), nullptr});
   }
   derive_fields(*state_);

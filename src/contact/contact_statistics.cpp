@@ -23,8 +23,7 @@ struct Statistic {
 
 double count_status(SolverState& s, NodeStatus wanted) {
   derive_fields(s);
-  return static_cast<double>(
-      std::count(s.status.begin(), s.status.end(), static_cast<std::int32_t>(wanted)));
+  return static_cast<double>(std::count(s.status.begin(), s.status.end(), static_cast<std::int32_t>(wanted)));
 }
 
 template <class Term>
@@ -72,12 +71,10 @@ double near_change(SolverState& s) {
 constexpr Statistic table[] = {
     {"iterations",
      [](SolverState& s) {
-       return number(s.report.normal_iterations + s.report.tangential_iterations +
-                     s.report.full_iterations);
+       return number(s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations);
      }},
     {"normal_iterations", [](SolverState& s) { return number(s.report.normal_iterations); }},
-    {"tangential_iterations",
-     [](SolverState& s) { return number(s.report.tangential_iterations); }},
+    {"tangential_iterations", [](SolverState& s) { return number(s.report.tangential_iterations); }},
     {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
     {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }},
     {"predictions", [](SolverState& s) { return number(s.report.predictions); }},
@@ -94,30 +91,23 @@ constexpr Statistic table[] = {
     {"error_estimate_normal", [](SolverState& s) { return find_error_estimate(s).normal; }},
     {"error_estimate_tangential", [](SolverState& s) { return find_error_estimate(s).tangential; }},
     {"error_estimate_tractions", [](SolverState& s) { return find_error_estimate(s).tractions; }},
-    {"nodes_contact",
-     [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
+    {"nodes_contact", [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
     {"nodes_inside", [](SolverState& s) { return number(nodes_inside(s)); }},
     {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
     {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
     {"nodes_rim",
      [](SolverState& s) {
-       return sum_in_contact(s,
-                             [&](std::size_t k) { return s.prepared->frame.rim[k] ? 1.0 : 0.0; });
+       return sum_in_contact(s, [&](std::size_t k) { return s.prepared->frame.rim[k] ? 1.0 : 0.0; });
      }},
     {"nodes_near_change", near_change},
     {"nodes_overlap",
      [](SolverState& s) {
-       return number(
-           initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).nodes);
+       return number(initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).nodes);
      }},
     {"overlap_depth",
-     [](SolverState& s) {
-       return initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).depth;
-     }},
+     [](SolverState& s) { return initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).depth; }},
     {"contact_area",
-     [](SolverState& s) {
-       return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
-     }},
+     [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; }); }},
     {"friction_power",
      [](SolverState& s) {
        derive_fields(s);
@@ -129,8 +119,7 @@ constexpr Statistic table[] = {
     {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }},
     {"max_pressure",
      [](SolverState& s) {
-       return std::max(0.0,
-                       -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
+       return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
      }},
     {"seconds_compliance", [](SolverState& s) { return s.timings.compliance; }},
     {"seconds_convection", [](SolverState& s) { return s.timings.convection; }},
@@ -139,10 +128,8 @@ constexpr Statistic table[] = {
     {"seconds_total", [](SolverState& s) { return s.timings.total; }},
     {"seconds_sensitivity", [](SolverState& s) { return s.sensitivities.seconds; }},
     {"sensitivity_right_sides", [](SolverState& s) { return number(s.sensitivities.right_sides); }},
-    {"sensitivity_factorizations",
-     [](SolverState& s) { return number(s.sensitivities.factorizations); }},
-    {"sensitivity_linear_iterations",
-     [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
+    {"sensitivity_factorizations", [](SolverState& s) { return number(s.sensitivities.factorizations); }},
+    {"sensitivity_linear_iterations", [](SolverState& s) { return number(s.sensitivities.linear_iterations); }},
     {"seconds_error_estimate", [](SolverState& s) { return s.error_estimate.seconds; }},
     {"peak_bytes", [](SolverState& s) { return static_cast<double>(s.peak_bytes); }},
     {"kernel_evaluations",
@@ -153,8 +140,7 @@ constexpr Statistic table[] = {
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
     {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op.rows); }},
-    {"operator_bytes",
-     [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
+    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
     {"operator_applications",
      [](SolverState& s) {
        const auto& field = s.prepared->problem.op.field;

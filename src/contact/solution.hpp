@@ -1,6 +1,5 @@
 #pragma once
-/// What one contact keeps between calls: caches keyed by the scene's revisions, the solution, and
-/// statistics.
+/// What one contact keeps between calls: caches keyed by the scene's revisions, the solution, and statistics.
 
 #include <array>
 #include <memory>
@@ -31,7 +30,7 @@ struct Work {
   std::int64_t compliances = 0;  ///< of the pair
   std::int64_t stencils = 0;     ///< of the convective scheme
   std::int64_t gaps = 0, frictions = 0, slips = 0, scales = 0;
-  std::int64_t applications = 0;  ///< of the compliance, without rows
+  std::int64_t applications = 0;                                        ///< of the compliance, without rows
   std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
 };
 
@@ -92,14 +91,13 @@ struct SolverState;
 class PublishedSolver {
  public:
   virtual ~PublishedSolver() = default;
-  /// Solves the prepared scene from state.iterate; fills the report and counters of the last solve.
-  /// Throws Error as the systems of the steps do.
+  /// Solves the prepared scene from state.iterate; fills the report and counters of the last solve. Throws Error as the
+  /// systems of the steps do.
   virtual void run(SolverState& state, const Options& options, Monitor& monitor) = 0;
   virtual std::size_t bytes() const = 0;
 };
 
-/// What a solve stands on: made from the scene by prepare(), not changed by a solve, shared by the
-/// cases of a list.
+/// What a solve stands on: made from the scene by prepare(), not changed by a solve, shared by the cases of a list.
 struct Prepared {
   Frame frame;
   FrameSource frame_source;                ///< as far as the body still has these faces
@@ -135,7 +133,7 @@ struct SolverState {
   MakePublished make_published = nullptr;             ///< null: they are not part of this build
   std::unique_ptr<PublishedSolver> published;         ///< made when one is asked for
   mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()
-  bool images_known = false;  ///< of the solution, at all nodes, slip included
+  bool images_known = false;                          ///< of the solution, at all nodes, slip included
 
   // The last solve.
   bool solved = false;
@@ -176,14 +174,13 @@ void require_operators(SolverState& state, const Options& options);
 /// Rows of these nodes too (wanted[k] != 0; empty: of all), for what needs them after a solve.
 void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted);
 
-/// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the
-/// linear systems do.
+/// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the linear systems do.
 void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);
 
 /// err_load if a frictionless problem prescribes what only friction can carry.
 void refuse_tangential_loads(const Prescribed& given);
-/// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what
-/// double precision can calculate with.
+/// err_argument, with the node, where the gaps and motions of the prepared scene go beyond what double precision can
+/// calculate with.
 void refuse_overflow(const SolverState& state);
 /// Of the outcome; err_load where there is no steady solution.
 Status status_of(const SolverState& state);
@@ -193,11 +190,10 @@ std::int64_t nodes_at_rim(const SolverState& state);
 /// Fills slip, gap and status of the last solution.
 void derive_fields(SolverState& state);
 
-/// Recomputes the residuals of every law from matrix-free displacements, independently of the
-/// solver's operators: complementarity, friction bound, slip direction, loads; each relative.
+/// Recomputes the residuals of every law from matrix-free displacements, independently of the solver's operators:
+/// complementarity, friction bound, slip direction, loads; each relative.
 void check_laws(SolverState& state);
 
-std::string describe_plan(const SolverState& state, const Scene& scene, const Body& body1,
-                          const Body& body2);
+std::string describe_plan(const SolverState& state, const Scene& scene, const Body& body1, const Body& body2);
 
 }  // namespace rollcon

@@ -23,8 +23,8 @@ double area(const Polygon& p);
 /// Whether the point is inside or on the edge.
 bool holds(const Polygon& p, const Vec2& point);
 
-/// Left (and on the line): what lies to the left of the line from a to b; right, if wanted: the
-/// rest. Both overwritten, empty when nothing is left.
+/// Left (and on the line): what lies to the left of the line from a to b; right, if wanted: the rest. Both overwritten,
+/// empty when nothing is left.
 void cut(const Polygon& p, const Vec2& a, const Vec2& b, Polygon& left, Polygon* right);
 
 /// The part of both; `work` is scratch.

@@ -14,8 +14,8 @@
 namespace rollcon {
 namespace {
 
-/// How far faces may lie off a layer element, over its diameter: more than the height of an arc of
-/// 90 degrees over its chord.
+/// How far faces may lie off a layer element, over its diameter: more than the height of an arc of 90 degrees over its
+/// chord.
 constexpr double reach = 0.25;
 /// Least cosine between a face and the element it lies under: walls at an edge do not count.
 constexpr double least_cosine = 0.05;
@@ -50,12 +50,7 @@ struct ElementCoupling::Side {
   ReferencePoint p;
 
   Side(const SurfaceMesh& mesh, std::int64_t e, const PlaneChart& on)
-      : element(e),
-        type(mesh.type[at(e)]),
-        patch(mesh, e),
-        map(patch, on),
-        chart(on),
-        p(map.middle()) {}
+      : element(e), type(mesh.type[at(e)]), patch(mesh, e), map(patch, on), chart(on), p(map.middle()) {}
 
   /// Area of the element over that of its projection.
   double slope() const {
@@ -63,8 +58,8 @@ struct ElementCoupling::Side {
     const Vec3 normal = cross(d.u, d.v);
     return length(normal) / std::max(std::abs(dot(chart.n, normal)), least_cosine * length(normal));
   }
-  /// Points that the map needs on a triangle beyond those for polynomials: its inverse has a root
-  /// where the Jacobian, here linear, vanishes, r = least over largest Jacobian at the corners.
+  /// Points that the map needs on a triangle beyond those for polynomials: its inverse has a root where the Jacobian,
+  /// here linear, vanishes, r = least over largest Jacobian at the corners.
   double ratio(const Vec2& a, const Vec2& b, const Vec2& c) {
     if (map.affine()) return 1;
     double least = std::numeric_limits<double>::infinity(), most = 0;
@@ -97,8 +92,7 @@ void ElementCoupling::project(const PlaneChart& chart, std::int64_t element) {
     outline(body_, f, chart, under.part);
     const auto nodes = body_.element(f);
     for (const std::int32_t k : nodes)
-      under.height +=
-          (chart.height(body_.node[at(k)]) - middle) / static_cast<double>(nodes.size());
+      under.height += (chart.height(body_.node[at(k)]) - middle) / static_cast<double>(nodes.size());
     under.height = std::abs(under.height);
     under_.push_back(std::move(under));
   }
@@ -132,9 +126,8 @@ std::span<const CoupledNode> ElementCoupling::integrate(std::int64_t element) {
     piece.clear();
     std::vector<std::size_t> order(under_.size());
     for (std::size_t u = 0; u < order.size(); ++u) order[u] = u;
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t p, std::size_t q) {
-      return under_[p].height < under_[q].height;
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t p, std::size_t q) { return under_[p].height < under_[q].height; });
     rest = whole;
     for (const std::size_t u : order)
       for (const Polygon& q : under_[u].part)
@@ -154,8 +147,7 @@ std::span<const CoupledNode> ElementCoupling::integrate(std::int64_t element) {
 
 void ElementCoupling::pair(const Polygon& piece, Side& upper, Side& lower) {
   const int polynomial = (degree(upper.type) + degree(lower.type)) / 2 + 1;
-  const bool affine = upper.map.affine() && lower.map.affine(),
-             flat = upper.map.flat() && lower.map.flat();
+  const bool affine = upper.map.affine() && lower.map.affine(), flat = upper.map.flat() && lower.map.flat();
   Shape above, below;
   for (std::size_t k = 2; k < piece.size(); ++k) {
     const Vec2 &a = piece[0], &b = piece[k - 1], &c = piece[k];
@@ -170,8 +162,7 @@ void ElementCoupling::pair(const Polygon& piece, Side& upper, Side& lower) {
     const double jacobian = cross(b - a, c - a);
     for (std::size_t q = 0; q < at_points.size(); ++q) {
       const double s = at_points.xi[q], t = at_points.eta[q];
-      const Vec2 y{a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]),
-                   a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1])};
+      const Vec2 y{a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]), a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1])};
       upper.map.invert(y, upper.p);
       lower.map.invert(y, lower.p);
       double w = at_points.w[q] * jacobian;
@@ -190,23 +181,21 @@ void ElementCoupling::bare(const Polygon& piece, Side& upper) {
     const double jacobian = cross(b - a, c - a);
     for (std::size_t q = 0; q < points.size(); ++q) {
       const double s = points.xi[q], t = points.eta[q];
-      at_point({a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]),
-                a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1])},
+      at_point({a[0] + s * (b[0] - a[0]) + t * (c[0] - a[0]), a[1] + s * (b[1] - a[1]) + t * (c[1] - a[1])},
                points.w[q] * jacobian, upper);
     }
   }
 }
 
-// Between a curved side and its two chords, positive where the side bulges out. The neighbour's
-// points are the same with the other sign.
+// Between a curved side and its two chords, positive where the side bulges out. The neighbour's points are the same
+// with the other sign.
 void ElementCoupling::slivers(const PlaneChart& chart, Side& upper) {
   if (!is_quadratic(upper.type)) return;
   static const LineRule along = gauss_legendre(4), across = gauss_legendre(2);
   const auto nodes = layer_.element(upper.element);
   const auto corners = at(corner_count(upper.type));
   for (std::size_t i = 0; i < corners; ++i) {
-    const Vec2 p = chart(layer_.node[at(nodes[i])]),
-               q = chart(layer_.node[at(nodes[(i + 1) % corners])]),
+    const Vec2 p = chart(layer_.node[at(nodes[i])]), q = chart(layer_.node[at(nodes[(i + 1) % corners])]),
                m = chart(layer_.node[at(nodes[corners + i])]);
     // Parabola p + s (q - p) + 4 s (1 - s) bulge.
     const Vec2 side = q - p, bulge{m[0] - 0.5 * (p[0] + q[0]), m[1] - 0.5 * (p[1] + q[1])};
@@ -244,8 +233,7 @@ void ElementCoupling::at_point(const Vec2& y, double area, Side& upper) {
     add(above, under->face, below, area);
     return;
   }
-  const SurfacePoint point =
-      faces_.nearest(upper.patch.origin() + upper.patch.at(upper.p.xi, upper.p.eta).x);
+  const SurfacePoint point = faces_.nearest(upper.patch.origin() + upper.patch.at(upper.p.xi, upper.p.eta).x);
   evaluate_shape(body_.type[at(point.element)], point.xi, point.eta, below);
   add(above, point.element, below, area);
 }
@@ -278,8 +266,8 @@ void ElementCoupling::add(const Shape& upper, std::int64_t face, const Shape& lo
   }
 }
 
-// Pieces of curved or distorted elements are not integrated exactly. What is missing of int N_j is
-// shared out like the element's loads under a constant traction, which thus keep their proportions.
+// Pieces of curved or distorted elements are not integrated exactly. What is missing of int N_j is shared out like the
+// element's loads under a constant traction, which thus keep their proportions.
 void ElementCoupling::settle(std::int64_t element) {
   std::array<double, max_element_nodes> missing{};
   integrate_element(layer_, element, [&](const Shape& shape, const Vec3&, double area) {

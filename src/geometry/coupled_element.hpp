@@ -22,10 +22,7 @@ struct CoupledNode {
 class ElementCoupling {
  public:
   ElementCoupling(const SurfaceMesh& body, const SurfaceSearch& faces, const SurfaceMesh& layer)
-      : body_(body),
-        faces_(faces),
-        layer_(layer),
-        place_(static_cast<std::size_t>(body.nodes()), -1) {}
+      : body_(body), faces_(faces), layer_(layer), place_(static_cast<std::size_t>(body.nodes()), -1) {}
 
   /// Faces near the element.
   std::span<const std::int64_t> candidates(std::int64_t element);

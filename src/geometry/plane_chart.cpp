@@ -24,11 +24,9 @@ int ring(ElementType type, int i) {
 
 /// Triangles of local nodes that make up the element, for outlines that are not convex.
 std::span<const std::array<int, 3>> triangles(ElementType type) {
-  static constexpr std::array<int, 3> tri3[] = {{0, 1, 2}},
-                                      tri6[] = {{0, 3, 5}, {3, 1, 4}, {4, 2, 5}, {3, 4, 5}},
+  static constexpr std::array<int, 3> tri3[] = {{0, 1, 2}}, tri6[] = {{0, 3, 5}, {3, 1, 4}, {4, 2, 5}, {3, 4, 5}},
                                       quad4[] = {{0, 1, 2}, {0, 2, 3}},
-                                      quad8[] = {{0, 4, 7}, {4, 1, 5}, {5, 2, 6},
-                                                 {6, 3, 7}, {4, 5, 6}, {4, 6, 7}},
+                                      quad8[] = {{0, 4, 7}, {4, 1, 5}, {5, 2, 6}, {6, 3, 7}, {4, 5, 6}, {4, 6, 7}},
                                       quad9[] = {{0, 4, 8}, {4, 1, 8}, {1, 5, 8}, {5, 2, 8},
                                                  {2, 6, 8}, {6, 3, 8}, {3, 7, 8}, {7, 0, 8}};
   switch (type) {
@@ -51,8 +49,7 @@ bool make_convex(Polygon& p) {
   Polygon corner;
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Vec2 in = p[i] - p[(i + p.size() - 1) % p.size()], out = p[(i + 1) % p.size()] - p[i];
-    const double turn = cross(in, out),
-                 bound = straight * std::hypot(in[0], in[1]) * std::hypot(out[0], out[1]);
+    const double turn = cross(in, out), bound = straight * std::hypot(in[0], in[1]) * std::hypot(out[0], out[1]);
     if (turn < -bound) return false;
     if (turn > bound) corner.push_back(p[i]);
   }
@@ -67,21 +64,18 @@ Vec3 outline_normal(const SurfaceMesh& mesh, std::int64_t element) {
   const ElementType type = mesh.type[at(element)];
   const auto place = [&](int i) { return mesh.node[at(nodes[at(ring(type, i))])]; };
   Vec3 sum{0, 0, 0};
-  for (int i = 2; i < ring_size(type); ++i)
-    sum = sum + cross(place(i - 1) - place(0), place(i) - place(0));
+  for (int i = 2; i < ring_size(type); ++i) sum = sum + cross(place(i - 1) - place(0), place(i) - place(0));
   return sum;
 }
 
 PlaneChart::PlaneChart(const SurfaceMesh& mesh, std::int64_t element)
-    : origin(mesh.node[at(mesh.element(element)[0])]),
-      n(normalized(outline_normal(mesh, element))) {
+    : origin(mesh.node[at(mesh.element(element)[0])]), n(normalized(outline_normal(mesh, element))) {
   const Vec3 side = mesh.node[at(mesh.element(element)[1])] - origin;
   a = normalized(side - dot(side, n) * n);
   b = cross(n, a);
 }
 
-void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& chart,
-             std::vector<Polygon>& part) {
+void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& chart, std::vector<Polygon>& part) {
   part.clear();
   const ElementType type = mesh.type[at(element)];
   const auto nodes = mesh.element(element);

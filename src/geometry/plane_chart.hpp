@@ -1,6 +1,6 @@
 #pragma once
-/// Surface elements seen along a direction: their outlines in a plane, and the element's point over
-/// a point of the plane.
+/// Surface elements seen along a direction: their outlines in a plane, and the element's point over a point of the
+/// plane.
 
 #include <vector>
 
@@ -25,10 +25,9 @@ struct PlaneChart {
 /// Twice the vector area of the polygon through the element's nodes on its edge.
 Vec3 outline_normal(const SurfaceMesh& mesh, std::int64_t element);
 
-/// The element's outline in the plane, sides of quadratic elements as two chords, as one convex
-/// polygon or several that make it up; parts that look away are left out.
-void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& chart,
-             std::vector<Polygon>& part);
+/// The element's outline in the plane, sides of quadratic elements as two chords, as one convex polygon or several that
+/// make it up; parts that look away are left out.
+void outline(const SurfaceMesh& mesh, std::int64_t element, const PlaneChart& chart, std::vector<Polygon>& part);
 
 /// The element's coordinates in the plane as polynomials of its reference coordinates.
 class PlaneMap {
@@ -38,13 +37,11 @@ class PlaneMap {
   bool affine() const { return affine_; }
   /// Whether the element lies in a plane parallel to the chart's.
   bool flat() const { return flat_; }
-  /// Newton's method from p: the reference point over y. Stays within a quarter of an element
-  /// beyond the edge, where the map may turn over. Returns the Jacobian there.
+  /// Newton's method from p: the reference point over y. Stays within a quarter of an element beyond the edge, where
+  /// the map may turn over. Returns the Jacobian there.
   double invert(const Vec2& y, ReferencePoint& p) const;
   /// A start for it.
-  ReferencePoint middle() const {
-    return triangle_ ? ReferencePoint{1.0 / 3, 1.0 / 3} : ReferencePoint{0, 0};
-  }
+  ReferencePoint middle() const { return triangle_ ? ReferencePoint{1.0 / 3, 1.0 / 3} : ReferencePoint{0, 0}; }
 
  private:
   Vec2 c_[3][3];

@@ -11,12 +11,8 @@ struct Pose {
 
   bool operator==(const Pose&) const = default;
   /// Vectors: body axes to space, and back.
-  Vec3 turn(const Vec3& v) const {
-    return {dot(rotation[0], v), dot(rotation[1], v), dot(rotation[2], v)};
-  }
-  Vec3 turn_back(const Vec3& v) const {
-    return v[0] * rotation[0] + v[1] * rotation[1] + v[2] * rotation[2];
-  }
+  Vec3 turn(const Vec3& v) const { return {dot(rotation[0], v), dot(rotation[1], v), dot(rotation[2], v)}; }
+  Vec3 turn_back(const Vec3& v) const { return v[0] * rotation[0] + v[1] * rotation[1] + v[2] * rotation[2]; }
   /// Points.
   Vec3 place(const Vec3& x) const { return turn(x) + translation; }
   Vec3 to_body(const Vec3& x) const { return turn_back(x - translation); }

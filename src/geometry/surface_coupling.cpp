@@ -22,9 +22,8 @@ struct Entry {
 
 /// Sums entries of the same place.
 SurfaceCoupling compress(std::vector<Entry>& entry, std::int64_t nodes) {
-  std::stable_sort(entry.begin(), entry.end(), [](const Entry& p, const Entry& q) {
-    return p.row != q.row ? p.row < q.row : p.column < q.column;
-  });
+  std::stable_sort(entry.begin(), entry.end(),
+                   [](const Entry& p, const Entry& q) { return p.row != q.row ? p.row < q.row : p.column < q.column; });
   SurfaceCoupling m;
   m.begin(nodes);
   for (std::size_t i = 0; i < entry.size(); ++i) {
@@ -72,11 +71,10 @@ ElementMatrix corner_matrix(const SurfaceMesh& mesh, std::int64_t element) {
   return m;
 }
 
-/// The face that a layer element is, or whose corners a linear one has, with its local nodes in the
-/// layer's order; -1: none.
-std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> candidates,
-                       const SurfaceMesh& layer, std::int64_t element,
-                       std::array<std::size_t, max_element_nodes>& local) {
+/// The face that a layer element is, or whose corners a linear one has, with its local nodes in the layer's order; -1:
+/// none.
+std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> candidates, const SurfaceMesh& layer,
+                       std::int64_t element, std::array<std::size_t, max_element_nodes>& local) {
   const auto nodes = layer.element(element);
   const double reach = 1e-9 * element_diameter(layer, element);
   for (const std::int64_t f : candidates) {
@@ -86,9 +84,8 @@ std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> ca
     std::size_t found = 0;
     for (; found < nodes.size(); ++found) {
       const Vec3& x = layer.node[at(nodes[found])];
-      const auto k = std::find_if(own.begin(), own.end(), [&](std::int32_t i) {
-        return length(body.node[at(i)] - x) <= reach;
-      });
+      const auto k =
+          std::find_if(own.begin(), own.end(), [&](std::int32_t i) { return length(body.node[at(i)] - x) <= reach; });
       if (k == own.end()) break;
       local[found] = at(k - own.begin());
     }
@@ -97,8 +94,8 @@ std::int64_t same_face(const SurfaceMesh& body, std::span<const std::int64_t> ca
   return -1;
 }
 
-/// Slivers that rounding makes where a layer ends at a face's edge would count as loads on the next
-/// face. What is dropped is less than all digits of the sums show.
+/// Slivers that rounding makes where a layer ends at a face's edge would count as loads on the next face. What is
+/// dropped is less than all digits of the sums show.
 void drop_slivers(std::vector<Entry>& entry, std::int64_t nodes) {
   constexpr double least = 1e-10;
   std::vector<double> size(at(nodes), 0.0);
@@ -125,8 +122,7 @@ SurfaceCoupling couple_faces(const SurfaceMesh& mesh, std::span<const std::int64
   return compress(entry, mesh.nodes());
 }
 
-SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face,
-                             const SurfaceMesh& layer) {
+SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64_t> face, const SurfaceMesh& layer) {
   std::vector<Entry> entry;
   if (face.empty()) return compress(entry, layer.nodes());
   const SurfaceSearch search(body, face);
@@ -141,14 +137,12 @@ SurfaceCoupling couple_layer(const SurfaceMesh& body, std::span<const std::int64
       const ElementMatrix m = whole ? own_matrix(body, same) : corner_matrix(body, same);
       const auto own = body.element(same);
       for (std::size_t i = 0; i < own.size(); ++i)
-        for (std::size_t j = 0; j < nodes.size(); ++j)
-          entry.push_back({own[i], nodes[j], m[i][local[j]]});
+        for (std::size_t j = 0; j < nodes.size(); ++j) entry.push_back({own[i], nodes[j], m[i][local[j]]});
       continue;
     }
     in_faces = false;
     for (const CoupledNode& row : coupling.integrate(e))
-      for (std::size_t j = 0; j < nodes.size(); ++j)
-        entry.push_back({row.node, nodes[j], row.value[j]});
+      for (std::size_t j = 0; j < nodes.size(); ++j) entry.push_back({row.node, nodes[j], row.value[j]});
   }
   drop_slivers(entry, body.nodes());
   SurfaceCoupling result = compress(entry, layer.nodes());

@@ -129,8 +129,8 @@ ReferencePoint SurfacePatch::clamp(ReferencePoint p) const {
   return {std::clamp(p.xi, 0.0, 1.0), std::clamp(p.eta, 0.0, 1.0)};
 }
 
-std::optional<ReferencePoint> SurfacePatch::newton(ReferencePoint p, const Vec3& from,
-                                                   const Vec3& a, const Vec3& b) const {
+std::optional<ReferencePoint> SurfacePatch::newton(ReferencePoint p, const Vec3& from, const Vec3& a,
+                                                   const Vec3& b) const {
   const double noise = 8 * epsilon * (length(from) + size_);
   bool last = false;
   for (int iteration = 0; iteration < 40; ++iteration) {
@@ -147,8 +147,8 @@ std::optional<ReferencePoint> SurfacePatch::newton(ReferencePoint p, const Vec3&
     if (step > 1) du /= step, dv /= step;
     p = {p.xi + du, p.eta + dv};
     if (std::abs(p.xi) > 4 || std::abs(p.eta) > 4) return std::nullopt;
-    // Near a simple root the next step is the square of this one, hence below rounding; where the
-    // line touches the surface, steps halve.
+    // Near a simple root the next step is the square of this one, hence below rounding; where the line touches the
+    // surface, steps halve.
     last = step < 1e-8;
   }
   return std::nullopt;
@@ -166,21 +166,19 @@ bool SurfacePatch::turns_over(const PatchPart& part, const Vec3& direction) cons
   return positive && negative;
 }
 
-void SurfacePatch::meet(const PatchPart& part, const Vec3& from, const Vec3& a, const Vec3& b,
-                        double beyond, std::vector<ReferencePoint>& found) const {
-  // A plane has one root, which any start finds. Otherwise: a part that looks to one side of the
-  // line only has one root at most; where it turns over there may be one on each side.
+void SurfacePatch::meet(const PatchPart& part, const Vec3& from, const Vec3& a, const Vec3& b, double beyond,
+                        std::vector<ReferencePoint>& found) const {
+  // A plane has one root, which any start finds. Otherwise: a part that looks to one side of the line only has one root
+  // at most; where it turns over there may be one on each side.
   int tries = 1;
   bool several = false;
   if (quadratic_ || !triangle_) tries = 9, several = turns_over(part, cross(a, b));
   for (int i = 0; i < tries; ++i) {
-    static constexpr double start[9][2] = {{0.5, 0.5},   {0, 0},       {1, 0},
-                                           {0, 1},       {1, 1},       {0.25, 0.25},
-                                           {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
+    static constexpr double start[9][2] = {{0.5, 0.5},   {0, 0},       {1, 0},       {0, 1},      {1, 1},
+                                           {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}};
     if (i >= 5 && !several) return;
     if (triangle_ && start[i][0] + start[i][1] > 1) continue;
-    const auto root =
-        newton(i == 0 ? middle(part) : inside(part, start[i][0], start[i][1]), from, a, b);
+    const auto root = newton(i == 0 ? middle(part) : inside(part, start[i][0], start[i][1]), from, a, b);
     if (!root) continue;
     const ReferencePoint p = clamp(*root);
     const bool moved = p.xi != root->xi || p.eta != root->eta;
@@ -198,12 +196,10 @@ ReferencePoint SurfacePatch::descend(ReferencePoint p, const Vec3& point) const 
   Vec3 r = d.x - point;
   for (int iteration = 0; iteration < 50; ++iteration) {
     const double gu = dot(r, d.u), gv = dot(r, d.v);
-    double huu = dot(d.u, d.u) + dot(r, d.uu), huv = dot(d.u, d.v) + dot(r, d.uv),
-           hvv = dot(d.v, d.v) + dot(r, d.vv);
+    double huu = dot(d.u, d.u) + dot(r, d.uu), huv = dot(d.u, d.v) + dot(r, d.uv), hvv = dot(d.v, d.v) + dot(r, d.vv);
     const double guu = dot(d.u, d.u), guv = dot(d.u, d.v), gvv = dot(d.v, d.v);
     // Far from a minimum the second derivatives may point uphill: Gauss-Newton instead.
-    if (huu <= 0 || huu * hvv - huv * huv <= 1e-3 * (guu * gvv - guv * guv))
-      huu = guu, huv = guv, hvv = gvv;
+    if (huu <= 0 || huu * hvv - huv * huv <= 1e-3 * (guu * gvv - guv * guv)) huu = guu, huv = guv, hvv = gvv;
     const double det = huu * hvv - huv * huv;
     if (det <= 0) return p;
     const double du = (huv * gv - hvv * gu) / det, dv = (huv * gu - huu * gv) / det;
@@ -226,8 +222,8 @@ ReferencePoint SurfacePatch::descend(ReferencePoint p, const Vec3& point) const 
   return p;
 }
 
-ReferencePoint SurfacePatch::descend_on_edge(const ReferencePoint& p, const ReferencePoint& q,
-                                             double start, const Vec3& point) const {
+ReferencePoint SurfacePatch::descend_on_edge(const ReferencePoint& p, const ReferencePoint& q, double start,
+                                             const Vec3& point) const {
   const double dx = q.xi - p.xi, dy = q.eta - p.eta;
   double s = start, slope = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 30; ++iteration) {

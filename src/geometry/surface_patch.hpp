@@ -1,6 +1,5 @@
 #pragma once
-/// One element as a polynomial of its reference coordinates: where a line meets it, and which of
-/// its points is nearest.
+/// One element as a polynomial of its reference coordinates: where a line meets it, and which of its points is nearest.
 
 #include <array>
 #include <optional>
@@ -11,8 +10,8 @@
 
 namespace rollcon {
 
-/// Part of the reference element, with its own triangle or square at `corner` and sides of (signed)
-/// length h. Linear elements are one part, quadratic ones four: a start for Newton's method each.
+/// Part of the reference element, with its own triangle or square at `corner` and sides of (signed) length h. Linear
+/// elements are one part, quadratic ones four: a start for Newton's method each.
 struct PatchPart {
   ReferencePoint corner;
   double h;
@@ -39,19 +38,17 @@ class SurfacePatch {
   /// The point of the reference element nearest to (xi, eta).
   ReferencePoint clamp(ReferencePoint p) const;
 
-  /// Line through `from` (relative to origin()) normal to the unit vectors a and b: its
-  /// intersections near the part (all of those in it, maybe others), each within `beyond` of the
-  /// element and moved onto it.
+  /// Line through `from` (relative to origin()) normal to the unit vectors a and b: its intersections near the part
+  /// (all of those in it, maybe others), each within `beyond` of the element and moved onto it.
   void meet(const PatchPart& part, const Vec3& from, const Vec3& a, const Vec3& b, double beyond,
             std::vector<ReferencePoint>& found) const;
 
-  /// The point nearest to `point` (relative to origin()) of those that descents reach from the part
-  /// and from its share of the element's edges.
+  /// The point nearest to `point` (relative to origin()) of those that descents reach from the part and from its share
+  /// of the element's edges.
   ReferencePoint nearest(const PatchPart& part, const Vec3& point) const;
 
  private:
-  std::optional<ReferencePoint> newton(ReferencePoint start, const Vec3& from, const Vec3& a,
-                                       const Vec3& b) const;
+  std::optional<ReferencePoint> newton(ReferencePoint start, const Vec3& from, const Vec3& a, const Vec3& b) const;
   ReferencePoint descend(ReferencePoint start, const Vec3& point) const;
   ReferencePoint descend_on_edge(const ReferencePoint& p, const ReferencePoint& q, double start,
                                  const Vec3& point) const;

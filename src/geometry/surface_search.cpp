@@ -24,8 +24,8 @@ using Corner = geometry::model::point<double, 3, geometry::cs::cartesian>;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-/// Over an element's size: how far beyond its edge it is still hit, and how far apart along the
-/// line two hits count as one.
+/// Over an element's size: how far beyond its edge it is still hit, and how far apart along the line two hits count as
+/// one.
 constexpr double beyond_edge = 1e-9;
 /// Least cosine between the normal and `facing`: walls along it do not count by rounding.
 constexpr double least_cosine = 1e-9;
@@ -128,8 +128,7 @@ struct SurfaceSearch::Tree {
       Cell c{{patch.origin() + box[0], patch.origin() + box[1]}, e, i};
       for (std::size_t k = 0; k < 3; ++k) {
         const double margin =
-            2 * beyond_edge * patch.size() +
-            4 * epsilon * std::max(std::abs(c.box.low[k]), std::abs(c.box.high[k]));
+            2 * beyond_edge * patch.size() + 4 * epsilon * std::max(std::abs(c.box.low[k]), std::abs(c.box.high[k]));
         c.box.low[k] -= margin;
         c.box.high[k] += margin;
       }
@@ -149,8 +148,7 @@ struct SurfaceSearch::Tree {
     index.query(geometry::index::intersects(shape), std::back_inserter(boxed));
     Found found;
     for (const Boxed& b : boxed)
-      if (const double r = bound(cell[b.second].box); r < infinity && r <= most)
-        found.emplace_back(r, b.second);
+      if (const double r = bound(cell[b.second].box); r < infinity && r <= most) found.emplace_back(r, b.second);
     std::sort(found.begin(), found.end());
     return found;
   }
@@ -176,8 +174,7 @@ struct SurfaceSearch::Tree {
     };
     const double pad = 0.01 * near;
     // Mostly the line starts close to the surface.
-    if (first < near && last > -near)
-      query(std::max(first, -near) - pad, std::min(last, near) + pad);
+    if (first < near && last > -near) query(std::max(first, -near) - pad, std::min(last, near) + pad);
     if (limit() > near) query(first - pad, last + pad);
   }
 
@@ -196,8 +193,7 @@ struct SurfaceSearch::Tree {
     visit_in_order(found, limit, visit);
   }
 
-  SurfacePoint point(const SurfacePatch& patch, std::int64_t element,
-                     const ReferencePoint& p) const {
+  SurfacePoint point(const SurfacePatch& patch, std::int64_t element, const ReferencePoint& p) const {
     const auto d = patch.at(p.xi, p.eta);
     SurfacePoint result;
     result.element = element;
@@ -215,8 +211,7 @@ SurfaceSearch::~SurfaceSearch() = default;
 SurfaceSearch::SurfaceSearch(SurfaceSearch&&) noexcept = default;
 SurfaceSearch& SurfaceSearch::operator=(SurfaceSearch&&) noexcept = default;
 
-std::optional<SurfacePoint> SurfaceSearch::along(const Vec3& from, const Vec3& direction,
-                                                 const Vec3& facing) const {
+std::optional<SurfacePoint> SurfaceSearch::along(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
   const Line line(from, direction);
   const Vec3 side = normalized(facing);
   const bool any = dot(side, side) == 0;
@@ -224,8 +219,7 @@ std::optional<SurfacePoint> SurfaceSearch::along(const Vec3& from, const Vec3& d
   double tie = 0;  // hits at one place: their distances differ by no more
   auto better = [&](const SurfacePoint& hit) {
     if (!best) return true;
-    if (std::abs(hit.distance - best->distance) > tie)
-      return std::abs(hit.distance) < std::abs(best->distance);
+    if (std::abs(hit.distance - best->distance) > tie) return std::abs(hit.distance) < std::abs(best->distance);
     // At an edge: the element that looks best towards `facing`, else the first.
     const double gain = dot(hit.normal, side) - dot(best->normal, side);
     if (std::abs(gain) > 1e-6) return gain > 0;
@@ -261,17 +255,14 @@ SurfacePoint SurfaceSearch::nearest(const Vec3& point) const {
         const ReferencePoint p = patch.nearest(patch.part(cell.part), x);
         const double distance = length(patch.at(p.xi, p.eta).x - x);
         const double tie = 1e-14 * patch.size();
-        if (distance > best.distance + tie ||
-            (distance > best.distance - tie && cell.element >= best.element))
-          return;
+        if (distance > best.distance + tie || (distance > best.distance - tie && cell.element >= best.element)) return;
         best = tree_->point(patch, cell.element, p);
         best.distance = distance;
       });
   return best;
 }
 
-void SurfaceSearch::near(const Vec3& low, const Vec3& high,
-                         std::vector<std::int64_t>& element) const {
+void SurfaceSearch::near(const Vec3& low, const Vec3& high, std::vector<std::int64_t>& element) const {
   element.clear();
   const geometry::model::box<Corner> box(tree_->corner(low), tree_->corner(high));
   for (const auto& [zero, c] : tree_->meeting(box, 0, [](const Box&) { return 0.0; }))

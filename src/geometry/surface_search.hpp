@@ -1,6 +1,6 @@
 #pragma once
-/// Finds points on a surface mesh: along a line, or nearest to a point. Bounding boxes in a tree;
-/// curved elements by Newton's method.
+/// Finds points on a surface mesh: along a line, or nearest to a point. Bounding boxes in a tree; curved elements by
+/// Newton's method.
 
 #include <cstdint>
 #include <memory>
@@ -27,13 +27,11 @@ class SurfaceSearch {
   SurfaceSearch(SurfaceSearch&&) noexcept;
   SurfaceSearch& operator=(SurfaceSearch&&) noexcept;
 
-  /// Intersection with the line from + t * direction (unit) of least |t|, among those whose outward
-  /// normal has a component along `facing`, a cosine above 1e-9 (pass the zero vector: any). Points
-  /// up to 1e-9 of the element's size beyond an element's edge count as on it, so that no line
-  /// slips through; they are moved to the edge. Of elements met at the same place, as at an edge,
-  /// the one that looks best towards `facing`, then the first.
-  std::optional<SurfacePoint> along(const Vec3& from, const Vec3& direction,
-                                    const Vec3& facing) const;
+  /// Intersection with the line from + t * direction (unit) of least |t|, among those whose outward normal has a
+  /// component along `facing`, a cosine above 1e-9 (pass the zero vector: any). Points up to 1e-9 of the element's size
+  /// beyond an element's edge count as on it, so that no line slips through; they are moved to the edge. Of elements
+  /// met at the same place, as at an edge, the one that looks best towards `facing`, then the first.
+  std::optional<SurfacePoint> along(const Vec3& from, const Vec3& direction, const Vec3& facing) const;
   /// The nearest point; of equally near elements the first.
   SurfacePoint nearest(const Vec3& point) const;
   /// Elements whose bounding boxes meet the box, ascending; overwritten.

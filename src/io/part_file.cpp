@@ -35,8 +35,7 @@ int open_part(std::string& path, std::string& part) {
   const bool there = stat(path.c_str(), &old) == 0;
   if (!there && errno == ELOOP) return -1;
   if (there && !S_ISREG(old.st_mode))
-    fail(Status::err_io, "cannot write '%s': there is something that is no regular file",
-         path.c_str());
+    fail(Status::err_io, "cannot write '%s': there is something that is no regular file", path.c_str());
   static std::atomic<unsigned> count{0};
   // Names left by a process of the same number that was killed are passed over.
   constexpr int most_names = 1000;

@@ -1,6 +1,5 @@
 #pragma once
-/// A binary file of named sections with checksums, written to a temporary name first: a file is
-/// whole or absent.
+/// A binary file of named sections with checksums, written to a temporary name first: a file is whole or absent.
 ///
 ///   bytes 0-7      magic, damaged by transfers as text
 ///   8-11           1, in the byte order of the writer
@@ -77,8 +76,8 @@ class SectionWriter {
 
 class SectionReader {
  public:
-  /// Checks the header: err_io for what is no such file, truncated or changed; err_unsupported for
-  /// another format, binary interface or byte order.
+  /// Checks the header: err_io for what is no such file, truncated or changed; err_unsupported for another format,
+  /// binary interface or byte order.
   SectionReader(const std::string& path, const FileKind& kind);
   ~SectionReader();
   SectionReader(const SectionReader&) = delete;
@@ -88,8 +87,7 @@ class SectionReader {
   /// What follows is read from this section; err_io when there is none.
   void begin(const char* name);
   void read(void* data, std::size_t bytes);
-  /// Bytes of the section that are still to be read: nothing larger may be believed in, or
-  /// allocated for.
+  /// Bytes of the section that are still to be read: nothing larger may be believed in, or allocated for.
   std::uint64_t left() const { return end_ - position_; }
   /// All must have been read. What a section says is to be trusted from here on only.
   void end();

@@ -55,15 +55,13 @@ SectionReader::SectionReader(const std::string& path, const FileKind& kind) : pa
   // Not waiting for the other end of a pipe.
   file_ = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   struct stat about {};
-  if (file_ < 0 || fstat(file_, &about) != 0)
-    refuse(Status::err_io, std::generic_category().message(errno));
+  if (file_ < 0 || fstat(file_, &about) != 0) refuse(Status::err_io, std::generic_category().message(errno));
   if (!S_ISREG(about.st_mode)) refuse(Status::err_io, "it is no regular file");
   const auto size = static_cast<std::uint64_t>(about.st_size);
   const std::string foreign = "it is not " + std::string(kind.what);
   std::size_t got = 0;
   while (got < sizeof header_) {
-    const ssize_t n =
-        ::read(file_, reinterpret_cast<unsigned char*>(&header_) + got, sizeof header_ - got);
+    const ssize_t n = ::read(file_, reinterpret_cast<unsigned char*>(&header_) + got, sizeof header_ - got);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) refuse(Status::err_io, std::generic_category().message(errno));
     if (n == 0) break;
@@ -73,8 +71,8 @@ SectionReader::SectionReader(const std::string& path, const FileKind& kind) : pa
   if (!std::equal(kind.magic, kind.magic + begun, header_.magic))
     refuse(Status::err_io, foreign + ": its first bytes are others");
   if (got < sizeof header_)
-    refuse(Status::err_io, "it is truncated: it has " + std::to_string(size) +
-                               " bytes, its header alone " + std::to_string(sizeof header_));
+    refuse(Status::err_io, "it is truncated: it has " + std::to_string(size) + " bytes, its header alone " +
+                               std::to_string(sizeof header_));
   if (header_.byte_order == swapped_order)
     refuse(Status::err_unsupported, "it was written on a machine of the other byte order");
   const bool whole_header = checksum_of(header_) == header_.checksum;
@@ -89,17 +87,15 @@ SectionReader::SectionReader(const std::string& path, const FileKind& kind) : pa
                (whole_header ? " (it was written by rollcon " + writer + ")"
                              : ", and the checksum of its header is wrong"));
   if (header_.abi != kind.abi)
-    refuse(Status::err_unsupported, "it was written by rollcon " + writer +
-                                        " of binary interface " + std::to_string(header_.abi) +
-                                        ", this library has " + std::to_string(kind.abi));
+    refuse(Status::err_unsupported, "it was written by rollcon " + writer + " of binary interface " +
+                                        std::to_string(header_.abi) + ", this library has " + std::to_string(kind.abi));
   if (size < header_.length)
-    refuse(Status::err_io, "it is truncated: it has " + std::to_string(size) + " of " +
-                               std::to_string(header_.length) + " bytes");
+    refuse(Status::err_io,
+           "it is truncated: it has " + std::to_string(size) + " of " + std::to_string(header_.length) + " bytes");
   if (size > header_.length)
-    refuse(Status::err_io, "it has " + std::to_string(size - header_.length) +
-                               " bytes too many: something was appended");
-  if (header_.byte_order != 1 || !contiguous(header_))
-    refuse(Status::err_io, "its table of sections makes no sense");
+    refuse(Status::err_io,
+           "it has " + std::to_string(size - header_.length) + " bytes too many: something was appended");
+  if (header_.byte_order != 1 || !contiguous(header_)) refuse(Status::err_io, "its table of sections makes no sense");
 }
 
 SectionReader::~SectionReader() {
@@ -108,14 +104,12 @@ SectionReader::~SectionReader() {
 
 void SectionReader::fail_here(const std::string& what) const {
   fail(Status::err_io, "cannot read '%s': section '%s', offset %llu: %s", path_.c_str(),
-       section_ ? text_of(section_->name, sizeof section_->name).c_str() : "", wide(position_),
-       what.c_str());
+       section_ ? text_of(section_->name, sizeof section_->name).c_str() : "", wide(position_), what.c_str());
 }
 
 const SectionEntry* SectionReader::find(const char* name) const {
   for (std::uint32_t i = 0; i < header_.sections; ++i)
-    if (text_of(header_.section[i].name, sizeof header_.section[i].name) == name)
-      return &header_.section[i];
+    if (text_of(header_.section[i].name, sizeof header_.section[i].name) == name) return &header_.section[i];
   return nullptr;
 }
 
@@ -131,8 +125,7 @@ void SectionReader::begin(const SectionEntry& section) {
   end_ = position_ + section_->length;
   checksum_ = Checksum();
   buffered_ = taken_ = 0;
-  if (lseek(file_, static_cast<off_t>(position_), SEEK_SET) < 0)
-    fail_here(std::generic_category().message(errno));
+  if (lseek(file_, static_cast<off_t>(position_), SEEK_SET) < 0) fail_here(std::generic_category().message(errno));
 }
 
 // Straight from the file, or through the buffer what is small.
@@ -175,8 +168,7 @@ void SectionReader::read(void* data, std::size_t bytes) {
 
 void SectionReader::end() {
   if (left() > 0) fail_here(std::to_string(left()) + " bytes are left over");
-  if (checksum_.value() != section_->checksum)
-    fail_here("it was changed or damaged: its checksum is wrong");
+  if (checksum_.value() != section_->checksum) fail_here("it was changed or damaged: its checksum is wrong");
   verified_[section_ - header_.section] = true;
 }
 

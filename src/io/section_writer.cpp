@@ -26,8 +26,7 @@ std::string folder_of(const std::string& path) {
 }  // namespace
 
 void SectionWriter::fail_here(int error) const {
-  fail(Status::err_io, "cannot write '%s': %s", path_.c_str(),
-       std::generic_category().message(error).c_str());
+  fail(Status::err_io, "cannot write '%s': %s", path_.c_str(), std::generic_category().message(error).c_str());
 }
 
 SectionWriter::SectionWriter(const std::string& path, const FileKind& kind) : path_(path) {

@@ -77,17 +77,15 @@ void open_array(Text& out, const char* type, const std::string& name, int compon
 template <class Number>
 void write_rows(Text& out, const Number* values, std::int64_t rows, int components) {
   for (std::int64_t k = 0; k < rows; ++k)
-    for (int i = 0; i < components; ++i)
-      out.number(values[k * components + i], i + 1 == components ? '\n' : ' ');
+    for (int i = 0; i < components; ++i) out.number(values[k * components + i], i + 1 == components ? '\n' : ' ');
   out << "</DataArray>\n";
 }
 
 void check_finite(const PointArray& array, const SurfaceMesh& mesh) {
   for (std::int64_t k = 0; k < mesh.nodes() * array.components; ++k)
     if (!std::isfinite(array.real[k]))
-      fail(Status::err_nonfinite, "array '%s' is not finite at node %lld (counting from %d)",
-           array.name.c_str(), static_cast<long long>(k / array.components + mesh.index_base),
-           mesh.index_base);
+      fail(Status::err_nonfinite, "array '%s' is not finite at node %lld (counting from %d)", array.name.c_str(),
+           static_cast<long long>(k / array.components + mesh.index_base), mesh.index_base);
 }
 
 void write_cells(Text& out, const SurfaceMesh& mesh) {
@@ -95,8 +93,7 @@ void write_cells(Text& out, const SurfaceMesh& mesh) {
   open_array(out, "Int32", "connectivity", 1);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto nodes = mesh.element(e);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      out.number(nodes[i], i + 1 == nodes.size() ? '\n' : ' ');
+    for (std::size_t i = 0; i < nodes.size(); ++i) out.number(nodes[i], i + 1 == nodes.size() ? '\n' : ' ');
   }
   out << "</DataArray>\n";
   open_array(out, "Int64", "offsets", 1);
@@ -141,14 +138,12 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
 
 [[noreturn]] void fail_io(const std::string& path, int error) {
   if (error == ENOMEM) throw std::bad_alloc();
-  fail(Status::err_io, "cannot write '%s': %s", path.c_str(),
-       std::generic_category().message(error).c_str());
+  fail(Status::err_io, "cannot write '%s': %s", path.c_str(), std::generic_category().message(error).c_str());
 }
 
 }  // namespace
 
-void write_vtu(const std::string& name, const SurfaceMesh& mesh,
-               std::span<const PointArray> arrays) {
+void write_vtu(const std::string& name, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
   for (const PointArray& array : arrays)
     if (array.real) check_finite(array, mesh);
   const std::string text = file_text(mesh, arrays);

@@ -1,6 +1,6 @@
 #pragma once
-/// VTK unstructured-grid files (.vtu, ASCII) for viewers. Numbers are written with a decimal point
-/// in any locale and read back to the same bits.
+/// VTK unstructured-grid files (.vtu, ASCII) for viewers. Numbers are written with a decimal point in any locale and
+/// read back to the same bits.
 
 #include <cstdint>
 #include <span>
@@ -18,10 +18,9 @@ struct PointArray {
   const std::int32_t* integer = nullptr;
 };
 
-/// Writes the mesh, its tags (cell data "tag") and the arrays. The file appears complete or not at
-/// all: it is written beside its place and renamed. Throws Error(err_io) naming the path and the
-/// reason, Error(err_nonfinite) naming the array and the node (in the mesh's index base).
-void write_vtu(const std::string& path, const SurfaceMesh& mesh,
-               std::span<const PointArray> arrays);
+/// Writes the mesh, its tags (cell data "tag") and the arrays. The file appears complete or not at all: it is written
+/// beside its place and renamed. Throws Error(err_io) naming the path and the reason, Error(err_nonfinite) naming the
+/// array and the node (in the mesh's index base).
+void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays);
 
 }  // namespace rollcon

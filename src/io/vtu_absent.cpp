@@ -5,8 +5,7 @@
 
 namespace rollcon {
 
-void write_vtu(const std::string& path, const SurfaceMesh& /*mesh*/,
-               std::span<const PointArray> /*arrays*/) {
+void write_vtu(const std::string& path, const SurfaceMesh& /*mesh*/, std::span<const PointArray> /*arrays*/) {
   fail(Status::err_unsupported,
        "cannot write '%s': this build of rollcon writes no VTU files (component VTU: "
        "ROLLCON_WITH_VTU is OFF)",

@@ -29,8 +29,8 @@ BlasKernels blas_kernels() {
   return kernels;
 }
 
-// OpenBLAS 0.3.21 on Xeons with AVX512_BF16: getrf of 6000 unknowns took 16 s with its kernels for
-// Cooper Lake, 6 s with those for Skylake-X or Haswell; up to 4500 all were alike.
+// OpenBLAS 0.3.21 on Xeons with AVX512_BF16: getrf of 6000 unknowns took 16 s with its kernels for Cooper Lake, 6 s
+// with those for Skylake-X or Haswell; up to 4500 all were alike.
 std::string slow_factorization(const BlasKernels& kernels, std::int64_t unknowns) {
   constexpr std::int64_t alike = 4500;
   std::string core = kernels.core;

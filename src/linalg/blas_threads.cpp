@@ -23,8 +23,8 @@ __attribute__((weak)) int openblas_get_num_threads(void);
 namespace rollcon {
 namespace {
 
-// The setting belongs to the process. Solves that run at the same time share the first one's
-// choice; the last to leave restores the host's.
+// The setting belongs to the process. Solves that run at the same time share the first one's choice; the last to leave
+// restores the host's.
 std::mutex mutex;
 int users = 0;
 int hosts_threads = 0;
@@ -51,8 +51,7 @@ std::uintptr_t stack_bottom() {
   if (pthread_getattr_np(pthread_self(), &attributes) != 0) return 0;
   void* lowest = nullptr;
   std::size_t size = 0;
-  if (pthread_attr_getstack(&attributes, &lowest, &size) == 0)
-    bottom = reinterpret_cast<std::uintptr_t>(lowest);
+  if (pthread_attr_getstack(&attributes, &lowest, &size) == 0) bottom = reinterpret_cast<std::uintptr_t>(lowest);
   pthread_attr_destroy(&attributes);
   return bottom;
 }
@@ -62,14 +61,12 @@ bool has_stack_for_threads() {
   const std::uintptr_t bottom = stack_bottom();
   return bottom != 0 && reinterpret_cast<std::uintptr_t>(&here) - bottom > stack_for_threads;
 }
-/// OpenBLAS maps a buffer for every thread that calls it at a time, and asks for ever where it
-/// cannot have one.
+/// OpenBLAS maps a buffer for every thread that calls it at a time, and asks for ever where it cannot have one.
 void require_buffer() {
   constexpr std::size_t bytes = std::size_t{129} << 20U;
   void* room = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   if (room == MAP_FAILED)
-    fail(Status::err_memory,
-         "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
+    fail(Status::err_memory, "OpenBLAS needs 128 MiB of address space for a thread, and this process has no more");
   munmap(room, bytes);
 }
 #else

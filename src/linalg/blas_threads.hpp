@@ -1,6 +1,6 @@
 #pragma once
-/// Keeps the BLAS within a thread budget for the length of a scope, and puts the host's own setting
-/// back. One thread where the caller's stack is too small for OpenBLAS's work on several.
+/// Keeps the BLAS within a thread budget for the length of a scope, and puts the host's own setting back. One thread
+/// where the caller's stack is too small for OpenBLAS's work on several.
 
 namespace rollcon {
 

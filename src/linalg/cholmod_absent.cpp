@@ -7,8 +7,7 @@ namespace rollcon {
 
 std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& /*matrix*/,
                                                 std::span<const std::int64_t> /*condensed*/) {
-  fail(Status::err_unsupported,
-       "this build of rollcon has no CHOLMOD (ROLLCON_WITH_CHOLMOD is OFF)");
+  fail(Status::err_unsupported, "this build of rollcon has no CHOLMOD (ROLLCON_WITH_CHOLMOD is OFF)");
 }
 
 }  // namespace rollcon

@@ -43,17 +43,15 @@ void by_inverse(const CondensedView& view, double* b, std::int64_t count) {
 
 class KeptFactor final : public SparseFactor {
  public:
-  KeptFactor(std::int64_t size, CondensedForm form, std::int64_t unknowns,
-             std::vector<std::int64_t> place, std::unique_ptr<double[]> matrix,
-             const SparseStatistics& statistics)
+  KeptFactor(std::int64_t size, CondensedForm form, std::int64_t unknowns, std::vector<std::int64_t> place,
+             std::unique_ptr<double[]> matrix, const SparseStatistics& statistics)
       : size_(size),
         form_(form),
         unknowns_(unknowns),
         place_(std::move(place)),
         matrix_(std::move(matrix)),
         statistics_(statistics) {
-    statistics_.bytes =
-        sizeof(double) * at(unknowns_ * unknowns_) + sizeof(std::int64_t) * place_.size();
+    statistics_.bytes = sizeof(double) * at(unknowns_ * unknowns_) + sizeof(std::int64_t) * place_.size();
     statistics_.peak_bytes = statistics_.bytes;
     statistics_.seconds_order = statistics_.seconds_factor = 0;
   }
@@ -61,9 +59,7 @@ class KeptFactor final : public SparseFactor {
   void solve(double* /*b*/, std::int64_t /*count*/) override {
     fail(Status::err_internal, "only the condensed part of the factors is there");
   }
-  void solve_condensed(double* b, std::int64_t count) override {
-    rollcon::solve_condensed(condensed(), b, count);
-  }
+  void solve_condensed(double* b, std::int64_t count) override { rollcon::solve_condensed(condensed(), b, count); }
   void keep_condensed() override {}
   CondensedView condensed() const override { return {form_, unknowns_, matrix_.get(), place_}; }
   SparseStatistics statistics() const override { return statistics_; }
@@ -84,13 +80,10 @@ void solve_condensed(const CondensedView& view, double* b, std::int64_t count) {
   (view.form == CondensedForm::cholesky ? by_cholesky : by_inverse)(view, b, count);
 }
 
-std::unique_ptr<SparseFactor> make_condensed_factor(std::int64_t size, CondensedForm form,
-                                                    std::int64_t unknowns,
-                                                    std::vector<std::int64_t> place,
-                                                    std::unique_ptr<double[]> matrix,
+std::unique_ptr<SparseFactor> make_condensed_factor(std::int64_t size, CondensedForm form, std::int64_t unknowns,
+                                                    std::vector<std::int64_t> place, std::unique_ptr<double[]> matrix,
                                                     const SparseStatistics& statistics) {
-  return std::make_unique<KeptFactor>(size, form, unknowns, std::move(place), std::move(matrix),
-                                      statistics);
+  return std::make_unique<KeptFactor>(size, form, unknowns, std::move(place), std::move(matrix), statistics);
 }
 
 }  // namespace rollcon

@@ -6,8 +6,7 @@
 
 namespace rollcon {
 
-void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x,
-              double beta, double* y) {
+void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x, double beta, double* y) {
   if (rows == 0) return;
   if (columns == 0) {
     for (std::int64_t i = 0; i < rows; ++i) y[i] = beta == 0 ? 0 : beta * y[i];

@@ -10,8 +10,8 @@
 
 namespace rollcon {
 
-/// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no
-/// memory before they are written.
+/// Leaves entries that nobody gave a value as the memory has them: the system gives large blocks no memory before they
+/// are written.
 template <class T>
 struct UntouchedAllocator : std::allocator<T> {
   template <class U>
@@ -65,16 +65,15 @@ class RowMatrix {
   Data data_;
 };
 
-/// Room for n unknowns and for some more: the systems of a time loop grow and shrink. Small ones
-/// get so much that they hardly ever grow beyond it, large ones are dear.
+/// Room for n unknowns and for some more: the systems of a time loop grow and shrink. Small ones get so much that they
+/// hardly ever grow beyond it, large ones are dear.
 template <class Integer>
 constexpr Integer with_room(Integer n) {
   return n < 1000 ? n + n / 3 : n + n / 10;
 }
 
 /// y = beta y + a x for a row-major a (rows by columns).
-void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x,
-              double beta, double* y);
+void multiply(const double* a, std::int64_t rows, std::int64_t columns, const double* x, double beta, double* y);
 double dot(const double* x, const double* y, std::int64_t n);
 /// y += alpha x
 void axpy(double alpha, const double* x, double* y, std::int64_t n);

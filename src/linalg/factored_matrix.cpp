@@ -24,8 +24,8 @@ double sum(const double* x, std::int64_t n, Term term) {
   return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-// Frobenius norm, of a large matrix from every seventh column: reading the whole of it once more
-// would take half a hundredth of its preparation. Squares of entries may overflow.
+// Frobenius norm, of a large matrix from every seventh column: reading the whole of it once more would take half a
+// hundredth of its preparation. Squares of entries may overflow.
 double frobenius_norm(const double* a, std::int64_t n) {
   const std::int64_t step = n > 512 ? 7 : 1;
   double norm = 0;
@@ -64,11 +64,10 @@ bool FactoredMatrix::factor() {
 }
 
 // ||A|| ||A^-1|| in Frobenius norms. For x of random signs the mean of |A^-1 x|^2 is ||A^-1||^2
-// (Hutchinson 1989). One such x is enough to see that a matrix is sound; of one that may not be, a
-// step of inverse iteration from A^-1 x finds the direction that hardly resists. gecon's five
-// solutions, each scaled against overflow, take up to a seventh of getrf's time. What is not finite
-// in the factors comes out in the solution, but for an infinite pivot. The right side is scaled by
-// the norm, so that solutions overflow only where the condition does.
+// (Hutchinson 1989). One such x is enough to see that a matrix is sound; of one that may not be, a step of inverse
+// iteration from A^-1 x finds the direction that hardly resists. gecon's five solutions, each scaled against overflow,
+// take up to a seventh of getrf's time. What is not finite in the factors comes out in the solution, but for an
+// infinite pivot. The right side is scaled by the norm, so that solutions overflow only where the condition does.
 bool FactoredMatrix::estimate_condition(double norm) {
   constexpr double sound = 1e8;
   condition_ = std::numeric_limits<double>::infinity();
@@ -114,8 +113,7 @@ void FactoredMatrix::eliminate(double* b, std::int64_t count) const {
 }
 
 void FactoredMatrix::substitute(double* b, std::int64_t count, std::int64_t first) const {
-  const auto n = static_cast<int>(n_), m = static_cast<int>(count),
-             rest = static_cast<int>(n_ - first);
+  const auto n = static_cast<int>(n_), m = static_cast<int>(count), rest = static_cast<int>(n_ - first);
   if (rest <= 0 || m == 0) return;
   constexpr double one = 1;
   for (int k = 0; k < m; k += slab) {
@@ -134,8 +132,7 @@ void FactoredMatrix::solve(const char* transposed, double* b, std::int64_t count
 
 bool FactoredMatrix::restore(std::span<const std::int32_t> pivot, double condition) {
   const bool good = pivot.size() == pivot_.size() &&
-                    std::all_of(pivot.begin(), pivot.end(),
-                                [&](std::int32_t row) { return row >= 1 && row <= n_; });
+                    std::all_of(pivot.begin(), pivot.end(), [&](std::int32_t row) { return row >= 1 && row <= n_; });
   if (!good) return false;
   std::copy(pivot.begin(), pivot.end(), pivot_.begin());
   condition_ = condition;

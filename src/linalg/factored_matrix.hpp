@@ -1,6 +1,6 @@
 #pragma once
-/// A large dense matrix, factorised once and solved for many right sides (LAPACK getrf, getrs).
-/// Column-major; the storage is not cleared.
+/// A large dense matrix, factorised once and solved for many right sides (LAPACK getrf, getrs). Column-major; the
+/// storage is not cleared.
 
 #include <cstdint>
 #include <memory>
@@ -17,8 +17,8 @@ class FactoredMatrix {
   bool factor();
   /// Overwrites `count` right sides of length size(), one after the other.
   void solve(double* b, std::int64_t count) const;
-  /// The same in two steps, the second for the unknowns from `first` on alone: it takes the square
-  /// of their part of size() of the time, and leaves what stands before them as it is.
+  /// The same in two steps, the second for the unknowns from `first` on alone: it takes the square of their part of
+  /// size() of the time, and leaves what stands before them as it is.
   void eliminate(double* b, std::int64_t count) const;
   void substitute(double* b, std::int64_t count, std::int64_t first) const;
   void release();
@@ -26,8 +26,7 @@ class FactoredMatrix {
   /// Factors as they are kept, column-major, and the row that each step took (from 1).
   std::span<const double> factors() const { return {a_.get(), bytes() / sizeof(double)}; }
   std::span<const std::int32_t> pivots() const { return pivot_; }
-  /// Takes them back: the factors are where prepare() says, instead of a matrix. False when the
-  /// pivots are none.
+  /// Takes them back: the factors are where prepare() says, instead of a matrix. False when the pivots are none.
   bool restore(std::span<const std::int32_t> pivot, double condition);
 
   std::int64_t size() const { return n_; }

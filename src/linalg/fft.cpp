@@ -13,8 +13,8 @@ namespace rollcon {
 
 namespace {
 
-/// Time of a transform of even length n by FFTW's estimated plans and of the work on its results,
-/// relative; none (0) with a prime factor above 7. Factors of 3 are slow, factors of 16 are fast.
+/// Time of a transform of even length n by FFTW's estimated plans and of the work on its results, relative; none (0)
+/// with a prime factor above 7. Factors of 3 are slow, factors of 16 are fast.
 double transform_cost(std::int64_t n) {
   int threes = 0;
   std::int64_t rest = n;
@@ -43,8 +43,8 @@ std::int64_t fft_size(std::int64_t least) {
 #if ROLLCON_BUILD_FFTW
 namespace {
 
-// FFTW's planner works on tables of the whole process. Plans are estimated, not measured: that is
-// done in a millisecond, and measuring takes longer than whole solves.
+// FFTW's planner works on tables of the whole process. Plans are estimated, not measured: that is done in a
+// millisecond, and measuring takes longer than whole solves.
 std::mutex& planner() {
   static std::mutex lock;
   return lock;
@@ -63,9 +63,7 @@ struct Calls<double> {
   static Plan plan_real_back(int n, Complex* in, double* out) {
     return fftw_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
   }
-  static Plan plan(int n, Complex* data, int sign) {
-    return fftw_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);
-  }
+  static Plan plan(int n, Complex* data, int sign) { return fftw_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE); }
   static void run_real(Plan p, double* in, Complex* out) { fftw_execute_dft_r2c(p, in, out); }
   static void run_back(Plan p, Complex* in, double* out) { fftw_execute_dft_c2r(p, in, out); }
   static void run(Plan p, Complex* data) { fftw_execute_dft(p, data, data); }
@@ -81,9 +79,7 @@ struct Calls<float> {
   static Plan plan_real_back(int n, Complex* in, float* out) {
     return fftwf_plan_dft_c2r_1d(n, in, out, FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
   }
-  static Plan plan(int n, Complex* data, int sign) {
-    return fftwf_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE);
-  }
+  static Plan plan(int n, Complex* data, int sign) { return fftwf_plan_dft_1d(n, data, data, sign, FFTW_ESTIMATE); }
   static void run_real(Plan p, float* in, Complex* out) { fftwf_execute_dft_r2c(p, in, out); }
   static void run_back(Plan p, Complex* in, float* out) { fftwf_execute_dft_c2r(p, in, out); }
   static void run(Plan p, Complex* data) { fftwf_execute_dft(p, data, data); }

@@ -1,7 +1,7 @@
 #pragma once
-/// Discrete Fourier transforms (FFTW). Without FFTW in the build every constructor fails with
-/// err_unsupported. Transforms may run in several threads at once, on different data; plans are
-/// made one at a time, under a lock of the library's own.
+/// Discrete Fourier transforms (FFTW). Without FFTW in the build every constructor fails with err_unsupported.
+/// Transforms may run in several threads at once, on different data; plans are made one at a time, under a lock of the
+/// library's own.
 
 #include <complex>
 #include <cstddef>
@@ -30,8 +30,7 @@ class AlignedArray {
   AlignedArray() = default;
   explicit AlignedArray(std::int64_t n)
       : size_(n),
-        data_(static_cast<T*>(::operator new(static_cast<std::size_t>(n) * sizeof(T),
-                                             std::align_val_t(alignment)))) {}
+        data_(static_cast<T*>(::operator new(static_cast<std::size_t>(n) * sizeof(T), std::align_val_t(alignment)))) {}
   ~AlignedArray() { ::operator delete(data_, std::align_val_t(alignment)); }
   AlignedArray(AlignedArray&& other) noexcept : size_(other.size_), data_(other.data_) {
     other.data_ = nullptr, other.size_ = 0;
@@ -51,8 +50,8 @@ class AlignedArray {
   T* data_ = nullptr;
 };
 
-/// Transforms of n real numbers to n / 2 + 1 complex ones and back, n even. All arrays aligned as
-/// AlignedArray. T: double or float.
+/// Transforms of n real numbers to n / 2 + 1 complex ones and back, n even. All arrays aligned as AlignedArray. T:
+/// double or float.
 template <class T>
 class RealFft {
  public:

@@ -54,8 +54,8 @@ bool RecyclingGcr::add_direction(LinearOperator& a, LinearOperator& precondition
   return true;
 }
 
-GmresReport RecyclingGcr::solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition,
-                                const double* b, double* x, double tolerance, int max_iterations) {
+GmresReport RecyclingGcr::solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition, const double* b,
+                                double* x, double tolerance, int max_iterations) {
   GmresReport report;
   if (n != n_) count_ = 0;
   n_ = n;
@@ -76,8 +76,7 @@ GmresReport RecyclingGcr::solve(std::int64_t n, LinearOperator& a, LinearOperato
     }
     // The recursive residual can drift from the true one: recompute before trusting it.
     a.apply(x, product_.data());
-    for (std::int64_t i = 0; i < n; ++i)
-      r_[static_cast<std::size_t>(i)] = b[i] - product_[static_cast<std::size_t>(i)];
+    for (std::int64_t i = 0; i < n; ++i) r_[static_cast<std::size_t>(i)] = b[i] - product_[static_cast<std::size_t>(i)];
     report.residual = norm2(r_.data(), n) / norm_b;
     report.converged = report.residual <= 2 * tolerance;
     again = !report.converged && report.iterations > before && std::isfinite(report.residual);

@@ -1,7 +1,7 @@
 #pragma once
-/// Generalised conjugate residuals with right preconditioning for several right sides of one
-/// system, one after the other: every direction found is used again (Eisenstat, Elman & Schultz
-/// 1983). In exact arithmetic the first right side takes as many iterations as with GMRES.
+/// Generalised conjugate residuals with right preconditioning for several right sides of one system, one after the
+/// other: every direction found is used again (Eisenstat, Elman & Schultz 1983). In exact arithmetic the first right
+/// side takes as many iterations as with GMRES.
 
 #include <cstdint>
 #include <vector>
@@ -12,14 +12,13 @@ namespace rollcon {
 
 class RecyclingGcr {
  public:
-  /// Room for so many directions of a system of n unknowns, all right sides together, and some
-  /// more.
+  /// Room for so many directions of a system of n unknowns, all right sides together, and some more.
   void reserve(std::int64_t n, int directions);
   /// To be called before the system or the preconditioner is another one.
   void forget() { count_ = 0; }
   /// Solves a x = b to ||b - a x|| <= tolerance ||b||, with at most max_iterations new directions.
-  GmresReport solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition,
-                    const double* b, double* x, double tolerance, int max_iterations);
+  GmresReport solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition, const double* b, double* x,
+                    double tolerance, int max_iterations);
   std::size_t bytes() const;
 
  private:

@@ -22,12 +22,12 @@ void Gmres::reserve(std::int64_t n, int krylov) {
 }
 
 std::size_t Gmres::bytes() const {
-  return sizeof(double) * (basis_.capacity() + hessenberg_.capacity() + z_.capacity() +
-                           r_.capacity() + cosine_.capacity() * 3);
+  return sizeof(double) *
+         (basis_.capacity() + hessenberg_.capacity() + z_.capacity() + r_.capacity() + cosine_.capacity() * 3);
 }
 
-GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition,
-                         const double* b, double* x, double tolerance, int max_iterations) {
+GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& precondition, const double* b, double* x,
+                         double tolerance, int max_iterations) {
   GmresReport report;
   std::fill(x, x + n, 0.0);
   std::copy(b, b + n, r_.begin());
@@ -38,13 +38,11 @@ GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& prec
   }
   const double target = tolerance * norm_b;
   while (report.iterations < max_iterations) {
-    const GmresReport part =
-        cycle(n, a, precondition, x, target, max_iterations - report.iterations);
+    const GmresReport part = cycle(n, a, precondition, x, target, max_iterations - report.iterations);
     report.iterations += part.iterations;
     // The recursive residual can drift from the true one: recompute before trusting it.
     a.apply(x, z_.data());
-    for (std::int64_t i = 0; i < n; ++i)
-      r_[static_cast<std::size_t>(i)] = b[i] - z_[static_cast<std::size_t>(i)];
+    for (std::int64_t i = 0; i < n; ++i) r_[static_cast<std::size_t>(i)] = b[i] - z_[static_cast<std::size_t>(i)];
     const double norm_r = norm2(r_.data(), n);
     report.residual = norm_r / norm_b;
     report.converged = norm_r <= 2 * target;
@@ -53,8 +51,8 @@ GmresReport Gmres::solve(std::int64_t n, LinearOperator& a, LinearOperator& prec
   return report;
 }
 
-GmresReport Gmres::cycle(std::int64_t n, LinearOperator& a, LinearOperator& precondition, double* x,
-                         double target, int max_iterations) {
+GmresReport Gmres::cycle(std::int64_t n, LinearOperator& a, LinearOperator& precondition, double* x, double target,
+                         int max_iterations) {
   GmresReport report;
   const auto size = static_cast<std::size_t>(n);
   const int k_max = std::min(krylov_, max_iterations);

@@ -26,8 +26,7 @@ void PlaneFft::forward(const float* data, Complex* spectrum) {
   for (std::int64_t first = 0; first < waves_x(); first += tile) {
     const std::int64_t last = std::min(first + tile, waves_x());
     for (std::int64_t j = 0; j < ny_; ++j)
-      for (std::int64_t k = first; k < last; ++k)
-        spectrum[k * stride() + j] = half_.data()[j * half_stride_ + k];
+      for (std::int64_t k = first; k < last; ++k) spectrum[k * stride() + j] = half_.data()[j * half_stride_ + k];
     for (std::int64_t k = first; k < last; ++k) {
       Complex* column = spectrum + k * stride();
       std::fill(column + ny_, column + py_, Complex{});
@@ -42,8 +41,7 @@ void PlaneFft::backward(Complex* spectrum, float* data) {
     const std::int64_t last = std::min(first + tile, waves_x());
     for (std::int64_t k = first; k < last; ++k) across_.inverse(spectrum + k * stride());
     for (std::int64_t j = 0; j < ny_; ++j)
-      for (std::int64_t k = first; k < last; ++k)
-        half_.data()[j * half_stride_ + k] = spectrum[k * stride() + j];
+      for (std::int64_t k = first; k < last; ++k) half_.data()[j * half_stride_ + k] = spectrum[k * stride() + j];
   }
   for (std::int64_t j = 0; j < ny_; ++j) {
     along_.inverse(half_.data() + j * half_stride_, row_.data());

@@ -20,9 +20,7 @@ class PlaneFft {
   std::int64_t waves_x() const { return px_ / 2 + 1; }
   /// Entry (kx, ky) of a spectrum is at kx * stride() + ky.
   std::int64_t stride() const { return AlignedArray<Complex>::stride(py_); }
-  AlignedArray<Complex> make_spectrum() const {
-    return AlignedArray<Complex>(waves_x() * stride());
-  }
+  AlignedArray<Complex> make_spectrum() const { return AlignedArray<Complex>(waves_x() * stride()); }
 
   /// data[j * nx + i]
   void forward(const float* data, Complex* spectrum);

@@ -44,16 +44,14 @@ void check_sparse(const SparseMatrix& matrix, std::span<const std::int64_t> cond
   std::vector<bool> seen(at(matrix.columns));
   for (const std::int64_t c : condensed) {
     if (c < 0 || c >= matrix.columns || seen[at(c)])
-      fail(Status::err_internal,
-           "sparse matrix: condensed unknown %lld is listed twice or not among 0..%lld",
+      fail(Status::err_internal, "sparse matrix: condensed unknown %lld is listed twice or not among 0..%lld",
            static_cast<long long>(c), static_cast<long long>(matrix.columns - 1));
     seen[at(c)] = true;
   }
 }
 
 void require_memory(std::int64_t unknowns, double bytes, double held) {
-  require_memory({bytes - held, bytes}, remedy,
-                 "the factorisation of a sparse matrix with %lld unknowns needs",
+  require_memory({bytes - held, bytes}, remedy, "the factorisation of a sparse matrix with %lld unknowns needs",
                  static_cast<long long>(unknowns));
 }
 

@@ -1,5 +1,5 @@
-/// Cholesky factorisation with the condensed unknowns last: then the trailing block L_cc of the
-/// factor is that of the condensed matrix, K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc'.
+/// Cholesky factorisation with the condensed unknowns last: then the trailing block L_cc of the factor is that of the
+/// condensed matrix, K_cc - K_ci K_ii^-1 K_ic = L_cc L_cc'.
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,7 @@ Supernode supernode(const cholmod_factor& l, std::size_t s) {
   const auto* super = static_cast<const SuiteSparse_long*>(l.super);
   const auto* pi = static_cast<const SuiteSparse_long*>(l.pi);
   const auto* px = static_cast<const SuiteSparse_long*>(l.px);
-  return {super[s], super[s + 1], pi[s + 1] - pi[s],
-          static_cast<const SuiteSparse_long*>(l.s) + pi[s],
+  return {super[s], super[s + 1], pi[s + 1] - pi[s], static_cast<const SuiteSparse_long*>(l.s) + pi[s],
           static_cast<const double*>(l.x) + px[s]};
 }
 
@@ -77,12 +76,8 @@ class CholmodFactor final : public SparseFactor {
   }
   std::int64_t size() const override { return size_; }
   void solve(double* b, std::int64_t count) override;
-  void solve_condensed(double* b, std::int64_t count) override {
-    rollcon::solve_condensed(condensed(), b, count);
-  }
-  CondensedView condensed() const override {
-    return {CondensedForm::cholesky, condensed_, trailing_.get(), place_};
-  }
+  void solve_condensed(double* b, std::int64_t count) override { rollcon::solve_condensed(condensed(), b, count); }
+  CondensedView condensed() const override { return {CondensedForm::cholesky, condensed_, trailing_.get(), place_}; }
   void keep_condensed() override {
     factor_.reset();
     cholmod_l_free_work(&common_.c);
@@ -134,27 +129,22 @@ void CholmodFactor::factorise(const SparseMatrix& matrix) {
   const SerialLoops serial;
   factor_.reset(cholmod_l_analyze(&view, &c));
   if (!factor_) out_of_memory(matrix.columns, static_cast<double>(c.memory_usage));
-  const double condensed_bytes =
-      8.0 * static_cast<double>(condensed_) * static_cast<double>(condensed_);
+  const double condensed_bytes = 8.0 * static_cast<double>(condensed_) * static_cast<double>(condensed_);
   const double need =
       8.0 * static_cast<double>(factor_->xsize) +
-      std::max(8.0 * static_cast<double>(factor_->maxcsize) + static_cast<double>(ordered.bytes()),
-               condensed_bytes);
+      std::max(8.0 * static_cast<double>(factor_->maxcsize) + static_cast<double>(ordered.bytes()), condensed_bytes);
   require_memory(matrix.columns, need);
   statistics_.nonzeros = static_cast<std::int64_t>(c.lnz);
   statistics_.flops = c.fl;
 
   cholmod_l_factorize(&view, factor_.get(), &c);
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, c.memory_usage + ordered.bytes() + own_bytes());
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, c.memory_usage + ordered.bytes() + own_bytes());
   if (c.status == CHOLMOD_NOT_POSDEF) throw ZeroPivot(unknown_[factor_->minor]);
-  if (c.status == CHOLMOD_OUT_OF_MEMORY || c.status == CHOLMOD_TOO_LARGE)
-    out_of_memory(matrix.columns, need);
+  if (c.status == CHOLMOD_OUT_OF_MEMORY || c.status == CHOLMOD_TOO_LARGE) out_of_memory(matrix.columns, need);
   if (c.status < 0) fail(Status::err_internal, "CHOLMOD failed with status %d", c.status);
 }
 
-void CholmodFactor::copy_condensed(const SparseMatrix& matrix,
-                                   std::span<const std::int64_t> condensed) {
+void CholmodFactor::copy_condensed(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   if (condensed_ == 0) return;
   const std::int64_t first = size_ - condensed_;
   std::vector<std::int64_t> inverse(at(size_));
@@ -203,8 +193,7 @@ void CholmodFactor::judge(const SparseMatrix& matrix) {
 }
 
 void CholmodFactor::solve(double* b, std::int64_t count) {
-  for (std::int64_t k = 0; k < count && size_ > 0; k += block)
-    solve_block(b + k * size_, std::min(block, count - k));
+  for (std::int64_t k = 0; k < count && size_ > 0; k += block) solve_block(b + k * size_, std::min(block, count - k));
 }
 
 void CholmodFactor::solve_block(double* b, std::int64_t count) {
@@ -222,20 +211,17 @@ void CholmodFactor::solve_block(double* b, std::int64_t count) {
   e.nzmax = edges;
   e.x = work_.data() + unknowns;
   for (std::int64_t r = 0; r < count; ++r)
-    for (std::int64_t k = 0; k < size_; ++k)
-      work_[at(r * size_ + k)] = b[r * size_ + unknown_[at(k)]];
+    for (std::int64_t k = 0; k < size_; ++k) work_[at(r * size_ + k)] = b[r * size_ + unknown_[at(k)]];
   const SerialLoops serial;
   cholmod_l_super_lsolve(factor_.get(), &x, &e, &common_.c);
   cholmod_l_super_ltsolve(factor_.get(), &x, &e, &common_.c);
   for (std::int64_t r = 0; r < count; ++r)
-    for (std::int64_t k = 0; k < size_; ++k)
-      b[r * size_ + unknown_[at(k)]] = work_[at(r * size_ + k)];
+    for (std::int64_t k = 0; k < size_; ++k) b[r * size_ + unknown_[at(k)]] = work_[at(r * size_ + k)];
 }
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix,
-                                                std::span<const std::int64_t> condensed) {
+std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   return std::make_unique<CholmodFactor>(matrix, condensed);
 }
 

@@ -23,9 +23,9 @@ struct CholmodCommon {
   CholmodCommon& operator=(const CholmodCommon&) = delete;
 };
 
-/// CHOLMOD's own parallel loops, which only move data, ask for a fixed number of threads whatever
-/// the budget: inside this scope they run on one. The BLAS has threads of its own. Where the
-/// setting is the process's, a scope that finds the zero of another one leaves what that one found.
+/// CHOLMOD's own parallel loops, which only move data, ask for a fixed number of threads whatever the budget: inside
+/// this scope they run on one. The BLAS has threads of its own. Where the setting is the process's, a scope that finds
+/// the zero of another one leaves what that one found.
 class [[maybe_unused]] SerialLoops {
  public:
 #ifdef _OPENMP

@@ -1,7 +1,7 @@
 #pragma once
-/// Large sparse symmetric systems, factorised once, with some unknowns condensed: these come last,
-/// and the end of the factor is that of the condensed matrix. By CHOLMOD (LL', positive definite
-/// matrices) or by UMFPACK (LU, also indefinite ones, at three times the work).
+/// Large sparse symmetric systems, factorised once, with some unknowns condensed: these come last, and the end of the
+/// factor is that of the condensed matrix. By CHOLMOD (LL', positive definite matrices) or by UMFPACK (LU, also
+/// indefinite ones, at three times the work).
 
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +14,8 @@
 
 namespace rollcon {
 
-/// Thrown when a pivot vanishes (or, by CHOLMOD, is not positive), and when the factorisation
-/// passes but the condition is that of a singular matrix: then it names the unknown of the smallest
-/// pivot.
+/// Thrown when a pivot vanishes (or, by CHOLMOD, is not positive), and when the factorisation passes but the condition
+/// is that of a singular matrix: then it names the unknown of the smallest pivot.
 class ZeroPivot : public std::exception {
  public:
   explicit ZeroPivot(std::int64_t unknown) : unknown_(unknown) {}
@@ -39,8 +38,7 @@ enum class CondensedForm : std::int32_t {
   inverse = 2,   ///< the inverse of that matrix, symmetric
 };
 
-/// The dense matrix that solve_condensed works with, column-major; of L only the lower triangle
-/// counts.
+/// The dense matrix that solve_condensed works with, column-major; of L only the lower triangle counts.
 struct CondensedView {
   CondensedForm form = CondensedForm::cholesky;
   std::int64_t unknowns = 0;
@@ -55,8 +53,8 @@ class SparseFactor {
   virtual std::int64_t size() const = 0;
   /// Overwrites `count` full right sides, one after the other.
   virtual void solve(double* b, std::int64_t count) = 0;
-  /// Right sides that vanish but at the condensed unknowns; the solution there overwrites them.
-  /// b: condensed unknowns in the order given, times count, one right side after the other.
+  /// Right sides that vanish but at the condensed unknowns; the solution there overwrites them. b: condensed unknowns
+  /// in the order given, times count, one right side after the other.
   virtual void solve_condensed(double* b, std::int64_t count) = 0;
   /// Frees all that solve_condensed does not need; solve may not be called any more.
   virtual void keep_condensed() = 0;
@@ -65,15 +63,13 @@ class SparseFactor {
   virtual SparseStatistics statistics() const = 0;
 };
 
-/// matrix: the lower triangle. condensed: distinct unknowns, may be empty. Throw ZeroPivot; Error:
-/// err_memory with the need, err_nonfinite, err_unsupported in a build without the method. BLAS
-/// threads are the caller's matter; CHOLMOD starts no others.
-std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix,
-                                                std::span<const std::int64_t> condensed);
-/// threads: for full right sides, which are solved side by side. The first call of solve_condensed
-/// or keep_condensed inverts the condensed matrix; meanwhile one of the two factors is held twice.
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix,
-                                                std::span<const std::int64_t> condensed,
+/// matrix: the lower triangle. condensed: distinct unknowns, may be empty. Throw ZeroPivot; Error: err_memory with the
+/// need, err_nonfinite, err_unsupported in a build without the method. BLAS threads are the caller's matter; CHOLMOD
+/// starts no others.
+std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
+/// threads: for full right sides, which are solved side by side. The first call of solve_condensed or keep_condensed
+/// inverts the condensed matrix; meanwhile one of the two factors is held twice.
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
                                                 int threads = 1);
 
 }  // namespace rollcon

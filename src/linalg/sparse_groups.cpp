@@ -17,10 +17,9 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Sum over the neighbours, the unknown itself included. Equal sums of different sets are next to
-// impossible, and would cost fill only.
-std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix,
-                                              std::span<const std::int64_t> condensed) {
+// Sum over the neighbours, the unknown itself included. Equal sums of different sets are next to impossible, and would
+// cost fill only.
+std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   std::vector<std::uint64_t> key(at(matrix.columns));
   for (std::int64_t j = 0; j < matrix.columns; ++j) {
     const std::uint64_t own = scatter(static_cast<std::uint64_t>(j));
@@ -37,40 +36,35 @@ std::vector<std::uint64_t> neighbourhood_keys(const SparseMatrix& matrix,
 }
 
 // Groups numbered by their first members, so that the result depends on the matrix alone.
-std::vector<std::int64_t> group_numbers(const std::vector<std::uint64_t>& key,
-                                        std::int64_t* count) {
+std::vector<std::int64_t> group_numbers(const std::vector<std::uint64_t>& key, std::int64_t* count) {
   const auto n = static_cast<std::int64_t>(key.size());
   std::vector<std::int64_t> sorted(key.size()), group(key.size());
   std::iota(sorted.begin(), sorted.end(), 0);
-  std::sort(sorted.begin(), sorted.end(), [&](std::int64_t a, std::int64_t b) {
-    return std::tie(key[at(a)], a) < std::tie(key[at(b)], b);
-  });
+  std::sort(sorted.begin(), sorted.end(),
+            [&](std::int64_t a, std::int64_t b) { return std::tie(key[at(a)], a) < std::tie(key[at(b)], b); });
   for (std::int64_t k = 0, first = 0; k < n; ++k) {
     const std::int64_t i = sorted[at(k)];
     if (k == 0 || key[at(i)] != key[at(sorted[at(k - 1)])]) first = i;
     group[at(i)] = first;
   }
   *count = 0;
-  for (std::int64_t i = 0; i < n; ++i)
-    group[at(i)] = group[at(i)] == i ? (*count)++ : group[at(group[at(i)])];
+  for (std::int64_t i = 0; i < n; ++i) group[at(i)] = group[at(i)] == i ? (*count)++ : group[at(group[at(i)])];
   return group;
 }
 
 void list_members(const std::vector<std::int64_t>& group, SparseGroups& groups) {
   groups.member_start.assign(at(groups.count + 1), 0);
   for (const std::int64_t g : group) ++groups.member_start[at(g + 1)];
-  std::partial_sum(groups.member_start.begin(), groups.member_start.end(),
-                   groups.member_start.begin());
+  std::partial_sum(groups.member_start.begin(), groups.member_start.end(), groups.member_start.begin());
   groups.member.resize(group.size());
   std::vector<std::int64_t> next(groups.member_start.begin(), groups.member_start.end() - 1);
-  for (std::size_t i = 0; i < group.size(); ++i)
-    groups.member[at(next[at(group[i])]++)] = static_cast<std::int64_t>(i);
+  for (std::size_t i = 0; i < group.size(); ++i) groups.member[at(next[at(group[i])]++)] = static_cast<std::int64_t>(i);
 }
 
 // Calls visit(g, h), g > h, for neighbouring groups: those whose first members are neighbours.
 template <class Visit>
-void for_edges(const SparseMatrix& matrix, const std::vector<std::int64_t>& group,
-               const SparseGroups& groups, Visit visit) {
+void for_edges(const SparseMatrix& matrix, const std::vector<std::int64_t>& group, const SparseGroups& groups,
+               Visit visit) {
   const auto first = [&](std::int64_t g) { return groups.member[at(groups.member_start[at(g)])]; };
   for (std::int64_t h = 0; h < groups.count; ++h) {
     const std::int64_t j = first(h);
@@ -85,8 +79,7 @@ void for_edges(const SparseMatrix& matrix, const std::vector<std::int64_t>& grou
 
 SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   SparseGroups groups;
-  const std::vector<std::int64_t> group =
-      group_numbers(neighbourhood_keys(matrix, condensed), &groups.count);
+  const std::vector<std::int64_t> group = group_numbers(neighbourhood_keys(matrix, condensed), &groups.count);
   list_members(group, groups);
   groups.condensed.assign(at(groups.count), 0);
   for (const std::int64_t c : condensed) groups.condensed[at(group[at(c)])] = 1;
@@ -107,12 +100,10 @@ SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int
 }
 
 // Liu's algorithm with path compression.
-std::vector<std::int64_t> elimination_tree(const SparseGroups& groups,
-                                           std::span<const std::int64_t> order) {
+std::vector<std::int64_t> elimination_tree(const SparseGroups& groups, std::span<const std::int64_t> order) {
   std::vector<std::int64_t> parent(order.size(), -1), ancestor(order.size(), -1);
   std::vector<std::int64_t> position(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    position[at(order[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < order.size(); ++k) position[at(order[k])] = static_cast<std::int64_t>(k);
   for (std::int64_t k = 0; k < groups.count; ++k) {
     const std::int64_t g = order[at(k)];
     for (std::int64_t e = groups.start[at(g)]; e < groups.start[at(g + 1)]; ++e) {
@@ -129,8 +120,7 @@ std::vector<std::int64_t> elimination_tree(const SparseGroups& groups,
 }
 
 void move_condensed_last(const SparseGroups& groups, std::vector<std::int64_t>& order) {
-  std::stable_partition(order.begin(), order.end(),
-                        [&](std::int64_t g) { return !groups.condensed[at(g)]; });
+  std::stable_partition(order.begin(), order.end(), [&](std::int64_t g) { return !groups.condensed[at(g)]; });
 }
 
 void postorder_interior(const SparseGroups& groups, std::vector<std::int64_t>& order) {

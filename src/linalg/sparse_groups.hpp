@@ -1,7 +1,6 @@
 #pragma once
-/// Unknowns with the same neighbours, taken together: the few unknowns of a node of a
-/// finite-element mesh. Orderings work on the graph of the groups, which is an order of magnitude
-/// smaller.
+/// Unknowns with the same neighbours, taken together: the few unknowns of a node of a finite-element mesh. Orderings
+/// work on the graph of the groups, which is an order of magnitude smaller.
 
 #include <cstdint>
 #include <span>
@@ -20,16 +19,15 @@ struct SparseGroups {
 
 SparseGroups group_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
 
-/// Parents in the elimination tree when groups are eliminated in this order; -1 at roots. All
-/// numbers are positions in the order.
-std::vector<std::int64_t> elimination_tree(const SparseGroups& groups,
-                                           std::span<const std::int64_t> order);
+/// Parents in the elimination tree when groups are eliminated in this order; -1 at roots. All numbers are positions in
+/// the order.
+std::vector<std::int64_t> elimination_tree(const SparseGroups& groups, std::span<const std::int64_t> order);
 
 /// Moves condensed groups to the end, keeping the order otherwise.
 void move_condensed_last(const SparseGroups& groups, std::vector<std::int64_t>& order);
 
-/// Sorts the other groups, which come first, by a postorder of their elimination forest: the fill
-/// stays the same, and columns of equal structure become neighbours.
+/// Sorts the other groups, which come first, by a postorder of their elimination forest: the fill stays the same, and
+/// columns of equal structure become neighbours.
 void postorder_interior(const SparseGroups& groups, std::vector<std::int64_t>& order);
 
 }  // namespace rollcon

@@ -45,8 +45,8 @@ SparseLu::SparseLu() : factors_(std::make_unique<Factors>()) {
   umfpack_dl_defaults(factors_->control);
   factors_->control[UMFPACK_PRL] = 0;
   factors_->control[UMFPACK_IRSTEP] = 0;
-  // The unknowns of callers are paired with their equations, and the pattern is nearly symmetric.
-  // Singletons taken out first would make what is left unsymmetric: 1.7 times the operations.
+  // The unknowns of callers are paired with their equations, and the pattern is nearly symmetric. Singletons taken out
+  // first would make what is left unsymmetric: 1.7 times the operations.
   factors_->control[UMFPACK_STRATEGY] = UMFPACK_STRATEGY_SYMMETRIC;
   factors_->control[UMFPACK_SINGLETONS] = 0;
 }
@@ -77,16 +77,14 @@ bool SparseLu::factor(const SparseMatrix& matrix) {
     f.symbolic.reset();
     f.start.assign(matrix.start.begin(), matrix.start.end());
     f.row.assign(matrix.row.begin(), matrix.row.end());
-    // METIS dissects a mesh with a fifth of minimum degree's operations; it has nothing to gain,
-    // and takes its time, where much of the matrix is dense.
-    const bool dense =
-        static_cast<double>(f.row.size()) > 300 * static_cast<double>(matrix.columns);
+    // METIS dissects a mesh with a fifth of minimum degree's operations; it has nothing to gain, and takes its time,
+    // where much of the matrix is dense.
+    const bool dense = static_cast<double>(f.row.size()) > 300 * static_cast<double>(matrix.columns);
     f.control[UMFPACK_ORDERING] = dense ? UMFPACK_ORDERING_AMD : UMFPACK_ORDERING_METIS;
     void* symbolic = nullptr;
     const MetisRandom random;
-    const Long status =
-        umfpack_dl_symbolic(matrix.columns, matrix.columns, f.start.data(), f.row.data(),
-                            matrix.value.data(), &symbolic, f.control, info);
+    const Long status = umfpack_dl_symbolic(matrix.columns, matrix.columns, f.start.data(), f.row.data(),
+                                            matrix.value.data(), &symbolic, f.control, info);
     f.symbolic.reset(symbolic);
     ++statistics_.analyses;
     check_status(status, info, matrix);
@@ -96,26 +94,25 @@ bool SparseLu::factor(const SparseMatrix& matrix) {
     f.rows.resize(n);
   }
   void* numeric = nullptr;
-  const Long status = umfpack_dl_numeric(f.start.data(), f.row.data(), matrix.value.data(),
-                                         f.symbolic.get(), &numeric, f.control, info);
+  const Long status = umfpack_dl_numeric(f.start.data(), f.row.data(), matrix.value.data(), f.symbolic.get(), &numeric,
+                                         f.control, info);
   f.numeric.reset(numeric);
   ++statistics_.factorizations;
   check_status(status, info, matrix);
   const double unit = info[UMFPACK_SIZE_OF_UNIT];
   statistics_.nonzeros = static_cast<std::int64_t>(info[UMFPACK_LNZ] + info[UMFPACK_UNZ]);
   statistics_.flops = info[UMFPACK_FLOPS];
-  statistics_.bytes = static_cast<std::size_t>(unit * info[UMFPACK_NUMERIC_SIZE]) +
-                      sizeof(Long) * (f.start.size() + f.row.size());
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, static_cast<std::size_t>(unit * info[UMFPACK_PEAK_MEMORY]));
+  statistics_.bytes =
+      static_cast<std::size_t>(unit * info[UMFPACK_NUMERIC_SIZE]) + sizeof(Long) * (f.start.size() + f.row.size());
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, static_cast<std::size_t>(unit * info[UMFPACK_PEAK_MEMORY]));
   if (status == UMFPACK_WARNING_singular_matrix) f.numeric.reset();
   return f.numeric != nullptr;
 }
 
 void SparseLu::solve(double* b) {
   Factors& f = *factors_;
-  umfpack_dl_wsolve(UMFPACK_A, nullptr, nullptr, nullptr, f.x.data(), b, f.numeric.get(), f.control,
-                    nullptr, f.rows.data(), f.work.data());
+  umfpack_dl_wsolve(UMFPACK_A, nullptr, nullptr, nullptr, f.x.data(), b, f.numeric.get(), f.control, nullptr,
+                    f.rows.data(), f.work.data());
   std::copy(f.x.begin(), f.x.end(), b);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// LU factorisation of a sparse matrix with a nearly symmetric pattern by UMFPACK. The symbolic
-/// analysis is kept as long as the pattern stays the same.
+/// LU factorisation of a sparse matrix with a nearly symmetric pattern by UMFPACK. The symbolic analysis is kept as
+/// long as the pattern stays the same.
 
 #include <cstddef>
 #include <cstdint>
@@ -27,12 +27,10 @@ class SparseLu {
 
   /// False in a build without UMFPACK, where factor() throws Error(err_unsupported).
   static bool available();
-  /// Returns false when the matrix is singular. Throws Error: err_memory with the need,
-  /// err_nonfinite.
+  /// Returns false when the matrix is singular. Throws Error: err_memory with the need, err_nonfinite.
   bool factor(const SparseMatrix& matrix);
   bool factored() const;
-  /// Overwrites a right side, without refinement: callers have the matrix and know what accuracy
-  /// they need.
+  /// Overwrites a right side, without refinement: callers have the matrix and know what accuracy they need.
   void solve(double* b);
   /// Frees the factors, and with `all` the analysis too.
   void release(bool all);

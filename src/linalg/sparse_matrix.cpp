@@ -46,8 +46,7 @@ void SparseMatrix::end_column() {
 SparseMatrix transposed(const SparseMatrix& m) {
   return arranged(m.columns, m.rows, [&](auto put) {
     for (std::int64_t c = 0; c < m.columns; ++c)
-      for (std::int64_t k = m.start[at(c)]; k < m.start[at(c) + 1]; ++k)
-        put(c, m.row[at(k)], m.value[at(k)]);
+      for (std::int64_t k = m.start[at(c)]; k < m.start[at(c) + 1]; ++k) put(c, m.row[at(k)], m.value[at(k)]);
   });
 }
 

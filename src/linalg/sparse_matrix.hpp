@@ -7,8 +7,7 @@
 
 namespace rollcon {
 
-/// Rows ascending in each column. Of symmetric matrices factorisations take the lower triangle,
-/// diagonal included.
+/// Rows ascending in each column. Of symmetric matrices factorisations take the lower triangle, diagonal included.
 struct SparseMatrix {
   std::int64_t rows = 0, columns = 0;
   std::vector<std::int64_t> start;  ///< columns + 1
@@ -23,8 +22,7 @@ struct SparseMatrix {
   }
   void end_column();
   std::size_t bytes() const {
-    return sizeof(std::int64_t) * (start.capacity() + row.capacity()) +
-           sizeof(double) * value.capacity();
+    return sizeof(std::int64_t) * (start.capacity() + row.capacity()) + sizeof(double) * value.capacity();
   }
 };
 

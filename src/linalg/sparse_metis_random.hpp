@@ -1,8 +1,7 @@
 #pragma once
-/// METIS draws from the process's random numbers and seeds them: orders would depend on who else
-/// runs, and the host's sequence on us. Within this scope they have a state of their own; one call
-/// at a time. METIS also takes SIGABRT and SIGTERM, and gives them back without the flags and masks
-/// that the host had set: they come back whole.
+/// METIS draws from the process's random numbers and seeds them: orders would depend on who else runs, and the host's
+/// sequence on us. Within this scope they have a state of their own; one call at a time. METIS also takes SIGABRT and
+/// SIGTERM, and gives them back without the flags and masks that the host had set: they come back whole.
 
 #include <signal.h>
 

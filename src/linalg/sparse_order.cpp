@@ -28,15 +28,13 @@ SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int6
     for (std::int64_t k = groups.member_start[at(g)]; k < groups.member_start[at(g + 1)]; ++k)
       out.unknown.push_back(groups.member[at(k)]);
   out.peak_bytes = order.peak_bytes +
-                   sizeof(std::int64_t) *
-                       (2 * groups.start.size() + groups.neighbour.size() + 2 * at(matrix.columns));
+                   sizeof(std::int64_t) * (2 * groups.start.size() + groups.neighbour.size() + 2 * at(matrix.columns));
   return out;
 }
 
 SparseMatrix permuted(const SparseMatrix& matrix, std::span<const std::int64_t> unknown) {
   std::vector<std::int64_t> place(unknown.size());
-  for (std::size_t k = 0; k < unknown.size(); ++k)
-    place[at(unknown[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < unknown.size(); ++k) place[at(unknown[k])] = static_cast<std::int64_t>(k);
   SparseMatrix out;
   out.columns = matrix.columns;
   out.start.assign(at(matrix.columns + 1), 0);

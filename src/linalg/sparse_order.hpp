@@ -1,8 +1,7 @@
 #pragma once
-/// A fill-reducing order of the unknowns with the condensed ones last: METIS's nested dissection of
-/// the whole graph, from which the condensed ones are then moved to the end. Against it, on meshes
-/// of hexahedra: dissecting the rest alone saves at most 5 % of the operations, minimum degree
-/// takes three to four times as many.
+/// A fill-reducing order of the unknowns with the condensed ones last: METIS's nested dissection of the whole graph,
+/// from which the condensed ones are then moved to the end. Against it, on meshes of hexahedra: dissecting the rest
+/// alone saves at most 5 % of the operations, minimum degree takes three to four times as many.
 
 #include <cstdint>
 #include <span>
@@ -18,8 +17,8 @@ struct GraphOrder {
   std::size_t peak_bytes = 0;
 };
 
-/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc. METIS finds
-/// memory or raises a signal that it catches; then it gives no order, and CHOLMOD does not notice.
+/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc. METIS finds memory or raises a
+/// signal that it catches; then it gives no order, and CHOLMOD does not notice.
 GraphOrder dissect_by_cholmod(const SparseGroups& groups);
 GraphOrder dissect_by_umfpack(const SparseGroups& groups);
 

@@ -32,8 +32,7 @@ GraphOrder dissect_by_cholmod(const SparseGroups& groups) {
   auto* order = reinterpret_cast<SuiteSparse_long*>(out.group.data());
   const SerialLoops serial;
   const MetisRandom random;
-  const bool dissected =
-      cholmod_l_metis(&graph, nullptr, 0, 0, order, &common.c) && is_permutation(out.group);
+  const bool dissected = cholmod_l_metis(&graph, nullptr, 0, 0, order, &common.c) && is_permutation(out.group);
   if (!dissected && !cholmod_l_amd(&graph, nullptr, 0, order, &common.c)) throw std::bad_alloc();
   out.peak_bytes = common.c.memory_usage;
   return out;

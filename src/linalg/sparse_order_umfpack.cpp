@@ -42,15 +42,14 @@ GraphOrder dissect_by_umfpack(const SparseGroups& groups) {
     if (umfpack_dl_symbolic(n, n, start.data(), row.data(), nullptr, &symbolic, control, info) < 0)
       throw std::bad_alloc();
   }
-  const Long status = umfpack_dl_get_symbolic(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-                                              nullptr, column.data(), nullptr, nullptr, nullptr,
-                                              nullptr, nullptr, nullptr, nullptr, symbolic);
+  const Long status =
+      umfpack_dl_get_symbolic(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column.data(), nullptr,
+                              nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, symbolic);
   umfpack_dl_free_symbolic(&symbolic);
   if (status < 0) throw std::bad_alloc();
   out.group.assign(column.begin(), column.end());
-  out.peak_bytes =
-      sizeof(Long) * (start.size() + row.size()) +
-      static_cast<std::size_t>(info[UMFPACK_SYMBOLIC_PEAK_MEMORY] * info[UMFPACK_SIZE_OF_UNIT]);
+  out.peak_bytes = sizeof(Long) * (start.size() + row.size()) +
+                   static_cast<std::size_t>(info[UMFPACK_SYMBOLIC_PEAK_MEMORY] * info[UMFPACK_SIZE_OF_UNIT]);
   return out;
 }
 

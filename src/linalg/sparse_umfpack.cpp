@@ -1,6 +1,6 @@
-/// LU factorisation with the condensed unknowns last. UMFPACK keeps to that as long as it finds
-/// pivots on the diagonal; then the condensed matrix is inverted from the ends of the factors.
-/// Otherwise its inverse is found column by column from full solves.
+/// LU factorisation with the condensed unknowns last. UMFPACK keeps to that as long as it finds pivots on the diagonal;
+/// then the condensed matrix is inverted from the ends of the factors. Otherwise its inverse is found column by column
+/// from full solves.
 
 #include <umfpack.h>
 
@@ -86,16 +86,14 @@ class UmfpackFactor final : public SparseFactor {
   SparseStatistics statistics_;
 };
 
-void UmfpackFactor::check_status(Long status, const double* info,
-                                 const SparseMatrix& matrix) const {
+void UmfpackFactor::check_status(Long status, const double* info, const SparseMatrix& matrix) const {
   if (status >= 0) return;
   if (status == UMFPACK_ERROR_out_of_memory)
     out_of_memory(matrix.columns, info[UMFPACK_PEAK_MEMORY_ESTIMATE] * info[UMFPACK_SIZE_OF_UNIT]);
   const char* what = "an internal error";
   if (status == UMFPACK_ERROR_ordering_failed) what = "no order of the unknowns found";
   if (status == UMFPACK_ERROR_invalid_matrix) what = "columns of the matrix are not in order";
-  fail(Status::err_internal, "UMFPACK failed with status %lld: %s", static_cast<long long>(status),
-       what);
+  fail(Status::err_internal, "UMFPACK failed with status %lld: %s", static_cast<long long>(status), what);
 }
 
 void UmfpackFactor::factorise(const SparseMatrix& matrix) {
@@ -108,12 +106,11 @@ void UmfpackFactor::factorise(const SparseMatrix& matrix) {
   const SparseMatrix full = both_triangles(matrix);
   double info[UMFPACK_INFO] = {};
   void *symbolic = nullptr, *numeric = nullptr;
-  Long status =
-      umfpack_dl_qsymbolic(size_, size_, full.start.data(), full.row.data(), full.value.data(),
-                           order.unknown.data(), &symbolic, control_, info);
+  Long status = umfpack_dl_qsymbolic(size_, size_, full.start.data(), full.row.data(), full.value.data(),
+                                     order.unknown.data(), &symbolic, control_, info);
   check_status(status, info, matrix);
-  status = umfpack_dl_numeric(full.start.data(), full.row.data(), full.value.data(), symbolic,
-                              &numeric, control_, info);
+  status =
+      umfpack_dl_numeric(full.start.data(), full.row.data(), full.value.data(), symbolic, &numeric, control_, info);
   numeric_.reset(numeric);
   umfpack_dl_free_symbolic(&symbolic);
   const double unit = info[UMFPACK_SIZE_OF_UNIT];
@@ -121,16 +118,16 @@ void UmfpackFactor::factorise(const SparseMatrix& matrix) {
   numeric_bytes_ = static_cast<std::size_t>(unit * info[UMFPACK_NUMERIC_SIZE]);
   statistics_.nonzeros = static_cast<std::int64_t>(info[UMFPACK_LNZ] + info[UMFPACK_UNZ]) - size_;
   statistics_.flops = info[UMFPACK_FLOPS];
-  statistics_.peak_bytes = std::max(
-      order.peak_bytes, full.bytes() + static_cast<std::size_t>(unit * info[UMFPACK_PEAK_MEMORY]));
+  statistics_.peak_bytes =
+      std::max(order.peak_bytes, full.bytes() + static_cast<std::size_t>(unit * info[UMFPACK_PEAK_MEMORY]));
   if (status == UMFPACK_WARNING_singular_matrix) throw ZeroPivot(smallest_pivot());
 }
 
 std::int64_t UmfpackFactor::smallest_pivot() const {
   std::vector<double> diagonal(at(size_));
   std::vector<Long> column(at(size_));
-  if (umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr,
-                             column.data(), diagonal.data(), nullptr, nullptr, numeric_.get()) < 0)
+  if (umfpack_dl_get_numeric(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, column.data(),
+                             diagonal.data(), nullptr, nullptr, numeric_.get()) < 0)
     throw std::bad_alloc();
   std::size_t smallest = 0;
   for (std::size_t k = 0; k < diagonal.size(); ++k)
@@ -139,8 +136,8 @@ std::int64_t UmfpackFactor::smallest_pivot() const {
 }
 
 void UmfpackFactor::solve_one(Workspace& w) const {
-  umfpack_dl_wsolve(UMFPACK_A, nullptr, nullptr, nullptr, w.x.data(), w.b.data(), numeric_.get(),
-                    control_, nullptr, w.rows.data(), w.work.data());
+  umfpack_dl_wsolve(UMFPACK_A, nullptr, nullptr, nullptr, w.x.data(), w.b.data(), numeric_.get(), control_, nullptr,
+                    w.rows.data(), w.work.data());
 }
 
 template <class One>
@@ -148,9 +145,8 @@ void UmfpackFactor::for_right_sides(std::int64_t count, One one) const {
   if (count <= 0) return;
   const int threads = static_cast<int>(std::min<std::int64_t>(std::max(threads_, 1), count));
   std::vector<Workspace> workspaces(static_cast<std::size_t>(threads), Workspace(size_));
-  parallel_for(count, 1, threads, [&](std::int64_t r, int thread) {
-    one(r, workspaces[static_cast<std::size_t>(thread)]);
-  });
+  parallel_for(count, 1, threads,
+               [&](std::int64_t r, int thread) { one(r, workspaces[static_cast<std::size_t>(thread)]); });
 }
 
 void UmfpackFactor::solve(double* b, std::int64_t count) {
@@ -195,8 +191,7 @@ void UmfpackFactor::form_compliance() {
     }
   }
   statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes,
-               numeric_bytes_ + std::max(copied, sizeof(double) * compliance_.size()));
+      std::max(statistics_.peak_bytes, numeric_bytes_ + std::max(copied, sizeof(double) * compliance_.size()));
 }
 
 void UmfpackFactor::keep_condensed() {
@@ -206,8 +201,7 @@ void UmfpackFactor::keep_condensed() {
 
 }  // namespace
 
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix,
-                                                std::span<const std::int64_t> condensed,
+std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
                                                 int threads) {
   return std::make_unique<UmfpackFactor>(matrix, condensed, threads);
 }

@@ -8,15 +8,13 @@ namespace rollcon {
 namespace {
 
 [[noreturn]] void refuse() {
-  fail(Status::err_unsupported,
-       "this build of rollcon has no UMFPACK (ROLLCON_WITH_UMFPACK is OFF)");
+  fail(Status::err_unsupported, "this build of rollcon has no UMFPACK (ROLLCON_WITH_UMFPACK is OFF)");
 }
 
 }  // namespace
 
 std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& /*matrix*/,
-                                                std::span<const std::int64_t> /*condensed*/,
-                                                int /*threads*/) {
+                                                std::span<const std::int64_t> /*condensed*/, int /*threads*/) {
   refuse();
 }
 

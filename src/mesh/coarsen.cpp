@@ -1,5 +1,5 @@
-/// Nodes are taken out one by one by moving them onto a neighbour that stays (collapsing the edge
-/// between them), which leaves a valid triangulation at any time.
+/// Nodes are taken out one by one by moving them onto a neighbour that stays (collapsing the edge between them), which
+/// leaves a valid triangulation at any time.
 
 #include "mesh/coarsen.hpp"
 
@@ -26,15 +26,13 @@ std::int32_t middle_node(const Frame& frame) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < frame.used.size(); ++k) {
     const double distance = std::hypot(frame.x[k] - x / nodes, frame.y[k] - y / nodes);
-    if (frame.used[k] && distance < least * (1 - 1e-9))
-      best = static_cast<std::int32_t>(k), least = distance;
+    if (frame.used[k] && distance < least * (1 - 1e-9)) best = static_cast<std::int32_t>(k), least = distance;
   }
   return best;
 }
 
-// The node in the middle, or one beside it that has more neighbours: on triangles that halve a
-// grid's quadrilaterals by turns, nodes of four and of eight neighbours alternate, and those of
-// eight are a coarser grid.
+// The node in the middle, or one beside it that has more neighbours: on triangles that halve a grid's quadrilaterals by
+// turns, nodes of four and of eight neighbours alternate, and those of eight are a coarser grid.
 std::int32_t first_node(const Frame& frame, const Neighbours& next) {
   const std::int32_t middle = middle_node(frame);
   std::int32_t best = middle;
@@ -43,9 +41,8 @@ std::int32_t first_node(const Frame& frame, const Neighbours& next) {
   return best;
 }
 
-// Nodes to stay: no two of them neighbours, every other node next to one. Starting in the middle,
-// the next is always the one with the greatest part of its neighbours out already: on a grid every
-// second one.
+// Nodes to stay: no two of them neighbours, every other node next to one. Starting in the middle, the next is always
+// the one with the greatest part of its neighbours out already: on a grid every second one.
 std::vector<std::uint8_t> choose_nodes(const Frame& frame, const Neighbours& next) {
   enum : std::uint8_t { undecided, stays, goes };
   const std::size_t n = at(frame.nodes());
@@ -157,8 +154,7 @@ class Triangulation {
     return n[0] == k || n[1] == k || n[2] == k;
   }
   void add(const Triangle& t) {
-    for (const std::int32_t k : t)
-      around_[at(k)].push_back(static_cast<std::int32_t>(triangle_.size()));
+    for (const std::int32_t k : t) around_[at(k)].push_back(static_cast<std::int32_t>(triangle_.size()));
     triangle_.push_back(t);
   }
   std::vector<std::int32_t> ring(std::int32_t k) const {
@@ -176,13 +172,12 @@ class Triangulation {
     if (!frame_.rim[at(k)]) return true;
     std::vector<std::int32_t> along;
     for (const std::int32_t j : ring(k))
-      if (std::count_if(around_[at(k)].begin(), around_[at(k)].end(),
-                        [&](std::int32_t t) { return contains(t, j); }) == 1)
+      if (std::count_if(around_[at(k)].begin(), around_[at(k)].end(), [&](std::int32_t t) { return contains(t, j); }) ==
+          1)
         along.push_back(j);
     if (along.size() != 2 || (along[0] != target && along[1] != target)) return false;
     constexpr double straight = 1e-9;
-    return std::abs(twice_area({k, along[0], along[1]})) <
-           straight * distance(k, along[0]) * distance(k, along[1]);
+    return std::abs(twice_area({k, along[0], along[1]})) < straight * distance(k, along[0]) * distance(k, along[1]);
   }
 
   // Quality of the worst triangle left around k moved onto target; negative: must not be done.

@@ -14,9 +14,9 @@ struct CoarseMesh {
   std::vector<std::array<std::int32_t, 3>> corner;  ///< triangles of coarse nodes
 };
 
-/// Linear triangles on about a quarter of the nodes: on a grid every second node of every second
-/// line. They cover the frame: corners and nodes along a curved rim stay, as does every node that
-/// cannot be taken out without turning a triangle over (in the projection).
+/// Linear triangles on about a quarter of the nodes: on a grid every second node of every second line. They cover the
+/// frame: corners and nodes along a curved rim stay, as does every node that cannot be taken out without turning a
+/// triangle over (in the projection).
 CoarseMesh coarsen(const Frame& frame);
 
 }  // namespace rollcon

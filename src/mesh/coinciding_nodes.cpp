@@ -10,17 +10,16 @@
 namespace rollcon {
 namespace {
 
-/// Nodes of different elements closer than this part of the distance to their own elements' nodes
-/// are one node given twice.
+/// Nodes of different elements closer than this part of the distance to their own elements' nodes are one node given
+/// twice.
 constexpr double coincidence = 1e-6;
 constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
 
 }  // namespace
 
-/// Nodes are swept along a direction in which no usual mesh has its layers, so that few of them
-/// share a strip.
-void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest,
-                            std::int32_t index_base, const char* where) {
+/// Nodes are swept along a direction in which no usual mesh has its layers, so that few of them share a strip.
+void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest, std::int32_t index_base,
+                            const char* where) {
   struct Entry {
     double position, tolerance;
     std::size_t node;
@@ -34,8 +33,7 @@ void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> 
     for (double c : node[k]) magnitude = std::max(magnitude, std::abs(c));
     order.push_back({dot(direction, node[k]), coincidence * nearest[k] + rounding * magnitude, k});
   }
-  std::sort(order.begin(), order.end(),
-            [](const Entry& a, const Entry& b) { return a.position < b.position; });
+  std::sort(order.begin(), order.end(), [](const Entry& a, const Entry& b) { return a.position < b.position; });
   Tally together;
   for (std::size_t i = 0; i < order.size(); ++i) {
     const Entry& a = order[i];
@@ -44,13 +42,11 @@ void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> 
       // The direction is not longer than 1: nodes within the tolerance are within the strip.
       if (b.position - a.position > a.tolerance) break;
       if (length(node[a.node] - node[b.node]) > std::min(a.tolerance, b.tolerance)) continue;
-      together.add("nodes %lld and %lld",
-                   static_cast<long long>(std::min(a.node, b.node)) + index_base,
+      together.add("nodes %lld and %lld", static_cast<long long>(std::min(a.node, b.node)) + index_base,
                    static_cast<long long>(std::max(a.node, b.node)) + index_base);
     }
   }
-  together.fail_if_any("two nodes lie at the same place: give the elements one node there", where,
-                       index_base);
+  together.fail_if_any("two nodes lie at the same place: give the elements one node there", where, index_base);
 }
 
 }  // namespace rollcon

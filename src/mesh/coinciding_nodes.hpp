@@ -8,10 +8,10 @@
 
 namespace rollcon {
 
-/// Fails when two nodes are closer than 1e-6 of the distance to the other nodes of their elements,
-/// rounding of the coordinates allowed for. nearest: that distance by node, infinite for nodes of
-/// no element, which are not looked at. where: as in Tally::fail_if_any.
-void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest,
-                            std::int32_t index_base, const char* where);
+/// Fails when two nodes are closer than 1e-6 of the distance to the other nodes of their elements, rounding of the
+/// coordinates allowed for. nearest: that distance by node, infinite for nodes of no element, which are not looked at.
+/// where: as in Tally::fail_if_any.
+void check_coinciding_nodes(std::span<const Vec3> node, std::span<const double> nearest, std::int32_t index_base,
+                            const char* where);
 
 }  // namespace rollcon

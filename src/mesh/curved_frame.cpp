@@ -17,8 +17,8 @@ constexpr double smallest_cosine = 0.5;
 /// Normals closer than this to the axes' make no difference to any result.
 constexpr double flat_enough = 1e-12;
 
-/// Area on the surface of each node's median-dual cell: facets of the linear cells, scaled so that
-/// those of an element add up to its area.
+/// Area on the surface of each node's median-dual cell: facets of the linear cells, scaled so that those of an element
+/// add up to its area.
 std::vector<double> cell_areas(const Frame& frame, const std::vector<double>& element_area) {
   const LinearCells cells = split_elements(frame.mesh);
   const auto point = [&](std::int32_t k) { return frame.mesh.node[static_cast<std::size_t>(k)]; };
@@ -29,8 +29,7 @@ std::vector<double> cell_areas(const Frame& frame, const std::vector<double>& el
     // Relative to the first node: frames far from their origin lose no digits.
     const Vec3 origin = point(n[0]);
     Vec3 centre{};
-    for (const std::int32_t k : n)
-      centre = centre + (1 / static_cast<double>(n.size())) * (point(k) - origin);
+    for (const std::int32_t k : n) centre = centre + (1 / static_cast<double>(n.size())) * (point(k) - origin);
     for (std::size_t i = 0; i < n.size(); ++i, ++f) {
       const Vec3 a = point(n[i]) - origin, b = point(n[(i + 1) % n.size()]) - origin;
       facet[f] = 0.5 * length(cross(b - a, centre - a));

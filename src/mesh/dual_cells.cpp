@@ -2,8 +2,7 @@
 
 namespace rollcon {
 
-DualCells build_dual_cells(const LinearCells& cells, std::span<const double> x,
-                           std::span<const double> y) {
+DualCells build_dual_cells(const LinearCells& cells, std::span<const double> x, std::span<const double> y) {
   DualCells dual;
   dual.area.assign(x.size(), 0);
   dual.face.reserve(cells.node.size());

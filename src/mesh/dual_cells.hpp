@@ -1,6 +1,6 @@
 #pragma once
-/// Median-dual mesh of the projected frame (docs/theory.md, section 5): the cell of node I joins
-/// the centroids of the linear cells and the edge midpoints around I.
+/// Median-dual mesh of the projected frame (docs/theory.md, section 5): the cell of node I joins the centroids of the
+/// linear cells and the edge midpoints around I.
 
 #include <cstdint>
 #include <span>
@@ -23,7 +23,6 @@ struct DualCells {
 };
 
 /// x, y: nodal coordinates in the tangent plane.
-DualCells build_dual_cells(const LinearCells& cells, std::span<const double> x,
-                           std::span<const double> y);
+DualCells build_dual_cells(const LinearCells& cells, std::span<const double> x, std::span<const double> y);
 
 }  // namespace rollcon

@@ -24,8 +24,7 @@ int side_number(const SurfaceMesh& mesh, const Side& side) {
 std::int32_t midside_node(const SurfaceMesh& mesh, const Side& side) {
   const ElementType type = mesh.type[static_cast<std::size_t>(side.cell)];
   if (!is_quadratic(type)) return -1;
-  return mesh.element(
-      side.cell)[static_cast<std::size_t>(corner_count(type) + side_number(mesh, side))];
+  return mesh.element(side.cell)[static_cast<std::size_t>(corner_count(type) + side_number(mesh, side))];
 }
 
 ReferencePoint side_middle(ElementType type, int number) {

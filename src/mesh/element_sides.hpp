@@ -1,6 +1,6 @@
 #pragma once
-/// The sides of whole elements (topology.hpp speaks of linear cells): corner to corner, with the
-/// midside node of quadratic elements.
+/// The sides of whole elements (topology.hpp speaks of linear cells): corner to corner, with the midside node of
+/// quadratic elements.
 
 #include "mesh/shape.hpp"
 #include "mesh/topology.hpp"

@@ -13,8 +13,8 @@ enum class ElementType : std::int32_t {
   quad9 = 219,
 };
 
-/// Node numbering: corners counter-clockwise seen from the tip of the normal, then the edge
-/// midpoints in the same order (first between corners 0 and 1), then the centre (quad9).
+/// Node numbering: corners counter-clockwise seen from the tip of the normal, then the edge midpoints in the same order
+/// (first between corners 0 and 1), then the centre (quad9).
 constexpr int node_count(ElementType type) {
   switch (type) {
     case ElementType::tri3:

@@ -15,15 +15,12 @@ namespace {
 
 void check_axes(const Axes& axes) {
   const Vec3 &a = axes.t1, &b = axes.t2, &n = axes.n;
-  const Vec3 cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                      a[0] * b[1] - a[1] * b[0]};
+  const Vec3 cross = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   constexpr double tolerance = 1e-10;
-  const bool orthonormal = std::abs(dot(a, a) - 1) < tolerance &&
-                           std::abs(dot(b, b) - 1) < tolerance && std::abs(dot(a, b)) < tolerance &&
-                           std::abs(dot(cross, n) - 1) < tolerance &&
+  const bool orthonormal = std::abs(dot(a, a) - 1) < tolerance && std::abs(dot(b, b) - 1) < tolerance &&
+                           std::abs(dot(a, b)) < tolerance && std::abs(dot(cross, n) - 1) < tolerance &&
                            std::abs(dot(n, n) - 1) < tolerance;
-  if (!orthonormal)
-    fail(Status::err_argument, "the axes (t1, t2, n) are not orthonormal and right-handed");
+  if (!orthonormal) fail(Status::err_argument, "the axes (t1, t2, n) are not orthonormal and right-handed");
 }
 
 /// Squares and products of lengths must stay in the range of double precision.
@@ -32,15 +29,13 @@ void check_range(const SurfaceMesh& mesh, const Axes& axes) {
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
     for (std::size_t i = 0; i < 3; ++i) {
       if (!std::isfinite(mesh.node[k][i]))
-        fail(Status::err_nonfinite,
-             "coordinate %c of node %lld (counting from %d) of the contact frame is not finite",
+        fail(Status::err_nonfinite, "coordinate %c of node %lld (counting from %d) of the contact frame is not finite",
              "xyz"[i], static_cast<long long>(k) + mesh.index_base, mesh.index_base);
       extent = std::max(extent, std::abs(mesh.node[k][i] - axes.origin[i]));
     }
   constexpr double smallest = 1e-60, largest = 1e60;
   if (extent < smallest || extent > largest)
-    fail(Status::err_mesh,
-         "the contact frame extends %g from the origin of its axes; allowed: %g to %g", extent,
+    fail(Status::err_mesh, "the contact frame extends %g from the origin of its axes; allowed: %g to %g", extent,
          smallest, largest);
 }
 
@@ -48,12 +43,11 @@ void integrate_weights(Frame& frame) {
   constexpr int degree = 5;  // N_i times the Jacobian of the projection, of any element
   frame.weight.assign(static_cast<std::size_t>(frame.nodes()), 0);
   frame.area = 0;
-  integrate_projection(
-      frame, degree, [&](auto nodes, const Shape& shape, double, double, double area) {
-        frame.area += area;
-        for (std::size_t i = 0; i < nodes.size(); ++i)
-          frame.weight[static_cast<std::size_t>(nodes[i])] += area * shape.value[i];
-      });
+  integrate_projection(frame, degree, [&](auto nodes, const Shape& shape, double, double, double area) {
+    frame.area += area;
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      frame.weight[static_cast<std::size_t>(nodes[i])] += area * shape.value[i];
+  });
 }
 
 }  // namespace

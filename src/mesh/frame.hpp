@@ -1,8 +1,8 @@
 #pragma once
-/// The contact frame: the mesh on which tractions live. Its nodes are given in space; their
-/// projection on the tangent plane of the axes (t1, t2) gives the coordinates x, y of the surface,
-/// so a frame may be curved as long as it projects without folding. Half-spaces see the projection
-/// alone. Bodies with a mesh give every node a local triad (curve_frame).
+/// The contact frame: the mesh on which tractions live. Its nodes are given in space; their projection on the tangent
+/// plane of the axes (t1, t2) gives the coordinates x, y of the surface, so a frame may be curved as long as it
+/// projects without folding. Half-spaces see the projection alone. Bodies with a mesh give every node a local triad
+/// (curve_frame).
 
 #include <cstdint>
 #include <span>
@@ -12,8 +12,7 @@
 
 namespace rollcon {
 
-/// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body
-/// 1).
+/// Origin and right-handed orthonormal triad (t1 rolling direction, t2, n outward normal of body 1).
 struct Axes {
   Vec3 origin{0, 0, 0};
   Vec3 t1{1, 0, 0};
@@ -26,16 +25,15 @@ struct Triad {
   Vec3 t1, t2, n;
 };
 
-/// n: the unit normal; t1: the rolling direction of the axes projected on the tangent plane; t2 =
-/// n x t1. The normal must not be parallel to the rolling direction.
+/// n: the unit normal; t1: the rolling direction of the axes projected on the tangent plane; t2 = n x t1. The normal
+/// must not be parallel to the rolling direction.
 Triad local_triad(const Axes& axes, const Vec3& normal);
 
 struct Frame {
   SurfaceMesh mesh;
   Axes axes;
   std::vector<double> x, y, z;  ///< nodal coordinates in the axes (t1, t2, n)
-  /// Integral of N_i over the projected frame, of a curved one over the surface itself (may be <=
-  /// 0).
+  /// Integral of N_i over the projected frame, of a curved one over the surface itself (may be <= 0).
   std::vector<double> weight;
   std::vector<double> cell_area;   ///< median-dual cell area (curved: on the surface), > 0
   std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
@@ -53,17 +51,15 @@ struct Frame {
   }
 };
 
-/// Projects the mesh, checks it and computes everything above. Throws Error(err_mesh) naming, in
-/// the caller's index base, the first offending element and their count: repeated nodes in an
-/// element, the same element twice, more than two elements on an edge, degenerate (Jacobian not
-/// positive at a checked point), flipped (negative seen from the tip of n), nodes of no element
-/// are allowed (they carry no traction).
+/// Projects the mesh, checks it and computes everything above. Throws Error(err_mesh) naming, in the caller's index
+/// base, the first offending element and their count: repeated nodes in an element, the same element twice, more than
+/// two elements on an edge, degenerate (Jacobian not positive at a checked point), flipped (negative seen from the tip
+/// of n), nodes of no element are allowed (they carry no traction).
 Frame build_frame(SurfaceMesh mesh, const Axes& axes);
 
-/// Gives every node its local triad, and replaces weights and areas by those of the surface itself.
-/// normal: outward normal of body 1 at every node, of any length. Normals that all agree with the
-/// axes' leave the frame flat. Throws Error(err_mesh) naming the first node, and their count, whose
-/// normal is more than 60 degrees off the axes' normal.
+/// Gives every node its local triad, and replaces weights and areas by those of the surface itself. normal: outward
+/// normal of body 1 at every node, of any length. Normals that all agree with the axes' leave the frame flat. Throws
+/// Error(err_mesh) naming the first node, and their count, whose normal is more than 60 degrees off the axes' normal.
 void curve_frame(Frame& frame, std::span<const Vec3> normal);
 
 /// Area of the median-dual cells in the projection, where convection works.

@@ -27,8 +27,8 @@ struct Sign {
 
 /// Signs of the Jacobian over the check points, coordinates divided by the
 /// element's size.
-Sign jacobian_signs(std::span<const Vec3> point, double size,
-                    const std::vector<CheckPoint>& looked_at, double tolerance) {
+Sign jacobian_signs(std::span<const Vec3> point, double size, const std::vector<CheckPoint>& looked_at,
+                    double tolerance) {
   Sign sign;
   for (const CheckPoint& p : looked_at) {
     const Shape& s = p.shape;
@@ -75,8 +75,7 @@ void check_elements(const SurfaceMesh& mesh, std::span<const double> x, std::spa
     const NodeExtent extent = measure_nodes(point);
     // Coordinates carry the rounding of their magnitude: what is below it
     // cannot be told from zero.
-    const double rounding =
-        16 * std::numeric_limits<double>::epsilon() * extent.magnitude / extent.size;
+    const double rounding = 16 * std::numeric_limits<double>::epsilon() * extent.magnitude / extent.size;
     const double tolerance = std::max(smallest_ratio, rounding);
     if (!(extent.nearest > tolerance * extent.size)) {
       coincident.add("element %lld (%s), nodes %lld and %lld", names.element(e), name(type),
@@ -117,9 +116,8 @@ void check_midsides(const Names<SurfaceMesh>& names) {
     const Side* all = &s;
     for (std::size_t i = 1; i < count; ++i)
       if (midside_node(names.mesh, all[i - 1]) != midside_node(names.mesh, all[i]))
-        differ.add("edge %lld-%lld of elements %lld and %lld", names.node(s.low()),
-                   names.node(s.high()), names.element(all[i - 1].cell),
-                   names.element(all[i].cell));
+        differ.add("edge %lld-%lld of elements %lld and %lld", names.node(s.low()), names.node(s.high()),
+                   names.element(all[i - 1].cell), names.element(all[i].cell));
   });
   names.refuse(differ, "two elements share an edge but not its midside node");
 }
@@ -135,11 +133,11 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
     const Side* all = &s;
     if (count > 2)
       crowded.add("edge %lld-%lld with %lld elements (%lld, %lld, %lld, ...)", names.node(s.low()),
-                  names.node(s.high()), static_cast<long long>(count), element_id(all[0].cell),
-                  element_id(all[1].cell), element_id(all[2].cell));
+                  names.node(s.high()), static_cast<long long>(count), element_id(all[0].cell), element_id(all[1].cell),
+                  element_id(all[2].cell));
     else if (count == 2 && all[0].from == all[1].from)
-      same_side.add("elements %lld and %lld on edge %lld-%lld", element_id(all[0].cell),
-                    element_id(all[1].cell), names.node(s.low()), names.node(s.high()));
+      same_side.add("elements %lld and %lld on edge %lld-%lld", element_id(all[0].cell), element_id(all[1].cell),
+                    names.node(s.low()), names.node(s.high()));
   });
   names.refuse(crowded, "more than two elements share an edge");
   names.refuse(same_side, "two elements lie on the same side of their common edge");
@@ -148,8 +146,7 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto n = cells[c];
     for (std::size_t i = 0; i < n.size(); ++i) {
-      const std::size_t a = at(n[(i + n.size() - 1) % n.size()]), b = at(n[i]),
-                        d = at(n[(i + 1) % n.size()]);
+      const std::size_t a = at(n[(i + n.size() - 1) % n.size()]), b = at(n[i]), d = at(n[(i + 1) % n.size()]);
       const double px = x[b] - x[a], py = y[b] - y[a], qx = x[d] - x[b], qy = y[d] - y[b];
       if (px * qy - py * qx <= 0) {
         concave.add("element %lld at node %lld", element_id(c), names.node(n[i]));
@@ -166,8 +163,7 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
          "(rollcon_contact_set_axes sets it): elements %lld and %lld (counting "
          "from %d) overlap; "
          "%lld parts of elements concerned",
-         element_id(overlap.first), element_id(overlap.second), mesh.index_base,
-         static_cast<long long>(overlap.count));
+         element_id(overlap.first), element_id(overlap.second), mesh.index_base, static_cast<long long>(overlap.count));
 }
 
 }  // namespace rollcon

@@ -21,9 +21,7 @@ class Search {
  public:
   Search(const Frame& frame, Lattice& lattice) : frame_(frame), lattice_(lattice) {}
 
-  bool run() {
-    return take_cell() && number_nodes() && fit() && within_tolerance() && place_cells();
-  }
+  bool run() { return take_cell() && number_nodes() && fit() && within_tolerance() && place_cells(); }
   const std::string& why() const { return why_; }
 
  private:
@@ -36,15 +34,9 @@ class Search {
     why_ = text;
     return false;
   }
-  long long shown(std::size_t node) const {
-    return static_cast<long long>(node) + frame_.mesh.index_base;
-  }
-  double along(std::size_t k) const {
-    return lattice_.ex * frame_.x[k] + lattice_.ey * frame_.y[k];
-  }
-  double across(std::size_t k) const {
-    return lattice_.ex * frame_.y[k] - lattice_.ey * frame_.x[k];
-  }
+  long long shown(std::size_t node) const { return static_cast<long long>(node) + frame_.mesh.index_base; }
+  double along(std::size_t k) const { return lattice_.ex * frame_.x[k] + lattice_.ey * frame_.y[k]; }
+  double across(std::size_t k) const { return lattice_.ex * frame_.y[k] - lattice_.ey * frame_.x[k]; }
 
   bool take_cell();
   bool number_nodes();
@@ -109,9 +101,8 @@ bool Search::number_nodes() {
     count[d] = cells + 1;
   }
   if (static_cast<double>(used) < least_lattice_fill * count[0] * count[1])
-    return refuse(
-        "its nodes fill %.3g of a grid of cells like the first one, which is less than %g",
-        static_cast<double>(used) / (count[0] * count[1]), least_lattice_fill);
+    return refuse("its nodes fill %.3g of a grid of cells like the first one, which is less than %g",
+                  static_cast<double>(used) / (count[0] * count[1]), least_lattice_fill);
   lattice_.nx = static_cast<std::int64_t>(count[0]);
   lattice_.ny = static_cast<std::int64_t>(count[1]);
   i_.assign(n, -1);
@@ -123,8 +114,7 @@ bool Search::number_nodes() {
     j_[k] = static_cast<std::int32_t>(std::lround(v));
     const double off = std::max(std::abs(u - i_[k]), std::abs(v - j_[k]));
     if (off > 0.25)
-      return refuse("node %lld lies %.2g of a spacing off its place, %g is allowed", shown(k), off,
-                    lattice_tolerance);
+      return refuse("node %lld lies %.2g of a spacing off its place, %g is allowed", shown(k), off, lattice_tolerance);
   }
   return true;
 }
@@ -145,8 +135,7 @@ void Search::fit_spacings() {
   }
   lattice_.dx = static_cast<double>(iu / ii);
   lattice_.dy = static_cast<double>(jv / jj);
-  const auto u0 = static_cast<double>(u - i * lattice_.dx),
-             v0 = static_cast<double>(v - j * lattice_.dy);
+  const auto u0 = static_cast<double>(u - i * lattice_.dx), v0 = static_cast<double>(v - j * lattice_.dy);
   lattice_.x0 = u0 * lattice_.ex - v0 * lattice_.ey;
   lattice_.y0 = u0 * lattice_.ey + v0 * lattice_.ex;
 }
@@ -199,8 +188,8 @@ bool Search::within_tolerance() {
   std::size_t worst = 0;
   lattice_.misfit = misfit(worst);
   if (lattice_.misfit <= lattice_tolerance) return true;
-  return refuse("node %lld lies %.2g of a spacing off its place, %g is allowed", shown(worst),
-                lattice_.misfit, lattice_tolerance);
+  return refuse("node %lld lies %.2g of a spacing off its place, %g is allowed", shown(worst), lattice_.misfit,
+                lattice_tolerance);
 }
 
 bool Search::place_cells() {
@@ -217,10 +206,8 @@ bool Search::place_cells() {
     for (std::size_t c = 0; c < 4; ++c) corner[c] = place[at(frame_.mesh.element(e)[c])];
     std::sort(corner, corner + 4);
     const std::int64_t low = corner[0];
-    if (low % nx == nx - 1 || corner[1] != low + 1 || corner[2] != low + nx ||
-        corner[3] != low + nx + 1)
-      return refuse("element %lld is not a cell of the grid",
-                    static_cast<long long>(e) + frame_.mesh.index_base);
+    if (low % nx == nx - 1 || corner[1] != low + 1 || corner[2] != low + nx || corner[3] != low + nx + 1)
+      return refuse("element %lld is not a cell of the grid", static_cast<long long>(e) + frame_.mesh.index_base);
     low_corner.push_back(corner[0]);
   }
   lattice_.place(nx, lattice_.ny, place, low_corner);
@@ -238,8 +225,7 @@ bool Lattice::has_inner_node() const {
   return std::find(cells.begin(), cells.end(), all) != cells.end();
 }
 
-void Lattice::place(std::int64_t columns, std::int64_t lines,
-                    const std::vector<std::int32_t>& place_of,
+void Lattice::place(std::int64_t columns, std::int64_t lines, const std::vector<std::int32_t>& place_of,
                     const std::vector<std::int32_t>& low_corner) {
   nx = columns;
   ny = lines;

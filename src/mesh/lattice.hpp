@@ -11,8 +11,7 @@
 
 namespace rollcon {
 
-/// The nodes of a frame as places of a grid of equal rectangular cells, of which some may lack.
-/// Node (ix, iy) lies at
+/// The nodes of a frame as places of a grid of equal rectangular cells, of which some may lack. Node (ix, iy) lies at
 ///   (x0, y0) + ix dx (ex, ey) + iy dy (-ey, ex)
 /// in the frame's axes (t1, t2).
 struct Lattice {
@@ -26,7 +25,7 @@ struct Lattice {
   std::vector<std::int32_t> node;   ///< node[iy * nx + ix]: number in the frame; -1: none
   std::vector<std::uint8_t> cells;  ///< of each place: the cells around it that are there
   std::vector<std::int32_t> loose;  ///< nodes of the frame that belong to no cell
-  double misfit = 0;  ///< largest distance of a node from its place, over the smaller spacing
+  double misfit = 0;                ///< largest distance of a node from its place, over the smaller spacing
 
   std::int64_t frame_nodes() const;
   /// Some node has all its cells.
@@ -34,20 +33,20 @@ struct Lattice {
   /// Spacing along the flow (t1) of a node amid others: the area of a cell over its extent across.
   double spacing_along_flow() const { return dx * dy / (dx * (ey < 0 ? -ey : ey) + dy * ex); }
 
-  /// Sets nx, ny, node, cells and loose from the place of each node of the frame (-1: none) and the
-  /// places of the low corners of the cells.
+  /// Sets nx, ny, node, cells and loose from the place of each node of the frame (-1: none) and the places of the low
+  /// corners of the cells.
   void place(std::int64_t columns, std::int64_t lines, const std::vector<std::int32_t>& place_of,
              const std::vector<std::int32_t>& low_corner);
 };
 
-/// Nodes may be off their places by this part of the smaller spacing: coordinates in single
-/// precision are. Results change by about as much.
+/// Nodes may be off their places by this part of the smaller spacing: coordinates in single precision are. Results
+/// change by about as much.
 inline constexpr double lattice_tolerance = 1e-5;
 /// Nodes over places, at least: emptier grids cost more than they save.
 inline constexpr double least_lattice_fill = 0.25;
 
-/// The grid of a flat frame of quad4 elements, turned and numbered in any way, with or without
-/// holes and nodes of no element; none if the frame is anything else, for the reason then given in
+/// The grid of a flat frame of quad4 elements, turned and numbered in any way, with or without holes and nodes of no
+/// element; none if the frame is anything else, for the reason then given in
 /// *why. Spacings, axes and origin are those of least squares. Takes O(nodes) time.
 std::optional<Lattice> find_lattice(const Frame& frame, std::string* why = nullptr);
 

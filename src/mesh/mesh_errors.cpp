@@ -22,9 +22,8 @@ const char* name(ElementType type) {
 
 const char* name(VolumeType type) {
   static constexpr std::pair<VolumeType, const char*> names[] = {
-      {VolumeType::tet4, "tet4"},     {VolumeType::tet10, "tet10"},
-      {VolumeType::wedge6, "wedge6"}, {VolumeType::wedge15, "wedge15"},
-      {VolumeType::hex8, "hex8"},     {VolumeType::hex20, "hex20"}};
+      {VolumeType::tet4, "tet4"},       {VolumeType::tet10, "tet10"}, {VolumeType::wedge6, "wedge6"},
+      {VolumeType::wedge15, "wedge15"}, {VolumeType::hex8, "hex8"},   {VolumeType::hex20, "hex20"}};
   for (const auto& [known, text] : names)
     if (known == type) return text;
   return "?";
@@ -37,15 +36,13 @@ void check_connectivity(const Names<Elements>& names, std::int64_t count) {
   corners.reserve(names.mesh.type.size());
   for (std::int64_t e = 0; e < names.mesh.elements(); ++e) {
     const auto nodes = names.mesh.element(e);
-    const auto out = std::find_if(nodes.begin(), nodes.end(),
-                                  [&](std::int32_t k) { return k < 0 || k >= count; });
+    const auto out = std::find_if(nodes.begin(), nodes.end(), [&](std::int32_t k) { return k < 0 || k >= count; });
     if (out != nodes.end())
-      range.add("element %lld (%s), node %lld of %d..%lld", names.element(e), names.type(e),
-                names.node(*out), names.base, names.node(count - 1));
+      range.add("element %lld (%s), node %lld of %d..%lld", names.element(e), names.type(e), names.node(*out),
+                names.base, names.node(count - 1));
     for (auto k = nodes.begin(); k != nodes.end(); ++k)
       if (std::find(nodes.begin(), k, *k) != k) {
-        repeated.add("element %lld (%s), node %lld", names.element(e), names.type(e),
-                     names.node(*k));
+        repeated.add("element %lld (%s), node %lld", names.element(e), names.type(e), names.node(*k));
         break;
       }
     // The same corners are the same element, whatever its order of
@@ -59,8 +56,7 @@ void check_connectivity(const Names<Elements>& names, std::int64_t count) {
   std::sort(corners.begin(), corners.end());
   for (std::size_t i = 1; i < corners.size(); ++i)
     if (corners[i - 1].first == corners[i].first)
-      twice.add("elements %lld and %lld", names.element(corners[i - 1].second),
-                names.element(corners[i].second));
+      twice.add("elements %lld and %lld", names.element(corners[i - 1].second), names.element(corners[i].second));
   names.refuse(range, "an element refers to a node that does not exist");
   names.refuse(repeated, "a node is repeated within an element");
   names.refuse(twice, "the same element is given twice");

@@ -35,8 +35,8 @@ struct Tally {
   /// count from.
   void fail_if_any(const char* what, const char* where, std::int32_t base) const {
     if (count > 0)
-      fail(Status::err_mesh, "%s; %lld such in the %s; first: %s (counting from %d)", what, count,
-           where, first.c_str(), base);
+      fail(Status::err_mesh, "%s; %lld such in the %s; first: %s (counting from %d)", what, count, where, first.c_str(),
+           base);
   }
 };
 

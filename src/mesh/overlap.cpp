@@ -10,18 +10,14 @@ namespace rollcon {
 namespace {
 
 struct Box {
-  double low[2] = {std::numeric_limits<double>::infinity(),
-                   std::numeric_limits<double>::infinity()};
-  double high[2] = {-std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
+  double low[2] = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  double high[2] = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
   void add(double x, double y) {
     low[0] = std::min(low[0], x), high[0] = std::max(high[0], x);
     low[1] = std::min(low[1], y), high[1] = std::max(high[1], y);
   }
-  bool holds(double x, double y) const {
-    return x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1];
-  }
+  bool holds(double x, double y) const { return x >= low[0] && x <= high[0] && y >= low[1] && y <= high[1]; }
 };
 
 /// Binary tree over cells: node i covers order[begin, end); children by halving at the median.
@@ -32,8 +28,7 @@ class BoxTree {
     std::iota(order_.begin(), order_.end(), std::int64_t{0});
     for (std::int64_t c = 0; c < cells.size(); ++c) {
       double sx = 0, sy = 0;
-      for (std::int32_t k : cells[c])
-        sx += x[static_cast<std::size_t>(k)], sy += y[static_cast<std::size_t>(k)];
+      for (std::int32_t k : cells[c]) sx += x[static_cast<std::size_t>(k)], sy += y[static_cast<std::size_t>(k)];
       const auto count = static_cast<double>(cells[c].size());
       centre_x_.push_back(sx / count);
       centre_y_.push_back(sy / count);
@@ -95,8 +90,7 @@ class BoxTree {
 
 }  // namespace
 
-Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y,
-                     double tolerance) {
+Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance) {
   const BoxTree tree(cells, x, y);
   auto inside = [&](std::int64_t cell, double px, double py) {
     const auto n = cells[cell];
@@ -117,8 +111,7 @@ Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::s
     auto covered = [&](double px, double py, std::int32_t vertex) {
       return tree.any_at(px, py, [&](std::int64_t d) {
         const auto n = cells[d];
-        if (d == c || std::find(n.begin(), n.end(), vertex) != n.end() || !inside(d, px, py))
-          return false;
+        if (d == c || std::find(n.begin(), n.end(), vertex) != n.end() || !inside(d, px, py)) return false;
         other = d;
         return true;
       });

@@ -11,8 +11,8 @@
 
 namespace rollcon {
 
-/// Calls f(nodes, shape, x, y, area) at the points of a rule of this degree on every element; area:
-/// weight times the Jacobian of the projection, a polynomial.
+/// Calls f(nodes, shape, x, y, area) at the points of a rule of this degree on every element; area: weight times the
+/// Jacobian of the projection, a polynomial.
 template <class F>
 void integrate_projection(const Frame& frame, int degree, F f) {
   const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);

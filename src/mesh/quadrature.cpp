@@ -16,9 +16,8 @@ Polynomial jacobi(int n, double a, double x) {
   double before = 1, value = (a + 1) + 0.5 * (a + 2) * (x - 1);
   for (int k = 2; k <= n; ++k) {
     const double c = 2 * k + a;
-    const double next =
-        ((c - 1) * (c * (c - 2) * x + a * a) * value - 2 * (k + a - 1) * (k - 1) * c * before) /
-        (2 * k * (k + a) * (c - 2));
+    const double next = ((c - 1) * (c * (c - 2) * x + a * a) * value - 2 * (k + a - 1) * (k - 1) * c * before) /
+                        (2 * k * (k + a) * (c - 2));
     before = value;
     value = next;
   }

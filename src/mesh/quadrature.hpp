@@ -14,15 +14,15 @@ struct PlaneRule {
   std::size_t size() const { return w.size(); }
 };
 
-/// n-point rule on [-1, 1] for the weight (1 - x)^alpha, alpha >= 0: exact to degree 2n - 1.
-/// Zeros of the Jacobi polynomial by Newton's method with deflation, ascending.
+/// n-point rule on [-1, 1] for the weight (1 - x)^alpha, alpha >= 0: exact to degree 2n - 1. Zeros of the Jacobi
+/// polynomial by Newton's method with deflation, ascending.
 LineRule gauss_jacobi(int n, double alpha);
 inline LineRule gauss_legendre(int n) {
   return gauss_jacobi(n, 0);
 }
 
-/// Exact for polynomials of total degree `degree` on the triangle (0,0), (1,0), (0,1); all points
-/// inside, all weights positive (product rule collapsed at a corner).
+/// Exact for polynomials of total degree `degree` on the triangle (0,0), (1,0), (0,1); all points inside, all weights
+/// positive (product rule collapsed at a corner).
 PlaneRule triangle_rule(int degree);
 /// Exact for polynomials of degree `degree` in each variable on [-1,1]^2.
 PlaneRule square_rule(int degree);

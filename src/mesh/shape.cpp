@@ -3,8 +3,7 @@
 namespace rollcon {
 namespace {
 
-constexpr ReferencePoint triangle_nodes[6] = {{0, 0},   {1, 0},     {0, 1},
-                                              {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
+constexpr ReferencePoint triangle_nodes[6] = {{0, 0}, {1, 0}, {0, 1}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}};
 constexpr ReferencePoint square_nodes[9] = {{-1, -1}, {1, -1}, {1, 1},  {-1, 1}, {0, -1},
                                             {1, 0},   {0, 1},  {-1, 0}, {0, 0}};
 
@@ -36,8 +35,7 @@ void tri6(double xi, double eta, Shape& s) {
 void quad4(double xi, double eta, Shape& s) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [a, b] = square_nodes[i];
-    set(s, i, 0.25 * (1 + a * xi) * (1 + b * eta), 0.25 * a * (1 + b * eta),
-        0.25 * b * (1 + a * xi));
+    set(s, i, 0.25 * (1 + a * xi) * (1 + b * eta), 0.25 * a * (1 + b * eta), 0.25 * b * (1 + a * xi));
   }
 }
 
@@ -45,16 +43,14 @@ void quad8(double xi, double eta, Shape& s) {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto [a, b] = square_nodes[i];
     set(s, i, 0.25 * (1 + a * xi) * (1 + b * eta) * (a * xi + b * eta - 1),
-        0.25 * a * (1 + b * eta) * (2 * a * xi + b * eta),
-        0.25 * b * (1 + a * xi) * (a * xi + 2 * b * eta));
+        0.25 * a * (1 + b * eta) * (2 * a * xi + b * eta), 0.25 * b * (1 + a * xi) * (a * xi + 2 * b * eta));
   }
   for (std::size_t i = 4; i < 8; ++i) {
     const auto [a, b] = square_nodes[i];
     if (a == 0)
       set(s, i, 0.5 * (1 - xi * xi) * (1 + b * eta), -xi * (1 + b * eta), 0.5 * b * (1 - xi * xi));
     else
-      set(s, i, 0.5 * (1 + a * xi) * (1 - eta * eta), 0.5 * a * (1 - eta * eta),
-          -eta * (1 + a * xi));
+      set(s, i, 0.5 * (1 + a * xi) * (1 - eta * eta), 0.5 * a * (1 - eta * eta), -eta * (1 + a * xi));
   }
 }
 

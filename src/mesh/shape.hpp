@@ -1,6 +1,6 @@
 #pragma once
-/// Lagrange and serendipity shape functions of the frame's elements. Reference triangle: corners
-/// (0,0), (1,0), (0,1); reference square: [-1,1]^2, first corner (-1,-1).
+/// Lagrange and serendipity shape functions of the frame's elements. Reference triangle: corners (0,0), (1,0), (0,1);
+/// reference square: [-1,1]^2, first corner (-1,-1).
 
 #include <array>
 #include <span>

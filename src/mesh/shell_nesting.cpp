@@ -24,8 +24,7 @@ const Vec3& first_node(const SurfaceMesh& mesh, std::int64_t element) {
 std::vector<Box> boxes(const SurfaceMesh& mesh, const Shells& shells) {
   std::vector<Box> box(shells.size());
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    box[static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)])].add(
-        box_of(mesh.node, mesh.element(e)));
+    box[static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)])].add(box_of(mesh.node, mesh.element(e)));
   for (Box& b : box)
     for (std::size_t k = 0; k < 3; ++k) {
       const double margin = 0.25 * (b.high[k] - b.low[k]);
@@ -35,8 +34,7 @@ std::vector<Box> boxes(const SurfaceMesh& mesh, const Shells& shells) {
   return box;
 }
 
-/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee), lengths in its own
-/// unit.
+/// Solid angle of a triangle seen from the origin (van Oosterom and Strackee), lengths in its own unit.
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = length(a), lb = length(b), lc = length(c);
   const double y = dot(a, cross(b, c));
@@ -90,26 +88,22 @@ std::vector<double> shell_volumes(const SurfaceMesh& mesh, const Shells& shells)
   std::vector<double> volume(shells.size(), 0), area(shells.size(), 0), far(shells.size(), 0);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const auto s = static_cast<std::size_t>(shells.shell[static_cast<std::size_t>(e)]);
-    volume[s] += shells.sign[static_cast<std::size_t>(e)] *
-                 cone_volume(mesh, e, first_node(mesh, shells.first[s]));
+    volume[s] += shells.sign[static_cast<std::size_t>(e)] * cone_volume(mesh, e, first_node(mesh, shells.first[s]));
     area[s] += element_area(mesh, e);
     for (std::int32_t k : mesh.element(e))
-      for (double c : mesh.node[static_cast<std::size_t>(k)])
-        far[s] = std::max(far[s], std::abs(c));
+      for (double c : mesh.node[static_cast<std::size_t>(k)]) far[s] = std::max(far[s], std::abs(c));
   }
   Tally flat;
   for (std::size_t s = 0; s < shells.size(); ++s) {
     const double noise = 16 * std::numeric_limits<double>::epsilon() * far[s];
     if (!(std::abs(volume[s]) > area[s] * std::max(1e-12 * std::sqrt(area[s]), noise)))
-      flat.add("the one of element %lld",
-               static_cast<long long>(shells.first[s]) + mesh.index_base);
+      flat.add("the one of element %lld", static_cast<long long>(shells.first[s]) + mesh.index_base);
   }
   flat.fail_if_any("a closed part encloses no volume", "surface", mesh.index_base);
   return volume;
 }
 
-std::vector<int> nesting_depths(const SurfaceMesh& mesh, const Shells& shells,
-                                std::span<const double> volume) {
+std::vector<int> nesting_depths(const SurfaceMesh& mesh, const Shells& shells, std::span<const double> volume) {
   std::vector<int> depth(shells.size(), 0);
   if (shells.size() == 1) return depth;
   const std::vector<Sample> sample = sample_nodes(mesh, shells);

@@ -29,8 +29,8 @@ enum class Defect { none, vanishing, turning };
 
 /// Of the check point with the smallest component of the surface Jacobian along
 /// the mean normal. noise: rounding of the coordinates over the element's size.
-Defect jacobian_defect(std::span<const Vec3> node, double size,
-                       const std::vector<CheckPoint>& points, double noise, std::size_t& worst) {
+Defect jacobian_defect(std::span<const Vec3> node, double size, const std::vector<CheckPoint>& points, double noise,
+                       std::size_t& worst) {
   std::vector<Vec3> normal(points.size());
   Vec3 mean{0, 0, 0};
   double largest = 0;
@@ -51,8 +51,7 @@ Defect jacobian_defect(std::span<const Vec3> node, double size,
   if (scale <= smallest_jacobian * largest) return Defect::turning;
   double smallest = std::numeric_limits<double>::infinity();
   for (std::size_t p = 0; p < points.size(); ++p)
-    if (const double c = dot(normal[p], mean) / (scale * scale); c < smallest)
-      smallest = c, worst = p;
+    if (const double c = dot(normal[p], mean) / (scale * scale); c < smallest) smallest = c, worst = p;
   if (smallest > std::max(smallest_jacobian, noise / scale)) return Defect::none;
   return length(normal[worst]) <= smallest_jacobian * scale ? Defect::vanishing : Defect::turning;
 }

@@ -26,10 +26,9 @@ struct Facet {
   double slack;
 };
 
-// Where an edge from a to b runs through a triangle: both ends lie off its plane by more than the
-// slack, on different sides.
-bool pierces(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r,
-             double slack) {
+// Where an edge from a to b runs through a triangle: both ends lie off its plane by more than the slack, on different
+// sides.
+bool pierces(const Vec3& a, const Vec3& b, const Vec3& p, const Vec3& q, const Vec3& r, double slack) {
   const Vec3 normal = cross(q - p, r - p);
   const double size = length(normal);
   if (!(size > 0)) return false;
@@ -56,12 +55,11 @@ bool edges_pierce(const SurfaceMesh& mesh, const Facet& from, const Facet& throu
 }
 
 bool share_node(std::span<const std::int32_t> a, std::span<const std::int32_t> b) {
-  return std::any_of(a.begin(), a.end(),
-                     [&](std::int32_t k) { return std::find(b.begin(), b.end(), k) != b.end(); });
+  return std::any_of(a.begin(), a.end(), [&](std::int32_t k) { return std::find(b.begin(), b.end(), k) != b.end(); });
 }
 
-// Quadratic parts stray from straight ones by a quarter of the sagitta of their edges at most;
-// quadrilaterals by the height of their fourth corner.
+// Quadratic parts stray from straight ones by a quarter of the sagitta of their edges at most; quadrilaterals by the
+// height of their fourth corner.
 double stray(const SurfaceMesh& mesh, std::span<const std::int32_t> facet, std::int64_t element) {
   constexpr double rounding = 1e-6;
   const auto at = [&](std::int32_t k) { return mesh.node[static_cast<std::size_t>(k)]; };
@@ -102,8 +100,7 @@ void check_crossing(const SurfaceMesh& mesh) {
   Tally crossing;
   const auto base = static_cast<long long>(mesh.index_base);
   for (std::size_t i = 0; i < facet.size(); ++i)
-    for (std::size_t j = i + 1;
-         j < facet.size() && facet[j].box.low[axis] <= facet[i].box.high[axis]; ++j) {
+    for (std::size_t j = i + 1; j < facet.size() && facet[j].box.low[axis] <= facet[i].box.high[axis]; ++j) {
       const Facet &a = facet[i], &b = facet[j];
       if (a.element == b.element || !meet(a.box, b.box)) continue;
       if (share_node(mesh.element(a.element), mesh.element(b.element))) continue;
@@ -112,8 +109,8 @@ void check_crossing(const SurfaceMesh& mesh) {
         crossing.add("elements %lld and %lld", std::min(a.element, b.element) + base,
                      std::max(a.element, b.element) + base);
     }
-  crossing.fail_if_any("the surface runs through itself: elements without a common node cross",
-                       "surface", mesh.index_base);
+  crossing.fail_if_any("the surface runs through itself: elements without a common node cross", "surface",
+                       mesh.index_base);
 }
 
 }  // namespace rollcon

@@ -5,8 +5,8 @@
 
 namespace rollcon {
 
-/// Throws Error(err_mesh) where elements without a common node cross, deeper than their curvature
-/// lets their straight parts stray from them.
+/// Throws Error(err_mesh) where elements without a common node cross, deeper than their curvature lets their straight
+/// parts stray from them.
 void check_crossing(const SurfaceMesh& mesh);
 
 }  // namespace rollcon

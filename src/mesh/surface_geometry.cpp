@@ -18,8 +18,7 @@ const Vec3& position(const SurfaceMesh& mesh, std::int32_t node) {
 
 }  // namespace
 
-SurfaceFrame combine(const SurfaceMesh& mesh, std::int64_t element, const Shape& s,
-                     const Vec3& origin) {
+SurfaceFrame combine(const SurfaceMesh& mesh, std::int64_t element, const Shape& s, const Vec3& origin) {
   const auto nodes = mesh.element(element);
   SurfaceFrame f{};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -44,8 +43,7 @@ std::vector<TabulatedPoint> tabulate(ElementType type, int degree) {
   return table;
 }
 
-SurfaceFrame evaluate_surface(const SurfaceMesh& mesh, std::int64_t element, double xi,
-                              double eta) {
+SurfaceFrame evaluate_surface(const SurfaceMesh& mesh, std::int64_t element, double xi, double eta) {
   Shape shape;
   evaluate_shape(mesh.type[static_cast<std::size_t>(element)], xi, eta, shape);
   const Vec3 origin = position(mesh, mesh.element(element)[0]);
@@ -77,11 +75,9 @@ double angle_at_node(const SurfaceMesh& mesh, std::int64_t element, int local) {
   const ReferencePoint at = reference_nodes(type)[static_cast<std::size_t>(local)];
   const SurfaceFrame f = evaluate_surface(mesh, element, at.xi, at.eta);
   const Vec3 back_xi = -1.0 * f.d_xi, back_eta = -1.0 * f.d_eta;
-  if (corners == 4)
-    return angle_between(at.xi < 0 ? f.d_xi : back_xi, at.eta < 0 ? f.d_eta : back_eta);
+  if (corners == 4) return angle_between(at.xi < 0 ? f.d_xi : back_xi, at.eta < 0 ? f.d_eta : back_eta);
   if (local == 0) return angle_between(f.d_xi, f.d_eta);
-  return local == 1 ? angle_between(back_xi, f.d_eta - f.d_xi)
-                    : angle_between(back_eta, f.d_xi - f.d_eta);
+  return local == 1 ? angle_between(back_xi, f.d_eta - f.d_xi) : angle_between(back_eta, f.d_xi - f.d_eta);
 }
 
 double element_area(const SurfaceMesh& mesh, std::int64_t element) {
@@ -116,8 +112,7 @@ double enclosed_volume(const SurfaceMesh& mesh) {
 
 double element_diameter(const SurfaceMesh& mesh, std::int64_t element) {
   const auto nodes = mesh.element(element);
-  const auto corners =
-      static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(element)]));
+  const auto corners = static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(element)]));
   double diameter = 0;
   for (std::size_t i = 0; i < corners; ++i)
     for (std::size_t j = 0; j < i; ++j)

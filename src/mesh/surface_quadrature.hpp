@@ -18,9 +18,8 @@ std::vector<TabulatedPoint> tabulate(ElementType type, int degree);
 template <int degree>
 const std::vector<TabulatedPoint>& tabulated(ElementType type) {
   static const std::vector<TabulatedPoint> all[] = {
-      tabulate(ElementType::tri3, degree), tabulate(ElementType::tri6, degree),
-      tabulate(ElementType::quad4, degree), tabulate(ElementType::quad8, degree),
-      tabulate(ElementType::quad9, degree)};
+      tabulate(ElementType::tri3, degree), tabulate(ElementType::tri6, degree), tabulate(ElementType::quad4, degree),
+      tabulate(ElementType::quad8, degree), tabulate(ElementType::quad9, degree)};
   const bool triangle = corner_count(type) == 3;
   return all[triangle                     ? (is_quadratic(type) ? 1 : 0)
              : type == ElementType::quad4 ? 2
@@ -28,10 +27,9 @@ const std::vector<TabulatedPoint>& tabulated(ElementType type) {
                                           : 4];
 }
 
-/// Calls f(shape, point, area) at the points of a rule on an element; area: weight times the
-/// surface Jacobian. That is the root of a polynomial and exact on flat elements only; on quadratic
-/// ones that span 22 degrees of a sphere both ways integrals of N_i are right to 1e-11, with 45
-/// degrees to 6e-9.
+/// Calls f(shape, point, area) at the points of a rule on an element; area: weight times the surface Jacobian. That is
+/// the root of a polynomial and exact on flat elements only; on quadratic ones that span 22 degrees of a sphere both
+/// ways integrals of N_i are right to 1e-11, with 45 degrees to 6e-9.
 template <class F>
 void integrate_element(const SurfaceMesh& mesh, std::int64_t element, F f) {
   const Vec3 origin = mesh.node[static_cast<std::size_t>(mesh.element(element)[0])];
@@ -45,8 +43,7 @@ void integrate_element(const SurfaceMesh& mesh, std::int64_t element, F f) {
 template <class F>
 void integrate_surface(const SurfaceMesh& mesh, F f) {
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    integrate_element(
-        mesh, e, [&](const Shape& shape, const Vec3& x, double area) { f(e, shape, x, area); });
+    integrate_element(mesh, e, [&](const Shape& shape, const Vec3& x, double area) { f(e, shape, x, area); });
 }
 
 }  // namespace rollcon

@@ -30,8 +30,7 @@ void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
     if (count == 1) open.emplace_back(edge_of(s.from, s.to), s.cell);
   });
   auto element_at = [&](std::int32_t a, std::int32_t b) {
-    const auto at =
-        std::lower_bound(open.begin(), open.end(), std::pair{edge_of(a, b), std::int64_t{0}});
+    const auto at = std::lower_bound(open.begin(), open.end(), std::pair{edge_of(a, b), std::int64_t{0}});
     return at != open.end() && at->first == edge_of(a, b) ? at->second : std::int64_t{-1};
   };
   Tally halved;
@@ -40,9 +39,9 @@ void check_halved_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
     if (count != 1 || mid < 0) return;
     const std::int64_t other = std::max(element_at(s.low(), mid), element_at(mid, s.high()));
     if (other >= 0)
-      halved.add("edge %lld-%lld-%lld of element %lld (%s) on element %lld (%s)",
-                 names.node(s.low()), names.node(mid), names.node(s.high()), names.element(s.cell),
-                 names.type(s.cell), names.element(other), names.type(other));
+      halved.add("edge %lld-%lld-%lld of element %lld (%s) on element %lld (%s)", names.node(s.low()), names.node(mid),
+                 names.node(s.high()), names.element(s.cell), names.type(s.cell), names.element(other),
+                 names.type(other));
   });
   names.refuse(halved,
                "a quadratic element's edge lies on shorter edges of "
@@ -102,9 +101,9 @@ void check_edges(const SurfaceMesh& mesh, std::span<const Side> sides) {
                   names.node(s.high()), static_cast<long long>(count), names.element(all[0].cell),
                   names.element(all[1].cell), names.element(all[2].cell));
     else if (count == 2 && midside_node(mesh, all[0]) != midside_node(mesh, all[1]))
-      differ.add("edge %lld-%lld of elements %lld (%s) and %lld (%s)", names.node(s.low()),
-                 names.node(s.high()), names.element(all[0].cell), names.type(all[0].cell),
-                 names.element(all[1].cell), names.type(all[1].cell));
+      differ.add("edge %lld-%lld of elements %lld (%s) and %lld (%s)", names.node(s.low()), names.node(s.high()),
+                 names.element(all[0].cell), names.type(all[0].cell), names.element(all[1].cell),
+                 names.type(all[1].cell));
   });
   names.refuse(crowded, "more than two elements share an edge");
   names.refuse(differ, "two elements share an edge but not its midside node");
@@ -116,8 +115,8 @@ void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides) {
   Tally open;
   for_each_edge(sides, [&](const Side& s, std::size_t count) {
     if (count == 1)
-      open.add("edge %lld-%lld of element %lld (%s)", names.node(s.low()), names.node(s.high()),
-               names.element(s.cell), names.type(s.cell));
+      open.add("edge %lld-%lld of element %lld (%s)", names.node(s.low()), names.node(s.high()), names.element(s.cell),
+               names.type(s.cell));
   });
   names.refuse(open,
                "open edge: only one element has it, but a body's surface "
@@ -144,8 +143,7 @@ void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides) {
         continue;
       }
       reported[k] = 1;
-      touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]),
-                   names.element(e));
+      touching.add("node %lld (elements %lld and %lld)", names.node(node), names.element(owner[k]), names.element(e));
     }
   names.refuse(touching, "two parts of the surface touch at a node without sharing an edge");
 }
@@ -158,10 +156,9 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides) {
   for_each_edge(sides, [&](const Side& a, std::size_t count) {
     if (count != 2) return;
     const Side& b = *(&a + 1);
-    if (!forest.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell),
-                     a.from == b.from ? -1 : 1))
-      twisted.add("edge %lld-%lld of elements %lld and %lld", names.node(a.low()),
-                  names.node(a.high()), names.element(a.cell), names.element(b.cell));
+    if (!forest.join(static_cast<std::size_t>(a.cell), static_cast<std::size_t>(b.cell), a.from == b.from ? -1 : 1))
+      twisted.add("edge %lld-%lld of elements %lld and %lld", names.node(a.low()), names.node(a.high()),
+                  names.element(a.cell), names.element(b.cell));
   });
   names.refuse(twisted,
                "one-sided surface (a Moebius strip): its elements "
@@ -216,8 +213,7 @@ void check_outward(const SurfaceMesh& mesh, const Shells& shells) {
          "the surface encloses %lld bodies that do not hang together; give "
          "each its own body; "
          "first: those of elements %lld and %lld (counting from %d)",
-         static_cast<long long>(bodies), names.element(first), names.element(second),
-         mesh.index_base);
+         static_cast<long long>(bodies), names.element(first), names.element(second), mesh.index_base);
 
   Tally inward;
   for (std::size_t e = 0; e < shells.sign.size(); ++e) {

@@ -17,8 +17,8 @@ void check_closed(const SurfaceMesh& mesh, std::span<const Side> sides);
 /// Nodes at which parts of the surface touch without sharing an edge.
 void check_fans(const SurfaceMesh& mesh, std::span<const Side> sides);
 
-/// Elements joined across edges: shell[e] (0, 1, ... by first element) and sign[e], +1 or -1, such
-/// that all elements of a shell look to the same side once those of sign -1 are turned.
+/// Elements joined across edges: shell[e] (0, 1, ... by first element) and sign[e], +1 or -1, such that all elements of
+/// a shell look to the same side once those of sign -1 are turned.
 struct Shells {
   std::vector<std::int32_t> shell;
   std::vector<int> sign;
@@ -32,8 +32,7 @@ Shells find_shells(const SurfaceMesh& mesh, std::span<const Side> sides);
 /// The smaller part of each shell that looks to the other side.
 void check_neighbours(const SurfaceMesh& mesh, const Shells& shells);
 
-/// Closed shells: one body, whose outer shell has outward normals and whose cavities have normals
-/// into the cavity.
+/// Closed shells: one body, whose outer shell has outward normals and whose cavities have normals into the cavity.
 void check_outward(const SurfaceMesh& mesh, const Shells& shells);
 
 }  // namespace rollcon

@@ -1,6 +1,5 @@
 #pragma once
-/// Who touches whom: linear cells (elements, or the parts of quadratic ones), their edges, and the
-/// neighbours of nodes.
+/// Who touches whom: linear cells (elements, or the parts of quadratic ones), their edges, and the neighbours of nodes.
 
 #include <cstdint>
 #include <span>
@@ -25,9 +24,9 @@ struct LinearCells {
   void add(std::int64_t of_element, std::initializer_list<std::int32_t> nodes);
 };
 
-/// Linear elements as they are; tri6 in 4 triangles, quad9 in 8 around its centre, quad8 in its 4
-/// corner triangles and the quadrilateral of its midside nodes (no diagonal is preferred there, so
-/// that symmetric frames have symmetric operators).
+/// Linear elements as they are; tri6 in 4 triangles, quad9 in 8 around its centre, quad8 in its 4 corner triangles and
+/// the quadrilateral of its midside nodes (no diagonal is preferred there, so that symmetric frames have symmetric
+/// operators).
 LinearCells split_elements(const SurfaceMesh& mesh);
 
 /// One side of a cell, running from `from` to `to` counter-clockwise round it.
@@ -46,8 +45,7 @@ template <class F>
 void for_each_edge(std::span<const Side> side, F f) {
   for (std::size_t i = 0; i < side.size();) {
     std::size_t j = i + 1;
-    while (j < side.size() && side[j].low() == side[i].low() && side[j].high() == side[i].high())
-      ++j;
+    while (j < side.size() && side[j].low() == side[i].low() && side[j].high() == side[i].high()) ++j;
     f(side[i], j - i);
     i = j;
   }

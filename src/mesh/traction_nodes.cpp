@@ -21,8 +21,7 @@ void join_across_edges(const SurfaceMesh& mesh, double edge_angle, NodeFans& fan
   for_each_edge(sides, [&](const Side& a, std::size_t count) {
     if (count != 2) return;
     const Side& b = *(&a + 1);
-    if (mesh.tag[static_cast<std::size_t>(a.cell)] != mesh.tag[static_cast<std::size_t>(b.cell)])
-      return;
+    if (mesh.tag[static_cast<std::size_t>(a.cell)] != mesh.tag[static_cast<std::size_t>(b.cell)]) return;
     if (angle_between(normal_at_middle(mesh, a), normal_at_middle(mesh, b)) > largest) return;
     fans.join_across(a, b);
   });
@@ -62,8 +61,7 @@ TractionNodes split_at_edges(const SurfaceMesh& mesh, double edge_angle) {
     for (std::size_t i = 0; i < at.size(); ++i) {
       const auto entry = static_cast<std::size_t>(mesh.offset[static_cast<std::size_t>(e)]) + i;
       Vec3& sum = result.normal[static_cast<std::size_t>(result.of[entry])];
-      sum = sum +
-            angle_at_node(mesh, e, static_cast<int>(i)) * unit_normal(mesh, e, at[i].xi, at[i].eta);
+      sum = sum + angle_at_node(mesh, e, static_cast<int>(i)) * unit_normal(mesh, e, at[i].xi, at[i].eta);
     }
   }
   for (Vec3& n : result.normal) n = normalized(n);

@@ -13,8 +13,7 @@ void turn_over(SurfaceMesh& mesh) {
     std::array<std::int32_t, max_element_nodes> before{};
     std::copy(nodes.begin(), nodes.end(), before.begin());
     std::int32_t* node = mesh.connectivity.data() + mesh.offset[at(e)];
-    for (int k = 0; k < node_count(mesh.type[at(e)]); ++k)
-      node[k] = before[at(turned_over(mesh.type[at(e)], k))];
+    for (int k = 0; k < node_count(mesh.type[at(e)]); ++k) node[k] = before[at(turned_over(mesh.type[at(e)], k))];
   }
 }
 

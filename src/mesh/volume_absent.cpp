@@ -1,5 +1,4 @@
-/// In place of volume meshes, in a build without finite-element bodies. Not reached: no other body
-/// has volume elements.
+/// In place of volume meshes, in a build without finite-element bodies. Not reached: no other body has volume elements.
 
 #include "mesh/volume_boundary.hpp"
 #include "support/error.hpp"
@@ -18,13 +17,11 @@ std::vector<BoundaryFace> boundary_faces(const VolumeElements& /*volume*/) {
   refuse();
 }
 
-SurfaceMesh boundary_surface(const VolumeElements& /*volume*/,
-                             std::span<const BoundaryFace> /*face*/) {
+SurfaceMesh boundary_surface(const VolumeElements& /*volume*/, std::span<const BoundaryFace> /*face*/) {
   refuse();
 }
 
-void check_volume(std::span<const Vec3> /*node*/, const VolumeElements& /*volume*/,
-                  std::int32_t /*index_base*/) {
+void check_volume(std::span<const Vec3> /*node*/, const VolumeElements& /*volume*/, std::int32_t /*index_base*/) {
   refuse();
 }
 

@@ -21,8 +21,8 @@ std::array<std::int32_t, 4> sorted_corners(std::span<const std::int32_t> corner)
 
 std::array<std::int32_t, 8> face_nodes(const VolumeElements& volume, const BoundaryFace& face) {
   const auto nodes = volume.element(face.element);
-  const VolumeFace& f = faces_of(
-      volume.type[static_cast<std::size_t>(face.element)])[static_cast<std::size_t>(face.side)];
+  const VolumeFace& f =
+      faces_of(volume.type[static_cast<std::size_t>(face.element)])[static_cast<std::size_t>(face.side)];
   std::array<std::int32_t, 8> result{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(node_count(f.type)); ++i)
     result[i] = nodes[static_cast<std::size_t>(f.node[i])];
@@ -32,9 +32,7 @@ std::array<std::int32_t, 8> face_nodes(const VolumeElements& volume, const Bound
 std::vector<CornerFace> sorted_faces(const VolumeElements& volume) {
   // By counting into the lists of their lowest corners, which are short: sorted there.
   const std::int32_t most =
-      volume.connectivity.empty()
-          ? -1
-          : *std::max_element(volume.connectivity.begin(), volume.connectivity.end());
+      volume.connectivity.empty() ? -1 : *std::max_element(volume.connectivity.begin(), volume.connectivity.end());
   std::vector<std::size_t> next(static_cast<std::size_t>(most) + 2, 0);
   std::vector<CornerFace> all;
   all.reserve(6 * static_cast<std::size_t>(volume.elements()));
@@ -44,8 +42,7 @@ std::vector<CornerFace> sorted_faces(const VolumeElements& volume) {
     for (std::size_t s = 0; s < sides.size(); ++s) {
       std::array<std::int32_t, 4> corner{};
       const auto corners = static_cast<std::size_t>(corner_count(sides[s].type));
-      for (std::size_t i = 0; i < corners; ++i)
-        corner[i] = nodes[static_cast<std::size_t>(sides[s].node[i])];
+      for (std::size_t i = 0; i < corners; ++i) corner[i] = nodes[static_cast<std::size_t>(sides[s].node[i])];
       all.push_back({sorted_corners({corner.data(), corners}), {e, static_cast<std::int32_t>(s)}});
       ++next[static_cast<std::size_t>(all.back().corner[0]) + 1];
     }
@@ -56,10 +53,8 @@ std::vector<CornerFace> sorted_faces(const VolumeElements& volume) {
   for (const CornerFace& f : all) sorted[next[static_cast<std::size_t>(f.corner[0])]++] = f;
   for (std::size_t k = 0; k + 1 < start.size(); ++k)
     std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(start[k]),
-              sorted.begin() + static_cast<std::ptrdiff_t>(start[k + 1]),
-              [](const CornerFace& a, const CornerFace& b) {
-                return std::tie(a.corner, a.of.element, a.of.side) <
-                       std::tie(b.corner, b.of.element, b.of.side);
+              sorted.begin() + static_cast<std::ptrdiff_t>(start[k + 1]), [](const CornerFace& a, const CornerFace& b) {
+                return std::tie(a.corner, a.of.element, a.of.side) < std::tie(b.corner, b.of.element, b.of.side);
               });
   return sorted;
 }
@@ -85,12 +80,10 @@ SurfaceMesh boundary_surface(const VolumeElements& volume, std::span<const Bound
   surface.connectivity.reserve(8 * face.size());
   for (const BoundaryFace& f : face) {
     const ElementType type =
-        faces_of(volume.type[static_cast<std::size_t>(f.element)])[static_cast<std::size_t>(f.side)]
-            .type;
+        faces_of(volume.type[static_cast<std::size_t>(f.element)])[static_cast<std::size_t>(f.side)].type;
     const auto nodes = face_nodes(volume, f);
     surface.type.push_back(type);
-    surface.connectivity.insert(surface.connectivity.end(), nodes.begin(),
-                                nodes.begin() + node_count(type));
+    surface.connectivity.insert(surface.connectivity.end(), nodes.begin(), nodes.begin() + node_count(type));
     surface.offset.push_back(static_cast<std::int64_t>(surface.connectivity.size()));
   }
   return surface;

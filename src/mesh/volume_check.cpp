@@ -44,8 +44,8 @@ void check_midside_nodes(std::size_t nodes, const VolumeElements& volume, const 
     const int corners = corner_count(volume.type[static_cast<std::size_t>(e)]);
     for (std::int32_t k : volume.element(e).subspan(static_cast<std::size_t>(corners)))
       if (const std::int64_t other = corner_of[static_cast<std::size_t>(k)]; other >= 0)
-        halved.add("node %lld of element %lld (%s), a corner of element %lld (%s)", names.node(k),
-                   names.element(e), names.type(e), names.element(other), names.type(other));
+        halved.add("node %lld of element %lld (%s), a corner of element %lld (%s)", names.node(k), names.element(e),
+                   names.type(e), names.element(other), names.type(other));
   }
   names.refuse(halved,
                "a midside node of one element is a corner of another: "
@@ -59,19 +59,16 @@ enum class Match { same, midsides, own_side, twisted };
 Match match_faces(const VolumeElements& volume, const CornerFace& f, const CornerFace& g) {
   const auto a = face_nodes(volume, f.of), b = face_nodes(volume, g.of);
   const std::size_t n = f.corner[3] < 0 ? 3 : 4;
-  const auto start = static_cast<std::size_t>(
-      std::find(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(n), a[0]) - b.begin());
+  const auto start =
+      static_cast<std::size_t>(std::find(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(n), a[0]) - b.begin());
   bool forward = true, backward = true, midsides = true;
-  const auto type_of = [&](const CornerFace& h) {
-    return volume.type[static_cast<std::size_t>(h.of.element)];
-  };
+  const auto type_of = [&](const CornerFace& h) { return volume.type[static_cast<std::size_t>(h.of.element)]; };
   if (is_quadratic(type_of(f)) != is_quadratic(type_of(g))) midsides = false;
   for (std::size_t i = 0; i < n; ++i) {
     forward = forward && a[i] == b[(start + i) % n];
     backward = backward && a[i] == b[(start + n - i) % n];
     // The edge from corner i to the next one is run through the other way.
-    if (midsides && is_quadratic(type_of(f)))
-      midsides = a[n + i] == b[n + (start + 2 * n - i - 1) % n];
+    if (midsides && is_quadratic(type_of(f))) midsides = a[n + i] == b[n + (start + 2 * n - i - 1) % n];
   }
   if (backward) return midsides ? Match::same : Match::midsides;
   return forward ? Match::own_side : Match::twisted;
@@ -87,13 +84,13 @@ void check_halved_faces(std::span<const CornerFace> boundary, const Numbers& nam
       std::array<std::int32_t, 4> triangle{-1, -1, -1, -1};
       for (std::size_t i = 0, k = 0; i < 4; ++i)
         if (i != skip) triangle[k++] = f.corner[i];
-      const auto at = std::lower_bound(
-          boundary.begin(), boundary.end(), triangle,
-          [](const CornerFace& a, const std::array<std::int32_t, 4>& b) { return a.corner < b; });
+      const auto at =
+          std::lower_bound(boundary.begin(), boundary.end(), triangle,
+                           [](const CornerFace& a, const std::array<std::int32_t, 4>& b) { return a.corner < b; });
       if (at == boundary.end() || at->corner != triangle) continue;
       halved.add("face %s of element %lld (%s) on element %lld (%s)", corners(names, f).c_str(),
-                 names.element(f.of.element), names.type(f.of.element),
-                 names.element(at->of.element), names.type(at->of.element));
+                 names.element(f.of.element), names.type(f.of.element), names.element(at->of.element),
+                 names.type(at->of.element));
       break;
     }
   }
@@ -103,8 +100,7 @@ void check_halved_faces(std::span<const CornerFace> boundary, const Numbers& nam
                "must share all of its nodes");
 }
 
-void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces,
-                 const Numbers& names) {
+void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces, const Numbers& names) {
   Tally crowded, overlapping, twisted, differ;
   std::vector<CornerFace> boundary;
   for_each_face(faces, [&](std::span<const CornerFace> same) {
@@ -113,17 +109,13 @@ void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces
     if (same.size() > 2)
       crowded.add("face %s of %lld elements (%lld, %lld, %lld%s)", corners(names, f).c_str(),
                   static_cast<long long>(same.size()), names.element(same[0].of.element),
-                  names.element(same[1].of.element), names.element(same[2].of.element),
-                  same.size() > 3 ? ", ..." : "");
+                  names.element(same[1].of.element), names.element(same[2].of.element), same.size() > 3 ? ", ..." : "");
     if (same.size() != 2) return;
     const Match match = match_faces(volume, f, g);
     if (match == Match::same) return;
-    Tally& tally = match == Match::midsides   ? differ
-                   : match == Match::own_side ? overlapping
-                                              : twisted;
-    tally.add("face %s of elements %lld (%s) and %lld (%s)", corners(names, f).c_str(),
-              names.element(f.of.element), names.type(f.of.element), names.element(g.of.element),
-              names.type(g.of.element));
+    Tally& tally = match == Match::midsides ? differ : match == Match::own_side ? overlapping : twisted;
+    tally.add("face %s of elements %lld (%s) and %lld (%s)", corners(names, f).c_str(), names.element(f.of.element),
+              names.type(f.of.element), names.element(g.of.element), names.type(g.of.element));
   });
   names.refuse(crowded, "more than two elements share a face");
   names.refuse(overlapping, "two elements overlap: they lie on the same side of a face they share");
@@ -132,8 +124,7 @@ void check_faces(const VolumeElements& volume, std::span<const CornerFace> faces
   check_halved_faces(boundary, names);
 }
 
-void check_connected(const VolumeElements& volume, std::span<const CornerFace> faces,
-                     const Numbers& names) {
+void check_connected(const VolumeElements& volume, std::span<const CornerFace> faces, const Numbers& names) {
   std::vector<std::size_t> parent(volume.type.size());
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   const auto root = [&parent](std::size_t i) {
@@ -161,8 +152,7 @@ void check_connected(const VolumeElements& volume, std::span<const CornerFace> f
 
 }  // namespace
 
-void check_volume(std::span<const Vec3> node, const VolumeElements& volume,
-                  std::int32_t index_base) {
+void check_volume(std::span<const Vec3> node, const VolumeElements& volume, std::int32_t index_base) {
   const Numbers names{volume, index_base, where};
   if (volume.elements() == 0) fail(Status::err_mesh, "the volume has no elements");
   const auto nodes = static_cast<std::int64_t>(node.size());

@@ -15,8 +15,8 @@ struct CornerFace {
   BoundaryFace of;
 };
 
-/// All faces of all elements, ascending by their corners, then element and side, so that those on
-/// the same corners stand together. Nodes must not be negative.
+/// All faces of all elements, ascending by their corners, then element and side, so that those on the same corners
+/// stand together. Nodes must not be negative.
 std::vector<CornerFace> sorted_faces(const VolumeElements& volume);
 
 /// The four numbers of a face's corners as in CornerFace.

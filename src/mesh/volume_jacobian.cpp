@@ -114,8 +114,7 @@ bool surely_sound(const Element& e, const CheckPoints& points, std::span<const V
   const double det = j.det();
   if (!(det > 1e-6 * j.scale())) return false;
   // Rows of the inverse.
-  const Vec3 a = (1 / det) * cross(j.v, j.w), b = (1 / det) * cross(j.w, j.u),
-             c = (1 / det) * cross(j.u, j.v);
+  const Vec3 a = (1 / det) * cross(j.v, j.w), b = (1 / det) * cross(j.w, j.u), c = (1 / det) * cross(j.u, j.v);
   Vec3 centre{0, 0, 0};
   for (std::size_t i = 1; i < e.n; ++i) centre = centre + points.centre.value[i] * e.x[i];
   std::array<double, max_volume_nodes> d{};
@@ -158,8 +157,7 @@ Defect defect_of(const Element& e, const CheckPoints& points, std::size_t& worst
 
 }  // namespace
 
-std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume,
-                                 std::int32_t index_base) {
+std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume, std::int32_t index_base) {
   const Names<VolumeElements> names{volume, index_base, "volume"};
   std::vector<double> nearest(node.size(), std::numeric_limits<double>::infinity());
   std::map<VolumeType, CheckPoints> tables;
@@ -176,8 +174,8 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
     // cannot be told from zero.
     const double noise = rounding * extent.magnitude / extent.size;
     if (!(extent.nearest > std::max(smallest_ratio, noise) * extent.size)) {
-      coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type),
-                     names.node(nodes[extent.near_i]), names.node(nodes[extent.near_j]));
+      coincident.add("element %lld (%s), nodes %lld and %lld", id, name(type), names.node(nodes[extent.near_i]),
+                     names.node(nodes[extent.near_j]));
       continue;
     }
     const CheckPoints& points = tables.try_emplace(type, type).first->second;
@@ -192,8 +190,8 @@ std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElement
       folded.add("element %lld (%s) at node %lld", id, name(type),
                  names.node(nodes[static_cast<std::size_t>(there.node)]));
     else
-      folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), there.at[0],
-                 there.at[1], there.at[2]);
+      folded.add("element %lld (%s) at xi = %g, eta = %g, zeta = %g", id, name(type), there.at[0], there.at[1],
+                 there.at[2]);
   }
   names.refuse(coincident, "degenerate element: two of its nodes coincide");
   names.refuse(flat, "degenerate element: it has no volume");

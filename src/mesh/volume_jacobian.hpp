@@ -10,12 +10,10 @@
 
 namespace rollcon {
 
-/// Throws Error(err_mesh) as check_volume does for its elements' shapes: two nodes at one place,
-/// no volume, turned inside out, Jacobian not positive everywhere. Looked at: the nodes, the points
-/// of the stiffness's rule and a lattice, a quarter of quadratic elements and half of linear ones
-/// apart. Slender elements are allowed. Returns for each node the distance to the nearest other
-/// node of its elements.
-std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume,
-                                 std::int32_t index_base);
+/// Throws Error(err_mesh) as check_volume does for its elements' shapes: two nodes at one place, no volume, turned
+/// inside out, Jacobian not positive everywhere. Looked at: the nodes, the points of the stiffness's rule and a
+/// lattice, a quarter of quadratic elements and half of linear ones apart. Slender elements are allowed. Returns for
+/// each node the distance to the nearest other node of its elements.
+std::vector<double> check_shapes(std::span<const Vec3> node, const VolumeElements& volume, std::int32_t index_base);
 
 }  // namespace rollcon

@@ -1,7 +1,7 @@
-// Symmetric rules with few points where such are known with positive weights and inner points,
-// collapsed products of Gauss-Jacobi rules beyond. Tetrahedra: the orbits' parameters solve the
-// moment equations of their degree (4 and 14 points: see Keast 1986 and Walkington 2000; 24 points:
-// Keast's). Triangles: Strang and Fix (6 points), Radon (7 points).
+// Symmetric rules with few points where such are known with positive weights and inner points, collapsed products of
+// Gauss-Jacobi rules beyond. Tetrahedra: the orbits' parameters solve the moment equations of their degree (4 and 14
+// points: see Keast 1986 and Walkington 2000; 24 points: Keast's). Triangles: Strang and Fix (6 points), Radon (7
+// points).
 
 #include <cmath>
 

@@ -8,41 +8,31 @@ namespace {
 using Edge = std::array<int, 2>;
 
 constexpr Edge tet_edges[6] = {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}};
-constexpr Edge wedge_edges[9] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
-                                 {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+constexpr Edge wedge_edges[9] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
 constexpr Edge hex_edges[12] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
                                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
 
 /// Corners, then the middles of the edges.
 template <std::size_t corners, std::size_t edges>
-constexpr std::array<Vec3, corners + edges> with_middles(const Vec3 (&corner)[corners],
-                                                         const Edge (&edge)[edges]) {
+constexpr std::array<Vec3, corners + edges> with_middles(const Vec3 (&corner)[corners], const Edge (&edge)[edges]) {
   std::array<Vec3, corners + edges> node{};
   for (std::size_t i = 0; i < corners; ++i) node[i] = corner[i];
   for (std::size_t i = 0; i < edges; ++i)
     for (std::size_t c = 0; c < 3; ++c)
-      node[corners + i][c] = 0.5 * (corner[static_cast<std::size_t>(edge[i][0])][c] +
-                                    corner[static_cast<std::size_t>(edge[i][1])][c]);
+      node[corners + i][c] =
+          0.5 * (corner[static_cast<std::size_t>(edge[i][0])][c] + corner[static_cast<std::size_t>(edge[i][1])][c]);
   return node;
 }
 
 constexpr auto tet_nodes = with_middles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, tet_edges);
-constexpr auto wedge_nodes = with_middles(
-    {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, wedge_edges);
-constexpr auto hex_nodes = with_middles({{-1, -1, -1},
-                                         {1, -1, -1},
-                                         {1, 1, -1},
-                                         {-1, 1, -1},
-                                         {-1, -1, 1},
-                                         {1, -1, 1},
-                                         {1, 1, 1},
-                                         {-1, 1, 1}},
-                                        hex_edges);
+constexpr auto wedge_nodes =
+    with_middles({{0, 0, -1}, {1, 0, -1}, {0, 1, -1}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}}, wedge_edges);
+constexpr auto hex_nodes = with_middles(
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}, hex_edges);
 
 /// A face by its corners; the midside nodes follow from the element's edges.
 template <std::size_t edges>
-constexpr VolumeFace face(std::initializer_list<int> corner, int corners, bool quadratic,
-                          const Edge (&edge)[edges]) {
+constexpr VolumeFace face(std::initializer_list<int> corner, int corners, bool quadratic, const Edge (&edge)[edges]) {
   const int* c = corner.begin();
   const bool triangle = corner.size() == 3;
   VolumeFace f{};
@@ -59,13 +49,12 @@ constexpr VolumeFace face(std::initializer_list<int> corner, int corners, bool q
 }
 
 constexpr std::array<VolumeFace, 4> tet_faces(bool q) {
-  return {face({0, 2, 1}, 4, q, tet_edges), face({0, 1, 3}, 4, q, tet_edges),
-          face({1, 2, 3}, 4, q, tet_edges), face({0, 3, 2}, 4, q, tet_edges)};
+  return {face({0, 2, 1}, 4, q, tet_edges), face({0, 1, 3}, 4, q, tet_edges), face({1, 2, 3}, 4, q, tet_edges),
+          face({0, 3, 2}, 4, q, tet_edges)};
 }
 constexpr std::array<VolumeFace, 5> wedge_faces(bool q) {
-  return {face({0, 2, 1}, 6, q, wedge_edges), face({3, 4, 5}, 6, q, wedge_edges),
-          face({0, 1, 4, 3}, 6, q, wedge_edges), face({1, 2, 5, 4}, 6, q, wedge_edges),
-          face({2, 0, 3, 5}, 6, q, wedge_edges)};
+  return {face({0, 2, 1}, 6, q, wedge_edges), face({3, 4, 5}, 6, q, wedge_edges), face({0, 1, 4, 3}, 6, q, wedge_edges),
+          face({1, 2, 5, 4}, 6, q, wedge_edges), face({2, 0, 3, 5}, 6, q, wedge_edges)};
 }
 constexpr std::array<VolumeFace, 6> hex_faces(bool q) {
   return {face({0, 3, 2, 1}, 8, q, hex_edges), face({4, 5, 6, 7}, 8, q, hex_edges),
@@ -82,10 +71,7 @@ struct Bary {
   Vec3 d;
 };
 std::array<Bary, 4> bary(const Vec3& at) {
-  return {{{1 - at[0] - at[1] - at[2], {-1, -1, -1}},
-           {at[0], {1, 0, 0}},
-           {at[1], {0, 1, 0}},
-           {at[2], {0, 0, 1}}}};
+  return {{{1 - at[0] - at[1] - at[2], {-1, -1, -1}}, {at[0], {1, 0, 0}}, {at[1], {0, 1, 0}}, {at[2], {0, 0, 1}}}};
 }
 
 void tet4(const Vec3& at, VolumeShape& s) {
@@ -134,8 +120,8 @@ void wedge15(const Vec3& at, VolumeShape& s) {
     const std::size_t p = i % 3, q = (p + 1) % 3;
     const double c = i < 3 ? -1 : 1, u = 2 * (1 + c * z);
     s.value[6 + i] = u * l[p] * l[q];
-    s.d[6 + i] = {u * (bary_xi[p] * l[q] + l[p] * bary_xi[q]),
-                  u * (bary_eta[p] * l[q] + l[p] * bary_eta[q]), 2 * c * l[p] * l[q]};
+    s.d[6 + i] = {u * (bary_xi[p] * l[q] + l[p] * bary_xi[q]), u * (bary_eta[p] * l[q] + l[p] * bary_eta[q]),
+                  2 * c * l[p] * l[q]};
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const double u = 1 - z * z;

@@ -1,7 +1,6 @@
 #pragma once
-/// Shape functions, faces and quadrature of volume elements. Reference tetrahedron: corners 000,
-/// 100, 010, 001; wedge: the triangle (0,0), (1,0), (0,1) times [-1, 1]; hexahedron: [-1, 1]^3, its
-/// first corner (-1, -1, -1).
+/// Shape functions, faces and quadrature of volume elements. Reference tetrahedron: corners 000, 100, 010, 001; wedge:
+/// the triangle (0,0), (1,0), (0,1) times [-1, 1]; hexahedron: [-1, 1]^3, its first corner (-1, -1, -1).
 
 #include <array>
 #include <span>
@@ -29,9 +28,8 @@ struct VolumeFace {
   ElementType type;
   std::array<int, 8> node;  ///< node_count(type) of them
 };
-/// In the order of docs/api.md. Tetrahedron: 012, 013, 123, 023. Wedge: bottom, top, then the sides
-/// 01, 12, 20. Hexahedron: bottom, top, then the sides 01, 12, 23, 30. (By their corners; node
-/// order within a face is outward.)
+/// In the order of docs/api.md. Tetrahedron: 012, 013, 123, 023. Wedge: bottom, top, then the sides 01, 12, 20.
+/// Hexahedron: bottom, top, then the sides 01, 12, 23, 30. (By their corners; node order within a face is outward.)
 std::span<const VolumeFace> faces_of(VolumeType type);
 
 /// Corners of the edges, in the order of their midside nodes.
@@ -42,11 +40,10 @@ struct VolumeRule {
   std::vector<double> w;
   std::size_t size() const { return w.size(); }
 };
-/// Exact for polynomials of total degree `degree` (hexahedra: in each variable; wedges: total in
-/// the triangle, and along zeta). All points inside, all weights positive; as few points as known
-/// rules allow: tetrahedra 1, 4, 8, 14, 24 up to degree 1, 2, 3, 5, 6, triangles of wedges 1, 3, 6,
-/// 7 up to degree 1, 2, 4, 5, symmetric in the corners; collapsed product rules beyond. degree >=
-/// 0.
+/// Exact for polynomials of total degree `degree` (hexahedra: in each variable; wedges: total in the triangle, and
+/// along zeta). All points inside, all weights positive; as few points as known rules allow: tetrahedra 1, 4, 8, 14, 24
+/// up to degree 1, 2, 3, 5, 6, triangles of wedges 1, 3, 6, 7 up to degree 1, 2, 4, 5, symmetric in the corners;
+/// collapsed product rules beyond. degree >= 0.
 VolumeRule volume_rule(VolumeType type, int degree);
 
 }  // namespace rollcon

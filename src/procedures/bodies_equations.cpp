@@ -17,9 +17,8 @@ double largest(const std::vector<double>& v) {
   return m;
 }
 
-// Unknowns times scale become tractions: the largest entry of each column of K then equals the
-// largest one of B. Rows are divided by their largest entry. Both carry the units along, whatever
-// the unknowns are (displacements, reactions).
+// Unknowns times scale become tractions: the largest entry of each column of K then equals the largest one of B. Rows
+// are divided by their largest entry. Both carry the units along, whatever the unknowns are (displacements, reactions).
 void set_scales(BodiesEquations::Body& body) {
   const double unit = std::max(largest(body.load.value), 1e-300);
   const std::int64_t n = body.equations->unknowns;
@@ -30,12 +29,10 @@ void set_scales(BodiesEquations::Body& body) {
     double most = 0;
     body.scaled(j, [&](std::int64_t, double v) { most = std::max(most, std::abs(v)); });
     if (most > 0) body.column[at(j)] = unit / most;
-    body.scaled(j,
-                [&](std::int64_t i, double v) { row[at(i)] = std::max(row[at(i)], std::abs(v)); });
+    body.scaled(j, [&](std::int64_t i, double v) { row[at(i)] = std::max(row[at(i)], std::abs(v)); });
   }
   for (std::int64_t j = 0; j < body.load.columns; ++j)
-    entries(body.load, j,
-            [&](std::int64_t i, double v) { row[at(i)] = std::max(row[at(i)], std::abs(v)); });
+    entries(body.load, j, [&](std::int64_t i, double v) { row[at(i)] = std::max(row[at(i)], std::abs(v)); });
   for (std::size_t i = 0; i < row.size(); ++i)
     if (row[i] > 0) body.row[i] = 1 / row[i];
 }
@@ -52,8 +49,7 @@ SparseMatrix lower_triangle(const SparseMatrix& whole) {
   return lower;
 }
 
-// The row in which each unknown of a dense matrix weighs most; of those that are taken by then, the
-// heaviest free one.
+// The row in which each unknown of a dense matrix weighs most; of those that are taken by then, the heaviest free one.
 std::vector<std::int64_t> heaviest_rows(const BodiesEquations::Body& body) {
   const std::int64_t n = body.equations->unknowns;
   std::vector<std::int64_t> heaviest(at(n), -1);
@@ -114,8 +110,7 @@ void BodiesEquations::add_loads(const double* t, double* y) const {
   for (const Body& body : body_)
     for (std::int64_t j = 0; j < body.load.columns; ++j)
       if (t[j] != 0)
-        entries(body.load, j,
-                [&](std::int64_t i, double v) { y[body.first + i] += body.row[at(i)] * v * t[j]; });
+        entries(body.load, j, [&](std::int64_t i, double v) { y[body.first + i] += body.row[at(i)] * v * t[j]; });
 }
 
 const std::vector<std::int64_t>& BodiesEquations::own_rows() {
@@ -137,8 +132,7 @@ BodiesEquations::Factor BodiesEquations::factor(const BodyEquations& e) {
     good = made.dense.factor();
   } else if (e.symmetric) {
     const SparseMatrix lower = lower_triangle(e.matrix);
-    made.symmetric =
-        ROLLCON_BUILD_CHOLMOD != 0 ? factor_by_cholmod(lower, {}) : factor_by_umfpack(lower, {});
+    made.symmetric = ROLLCON_BUILD_CHOLMOD != 0 ? factor_by_cholmod(lower, {}) : factor_by_umfpack(lower, {});
   } else {
     good = made.sparse.factor(e.matrix);
   }

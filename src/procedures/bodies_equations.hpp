@@ -1,6 +1,6 @@
 #pragma once
-/// The equations of bodies whose unknowns are written out, balanced: row by row, and such that the
-/// unknowns are tractions. None: the bodies' unknowns are eliminated, or they have none.
+/// The equations of bodies whose unknowns are written out, balanced: row by row, and such that the unknowns are
+/// tractions. None: the bodies' unknowns are eliminated, or they have none.
 
 #include <cstdint>
 #include <memory>
@@ -18,8 +18,7 @@ namespace rollcon {
 template <class Visit>
 void entries(const SparseMatrix& a, std::int64_t column, Visit visit) {
   const auto j = static_cast<std::size_t>(column);
-  for (auto k = static_cast<std::size_t>(a.start[j]); k < static_cast<std::size_t>(a.start[j + 1]);
-       ++k)
+  for (auto k = static_cast<std::size_t>(a.start[j]); k < static_cast<std::size_t>(a.start[j + 1]); ++k)
     visit(a.row[k], a.value[k]);
 }
 
@@ -47,8 +46,8 @@ class BodiesEquations {
   void add_loads(const double* t, double* y) const;
   /// Solves row K column d = y, in place. Factorises K when called for the first time.
   void solve(double* y);
-  /// An equation of its own for every unknown: of boundary elements, whose rows come in another
-  /// order, that in which it weighs most.
+  /// An equation of its own for every unknown: of boundary elements, whose rows come in another order, that in which it
+  /// weighs most.
   const std::vector<std::int64_t>& own_rows();
   std::int64_t factorizations() const { return factorizations_; }
   std::size_t bytes() const;
@@ -71,9 +70,7 @@ template <class Visit>
 void BodiesEquations::Body::scaled(std::int64_t j, Visit visit) const {
   const BodyEquations& e = *equations;
   const double scale = column[static_cast<std::size_t>(j)];
-  const auto entry = [&](std::int64_t i, double v) {
-    visit(i, row[static_cast<std::size_t>(i)] * v * scale);
-  };
+  const auto entry = [&](std::int64_t i, double v) { visit(i, row[static_cast<std::size_t>(i)] * v * scale); };
   if (e.dense.empty()) return entries(e.matrix, j, entry);
   const double* from = e.dense.data() + j * e.unknowns;
   for (std::int64_t i = 0; i < e.unknowns; ++i) entry(i, from[i]);

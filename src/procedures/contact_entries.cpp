@@ -26,9 +26,8 @@ SparseMatrix ContactEquations::loads() const {
     for (int c = 0; c < 3; ++c)
       if (const double t = column.traction[at(c)]; t != 0)
         for (const BodiesEquations::Body& body : bodies_.bodies())
-          entries(body.load, 3 * column.node + c, [&](std::int64_t i, double v) {
-            loads.add(body.first + i, -t * body.row[at(i)] * v);
-          });
+          entries(body.load, 3 * column.node + c,
+                  [&](std::int64_t i, double v) { loads.add(body.first + i, -t * body.row[at(i)] * v); });
     loads.end_column();
   }
   return loads.take();
@@ -67,19 +66,16 @@ void ContactEquations::assemble(double* dense) const {
   for (std::int64_t b = 0; b < loads.columns; ++b)
     entries(loads, b, [&](std::int64_t i, double v) { dense[i + (first + b) * n] = v; });
   for (std::int64_t a = 0; a < contact_size(); ++a)
-    for (std::int64_t b = 0; b < contact_size(); ++b)
-      dense[first + a + (first + b) * n] = contact_.row(a)[b];
+    for (std::int64_t b = 0; b < contact_size(); ++b) dense[first + a + (first + b) * n] = contact_.row(a)[b];
 }
 
 std::int64_t ContactEquations::nonzeros() const {
   if (inner() == 0) return contact_size() * contact_size();
   const double* first = contact_.data();
-  std::int64_t sum = std::count_if(first, first + contact_size() * contact_size(),
-                                   [](double v) { return v != 0; });
+  std::int64_t sum = std::count_if(first, first + contact_size() * contact_size(), [](double v) { return v != 0; });
   const auto count = [&sum](std::int64_t, double) { ++sum; };
   for (const BodiesEquations::Body& body : bodies_.bodies())
-    sum += static_cast<std::int64_t>(body.equations->dense.size() +
-                                     body.equations->matrix.value.size());
+    sum += static_cast<std::int64_t>(body.equations->dense.size() + body.equations->matrix.value.size());
   for (const Unknown& unknown : unknown_)
     for (int c = 0; c < 3; ++c) {
       if (unknown.image[at(c)] != 0) images_.per_unknown(unknown.node, c, count);

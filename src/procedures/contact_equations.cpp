@@ -43,8 +43,7 @@ void ContactEquations::add_row(std::int64_t k, double q0, double q1, const Tange
   Unknown& row = unknown_.emplace_back();
   row.node = k;
   row.direction = row.traction = {q0, q1, 0};
-  for (std::size_t c = 0; c < 2; ++c)
-    row.image[c] = problem_.rt[at(k)] * (q0 * law.slip[0][c] + q1 * law.slip[1][c]);
+  for (std::size_t c = 0; c < 2; ++c) row.image[c] = problem_.rt[at(k)] * (q0 * law.slip[0][c] + q1 * law.slip[1][c]);
   for (std::size_t c = 0; c < 3; ++c) row.own[c] = q0 * law.own[0][c] + q1 * law.own[1][c];
 }
 
@@ -101,8 +100,7 @@ void ContactEquations::take_motions() {
 
 double ContactEquations::motion_entry(const Unknown& row, const Motion& motion) const {
   const std::size_t k = at(row.node);
-  if (row.direction[2] != 0)
-    return motion.which == approach ? row.image[2] * problem_.closing(k) / motion.scale : 0;
+  if (row.direction[2] != 0) return motion.which == approach ? row.image[2] * problem_.closing(k) / motion.scale : 0;
   const auto slip = problem_.slip_column(motion.which, k);
   const double sum = row.image[0] * slip[0] + row.image[1] * slip[1];
   return (images_.kind() == Tangential::shift ? row.reach : 1) * sum / motion.scale;

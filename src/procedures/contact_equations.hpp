@@ -5,12 +5,11 @@
 ///   [ R   S  G ] [ c ]   contact of the pairs that touch
 ///   [ .   L  . ] [ m ]   loads
 ///
-/// d: unknowns of the bodies; c: tractions that no law gives at once; m: unknown motions. What
-/// friction's law gives is left out: tractions of open pairs, and at sliding pairs the traction
-/// along the slip, which follows the pressure; also that across it where the slip has no part in
-/// the law (frozen directions, no friction). S holds the laws' own tractions and what half-spaces,
-/// or bodies whose unknowns are eliminated, contribute. Gap vectors and slips, unknowns of the
-/// paper's systems as well, follow from d and c by their own equations (Images).
+/// d: unknowns of the bodies; c: tractions that no law gives at once; m: unknown motions. What friction's law gives is
+/// left out: tractions of open pairs, and at sliding pairs the traction along the slip, which follows the pressure;
+/// also that across it where the slip has no part in the law (frozen directions, no friction). S holds the laws' own
+/// tractions and what half-spaces, or bodies whose unknowns are eliminated, contribute. Gap vectors and slips, unknowns
+/// of the paper's systems as well, follow from d and c by their own equations (Images).
 
 #include <span>
 
@@ -38,7 +37,7 @@ class ContactEquations final : public LinearOperator {
     std::array<double, 3> direction{};     ///< unit vector: the traction's component that it is
     std::array<double, 3> traction{};      ///< per unit; along the direction and what follows it
     std::array<double, 3> image{}, own{};  ///< its row: weights of the node's images and tractions
-    double reach = 0;  ///< of a row that gives a displacement: per slip of an unknown motion
+    double reach = 0;                      ///< of a row that gives a displacement: per slip of an unknown motion
   };
   std::span<const Unknown> unknowns() const { return unknown_; }
   const BodiesEquations& bodies() const { return bodies_; }
@@ -47,9 +46,7 @@ class ContactEquations final : public LinearOperator {
   std::int64_t pairs() const { return static_cast<std::int64_t>(node_.size()); }
   std::int64_t motions() const { return static_cast<std::int64_t>(motion_.size()); }
   /// Order of S with G and L, and of the whole.
-  std::int64_t contact_size() const {
-    return static_cast<std::int64_t>(unknown_.size() + motion_.size());
-  }
+  std::int64_t contact_size() const { return static_cast<std::int64_t>(unknown_.size() + motion_.size()); }
   std::int64_t size() const { return inner() + contact_size(); }
   /// S, G and L, row-major.
   const RowMatrix<double>& contact() const { return contact_; }

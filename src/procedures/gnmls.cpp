@@ -25,14 +25,11 @@ struct AtPoint {
   const Point& z;
 
   double lambda(int c, std::size_t k) const { return z.lambda[c][k]; }
-  SummedGap gap(std::size_t k) const {
-    return {p.rigid_gap(k, z.motion[approach]) - z.depth[k], 0};
-  }
+  SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, z.motion[approach]) - z.depth[k], 0}; }
   static bool slip_known(std::size_t) { return true; }
   SummedSlip slip(std::size_t k) const {
     const auto i = static_cast<std::int64_t>(k);
-    return {p.rigid_slip1(i, z.motion) + z.slip[0][k], p.rigid_slip2(i, z.motion) + z.slip[1][k],
-            0};
+    return {p.rigid_slip1(i, z.motion) + z.slip[0][k], p.rigid_slip2(i, z.motion) + z.slip[1][k], 0};
   }
 };
 
@@ -44,10 +41,9 @@ Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   const Part part = tangential_ ? Part::full : Part::normal;
   for (std::size_t k = 0; measure && k < at(p.nodes); ++k)
     step_.state[k] = p.used[k] ? PairState::open : PairState::unused;
-  const LawSums sums =
-      sum_laws(p, given_, part, AtPoint{p, z}, [&](std::size_t k, bool touching, bool sliding) {
-        if (measure && touching) step_.state[k] = sliding ? PairState::slip : PairState::stick;
-      });
+  const LawSums sums = sum_laws(p, given_, part, AtPoint{p, z}, [&](std::size_t k, bool touching, bool sliding) {
+    if (measure && touching) step_.state[k] = sliding ? PairState::slip : PairState::stick;
+  });
   if (measure) scales_ = scales_of(sums);
   Residual r{residual_of(sums, scales_, load_error(p, given_, part, z.lambda), sums.contact)};
   const double imbalance = system_->imbalance(z) / scales_.pressure;
@@ -56,20 +52,17 @@ Gnmls::Residual Gnmls::evaluate(const Point& z, bool measure) {
   return r;
 }
 
-// Pressures are near those of the solution. What friction has a part in is not settled before the
-// end: pressures of unlike bodies, unless all that matters is their sum, and loads that pressures
-// carry on curved frames.
+// Pressures are near those of the solution. What friction has a part in is not settled before the end: pressures of
+// unlike bodies, unless all that matters is their sum, and loads that pressures carry on curved frames.
 bool Gnmls::beyond_friction() {
   constexpr double part_of_friction = 0.05, settling = 2e-3;
   const Problem& p = *problem_;
   const bool moment = given_.by_force[spin], curved = !p.turn.empty() && given_.by_force[approach];
-  const bool known = !p.op.coupled,
-             sum_known = known || friction_sum_known(p, given_, z_.lambda[2]);
+  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, given_, z_.lambda[2]);
   const double limit = 1 + (curved ? settling : -1e-12), far = 1 + part_of_friction;
   if (!moment && share_of_forces(p, given_, z_.lambda) < (sum_known ? limit : far)) return false;
   report_.share = share_of_friction(p, given_, z_.lambda);
-  return report_.share.together >= (known ? limit : far) ||
-         (sum_known && report_.share.force >= limit);
+  return report_.share.together >= (known ? limit : far) || (sum_known && report_.share.force >= limit);
 }
 
 bool Gnmls::creepage_unknown() const {
@@ -87,10 +80,9 @@ bool Gnmls::any_sticks() const {
 void Gnmls::linearise() {
   const Problem& p = *problem_;
   if (!tangential_) return;
-  // With frozen directions friction at sliding pairs does not depend on the creepages: without a
-  // sticking pair nothing would determine them.
-  const bool frozen =
-      procedure_.jacobian == Jacobian::simplified || procedure_.jacobian == Jacobian::reduced;
+  // With frozen directions friction at sliding pairs does not depend on the creepages: without a sticking pair nothing
+  // would determine them.
+  const bool frozen = procedure_.jacobian == Jacobian::simplified || procedure_.jacobian == Jacobian::reduced;
   // Otherwise little does, and steps that had to be cut short show that it was too little.
   if (creepage_unknown() && (frozen || sharpening_ < 1) && !any_sticks()) stick_first_ = true;
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
@@ -102,13 +94,11 @@ void Gnmls::linearise() {
       continue;
     }
     const auto i = static_cast<std::int64_t>(k);
-    const double pressure =
-        -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion[approach]) - z_.depth[k]));
+    const double pressure = -(z_.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, z_.motion[approach]) - z_.depth[k]));
     TangentialLaw& law = step_.law[k];
     law = linearise_friction(p, given_, k, z_.lambda, p.rigid_slip1(i, z_.motion) + z_.slip[0][k],
                              p.rigid_slip2(i, z_.motion) + z_.slip[1][k], pressure, true);
-    if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative)
-      continue;
+    if (procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative) continue;
     // (77)-(82): the direction of friction stays that of the last iterate.
     law.own[0][0] = law.own[1][1] = 1;
     law.own[0][1] = law.own[1][0] = 0;
@@ -117,8 +107,8 @@ void Gnmls::linearise() {
   if (procedure_.jacobian == Jacobian::reduced) estimate_slip();
 }
 
-// (90)-(92): displacement of sticking pairs from w + tau (c + D w) = w, with tau the inverse of the
-// derivative's diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all.
+// (90)-(92): displacement of sticking pairs from w + tau (c + D w) = w, with tau the inverse of the derivative's
+// diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all.
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
   const SparseRows& d = p.op.convection.rows;
@@ -142,8 +132,7 @@ void Gnmls::estimate_slip() {
     if (procedure_.estimate == SlipEstimate::extrapolation) tau *= procedure_.extrapolation;
     if (procedure_.estimate == SlipEstimate::pseudo_temporal) tau = procedure_.time_step / fastest;
     const auto i = static_cast<std::int64_t>(k);
-    const double s[2] = {p.rigid_slip1(i, known) + z_.slip[0][k],
-                         p.rigid_slip2(i, known) + z_.slip[1][k]};
+    const double s[2] = {p.rigid_slip1(i, known) + z_.slip[0][k], p.rigid_slip2(i, known) + z_.slip[1][k]};
     for (int c = 0; c < 2; ++c) step_.target[c][k] = z_.shift[c][k] - tau * s[c];
   }
 }
@@ -187,8 +176,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
   record.part = tangential_ ? Part::full : Part::normal;
   bool raised = false;
   int short_steps = 0, waiting = 0;
-  const bool newton =
-      procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative;
+  const bool newton = procedure_.jacobian == Jacobian::exact || procedure_.jacobian == Jacobian::b_derivative;
   for (std::int64_t k = 0;; ++k) {
     const Residual residual = evaluate(z_, true);
     const double worst = residual.greatest();
@@ -201,8 +189,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     if (monitor.step(record)) return Outcome::cancelled;
     if (!std::isfinite(worst) || !std::isfinite(residual.merit)) return Outcome::not_converged;
     if (residual.contact == 0) {
-      const bool loaded =
-          std::any_of(z_.lambda[2].begin(), z_.lambda[2].end(), [](double l) { return l != 0; });
+      const bool loaded = std::any_of(z_.lambda[2].begin(), z_.lambda[2].end(), [](double l) { return l != 0; });
       if (!loaded && !given_.by_force[approach]) return Outcome::no_contact;
       if (!loaded && raised) return Outcome::not_converged;
       // All pairs opened: from zero tractions again, at an approach that touches.
@@ -223,8 +210,7 @@ Outcome Gnmls::run(double tolerance, std::int64_t max_iterations, Monitor& monit
     if (warm_ && newton && waiting > warm_patience) return Outcome::not_converged;
     if (worst < best_worst_) best_worst_ = worst, best_ = z_;
     if (k >= max_iterations) return Outcome::not_converged;
-    if (tangential_ && pressures_settled(p, given_, z_.lambda, residual.normal) &&
-        beyond_friction())
+    if (tangential_ && pressures_settled(p, given_, z_.lambda, residual.normal) && beyond_friction())
       return Outcome::no_solution;
     const double eta = next_tolerance(residual, worst, tolerance);
     linearise();
@@ -262,8 +248,7 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
     if (!given_.by_force[m]) iterate.motion[m] = given_.value[m];
   for (const int m : {xi1, xi2, spin})
     if (frictionless && given_.by_force[at(m)]) iterate.motion[at(m)] = 0;
-  warm_ = std::any_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
-                      [](double l) { return l != 0; });
+  warm_ = std::any_of(iterate.lambda[2].begin(), iterate.lambda[2].end(), [](double l) { return l != 0; });
   if (!warm_) {
     iterate.clear_tractions();
     for (const int m : {xi1, xi2, spin})
@@ -286,15 +271,13 @@ void Gnmls::begin(Iterate& iterate, bool frictionless) {
   step_.law.assign(n, stick_law());
   for (auto& t : step_.target) t.assign(n, 0.0);
   step_.reach.assign(n, 0.0);
-  // With creepages still unknown there is no direction of slip to start from: full stick finds
-  // both.
-  stick_first_ =
-      procedure_.jacobian == Jacobian::exact && !warm_ && tangential_ && creepage_unknown();
+  // With creepages still unknown there is no direction of slip to start from: full stick finds both.
+  stick_first_ = procedure_.jacobian == Jacobian::exact && !warm_ && tangential_ && creepage_unknown();
 }
 
-NewtonReport Gnmls::solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                          StepSystem& system, const Procedure& procedure, bool frictionless,
-                          double tolerance, std::int64_t max_iterations, Monitor& monitor) {
+NewtonReport Gnmls::solve(const Problem& problem, const Prescribed& given, Iterate& iterate, StepSystem& system,
+                          const Procedure& procedure, bool frictionless, double tolerance, std::int64_t max_iterations,
+                          Monitor& monitor) {
   problem_ = &problem;
   given_ = step_.given = given;
   system_ = &system;
@@ -315,8 +298,7 @@ NewtonReport Gnmls::solve(const Problem& problem, const Prescribed& given, Itera
     begin(iterate, frictionless);
     report_.outcome = run(tolerance, left, monitor);
   }
-  const bool stopped =
-      report_.outcome == Outcome::not_converged || report_.outcome == Outcome::cancelled;
+  const bool stopped = report_.outcome == Outcome::not_converged || report_.outcome == Outcome::cancelled;
   if (stopped && std::isfinite(best_worst_)) {
     z_ = best_;
     const Residual best = evaluate(z_, true);

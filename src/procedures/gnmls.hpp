@@ -1,6 +1,6 @@
 #pragma once
-/// The generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal
-/// (2010), section 11.1, on either form of the system and with any of its Jacobians.
+/// The generalised Newton method with line search (Pang 1990) of Rodriguez-Tembleque & Abascal (2010), section 11.1, on
+/// either form of the system and with any of its Jacobians.
 
 #include "contact/newton/report.hpp"
 #include "contact/problem/law_residual.hpp"
@@ -11,12 +11,11 @@ namespace rollcon {
 
 class Gnmls {
  public:
-  /// Solves from the given iterate; all zero: a cold start, (section 11.6) zero tractions, or a
-  /// Hertzian pressure where the Jacobian is the exact one. On return the iterate's images belong
-  /// to its tractions.
-  NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                     StepSystem& system, const Procedure& procedure, bool frictionless,
-                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
+  /// Solves from the given iterate; all zero: a cold start, (section 11.6) zero tractions, or a Hertzian pressure where
+  /// the Jacobian is the exact one. On return the iterate's images belong to its tractions.
+  NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate, StepSystem& system,
+                     const Procedure& procedure, bool frictionless, double tolerance, std::int64_t max_iterations,
+                     Monitor& monitor);
 
  private:
   struct Residual : LawResidual {

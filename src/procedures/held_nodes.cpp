@@ -13,8 +13,8 @@ namespace {
 
 constexpr double rounding = 1e-12;
 
-// How much each displacement component at the nodes follows anything at all, over the most that a
-// body's own unknowns or a half-space make of one.
+// How much each displacement component at the nodes follows anything at all, over the most that a body's own unknowns
+// or a half-space make of one.
 std::vector<double> mobility(const ExpandedCompliance& expanded, std::size_t places) {
   std::vector<double> sum(places, 0.0), part(places);
   const auto add_part = [&](auto row) {
@@ -31,9 +31,7 @@ std::vector<double> mobility(const ExpandedCompliance& expanded, std::size_t pla
       return std::span(d.value).subspan(at(d.start[i]), at(d.start[i + 1] - d.start[i]));
     });
   if (!expanded.direct.empty())
-    add_part([&](std::size_t i) {
-      return std::span(expanded.direct.row(static_cast<std::int64_t>(i)), places);
-    });
+    add_part([&](std::size_t i) { return std::span(expanded.direct.row(static_cast<std::int64_t>(i)), places); });
   return sum;
 }
 

@@ -25,8 +25,7 @@ void Images::stencil(std::int64_t k, int r, Visit visit) const {
     visit(std::int64_t{d.column[e]}, problem_.op.convection.factor[at(k)] * d.value[e]);
 }
 
-Images::Images(const Problem& problem, const Frame& frame, const Compliance& compliance,
-               Tangential kind)
+Images::Images(const Problem& problem, const Frame& frame, const Compliance& compliance, Tangential kind)
     : problem_(problem), kind_(kind) {
   ComplianceBlock out;
   out.stride = problem.nodes;
@@ -42,8 +41,8 @@ Images::Images(const Problem& problem, const Frame& frame, const Compliance& com
   if (kind == Tangential::shift) compliance.block({frame.x, frame.y}, out);
 }
 
-Images::Images(const Problem& problem, const ExpandedCompliance& expanded,
-               const BodiesEquations& bodies, Tangential kind)
+Images::Images(const Problem& problem, const ExpandedCompliance& expanded, const BodiesEquations& bodies,
+               Tangential kind)
     : problem_(problem), kind_(kind) {
   const std::int64_t n = problem.nodes;
   const RowMatrix<double>& direct = expanded.direct;
@@ -68,9 +67,8 @@ Images::Images(const Problem& problem, const ExpandedCompliance& expanded,
       for (std::size_t b = 0; b < expanded.body.size() && wanted(r, 2); ++b)
         stencil(k, r, [&](std::int64_t point, double weight) {
           const BodiesEquations::Body& body = bodies.bodies()[b];
-          entries(expanded.body[b].displacement, 3 * point + r, [&](std::int64_t i, double v) {
-            unknown_.push(body.first + i, weight * v * body.column[at(i)]);
-          });
+          entries(expanded.body[b].displacement, 3 * point + r,
+                  [&](std::int64_t i, double v) { unknown_.push(body.first + i, weight * v * body.column[at(i)]); });
         });
       unknown_.end_column();
     }
@@ -79,8 +77,7 @@ Images::Images(const Problem& problem, const ExpandedCompliance& expanded,
 void Images::apply(Point& z) const {
   const std::int64_t n = problem_.nodes;
   const bool shift = kind_ == Tangential::shift;
-  std::vector<double>* const to[3] = {shift ? &z.shift[0] : &z.slip[0],
-                                      shift ? &z.shift[1] : &z.slip[1], &z.depth};
+  std::vector<double>* const to[3] = {shift ? &z.shift[0] : &z.slip[0], shift ? &z.shift[1] : &z.slip[1], &z.depth};
   for (int r = 0; r < 3; ++r) {
     std::vector<double>& image = *to[r];
     image.assign(at(n), 0.0);
@@ -97,9 +94,9 @@ void Images::apply(Point& z) const {
   convect(problem_.op.convection, w.data(), nullptr, z.slip);
 }
 
-// Displacements by normal and tangential tractions at a node: of a disc of the node's area near it,
-// of a point force far from it (Johnson, Contact mechanics, 3.2). Tangential ones without their
-// coupling, for a Poisson's ratio of about 0.3.
+// Displacements by normal and tangential tractions at a node: of a disc of the node's area near it, of a point force
+// far from it (Johnson, Contact mechanics, 3.2). Tangential ones without their coupling, for a Poisson's ratio of about
+// 0.3.
 Blocks Images::rough(const Frame& frame) {
   constexpr double softer = 1.2;
   const Problem& p = problem_;
@@ -121,8 +118,7 @@ Blocks Images::rough(const Frame& frame) {
     for (std::int64_t k = 0; k < n && tangential; ++k)
       stencil(k, 0, [&](std::int64_t point, double weight) {
         for (std::int64_t j = 0; j < n; ++j)
-          along.row(k)[j] +=
-              weight * softer * (point < n ? normal.row(point)[j] : displacement(point, at(j)));
+          along.row(k)[j] += weight * softer * (point < n ? normal.row(point)[j] : displacement(point, at(j)));
       });
   }
   Blocks made{};

@@ -9,8 +9,8 @@
 
 namespace rollcon {
 
-/// What the tangential images are: nothing (no friction), slip D (A lambda)_t, or displacement
-/// (A lambda)_t, of which D makes the slip (reduced unknowns).
+/// What the tangential images are: nothing (no friction), slip D (A lambda)_t, or displacement (A lambda)_t, of which D
+/// makes the slip (reduced unknowns).
 enum class Tangential { none, slip, shift };
 
 /// Image r (0, 1 tangential, 2 normal) per traction c, n by n; null or empty: zero.
@@ -23,12 +23,11 @@ inline bool has_entries(const Blocks& blocks) {
 
 class Images {
  public:
-  /// With the bodies' unknowns eliminated: the operators of the problem, which must be assembled
-  /// and outlive this; displacements are the compliance's.
+  /// With the bodies' unknowns eliminated: the operators of the problem, which must be assembled and outlive this;
+  /// displacements are the compliance's.
   Images(const Problem& problem, const Frame& frame, const Compliance& compliance, Tangential kind);
   /// With unknowns written out, at the nodes and, behind them, at the points upstream.
-  Images(const Problem& problem, const ExpandedCompliance& expanded, const BodiesEquations& bodies,
-         Tangential kind);
+  Images(const Problem& problem, const ExpandedCompliance& expanded, const BodiesEquations& bodies, Tangential kind);
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
 

@@ -16,20 +16,18 @@ class Published final : public PublishedSolver {
     const Tangential tangential = s.frictionless                              ? Tangential::none
                                   : s.procedure.jacobian == Jacobian::reduced ? Tangential::shift
                                                                               : Tangential::slip;
-    const StepOptions wanted{s.procedure.monolithic, tangential, s.procedure.linear,
-                             s.procedure.preconditioner};
+    const StepOptions wanted{s.procedure.monolithic, tangential, s.procedure.linear, s.procedure.preconditioner};
     if (!system_ || wanted != made_for_ || s.given.by_force != by_force_)
       system_ = std::make_unique<StepSystem>(on.problem, on.frame, *on.compliance, wanted);
     made_for_ = wanted;
     by_force_ = s.given.by_force;
     const StepCounters before = system_->counters();
-    s.report = gnmls_.solve(on.problem, s.given, s.iterate, *system_, s.procedure, s.frictionless,
-                            options.tolerance, options.max_iterations, monitor);
+    s.report = gnmls_.solve(on.problem, s.given, s.iterate, *system_, s.procedure, s.frictionless, options.tolerance,
+                            options.max_iterations, monitor);
     const StepCounters after = system_->counters();
     s.linear_iterations = after.iterations - before.iterations;
     s.factorizations = after.factorizations - before.factorizations;
-    s.right_sides =
-        s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations;
+    s.right_sides = s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations;
     s.timings.linear = after.seconds - before.seconds;
     s.system_unknowns = after.unknowns;
     s.system_nonzeros = after.nonzeros;

@@ -1,6 +1,6 @@
 #pragma once
-/// The published procedures behind contact's seam. They are a component of the build; where it is
-/// left out nobody calls this, and choose_procedure() refuses what would ask for them.
+/// The published procedures behind contact's seam. They are a component of the build; where it is left out nobody calls
+/// this, and choose_procedure() refuses what would ask for them.
 
 #include "contact/solution.hpp"
 

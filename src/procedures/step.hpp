@@ -1,6 +1,5 @@
 #pragma once
-/// A step of the generalised Newton method, (63) and (86): what it starts from, what it linearises
-/// and what it costs.
+/// A step of the generalised Newton method, (63) and (86): what it starts from, what it linearises and what it costs.
 
 #include <array>
 #include <cstdint>

@@ -9,14 +9,11 @@ namespace rollcon {
 
 class StepFactors {
  public:
-  /// False: singular. Throws Error(err_unsupported) when the matrix is sparse, large, and the build
-  /// has no UMFPACK.
+  /// False: singular. Throws Error(err_unsupported) when the matrix is sparse, large, and the build has no UMFPACK.
   bool factor(const ContactEquations& equations);
   /// Overwrites a right side.
   void solve(double* b);
-  std::size_t bytes() const {
-    return entries_.bytes() + sparse_.statistics().bytes + dense_.bytes();
-  }
+  std::size_t bytes() const { return entries_.bytes() + sparse_.statistics().bytes + dense_.bytes(); }
 
  private:
   SparseMatrix entries_;

@@ -7,8 +7,7 @@
 
 namespace rollcon {
 
-void OwnEntries::take(const ContactEquations& equations, const std::vector<std::int64_t>& own_rows,
-                      bool divide) {
+void OwnEntries::take(const ContactEquations& equations, const std::vector<std::int64_t>& own_rows, bool divide) {
   const std::int64_t first = equations.inner();
   factor_.clear();
   row_ = own_rows;
@@ -52,8 +51,7 @@ int KeptDirections::changed(const ContactEquations& equations) const {
   return count + static_cast<int>(direction_.size() - i);
 }
 
-void KeptDirections::to_kept(const ContactEquations& equations, const double* x,
-                             std::vector<double>& kept) {
+void KeptDirections::to_kept(const ContactEquations& equations, const double* x, std::vector<double>& kept) {
   nodal_.clear();
   for (const auto& unknown : equations.unknowns()) {
     const std::size_t node = 3 * at(unknown.node);
@@ -64,24 +62,20 @@ void KeptDirections::to_kept(const ContactEquations& equations, const double* x,
   kept.clear();
   for (const Direction& d : direction_) {
     double sum = 0;
-    for (std::size_t c = 0; c < 3 && d.node < nodal_.size(); ++c)
-      sum += d.vector[c] * nodal_[d.node + c];
-    for (std::size_t c = 0; c < 3 && d.node < nodal_.size(); ++c)
-      nodal_[d.node + c] -= d.vector[c] * sum;
+    for (std::size_t c = 0; c < 3 && d.node < nodal_.size(); ++c) sum += d.vector[c] * nodal_[d.node + c];
+    for (std::size_t c = 0; c < 3 && d.node < nodal_.size(); ++c) nodal_[d.node + c] -= d.vector[c] * sum;
     kept.push_back(sum);
   }
   kept.insert(kept.end(), x, x + motions_);
 }
 
-void KeptDirections::from_kept(const ContactEquations& equations, const std::vector<double>& kept,
-                               double* y) {
+void KeptDirections::from_kept(const ContactEquations& equations, const std::vector<double>& kept, double* y) {
   for (std::size_t i = 0; i < direction_.size(); ++i)
     for (std::size_t c = 0; c < 3 && direction_[i].node < nodal_.size(); ++c)
       nodal_[direction_[i].node + c] += direction_[i].traction[c] * kept[i];
   for (const auto& unknown : equations.unknowns()) {
     double sum = 0;
-    for (std::size_t c = 0; c < 3; ++c)
-      sum += unknown.direction[c] * nodal_[3 * at(unknown.node) + c];
+    for (std::size_t c = 0; c < 3; ++c) sum += unknown.direction[c] * nodal_[3 * at(unknown.node) + c];
     *y++ = sum;
   }
   std::copy(kept.end() - motions_, kept.end(), y);
@@ -112,8 +106,7 @@ void KeptFactors::apply(const double* x, double* y) {
     single_.resize(kept_.size());
     for (std::size_t i = 0; i < kept_.size(); ++i) single_[i] = static_cast<float>(kept_[i] / most);
     lu_.solve(single_.data());
-    for (std::size_t i = 0; i < kept_.size(); ++i)
-      kept_[i] = most * static_cast<double>(single_[i]);
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = most * static_cast<double>(single_[i]);
   }
   directions_.from_kept(*equations_, kept_, y + first);
   if (first == 0) return;

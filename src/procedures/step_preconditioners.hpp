@@ -9,8 +9,7 @@ namespace rollcon {
 /// Every unknown from its own equation, divided by its entry there or by that one's sign alone.
 class OwnEntries final : public LinearOperator {
  public:
-  void take(const ContactEquations& equations, const std::vector<std::int64_t>& own_rows,
-            bool divide);
+  void take(const ContactEquations& equations, const std::vector<std::int64_t>& own_rows, bool divide);
   void apply(const double* x, double* y) override;
 
  private:
@@ -18,8 +17,8 @@ class OwnEntries final : public LinearOperator {
   std::vector<double> factor_;
 };
 
-/// Tractions of an earlier step, by node and direction: what stands for those of a later one, whose
-/// pairs may stick where they slid. What the earlier step had no unknown for is left alone.
+/// Tractions of an earlier step, by node and direction: what stands for those of a later one, whose pairs may stick
+/// where they slid. What the earlier step had no unknown for is left alone.
 class KeptDirections {
  public:
   void keep(const ContactEquations& equations);
@@ -40,9 +39,9 @@ class KeptDirections {
   std::vector<double> nodal_;
 };
 
-/// Factors of an earlier step's contact equations in single precision, kept as long as they serve,
-/// and of the bodies' matrices, where these are written out. S is then that of half-spaces of the
-/// pair's modulus, roughly, in place of the bodies:
+/// Factors of an earlier step's contact equations in single precision, kept as long as they serve, and of the bodies'
+/// matrices, where these are written out. S is then that of half-spaces of the pair's modulus, roughly, in place of the
+/// bodies:
 ///
 ///   c = S^-1 r_contact,   d = K^-1 (r_bodies + B c)
 class KeptFactors final : public LinearOperator {

@@ -25,8 +25,7 @@ bool all_zero(const Point& z) {
   });
 }
 
-ExpandedCompliance write_out(const Problem& problem, const Frame& frame,
-                             const Compliance& compliance) {
+ExpandedCompliance write_out(const Problem& problem, const Frame& frame, const Compliance& compliance) {
   std::vector<double> x(frame.x), y(frame.y);
   for (std::size_t k = 0; k < problem.op.convection.ahead.size(); ++k) {
     x.push_back(frame.x[k] + problem.op.convection.ahead[k]);
@@ -34,10 +33,9 @@ ExpandedCompliance write_out(const Problem& problem, const Frame& frame,
   }
   ExpandedCompliance expanded;
   if (!compliance.expand({x, y}, expanded))
-    fail(
-        Status::err_unsupported,
-        "option 'system' is 'monolithic': the equations of these bodies cannot be written out (%s)",
-        compliance.description().c_str());
+    fail(Status::err_unsupported,
+         "option 'system' is 'monolithic': the equations of these bodies cannot be written out (%s)",
+         compliance.description().c_str());
   refuse_held_nodes(expanded, frame);
   return expanded;
 }
@@ -46,8 +44,7 @@ ExpandedCompliance write_out(const Problem& problem, const Frame& frame,
 
 void blend(Point& z, const Point& next, double alpha) {
   const auto mix = [alpha](std::vector<double>& from, const std::vector<double>& to) {
-    for (std::size_t k = 0; k < from.size(); ++k)
-      from[k] = alpha == 1 ? to[k] : from[k] + alpha * (to[k] - from[k]);
+    for (std::size_t k = 0; k < from.size(); ++k) from[k] = alpha == 1 ? to[k] : from[k] + alpha * (to[k] - from[k]);
   };
   z.inner.resize(next.inner.size(), 0.0);
   for (int c = 0; c < 3; ++c) mix(z.lambda[c], next.lambda[c]);
@@ -55,8 +52,7 @@ void blend(Point& z, const Point& next, double alpha) {
   mix(z.depth, next.depth);
   mix(z.inner, next.inner);
   for (std::size_t m = 0; m < 4; ++m)
-    z.motion[m] =
-        alpha == 1 ? next.motion[m] : z.motion[m] + alpha * (next.motion[m] - z.motion[m]);
+    z.motion[m] = alpha == 1 ? next.motion[m] : z.motion[m] + alpha * (next.motion[m] - z.motion[m]);
 }
 
 StepSystem::StepSystem(const Problem& problem, const Frame& frame, const Compliance& compliance,
@@ -70,8 +66,7 @@ StepSystem::StepSystem(const Problem& problem, const Frame& frame, const Complia
     images_ = std::make_unique<Images>(problem, frame, compliance, options.tangential);
   }
   equations_ = std::make_unique<ContactEquations>(problem, bodies_, *images_);
-  kept_ =
-      std::make_unique<KeptFactors>(bodies_, options.monolithic ? images_.get() : nullptr, frame);
+  kept_ = std::make_unique<KeptFactors>(bodies_, options.monolithic ? images_.get() : nullptr, frame);
 }
 
 bool StepSystem::iterates() const {
@@ -133,32 +128,29 @@ bool StepSystem::solve_directly(const std::vector<double>& residual) {
   return left < unusable * norm;
 }
 
-GmresReport StepSystem::run(LinearOperator& preconditioner, const std::vector<double>& right,
-                            double eta, int space, int limit) {
+GmresReport StepSystem::run(LinearOperator& preconditioner, const std::vector<double>& right, double eta, int space,
+                            int limit) {
   const std::int64_t n = equations_->size();
   gmres_.reserve(with_room(n), static_cast<int>(std::min<std::int64_t>(space, n)));
-  const GmresReport report =
-      gmres_.solve(n, *equations_, preconditioner, right.data(), correction_.data(), eta, limit);
+  const GmresReport report = gmres_.solve(n, *equations_, preconditioner, right.data(), correction_.data(), eta, limit);
   counters_.iterations += report.iterations;
   return report;
 }
 
 bool StepSystem::solve_plainly(const std::vector<double>& residual, double eta) {
-  own_entries_.take(*equations_, bodies_.own_rows(),
-                    options_.preconditioner == Preconditioner::diagonal);
+  own_entries_.take(*equations_, bodies_.own_rows(), options_.preconditioner == Preconditioner::diagonal);
   return run(own_entries_, residual, eta, plain_krylov_space, plain_iterations).converged;
 }
 
-// Factors are made anew when the excess over iterations with fresh ones has added up to their
-// price, or many unknowns have changed.
+// Factors are made anew when the excess over iterations with fresh ones has added up to their price, or many unknowns
+// have changed.
 bool StepSystem::solve_with_kept(const std::vector<double>& residual, double eta) {
   kept_->take(*equations_);
   const std::int64_t before = bodies_.factorizations();
   bool solved = false;
   for (int attempt = 0; attempt < 2 && !solved; ++attempt) {
     const int price = kept_->price(*equations_);
-    const bool fresh = attempt == 1 || !kept_->valid() || excess_ > price ||
-                       kept_->changed(*equations_) > 2 * price;
+    const bool fresh = attempt == 1 || !kept_->valid() || excess_ > price || kept_->changed(*equations_) > 2 * price;
     if (fresh) {
       excess_ = 0;
       if (!options_.monolithic) ++counters_.factorizations;
@@ -166,8 +158,7 @@ bool StepSystem::solve_with_kept(const std::vector<double>& residual, double eta
     }
     const GmresReport report = run(*kept_, residual, eta, krylov_space, krylov_space);
     solved = report.converged;
-    const double decades =
-        -std::log10(std::max(report.residual, 1e-300)) / std::max(1, report.iterations);
+    const double decades = -std::log10(std::max(report.residual, 1e-300)) / std::max(1, report.iterations);
     if (fresh) fresh_decades_ = decades;
     const double good = std::ceil(-std::log10(eta) / fresh_decades_);
     excess_ += std::max(0, report.iterations - static_cast<int>(good));
@@ -209,8 +200,8 @@ double StepSystem::imbalance(const Point& z) const {
 
 StepCounters StepSystem::counters() const {
   StepCounters c = counters_;
-  c.bytes = bodies_.bytes() + images_->bytes() + equations_->bytes() + factors_.bytes() +
-            kept_->bytes() + gmres_.bytes();
+  c.bytes =
+      bodies_.bytes() + images_->bytes() + equations_->bytes() + factors_.bytes() + kept_->bytes() + gmres_.bytes();
   return c;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Solves the steps of the generalised Newton method, with the bodies' unknowns eliminated
-/// (condensed) or written out (monolithic): two choices of the same equations.
+/// Solves the steps of the generalised Newton method, with the bodies' unknowns eliminated (condensed) or written out
+/// (monolithic): two choices of the same equations.
 
 #include "contact/scene/linear_method.hpp"
 #include "procedures/step_preconditioners.hpp"
@@ -17,11 +17,9 @@ struct StepOptions {
 
 class StepSystem {
  public:
-  /// Scales rn and rt, convection and loads are the problem's; its dense blocks are needed by the
-  /// condensed form alone. Everything must outlive the object. Throws Error(err_unsupported) when a
-  /// body cannot be written out.
-  StepSystem(const Problem& problem, const Frame& frame, const Compliance& compliance,
-             const StepOptions& options);
+  /// Scales rn and rt, convection and loads are the problem's; its dense blocks are needed by the condensed form alone.
+  /// Everything must outlive the object. Throws Error(err_unsupported) when a body cannot be written out.
+  StepSystem(const Problem& problem, const Frame& frame, const Compliance& compliance, const StepOptions& options);
   StepSystem(const StepSystem&) = delete;
   StepSystem& operator=(const StepSystem&) = delete;
 
@@ -31,8 +29,8 @@ class StepSystem {
   bool solve(const Step& step, const Point& z, double eta, Point& next);
   /// Computes slip, depth, shift and inner of the tractions of z.
   void update(Point& z);
-  /// Norm, in units of traction, of what the bodies' equations leave at z: an iterative solution
-  /// satisfies them only so far.
+  /// Norm, in units of traction, of what the bodies' equations leave at z: an iterative solution satisfies them only so
+  /// far.
   double imbalance(const Point& z) const;
   StepCounters counters() const;
 
@@ -41,8 +39,7 @@ class StepSystem {
   bool solve_directly(const std::vector<double>& residual);
   bool solve_plainly(const std::vector<double>& residual, double eta);
   bool solve_with_kept(const std::vector<double>& residual, double eta);
-  GmresReport run(LinearOperator& preconditioner, const std::vector<double>& right, double eta,
-                  int space, int limit);
+  GmresReport run(LinearOperator& preconditioner, const std::vector<double>& right, double eta, int space, int limit);
   std::vector<double> imbalances(const Point& z) const;
 
   StepOptions options_;

@@ -15,8 +15,7 @@ int Cell::split(bool first, bool second, Cell* parts) const {
   Vec2 middle[4];
   for (int i = 0; i < corners; ++i) middle[i] = 0.5 * (corner[i] + corner[(i + 1) % corners]);
   if (corners == 3) {
-    for (int i = 0; i < 3; ++i)
-      parts[i] = {3, {corner[i], middle[i], middle[(i + 2) % 3], {}}, depth + 2};
+    for (int i = 0; i < 3; ++i) parts[i] = {3, {corner[i], middle[i], middle[(i + 2) % 3], {}}, depth + 2};
     parts[3] = {3, {middle[0], middle[1], middle[2], {}}, depth + 2};
     return 4;
   }

@@ -20,8 +20,8 @@ struct Cell {
   int depth = 0;   ///< halvings of the area, about
 
   Vec2 centre() const;
-  /// Parts of equal reference size: a quadrilateral halved along its first or second direction or
-  /// both, a triangle in four. Returns their number.
+  /// Parts of equal reference size: a quadrilateral halved along its first or second direction or both, a triangle in
+  /// four. Returns their number.
   int split(bool first, bool second, Cell* parts) const;
   /// How far a reference point lies outside, in half sizes of the cell (0: inside or on it).
   double distance_outside(Vec2 point) const;

@@ -14,15 +14,14 @@ Vec3 node_of(const ElementGeometry& e, int k) {
   return {e.node[0][k], e.node[1][k], e.node[2][k]};
 }
 
-/// Largest distance of the nodes from where the affine map through three corners has them, or, with
-/// `straight`, of the midside and centre nodes from the bilinear map of the corners.
+/// Largest distance of the nodes from where the affine map through three corners has them, or, with `straight`, of the
+/// midside and centre nodes from the bilinear map of the corners.
 double departure(const ElementGeometry& e, bool straight) {
   const int corners = e.corners;
   Vec3 corner[4];
   for (int i = 0; i < corners; ++i) corner[i] = node_of(e, i);
   double worst = 0;
-  if (!straight && corners == 4)
-    worst = 0.25 * length(corner[0] - corner[1] + corner[2] - corner[3]);
+  if (!straight && corners == 4) worst = 0.25 * length(corner[0] - corner[1] + corner[2] - corner[3]);
   for (int i = corners; i < e.nodes; ++i) {
     Vec3 x{};
     if (i < 2 * corners)
@@ -61,17 +60,15 @@ void measure_map(ElementGeometry& e, double off) {
   e.log_departure = std::min(std::log(change), -0.05);
   double axis[2] = {1e300, 1e300};
   if (corners == 3) {
-    for (int i = 0; i < 3; ++i)
-      axis[0] = std::min(axis[0], ellipse_axis(c[i], m[i], c[(i + 1) % 3]));
+    for (int i = 0; i < 3; ++i) axis[0] = std::min(axis[0], ellipse_axis(c[i], m[i], c[(i + 1) % 3]));
     axis[1] = axis[0];
   } else {
-    axis[0] = std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], centre, m[1]),
-                        ellipse_axis(c[3], m[2], c[2])});
-    axis[1] = std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], centre, m[2]),
-                        ellipse_axis(c[1], m[1], c[2])});
+    axis[0] =
+        std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], centre, m[1]), ellipse_axis(c[3], m[2], c[2])});
+    axis[1] =
+        std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], centre, m[2]), ellipse_axis(c[1], m[1], c[2])});
   }
-  // The parabola through three normals only approximates; below the least value given here the
-  // element is cut anyway.
+  // The parabola through three normals only approximates; below the least value given here the element is cut anyway.
   for (int k = 0; k < 2; ++k) e.jacobian_log_rho[k] = std::max(0.8 * log_rho(axis[k]), 0.3);
 }
 
@@ -114,8 +111,7 @@ CellShape measure(const ElementGeometry& element, const Cell& cell) {
   }
   g.centre = element.position(cell.centre());
   double longest = 0;
-  for (int i = 0; i < n; ++i)
-    longest = std::max(longest, path(g.corner[i], g.middle[i], g.corner[(i + 1) % n]));
+  for (int i = 0; i < n; ++i) longest = std::max(longest, path(g.corner[i], g.middle[i], g.corner[(i + 1) % n]));
   g.half_length = 0.5 * longest;
   const Vec3 a = n == 3 ? g.corner[1] - g.corner[0] : g.corner[2] - g.corner[0];
   const Vec3 b = n == 3 ? g.corner[2] - g.corner[0] : g.corner[3] - g.corner[1];
@@ -134,11 +130,9 @@ ElementGeometry element_geometry(ElementType type, std::span<const Vec3> node) {
   e.shape = measure(e, whole_element(e.type));
   const CellShape& s = e.shape;
   if (e.corners == 4) {
-    e.half[0] = 0.5 * std::max({path(s.corner[0], s.middle[0], s.corner[1]),
-                                path(s.middle[3], s.centre, s.middle[1]),
+    e.half[0] = 0.5 * std::max({path(s.corner[0], s.middle[0], s.corner[1]), path(s.middle[3], s.centre, s.middle[1]),
                                 path(s.corner[3], s.middle[2], s.corner[2])});
-    e.half[1] = 0.5 * std::max({path(s.corner[0], s.middle[3], s.corner[3]),
-                                path(s.middle[0], s.centre, s.middle[2]),
+    e.half[1] = 0.5 * std::max({path(s.corner[0], s.middle[3], s.corner[3]), path(s.middle[0], s.centre, s.middle[2]),
                                 path(s.corner[1], s.middle[1], s.corner[2])});
   } else {
     e.half[0] = e.half[1] = s.half_length;

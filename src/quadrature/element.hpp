@@ -1,6 +1,5 @@
 #pragma once
-/// What the choice of a rule needs to know of an element, in space or in a plane, or of a part of
-/// one.
+/// What the choice of a rule needs to know of an element, in space or in a plane, or of a part of one.
 
 #include "mesh/surface_mesh.hpp"
 #include "quadrature/cell.hpp"
@@ -46,8 +45,7 @@ ElementGeometry element_geometry(const SurfaceMesh& mesh, std::int64_t element, 
 /// The shape of a part of the element.
 CellShape measure(const ElementGeometry& element, const Cell& cell);
 
-/// Degree of shape function times Jacobian: in each reference direction of a quadrilateral, in all
-/// of a triangle.
+/// Degree of shape function times Jacobian: in each reference direction of a quadrilateral, in all of a triangle.
 int direction_degree(ElementType type, MapKind map);
 /// Total degree along a ray from any point.
 int ray_degree(ElementType type, MapKind map);

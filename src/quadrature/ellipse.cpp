@@ -17,8 +17,7 @@ double axis_from(const Vec3& m, const Vec3& b, const Vec3& c, double z0) {
   const Vec3 x = m + z0 * (b + z0 * c), d = b + 2 * z0 * c;
   const double dd = dot(d, d), xd = dot(x, d), xx = dot(x, x);
   double re = z0 - xd / dd, im = std::sqrt(std::max(0.0, xx * dd - xd * xd)) / dd;
-  const double a[5] = {dot(m, m), 2 * dot(m, b), dot(b, b) + 2 * dot(m, c), 2 * dot(b, c),
-                       dot(c, c)};
+  const double a[5] = {dot(m, m), 2 * dot(m, b), dot(b, b) + 2 * dot(m, c), 2 * dot(b, c), dot(c, c)};
   for (int i = 0; i < 3; ++i) {
     // Horner's scheme for value and slope in complex numbers.
     double vr = a[4], vi = 0, sr = 0, si = 0;
@@ -48,8 +47,7 @@ double ellipse_axis(const Vec3& first, const Vec3& middle, const Vec3& last) {
   const double nearest = std::min({r[0], r[1], r[2]});
   if (bb + cc <= 1e-20 * nearest) return far_away;
   // Beside a point that nearly touches the line, rounding of its own points is no sag either.
-  if (cc <= std::max(straight * straight * std::min(bb, nearest),
-                     rounding * rounding * std::max({bb, r[0], r[2]})))
+  if (cc <= std::max(straight * straight * std::min(bb, nearest), rounding * rounding * std::max({bb, r[0], r[2]})))
     return std::max(1.0, 0.5 * (std::sqrt(r[0]) + std::sqrt(r[2])) / std::sqrt(bb));
   const double z0 = nearest == r[1] ? 0 : nearest == r[0] ? -1 : 1;
   const double axis = axis_from(middle, b, c, z0);

@@ -13,20 +13,15 @@ namespace {
 constexpr int max_depth = 100;  ///< halvings of area; what is left is smaller than rounding
 constexpr int too_many = 99;
 constexpr double most_uneven = 0.3;  ///< departure from the tangent map that polar takes
-// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding
-// would choose.
+// How far outside polar works, in half sizes: not where nodes of regular grids lie, or rounding would choose.
 constexpr double reach_affine = 2.5;
 constexpr double reach_mapped = 0.3;
 
 class Integration {
  public:
-  Integration(const ElementGeometry& element, Tolerance tolerance, bool strong,
-              NearWorkspace& workspace, const std::function<void()>& kernel)
-      : element_(element),
-        tolerance_(tolerance),
-        strong_(strong),
-        workspace_(workspace),
-        kernel_(kernel) {
+  Integration(const ElementGeometry& element, Tolerance tolerance, bool strong, NearWorkspace& workspace,
+              const std::function<void()>& kernel)
+      : element_(element), tolerance_(tolerance), strong_(strong), workspace_(workspace), kernel_(kernel) {
     workspace_.points.n = 0;
   }
 
@@ -39,8 +34,7 @@ class Integration {
  private:
   void integrate(const Cell& cell, const CellShape& shape) {
     Selection selection{too_many, too_many, false};
-    const bool touched =
-        foot_inside_ && foot_.height == 0 && cell.distance_outside(foot_.reference) <= 1e-12;
+    const bool touched = foot_inside_ && foot_.height == 0 && cell.distance_outside(foot_.reference) <= 1e-12;
     if (!touched) selection = select_rule(element_, shape, tolerance_);
     if (selection.gauss)
       return cell.corners == 3 ? triangle_gauss(cell, selection.first)
@@ -49,9 +43,9 @@ class Integration {
     if (!foot_.found) set_foot(find_foot(element_, cell.centre(), false));
     if (foot_.found && polar(cell)) return;
     Cell parts[4];
-    const int n = cell.corners == 3 ? halve(cell, shape, parts)
-                                    : cell.split(selection.first > most_line_points,
-                                                 selection.second > most_line_points, parts);
+    const int n = cell.corners == 3
+                      ? halve(cell, shape, parts)
+                      : cell.split(selection.first > most_line_points, selection.second > most_line_points, parts);
     for (int i = 0; i < n; ++i) integrate(parts[i], measure(element_, parts[i]));
   }
 
@@ -66,8 +60,8 @@ class Integration {
         longest = i;
       }
     }
-    const Vec2 a = cell.corner[longest], b = cell.corner[(longest + 1) % 3],
-               c = cell.corner[(longest + 2) % 3], middle = 0.5 * (a + b);
+    const Vec2 a = cell.corner[longest], b = cell.corner[(longest + 1) % 3], c = cell.corner[(longest + 2) % 3],
+               middle = 0.5 * (a + b);
     parts[0] = {3, {a, middle, c, {}}, cell.depth + 1};
     parts[1] = {3, {middle, b, c, {}}, cell.depth + 1};
     return 2;
@@ -75,8 +69,7 @@ class Integration {
 
   void set_foot(const Foot& foot) {
     foot_ = foot;
-    foot_inside_ =
-        foot.found && whole_element(element_.type).distance_outside(foot.reference) <= 1e-9;
+    foot_inside_ = foot.found && whole_element(element_.type).distance_outside(foot.reference) <= 1e-9;
   }
 
   void triangle_gauss(const Cell& cell, int degree) {
@@ -85,8 +78,7 @@ class Integration {
     for (const TriangleRule& rule : symmetric_triangle_rules())
       if (rule.degree >= degree) {
         for (std::size_t q = 0; q < rule.points.size(); ++q)
-          add(cell.corner[0] + rule.points.xi[q] * a + rule.points.eta[q] * b,
-              area * rule.points.w[q]);
+          add(cell.corner[0] + rule.points.xi[q] * a + rule.points.eta[q] * b, area * rule.points.w[q]);
         return;
       }
   }
@@ -102,8 +94,8 @@ class Integration {
         add(c + rule1.x[i] * a + rule2.x[j] * b, area * rule1.w[i] * rule2.w[j]);
   }
 
-  /// With the foot outside of the cell, its surroundings are added and taken away again: no loss
-  /// where the integrand there is no larger than on the cell itself.
+  /// With the foot outside of the cell, its surroundings are added and taken away again: no loss where the integrand
+  /// there is no larger than on the cell itself.
   bool foot_serves(const Cell& cell) const {
     const double outside = cell.distance_outside(foot_.reference);
     if (outside <= 1e-12) return true;
@@ -117,8 +109,7 @@ class Integration {
   double outside_length(const Cell& cell) const {
     double longest = 0;
     for (int i = 0; i < cell.corners; ++i)
-      longest = std::max(
-          longest, length(foot_.tangent(cell.corner[(i + 1) % cell.corners] - cell.corner[i])));
+      longest = std::max(longest, length(foot_.tangent(cell.corner[(i + 1) % cell.corners] - cell.corner[i])));
     return 0.5 * longest * cell.distance_outside(foot_.reference);
   }
 
@@ -127,8 +118,7 @@ class Integration {
     if (!foot_serves(cell)) return false;
     EdgeView view[4];
     for (int i = 0; i < cell.corners; ++i) {
-      view[i] = view_edge(element_, foot_, cell.corner[i], cell.corner[(i + 1) % cell.corners],
-                          tolerance_);
+      view[i] = view_edge(element_, foot_, cell.corner[i], cell.corner[(i + 1) % cell.corners], tolerance_);
       if (view[i].uneven > most_uneven) return false;
     }
     for (int i = 0; i < cell.corners; ++i)
@@ -196,9 +186,8 @@ class Integration {
 
 }  // namespace
 
-void near_field(const ElementGeometry& element, const Vec3& point, const OnElement& on,
-                Tolerance tolerance, bool strong, NearWorkspace& workspace,
-                const std::function<void()>& kernel) {
+void near_field(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
+                bool strong, NearWorkspace& workspace, const std::function<void()>& kernel) {
   // Relative to the point, as kernels see it: what is close to it loses no digits.
   ElementGeometry relative = element;
   for (std::size_t j = 0; j < 3; ++j)

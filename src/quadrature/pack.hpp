@@ -1,6 +1,5 @@
-// A few doubles in one register. No include guard of its own kind: each kernel file compiles this
-// once for its instruction set, with internal linkage, so that no code for one processor leaks into
-// another file.
+// A few doubles in one register. No include guard of its own kind: each kernel file compiles this once for its
+// instruction set, with internal linkage, so that no code for one processor leaks into another file.
 #pragma once
 
 #if defined(__SSE2__)

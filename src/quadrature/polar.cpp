@@ -47,9 +47,8 @@ Foot find_foot(const ElementGeometry& element, Vec2 start, bool on) {
   }
   for (int iteration = 0; iteration < 20; ++iteration) {
     element.tangents(foot.reference, foot.x, foot.d_xi, foot.d_eta);
-    const double aa = dot(foot.d_xi, foot.d_xi), bb = dot(foot.d_eta, foot.d_eta),
-                 ab = dot(foot.d_xi, foot.d_eta), xa = dot(foot.x, foot.d_xi),
-                 xb = dot(foot.x, foot.d_eta), det = aa * bb - ab * ab;
+    const double aa = dot(foot.d_xi, foot.d_xi), bb = dot(foot.d_eta, foot.d_eta), ab = dot(foot.d_xi, foot.d_eta),
+                 xa = dot(foot.x, foot.d_xi), xb = dot(foot.x, foot.d_eta), det = aa * bb - ab * ab;
     if (!(det > 0)) return foot;
     const Vec2 step{(xb * ab - xa * bb) / det, (xa * ab - xb * aa) / det};
     const double miss = length(foot.tangent(step)), height = length(foot.x);
@@ -64,8 +63,7 @@ Foot find_foot(const ElementGeometry& element, Vec2 start, bool on) {
   return foot;
 }
 
-EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end,
-                   Tolerance tolerance) {
+EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end, Tolerance tolerance) {
   EdgeView view;
   view.a = begin - foot.reference;
   view.b = end - begin;
@@ -83,12 +81,12 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
   const double width = element.shape.area / element.shape.half_length;
   const double angle = std::min(span, 4.0);
   view.share_u = std::min(h, view.longest) * span;
-  view.share_t = d > 0 ? std::min(angle, h * angle / d) * (1 + std::log1p(view.longest / d))
-                       : angle * std::min(1.0, h / width);
+  view.share_t =
+      d > 0 ? std::min(angle, h * angle / d) * (1 + std::log1p(view.longest / d)) : angle * std::min(1.0, h / width);
   view.counts = view.share_u > 1e-2 * tolerance.u || view.share_t > 1e-2 * tolerance.t;
   if (!view.counts || element.map == MapKind::affine) return view;
-  // Where the ray is shortest, and all along: past a second zero of the map the rays would run
-  // over the point once more.
+  // Where the ray is shortest, and all along: past a second zero of the map the rays would run over the point once
+  // more.
   auto uneven = [&](double t) {
     const Vec2 ray = view.a + t * view.b;
     const Vec3 linear = foot.tangent(ray);
@@ -97,25 +95,22 @@ EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin,
   };
   const int steps = is_quadratic(element.type) ? 8 : 2;
   for (int k = 0; k <= steps; ++k) uneven(static_cast<double>(k) / steps);
-  for (const double t : {view.t0, view.t0 - view.eta, view.t0 + view.eta, view.t0 - 3 * view.eta,
-                         view.t0 + 3 * view.eta})
+  for (const double t :
+       {view.t0, view.t0 - view.eta, view.t0 + view.eta, view.t0 - 3 * view.eta, view.t0 + 3 * view.eta})
     if (t >= 0 && t <= 1) uneven(t);
   return view;
 }
 
-PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view,
-                     Tolerance tolerance) {
+PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view, Tolerance tolerance) {
   const double safety = element.map == MapKind::affine ? 3 : 30;
-  const double target =
-      std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
-  // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular
-  // at about s = 1/uneven; with a height, also singular at v = +- i pi/2.
+  const double target = std::min({1.0, tolerance.t / (safety * view.share_t), tolerance.u / (safety * view.share_u)});
+  // Along a ray: a polynomial in s, times the map's departure from its tangent, which is singular at about s =
+  // 1/uneven; with a height, also singular at v = +- i pi/2.
   const int p = ray_degree(element.type, element.map);
   double least = std::floor(0.5 * p) + 1;
   if (view.uneven > 0 && target < view.uneven) {
     const double z = 2 / view.uneven - 1, rho = z + std::sqrt(z * z - 1);
-    least =
-        std::max(least, 0.5 * (p + std::log(ray_constant * view.uneven / target) / std::log(rho)));
+    least = std::max(least, 0.5 * (p + std::log(ray_constant * view.uneven / target) / std::log(rho)));
   }
   PolarRule rule;
   const double v = foot.height > 0 ? std::asinh(view.longest / foot.height) : 0;

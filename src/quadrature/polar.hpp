@@ -16,29 +16,27 @@ struct Foot {
   Vec3 tangent(Vec2 v) const { return v.x * d_xi + v.y * d_eta; }
 };
 
-/// The foot closest to `start`; with `on`, start itself, the origin being there. Not found when
-/// Newton's method leaves the element's neighbourhood.
+/// The foot closest to `start`; with `on`, start itself, the origin being there. Not found when Newton's method leaves
+/// the element's neighbourhood.
 Foot find_foot(const ElementGeometry& element, Vec2 start, bool on);
 
 /// An edge of a cell in the metric of the tangent map, seen from the foot.
 struct EdgeView {
-  Vec2 a, b;            ///< the edge is foot + a + t b, 0 <= t <= 1
-  double t0, eta;       ///< its nearest point, and distance of the singularity, in units of t
-  double u1, u2;        ///< of the ends: t = t0 + eta sinh(u)
-  double longest = 0;   ///< ray
-  bool counts = false;  ///< above the tolerance
+  Vec2 a, b;                        ///< the edge is foot + a + t b, 0 <= t <= 1
+  double t0, eta;                   ///< its nearest point, and distance of the singularity, in units of t
+  double u1, u2;                    ///< of the ends: t = t0 + eta sinh(u)
+  double longest = 0;               ///< ray
+  bool counts = false;              ///< above the tolerance
   double share_t = 0, share_u = 0;  ///< size of the integrals
   double uneven = 0;                ///< largest relative departure of the map from its tangent
 };
 
-EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end,
-                   Tolerance tolerance);
+EdgeView view_edge(const ElementGeometry& element, const Foot& foot, Vec2 begin, Vec2 end, Tolerance tolerance);
 
 struct PolarRule {
   int ray = 1, ray_pieces = 1;      ///< points on each piece of a ray, pieces
   int angle = 1, angle_pieces = 1;  ///< the same across
 };
-PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view,
-                     Tolerance tolerance);
+PolarRule polar_rule(const ElementGeometry& element, const Foot& foot, const EdgeView& view, Tolerance tolerance);
 
 }  // namespace rollcon::quadrature

@@ -15,20 +15,17 @@ Vec3 between(const Vec3& first, const Vec3& middle, const Vec3& last, double t) 
   return 0.5 * t * (t - 1) * first + (1 - t * t) * middle + 0.5 * t * (t + 1) * last;
 }
 
-/// Foot of the observer on the plane of a and b through the centre, in their units, clamped to
-/// [-1, 1].
+/// Foot of the observer on the plane of a and b through the centre, in their units, clamped to [-1, 1].
 Vec2 foot(const Vec3& centre, const Vec3& a, const Vec3& b) {
-  const double aa = dot(a, a), bb = dot(b, b), ab = dot(a, b), ca = -dot(centre, a),
-               cb = -dot(centre, b), det = aa * bb - ab * ab;
+  const double aa = dot(a, a), bb = dot(b, b), ab = dot(a, b), ca = -dot(centre, a), cb = -dot(centre, b),
+               det = aa * bb - ab * ab;
   if (!(det > 0)) return {0, 0};
-  return {std::clamp((ca * bb - cb * ab) / det, -1.0, 1.0),
-          std::clamp((cb * aa - ca * ab) / det, -1.0, 1.0)};
+  return {std::clamp((ca * bb - cb * ab) / det, -1.0, 1.0), std::clamp((cb * aa - ca * ab) / det, -1.0, 1.0)};
 }
 
 double triangle_axis(const CellShape& g) {
   double axis = 1e300;
-  for (int i = 0; i < 3; ++i)
-    axis = std::min(axis, ellipse_axis(g.corner[i], g.middle[i], g.corner[(i + 1) % 3]));
+  for (int i = 0; i < 3; ++i) axis = std::min(axis, ellipse_axis(g.corner[i], g.middle[i], g.corner[(i + 1) % 3]));
   // Above the inside of the triangle: a line through the foot.
   const Vec3 normal = cross(g.corner[1] - g.corner[0], g.corner[2] - g.corner[0]);
   const double area2 = dot(normal, normal);
@@ -40,19 +37,17 @@ double triangle_axis(const CellShape& g) {
 
 void square_axes(const CellShape& g, double& first, double& second) {
   const Vec3(&c)[4] = g.corner, (&m)[4] = g.middle;
-  first = std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], g.centre, m[1]),
-                    ellipse_axis(c[3], m[2], c[2])});
-  second = std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], g.centre, m[2]),
-                     ellipse_axis(c[1], m[1], c[2])});
+  first =
+      std::min({ellipse_axis(c[0], m[0], c[1]), ellipse_axis(m[3], g.centre, m[1]), ellipse_axis(c[3], m[2], c[2])});
+  second =
+      std::min({ellipse_axis(c[0], m[3], c[3]), ellipse_axis(m[0], g.centre, m[2]), ellipse_axis(c[1], m[1], c[2])});
   // Near the cell, the lines through its nearest point as well.
   if (dot(g.centre, g.centre) > 9 * g.half_length * g.half_length) return;
   const Vec2 at = foot(g.centre, 0.5 * (m[1] - m[3]), 0.5 * (m[2] - m[0]));
-  first = std::min(
-      first, ellipse_axis(between(c[0], m[3], c[3], at.y), between(m[0], g.centre, m[2], at.y),
-                          between(c[1], m[1], c[2], at.y)));
-  second = std::min(
-      second, ellipse_axis(between(c[0], m[0], c[1], at.x), between(m[3], g.centre, m[1], at.x),
-                           between(c[3], m[2], c[2], at.x)));
+  first = std::min(first, ellipse_axis(between(c[0], m[3], c[3], at.y), between(m[0], g.centre, m[2], at.y),
+                                       between(c[1], m[1], c[2], at.y)));
+  second = std::min(second, ellipse_axis(between(c[0], m[0], c[1], at.x), between(m[3], g.centre, m[1], at.x),
+                                         between(c[3], m[2], c[2], at.x)));
 }
 
 }  // namespace
@@ -71,8 +66,7 @@ Selection select_rule(const ElementGeometry& element, const CellShape& g, Tolera
   constexpr double pi = std::numbers::pi;
   const double distance = std::max(length(g.centre), 0.5 * g.half_length);
   const double ratio = g.area / distance;
-  const double amplitude_t =
-                   rule_constant * std::min(ratio / (2 * pi * distance), 1.0) / tolerance.t,
+  const double amplitude_t = rule_constant * std::min(ratio / (2 * pi * distance), 1.0) / tolerance.t,
                amplitude_u = rule_constant * ratio / (4 * pi * tolerance.u);
   const double digits = std::log(std::max({1.0, amplitude_t, amplitude_u}));
   const double jacobian_digits = std::log(std::max(1.0, amplitude_u * element.bend));

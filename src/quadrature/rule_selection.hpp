@@ -1,12 +1,11 @@
 #pragma once
 /// The choice of a rule for an element, or a part of one, seen from a point.
 ///
-/// Gauss's rule with n points on a line, for a kernel times a polynomial of degree p, is off by
-/// about C rho^-(2n - p) of the integrals' scale, area/(2 pi d^2) for T and area/(4 pi d) for U:
-/// rho is the parameter of the ellipse with foci at the line's ends through the complex point of
-/// the line at which r = 0. Elements that depart from an affine map by kappa (relative) raise p by
-/// up to k; every degree costs kappa rho. The Jacobian in U is no polynomial on curved elements: it
-/// has an ellipse of its own, through the point at which the normal vector vanishes. C is
+/// Gauss's rule with n points on a line, for a kernel times a polynomial of degree p, is off by about C rho^-(2n - p)
+/// of the integrals' scale, area/(2 pi d^2) for T and area/(4 pi d) for U: rho is the parameter of the ellipse with
+/// foci at the line's ends through the complex point of the line at which r = 0. Elements that depart from an affine
+/// map by kappa (relative) raise p by up to k; every degree costs kappa rho. The Jacobian in U is no polynomial on
+/// curved elements: it has an ellipse of its own, through the point at which the normal vector vanishes. C is
 /// calibrated by the sweep in tests/quadrature/integrals/rule_selection_test.cpp.
 
 #include "quadrature/element.hpp"
@@ -25,8 +24,8 @@ inline constexpr int most_triangle_degree = 12;
 inline constexpr double rule_constant = 5;
 
 struct Selection {
-  /// Gauss rule: points along the first and second direction of a quadrilateral (beyond
-  /// most_line_points: split along this direction), or degree of exactness on a triangle.
+  /// Gauss rule: points along the first and second direction of a quadrilateral (beyond most_line_points: split along
+  /// this direction), or degree of exactness on a triangle.
   int first = 0, second = 0;
   bool gauss = false;  ///< false: needs the rules of the near field
 };

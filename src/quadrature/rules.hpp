@@ -1,6 +1,6 @@
 #pragma once
-/// Quadrature rules of the half-space integrals. They are symmetric under every symmetry of the
-/// reference element, so that mirrored frames give mirrored integrals.
+/// Quadrature rules of the half-space integrals. They are symmetric under every symmetry of the reference element, so
+/// that mirrored frames give mirrored integrals.
 
 #include <vector>
 

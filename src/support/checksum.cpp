@@ -7,9 +7,8 @@
 namespace rollcon {
 namespace {
 
-constexpr std::uint64_t p1 = 0x9e3779b185ebca87U, p2 = 0xc2b2ae3d27d4eb4fU,
-                        p3 = 0x165667b19e3779f9U, p4 = 0x85ebca77c2b2ae63U,
-                        p5 = 0x27d4eb2f165667c5U;
+constexpr std::uint64_t p1 = 0x9e3779b185ebca87U, p2 = 0xc2b2ae3d27d4eb4fU, p3 = 0x165667b19e3779f9U,
+                        p4 = 0x85ebca77c2b2ae63U, p5 = 0x27d4eb2f165667c5U;
 constexpr std::size_t stripe = 32;
 
 // The definition is of little-endian words.
@@ -37,8 +36,7 @@ void consume(std::uint64_t* lane, const unsigned char* from) {
 
 }  // namespace
 
-Checksum::Checksum(std::uint64_t seed)
-    : seed_(seed), lane_{seed + p1 + p2, seed + p2, seed, seed - p1}, rest_{} {}
+Checksum::Checksum(std::uint64_t seed) : seed_(seed), lane_{seed + p1 + p2, seed + p2, seed, seed - p1}, rest_{} {}
 
 void Checksum::add(const void* data, std::size_t bytes) {
   if (bytes == 0) return;
@@ -60,15 +58,13 @@ void Checksum::add(const void* data, std::size_t bytes) {
 std::uint64_t Checksum::value() const {
   std::uint64_t sum = seed_ + p5;
   if (total_ >= stripe) {
-    sum = std::rotl(lane_[0], 1) + std::rotl(lane_[1], 7) + std::rotl(lane_[2], 12) +
-          std::rotl(lane_[3], 18);
+    sum = std::rotl(lane_[0], 1) + std::rotl(lane_[1], 7) + std::rotl(lane_[2], 12) + std::rotl(lane_[3], 18);
     for (const std::uint64_t lane : lane_) sum = merge(sum, lane);
   }
   sum += total_;
   const unsigned char* at = rest_;
   std::size_t left = total_ % stripe;
-  for (; left >= 8; at += 8, left -= 8)
-    sum = std::rotl(sum ^ round(0, word<std::uint64_t>(at)), 27) * p1 + p4;
+  for (; left >= 8; at += 8, left -= 8) sum = std::rotl(sum ^ round(0, word<std::uint64_t>(at)), 27) * p1 + p4;
   if (left >= 4) {
     sum = std::rotl(sum ^ word<std::uint32_t>(at) * p1, 23) * p2 + p3;
     at += 4, left -= 4;

@@ -1,6 +1,6 @@
 #pragma once
-/// XXH64 (Collet, xxHash): 64 bits of a stream of bytes. A change confined to one word of eight
-/// bytes always shows; other changes are missed once in 2^64. No cryptography.
+/// XXH64 (Collet, xxHash): 64 bits of a stream of bytes. A change confined to one word of eight bytes always shows;
+/// other changes are missed once in 2^64. No cryptography.
 
 #include <cstddef>
 #include <cstdint>

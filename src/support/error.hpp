@@ -1,7 +1,6 @@
 #pragma once
-/// Failures inside the library: a status and a message, thrown as one type and mapped once, at the
-/// C boundary. Messages name the offending entry and the allowed range; the C layer adds the name
-/// of the public function.
+/// Failures inside the library: a status and a message, thrown as one type and mapped once, at the C boundary. Messages
+/// name the offending entry and the allowed range; the C layer adds the name of the public function.
 
 #include <cstdint>
 #include <exception>
@@ -45,7 +44,6 @@ class Error : public std::exception {
 };
 
 /// Throws Error; the message is formatted as by printf and holds whatever length is needed.
-[[noreturn]] void fail(Status status, const char* format, ...)
-    __attribute__((format(printf, 2, 3)));
+[[noreturn]] void fail(Status status, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 }  // namespace rollcon

@@ -1,7 +1,7 @@
 #pragma once
-/// The floating-point environment of a thread, kept and brought back. fesetenv loads the x87 unit's
-/// environment, which takes longer than all other guards of a call together; where neither that nor
-/// the modes are out of the ordinary, a control word does.
+/// The floating-point environment of a thread, kept and brought back. fesetenv loads the x87 unit's environment, which
+/// takes longer than all other guards of a call together; where neither that nor the modes are out of the ordinary, a
+/// control word does.
 
 #include <cfenv>
 

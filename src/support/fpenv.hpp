@@ -1,7 +1,7 @@
 #pragma once
-/// Floating-point environments and locales: ours inside the library, the host's in its callbacks. A
-/// host may trap on invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round
-/// otherwise, flush subnormals, or write numbers with a comma; it gets all of that back.
+/// Floating-point environments and locales: ours inside the library, the host's in its callbacks. A host may trap on
+/// invalid operations (LAPACK's eigenvalue code divides by zero on purpose), round otherwise, flush subnormals, or
+/// write numbers with a comma; it gets all of that back.
 
 #include <locale.h>
 #ifdef __APPLE__
@@ -12,9 +12,9 @@
 
 namespace rollcon {
 
-/// While it lives, this thread traps nothing, rounds to nearest, keeps subnormals and writes
-/// numbers as C does. The destructor restores the former environment, flags included. Also wanted
-/// at the start of threads: they have the environment in which they were born.
+/// While it lives, this thread traps nothing, rounds to nearest, keeps subnormals and writes numbers as C does. The
+/// destructor restores the former environment, flags included. Also wanted at the start of threads: they have the
+/// environment in which they were born.
 class QuietFloatingPoint {
  public:
   QuietFloatingPoint() noexcept;

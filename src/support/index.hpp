@@ -1,6 +1,6 @@
 #pragma once
-/// Counts and numbers are signed, with 64 bits, as in the public interface; the C++ library's
-/// containers ask for unsigned ones.
+/// Counts and numbers are signed, with 64 bits, as in the public interface; the C++ library's containers ask for
+/// unsigned ones.
 
 #include <cstddef>
 #include <cstdint>

@@ -1,6 +1,6 @@
 #pragma once
-/// Checks of what callers hand in. Each throws Error with a message that names the argument and, in
-/// arrays, the entry as the caller counts.
+/// Checks of what callers hand in. Each throws Error with a message that names the argument and, in arrays, the entry
+/// as the caller counts.
 
 #include <cmath>
 #include <cstdint>
@@ -18,37 +18,33 @@ inline void require_finite(double value, const char* name) {
 }
 
 /// For arrays of n entries with `components` values each; entries are counted from `base`.
-inline void require_finite(std::int64_t n, int components, const double* value, const char* name,
-                           std::int32_t base) {
+inline void require_finite(std::int64_t n, int components, const double* value, const char* name, std::int32_t base) {
   for (std::int64_t i = 0; i < n; ++i) {
     for (int j = 0; j < components; ++j) {
       const double v = value[i * components + j];
       if (std::isfinite(v)) continue;
       if (components == 1)
-        fail(Status::err_nonfinite, "%s of node %lld (counting from %d) is %g", name,
-             static_cast<long long>(i) + base, base, v);
-      fail(Status::err_nonfinite, "component %d of %s of node %lld (both counting from %d) is %g",
-           j + base, name, static_cast<long long>(i) + base, base, v);
+        fail(Status::err_nonfinite, "%s of node %lld (counting from %d) is %g", name, static_cast<long long>(i) + base,
+             base, v);
+      fail(Status::err_nonfinite, "component %d of %s of node %lld (both counting from %d) is %g", j + base, name,
+           static_cast<long long>(i) + base, base, v);
     }
   }
 }
 
 inline void require_count(std::int64_t n, const char* name) {
-  if (n < 0)
-    fail(Status::err_argument, "%s is %lld; allowed: 0 or more", name, static_cast<long long>(n));
+  if (n < 0) fail(Status::err_argument, "%s is %lld; allowed: 0 or more", name, static_cast<long long>(n));
 }
 
 inline void require_index_base(std::int32_t index_base) {
-  if (index_base != 0 && index_base != 1)
-    fail(Status::err_argument, "index_base is %d; allowed: 0, 1", index_base);
+  if (index_base != 0 && index_base != 1) fail(Status::err_argument, "index_base is %d; allowed: 0, 1", index_base);
 }
 
 /// v: x, y, z.
 inline void require_finite_vector(const double* v, const char* name) {
   require_pointer(v, name);
   for (int i = 0; i < 3; ++i) {
-    if (!std::isfinite(v[i]))
-      fail(Status::err_nonfinite, "component %c of %s is %g", "xyz"[i], name, v[i]);
+    if (!std::isfinite(v[i])) fail(Status::err_nonfinite, "component %c of %s is %g", "xyz"[i], name, v[i]);
   }
 }
 

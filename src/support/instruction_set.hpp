@@ -1,6 +1,5 @@
 #pragma once
-/// Instruction sets of the processor: inner loops are compiled once for each and chosen at run
-/// time.
+/// Instruction sets of the processor: inner loops are compiled once for each and chosen at run time.
 
 namespace rollcon {
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Long work in the middle of a call asks here whether its caller still wants it: loops of
-/// parallel.hpp by themselves, others between their parts by check_interrupt().
+/// Long work in the middle of a call asks here whether its caller still wants it: loops of parallel.hpp by themselves,
+/// others between their parts by check_interrupt().
 
 namespace rollcon {
 
@@ -17,8 +17,8 @@ class Interrupt {
 
   /// Of this thread; null: nobody asks.
   static Interrupt* current();
-  /// Throws Cancelled if a stop is wanted. `own`: this is the thread that made it, and the host is
-  /// told that the work goes on, ten times a second at most.
+  /// Throws Cancelled if a stop is wanted. `own`: this is the thread that made it, and the host is told that the work
+  /// goes on, ten times a second at most.
   void check(bool own = true);
   /// Whether a stop is wanted; any thread, no call of the host.
   virtual bool wanted() const = 0;

@@ -8,8 +8,8 @@ namespace rollcon {
 
 namespace {
 
-// Not a std::string: that would need memory when there is none, and its destructor, which runs when
-// the thread ends, would keep a host from unloading the library before.
+// Not a std::string: that would need memory when there is none, and its destructor, which runs when the thread ends,
+// would keep a host from unloading the library before.
 constexpr std::size_t room = 2048;
 thread_local char text[room] = "";
 

@@ -22,8 +22,8 @@ void take_least(MemoryLimit& least, double bytes, const char* what) {
   if (bytes < least.bytes) least = {bytes, what};
 }
 
-// Bytes in a file of a control group; infinite for "max" (version 2), for the largest number that
-// version 1 writes instead, and where there is no such file.
+// Bytes in a file of a control group; infinite for "max" (version 2), for the largest number that version 1 writes
+// instead, and where there is no such file.
 double limit_in(const std::string& file) {
   std::ifstream in(file);
   double bytes = 0;
@@ -31,8 +31,8 @@ double limit_in(const std::string& file) {
   return bytes;
 }
 
-// Of a group and of all above it: a container may show its own group as the root, so that the path
-// of the membership leads nowhere while the root has the limit.
+// Of a group and of all above it: a container may show its own group as the root, so that the path of the membership
+// leads nowhere while the root has the limit.
 double limit_of_group(const std::string& mount, std::string path, const char* file) {
   double least = infinite;
   for (;;) {
@@ -63,8 +63,7 @@ double limit_of_groups(const MemorySources& sources) {
       for (const char* below : {"", "/unified"})
         least = std::min(least, limit_of_group(sources.mount + below, path, "memory.max"));
     } else if (lists_memory(controllers)) {
-      least =
-          std::min(least, limit_of_group(sources.mount + "/memory", path, "memory.limit_in_bytes"));
+      least = std::min(least, limit_of_group(sources.mount + "/memory", path, "memory.limit_in_bytes"));
     }
   }
   return least;
@@ -81,8 +80,7 @@ double in_use(int column) {
 
 double left_of(int resource, int column) {
   rlimit limit{};
-  if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0 ||
-      limit.rlim_cur == RLIM_INFINITY)
+  if (getrlimit(static_cast<decltype(RLIMIT_AS)>(resource), &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
     return infinite;
   return std::max(0.0, static_cast<double>(limit.rlim_cur) - in_use(column));
 }
@@ -98,8 +96,7 @@ std::string formatted(const char* format, std::va_list args) {
 MemorySources memory_sources() {
   constexpr int total_size = 0, data_size = 5;  // columns of statm
   MemorySources sources;
-  sources.machine =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  sources.machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   sources.address_space = left_of(RLIMIT_AS, total_size);
   sources.data = left_of(RLIMIT_DATA, data_size);
   return sources;
@@ -131,8 +128,8 @@ void require_memory(const MemoryNeed& need, const char* remedy, const char* subj
   const std::string who = formatted(subject, args);
   va_end(args);
   const MemoryLimit& limit = there ? allocation : memory;
-  fail(Status::err_memory, "%s %.3g GB, %s %.3g GB: %s", who.c_str(),
-       1e-9 * (there ? need.allocated : need.written), limit.what, 1e-9 * limit.bytes, remedy);
+  fail(Status::err_memory, "%s %.3g GB, %s %.3g GB: %s", who.c_str(), 1e-9 * (there ? need.allocated : need.written),
+       limit.what, 1e-9 * limit.bytes, remedy);
 }
 
 }  // namespace rollcon

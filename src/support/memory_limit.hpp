@@ -1,7 +1,6 @@
 #pragma once
-/// How much memory this process may use, for those who are about to ask for much of it: a refusal
-/// that names need and limit is worth more than a machine that swaps, an allocation that fails half
-/// way, or a process that is killed.
+/// How much memory this process may use, for those who are about to ask for much of it: a refusal that names need and
+/// limit is worth more than a machine that swaps, an allocation that fails half way, or a process that is killed.
 
 #include <cstdint>
 #include <string>
@@ -24,8 +23,8 @@ struct MemorySources {
 /// Physical memory and what is left of this process's limits (RLIMIT_AS, RLIMIT_DATA).
 MemorySources memory_sources();
 
-/// The least of physical memory and the limits of this process's control groups (version 1 and 2,
-/// those above its own included), for memory that is written to. Any thread.
+/// The least of physical memory and the limits of this process's control groups (version 1 and 2, those above its own
+/// included), for memory that is written to. Any thread.
 MemoryLimit memory_limit(const MemorySources& sources);
 /// The least of what RLIMIT_AS and RLIMIT_DATA leave to it, for memory that is asked for.
 MemoryLimit allocation_limit(const MemorySources& sources);
@@ -35,9 +34,8 @@ struct MemoryNeed {
   double allocated = 0, written = 0;  ///< bytes
 };
 
-/// Throws Error(err_memory) "<subject> 1.2 GB, this machine has 1 GB: <remedy>" where this
-/// process cannot have that. Needs below 16 MiB pass unseen: the limits are not read for them.
-/// subject: with its verb, formatted as by printf.
+/// Throws Error(err_memory) "<subject> 1.2 GB, this machine has 1 GB: <remedy>" where this process cannot have that.
+/// Needs below 16 MiB pass unseen: the limits are not read for them. subject: with its verb, formatted as by printf.
 void require_memory(const MemoryNeed& need, const char* remedy, const char* subject, ...)
     __attribute__((format(printf, 3, 4)));
 

@@ -13,8 +13,8 @@
 namespace rollcon {
 namespace {
 
-// A host that limits its stacks (ulimit -s) limits those of its threads by that. Only what is
-// touched of it becomes memory.
+// A host that limits its stacks (ulimit -s) limits those of its threads by that. Only what is touched of it becomes
+// memory.
 constexpr std::size_t stack_bytes = std::size_t{8} << 20U;
 
 struct Team {
@@ -52,8 +52,7 @@ class SignalsForTheHost {
   SignalsForTheHost() {
     sigset_t all;
     sigfillset(&all);
-    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS})
-      sigdelset(&all, fault);
+    for (const int fault : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS}) sigdelset(&all, fault);
     pthread_sigmask(SIG_SETMASK, &all, &former_);
   }
   ~SignalsForTheHost() { pthread_sigmask(SIG_SETMASK, &former_, nullptr); }

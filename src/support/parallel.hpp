@@ -1,7 +1,7 @@
 #pragma once
-/// Loops on threads of the library's own, which live as long as the loop. OpenMP's threads would
-/// outlive it: its runtime ends the process when it cannot make them, hangs in a forked child, and
-/// gives them whatever floating-point environment the host had when they were born.
+/// Loops on threads of the library's own, which live as long as the loop. OpenMP's threads would outlive it: its
+/// runtime ends the process when it cannot make them, hangs in a forked child, and gives them whatever floating-point
+/// environment the host had when they were born.
 
 #include <algorithm>
 #include <atomic>
@@ -11,17 +11,16 @@
 
 namespace rollcon {
 
-/// Calls work(data, thread) once for each number in 0 .. threads - 1, at the same time; 0 is the
-/// calling thread. The others have stacks of their own size, take no signals of the host, and
-/// compute in the standard floating-point environment. Numbers for which no thread can be had are
-/// left out. Rethrows the first exception once all threads have ended.
+/// Calls work(data, thread) once for each number in 0 .. threads - 1, at the same time; 0 is the calling thread. The
+/// others have stacks of their own size, take no signals of the host, and compute in the standard floating-point
+/// environment. Numbers for which no thread can be had are left out. Rethrows the first exception once all threads have
+/// ended.
 void run_threads(int threads, void (*work)(void*, int), void* data);
 
-/// Calls work(i, thread) for i in 0 .. count - 1, in chunks of neighbours that threads take as they
-/// come. thread is below `threads`; equal ones never run at the same time. Which thread gets which
-/// i is not defined: work must not depend on it. One thread or one chunk: a plain loop, in the
-/// caller. After an exception the chunks not yet begun are skipped. Before each chunk the caller of
-/// the whole (interrupt.hpp) may stop it: Cancelled.
+/// Calls work(i, thread) for i in 0 .. count - 1, in chunks of neighbours that threads take as they come. thread is
+/// below `threads`; equal ones never run at the same time. Which thread gets which i is not defined: work must not
+/// depend on it. One thread or one chunk: a plain loop, in the caller. After an exception the chunks not yet begun are
+/// skipped. Before each chunk the caller of the whole (interrupt.hpp) may stop it: Cancelled.
 template <class Work>
 void parallel_for(std::int64_t count, std::int64_t chunk, int threads, const Work& work) {
   const std::int64_t chunks = (count + chunk - 1) / chunk;

@@ -1,6 +1,6 @@
 #pragma once
-/// Settings by name: one table gives type, range, standard value and meaning of each, and the
-/// member of a struct that holds its value.
+/// Settings by name: one table gives type, range, standard value and meaning of each, and the member of a struct that
+/// holds its value.
 
 #include <algorithm>
 #include <cstdint>
@@ -32,25 +32,18 @@ void require_allowed(const Setting& setting, const char* value);
 [[noreturn]] void fail_wrong_type(const Setting& setting, SettingType wanted);
 [[noreturn]] void fail_unknown_setting(std::span<const Setting> known, const char* name);
 
-/// Setters and getters throw err_option for unknown names, wrong types and values out of range; the
-/// message names what is allowed.
+/// Setters and getters throw err_option for unknown names, wrong types and values out of range; the message names what
+/// is allowed.
 template <class Values>
 class SettingTable {
  public:
   /// The standard value is the member's initialiser.
   struct Row {
     Row(const char* name, std::int64_t Values::*member, double low, double high, const char* doc)
-        : setting{name,
-                  SettingType::integer,
-                  low,
-                  high,
-                  static_cast<double>(Values{}.*member),
-                  nullptr,
-                  doc},
+        : setting{name, SettingType::integer, low, high, static_cast<double>(Values{}.*member), nullptr, doc},
           integer(member) {}
     Row(const char* name, double Values::*member, double low, double high, const char* doc)
-        : setting{name, SettingType::real, low, high, Values{}.*member, nullptr, doc},
-          real(member) {}
+        : setting{name, SettingType::real, low, high, Values{}.*member, nullptr, doc}, real(member) {}
     Row(const char* name, std::string Values::*member, const char* choices, const char* doc)
         : setting{name, SettingType::text, 0, 0, 0, choices, doc}, text(member) {}
 
@@ -89,9 +82,7 @@ class SettingTable {
   std::int64_t get_int(const Values& values, const char* name) const {
     return values.*find(name, SettingType::integer).integer;
   }
-  double get_real(const Values& values, const char* name) const {
-    return values.*find(name, SettingType::real).real;
-  }
+  double get_real(const Values& values, const char* name) const { return values.*find(name, SettingType::real).real; }
   const std::string& get_text(const Values& values, const char* name) const {
     return values.*find(name, SettingType::text).text;
   }
@@ -99,9 +90,8 @@ class SettingTable {
  private:
   const Row& find(const char* name, SettingType type) const {
     require_pointer(name, "name");
-    const auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& candidate) {
-      return std::strcmp(candidate.setting.name, name) == 0;
-    });
+    const auto row = std::find_if(rows_.begin(), rows_.end(),
+                                  [&](const Row& candidate) { return std::strcmp(candidate.setting.name, name) == 0; });
     if (row == rows_.end()) fail_unknown_setting(settings_, name);
     if (row->setting.type != type) fail_wrong_type(row->setting, type);
     return *row;

@@ -99,8 +99,7 @@ void record_nodes(const double* x, int64_t n, int64_t node_stride, int64_t compo
   blank();
   put("[");
   for (int64_t i = 0; i < n; ++i)
-    for (int64_t j = 0; j < 3; ++j)
-      put(i || j ? " %.10g" : "%.10g", x[i * node_stride + j * component_stride]);
+    for (int64_t j = 0; j < 3; ++j) put(i || j ? " %.10g" : "%.10g", x[i * node_stride + j * component_stride]);
   put("]");
 }
 
@@ -135,8 +134,7 @@ void give_count(int64_t* place, int64_t value) {
 }
 
 void give_reals(double* place, int64_t n, int position) {
-  for (int64_t i = 0; answer >= 0 && place && i < n; ++i)
-    place[i] = 100 * position + (double)i + 0.5;
+  for (int64_t i = 0; answer >= 0 && place && i < n; ++i) place[i] = 100 * position + (double)i + 0.5;
 }
 
 void give_text(char* place, int64_t capacity, int64_t* needed, int function) {

@@ -18,13 +18,7 @@ void recorder_answers(int32_t status);
 const char* recorder_missing(void);
 
 /* For recorded_calls.c: a call begins, tells its arguments, and ends with the status. */
-enum {
-  RECORD_NODES = 3,
-  RECORD_ELEMENTS = 2,
-  RECORD_ROWS = 2,
-  RECORD_VALUES = 6,
-  RECORD_COUNT = 2
-};
+enum { RECORD_NODES = 3, RECORD_ELEMENTS = 2, RECORD_ROWS = 2, RECORD_VALUES = 6, RECORD_COUNT = 2 };
 void record_begin(int function);
 void record_handle(const void* handle);
 void record_integer(int64_t value);

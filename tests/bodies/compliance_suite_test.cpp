@@ -17,8 +17,8 @@ namespace {
 
 constexpr double young = 1e4, poisson = 0.3;
 
-PlacedCompliance placed(std::shared_ptr<Body> body, std::shared_ptr<const void> owner,
-                        SurfaceMesh frame_mesh, const Placement& where) {
+PlacedCompliance placed(std::shared_ptr<Body> body, std::shared_ptr<const void> owner, SurfaceMesh frame_mesh,
+                        const Placement& where) {
   auto context = std::make_shared<Context>();
   auto rigid = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::rigid));
   rigid->prepare();
@@ -58,8 +58,7 @@ ComplianceCase halfspace(ElementType type, double nu) {
     auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace));
     body->set_elastic(0, where.stress * young, nu);
     body->prepare();
-    return placed(body, context,
-                  scaled(frames::perturb(square(type, 4 << level), 0.15, 3), where.length), where);
+    return placed(body, context, scaled(frames::perturb(square(type, 4 << level), 0.15, 3), where.length), where);
   };
   c.reciprocity = {1e-5, 1e-5};
   c.block = 1e-12;
@@ -70,20 +69,17 @@ ComplianceCase halfspace(ElementType type, double nu) {
 
 /// Block [-2, 2]^2 x [-3, 0] held at its bottom, contact zone [-1, 1]^2 on its top.
 surfaces::ZoneBlock zone_shape(int level) {
-  return {
-      .side = 4, .depth = 3, .zone = 2, .n = 4 << level, .grade = 1 << level, .deep = 2 << level};
+  return {.side = 4, .depth = 3, .zone = 2, .n = 4 << level, .grade = 1 << level, .deep = 2 << level};
 }
 
 statics::StaticBody elastic_block(ElementType type, int level, const Placement& where) {
-  return {scaled(surfaces::zone_block(zone_shape(level), type), where.length), where.stress * young,
-          poisson};
+  return {scaled(surfaces::zone_block(zone_shape(level), type), where.length), where.stress * young, poisson};
 }
 
 statics::StaticBody elastic_block(VolumeType type, int level, const Placement& where) {
   surfaces::ZoneBlock shape = zone_shape(level);
   shape.deep *= 2;
-  return {volumes::transform(volumes::zone_block(shape, type),
-                             [&](const Vec3& x) { return where.length * x; }),
+  return {volumes::transform(volumes::zone_block(shape, type), [&](const Vec3& x) { return where.length * x; }),
           where.stress * young, poisson};
 }
 
@@ -105,14 +101,13 @@ ElementType frame_type(VolumeType type) {
   return is_quadratic(type) ? ElementType::quad8 : ElementType::quad4;
 }
 
-PlacedCompliance on_zone(std::unique_ptr<statics::StaticBody> made, const Placement& where,
-                         ElementType type, int own_mesh) {
+PlacedCompliance on_zone(std::unique_ptr<statics::StaticBody> made, const Placement& where, ElementType type,
+                         int own_mesh) {
   const std::shared_ptr<statics::StaticBody> owner = std::move(made);
   std::vector<std::int32_t> unused;
-  SurfaceMesh zone =
-      own_mesh > 0
-          ? scaled(square(type, own_mesh), 0.9 * where.length)
-          : surfaces::part_of(owner->mesh(), surfaces::elements_with_tag(owner->mesh(), 2), unused);
+  SurfaceMesh zone = own_mesh > 0
+                         ? scaled(square(type, own_mesh), 0.9 * where.length)
+                         : surfaces::part_of(owner->mesh(), surfaces::elements_with_tag(owner->mesh(), 2), unused);
   return placed({owner, &owner->body()}, owner, std::move(zone), where);
 }
 
@@ -198,22 +193,19 @@ INSTANTIATE_TEST_SUITE_P(Compliance, BodyModels,
                          model_name);
 INSTANTIATE_TEST_SUITE_P(
     Compliance_long, BodyModels,
-    ::testing::Values(
-        halfspace(ElementType::tri6, 0.0), boundary_elements(ElementType::tri3, false),
-        boundary_elements(ElementType::quad8, false), boundary_elements(ElementType::quad4, true),
-        boundary_elements(ElementType::quad8, true), finite_elements(VolumeType::hex20, false),
-        finite_elements(VolumeType::tet4, false), finite_elements(VolumeType::tet10, false),
-        finite_elements(VolumeType::wedge6, false), finite_elements(VolumeType::wedge15, false),
-        finite_elements(VolumeType::hex8, true), finite_elements(VolumeType::hex20, true)),
+    ::testing::Values(halfspace(ElementType::tri6, 0.0), boundary_elements(ElementType::tri3, false),
+                      boundary_elements(ElementType::quad8, false), boundary_elements(ElementType::quad4, true),
+                      boundary_elements(ElementType::quad8, true), finite_elements(VolumeType::hex20, false),
+                      finite_elements(VolumeType::tet4, false), finite_elements(VolumeType::tet10, false),
+                      finite_elements(VolumeType::wedge6, false), finite_elements(VolumeType::wedge15, false),
+                      finite_elements(VolumeType::hex8, true), finite_elements(VolumeType::hex20, true)),
     model_name);
 
-// One block, one frame laid on it, finite and boundary elements: the work of smooth loads tends to
-// the same.
+// One block, one frame laid on it, finite and boundary elements: the work of smooth loads tends to the same.
 TEST(SameBody_long, by_finite_and_by_boundary_elements) {
   constexpr int frame_parts = 6;
   const auto works = [&](auto type, int level) {
-    return work_of_smooth_loads(
-        on_zone(zone_body(type, level, {}, {}), {}, ElementType::quad8, frame_parts));
+    return work_of_smooth_loads(on_zone(zone_body(type, level, {}, {}), {}, ElementType::quad8, frame_parts));
   };
   const auto distance = [](const std::vector<double>& a, const std::vector<double>& b) {
     double worst = 0;
@@ -221,19 +213,15 @@ TEST(SameBody_long, by_finite_and_by_boundary_elements) {
     return worst;
   };
   const auto reference = works(ElementType::quad8, 1);
-  const auto refine = [&](auto type, const std::string& name, double coarse, double fine,
-                          int level = 1) {
-    const double e0 = distance(works(type, 0), reference),
-                 e1 = distance(works(type, level), reference);
+  const auto refine = [&](auto type, const std::string& name, double coarse, double fine, int level = 1) {
+    const double e0 = distance(works(type, 0), reference), e1 = distance(works(type, level), reference);
     const std::string parts = std::to_string(4 << level);
     validation::expect_error(name + ", 4 x 4 in the zone, work against 8 x 8 quad8", e0, coarse);
-    validation::expect_error(
-        name + ", " + parts + " x " + parts + " in the zone, work against 8 x 8 quad8", e1, fine);
+    validation::expect_error(name + ", " + parts + " x " + parts + " in the zone, work against 8 x 8 quad8", e1, fine);
     EXPECT_LT(e1, 0.75 * e0) << name;
   };
   refine(ElementType::quad4, "quad4", 0.1, 0.04);
-  // Under a frame finer than the faces a half-space helps: the coarse mesh is better than its
-  // order.
+  // Under a frame finer than the faces a half-space helps: the coarse mesh is better than its order.
   refine(VolumeType::hex8, "hex8", 0.15, 0.04, 2);
   refine(VolumeType::hex20, "hex20", 0.05, 0.01);
   refine(VolumeType::tet10, "tet10", 0.2, 0.03);

@@ -1,5 +1,4 @@
-// Bodies of equal content in one context: prepared once, and held once; different ones are not
-// taken for equal.
+// Bodies of equal content in one context: prepared once, and held once; different ones are not taken for equal.
 
 #include "bodies/equal_bodies.hpp"
 
@@ -35,8 +34,8 @@ constexpr std::int32_t top = 6;
 void give_surface(Body& body, const SurfaceMesh& mesh) {
   body.set_nodes(mesh.nodes(), mesh.node[0].data(), 3, 1);
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
-    body.add_elements(static_cast<std::int32_t>(mesh.type[static_cast<std::size_t>(e)]), 1,
-                      mesh.element(e).data(), 0, mesh.tag[static_cast<std::size_t>(e)]);
+    body.add_elements(static_cast<std::int32_t>(mesh.type[static_cast<std::size_t>(e)]), 1, mesh.element(e).data(), 0,
+                      mesh.tag[static_cast<std::size_t>(e)]);
 }
 
 std::vector<std::int32_t> nodes_at_bottom(const std::vector<Vec3>& node) {
@@ -47,12 +46,10 @@ std::vector<std::int32_t> nodes_at_bottom(const std::vector<Vec3>& node) {
 }
 
 /// A brick held at its bottom, not prepared.
-std::shared_ptr<Body> brick(const std::shared_ptr<Context>& context, BodyKind kind,
-                            const Change& change = {}) {
+std::shared_ptr<Body> brick(const std::shared_ptr<Context>& context, BodyKind kind, const Change& change = {}) {
   auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(kind));
   if (kind == BodyKind::fem) {
-    const volumes::Mesh mesh =
-        volumes::block(surfaces::brick({3, 3, 3}, {1, 1, 1}), VolumeType::hex8);
+    const volumes::Mesh mesh = volumes::block(surfaces::brick({3, 3, 3}, {1, 1, 1}), VolumeType::hex8);
     const std::vector<Vec3>& node = mesh.surface.node;
     body->set_nodes(mesh.surface.nodes(), node[0].data(), 3, 1);
     body->add_elements(static_cast<std::int32_t>(VolumeType::hex8), mesh.volume.elements(),
@@ -61,8 +58,7 @@ std::shared_ptr<Body> brick(const std::shared_ptr<Context>& context, BodyKind ki
     const auto held = nodes_at_bottom(node);
     body->set_support(static_cast<std::int64_t>(held.size()), held.data(), 0, 7, nullptr);
   } else {
-    const SurfaceMesh mesh =
-        surfaces::block(surfaces::brick({3, 3, 3}, {1, 1, 1}), ElementType::quad4);
+    const SurfaceMesh mesh = surfaces::block(surfaces::brick({3, 3, 3}, {1, 1, 1}), ElementType::quad4);
     give_surface(*body, mesh);
     if (kind == BodyKind::bem) {
       body->set_elastic(0, 200, 0.3);
@@ -107,8 +103,7 @@ TEST(EqualBodies, every_input_counts) {
   const std::int32_t tags[1] = {top};
   const auto at_height = [](const Body& b, double z) {
     const std::vector<Vec3>& node = b.mesh().surface.node;
-    const auto found =
-        std::find_if(node.begin(), node.end(), [&](const Vec3& x) { return x[2] == z; });
+    const auto found = std::find_if(node.begin(), node.end(), [&](const Vec3& x) { return x[2] == z; });
     return static_cast<std::int32_t>(found - node.begin());
   };
   const std::vector<std::pair<const char*, Change>> changes{
@@ -178,8 +173,7 @@ TEST(EqualBodies, one_node_moved_by_the_last_bit_is_another_body) {
 TEST(EqualBodies, what_nobody_holds_is_freed) {
   const auto context = std::make_shared<Context>();
   for (int round = 0; round < 40; ++round) {
-    const auto body =
-        brick(context, BodyKind::rigid, [](Body& b) { b.set_real("edge_angle", 30); });
+    const auto body = brick(context, BodyKind::rigid, [](Body& b) { b.set_real("edge_angle", 30); });
     body->prepare();
     EXPECT_FALSE(body->shared()) << "the one before is gone";
   }

@@ -1,5 +1,5 @@
-// Pairs of bodies with their unknowns written out: the same displacements as condensed, from
-// matrices that are assembled once, and nothing factorised on the way.
+// Pairs of bodies with their unknowns written out: the same displacements as condensed, from matrices that are
+// assembled once, and nothing factorised on the way.
 
 #include "bodies/model/expanded_compliance.hpp"
 
@@ -37,15 +37,15 @@ surfaces::ZoneBlock shape(int n, int deep) {
 
 /// Not prepared.
 std::shared_ptr<StaticBody> elastic(ElementType type, int n, double poisson = 0.3) {
-  auto body = std::make_shared<StaticBody>(
-      surfaces::transform(surfaces::zone_block(shape(n, 2), type), dome), 1e4, poisson);
+  auto body =
+      std::make_shared<StaticBody>(surfaces::transform(surfaces::zone_block(shape(n, 2), type), dome), 1e4, poisson);
   body->hold_tags({3});
   return body;
 }
 
 std::shared_ptr<StaticBody> elastic(VolumeType type, int n, double poisson = 0.3) {
-  auto body = std::make_shared<StaticBody>(
-      volumes::transform(volumes::zone_block(shape(n, 3), type), dome), 2e4, poisson);
+  auto body =
+      std::make_shared<StaticBody>(volumes::transform(volumes::zone_block(shape(n, 3), type), dome), 2e4, poisson);
   body->hold_tags({3});
   return body;
 }
@@ -97,8 +97,7 @@ Pair pair_on(std::array<std::shared_ptr<Body>, 2> body, SurfaceMesh frame_mesh) 
   if (meshed) {
     const NormalField field(axes, pair);
     std::vector<Vec3> normal;
-    for (std::size_t k = 0; k < p.frame.x.size(); ++k)
-      normal.push_back(field.at(p.frame.x[k], p.frame.y[k]));
+    for (std::size_t k = 0; k < p.frame.x.size(); ++k) normal.push_back(field.at(p.frame.x[k], p.frame.y[k]));
     curve_frame(p.frame, normal);
   }
   p.compliance = make_pair_compliance(p.frame, pair, 1e-6, 1);
@@ -142,14 +141,12 @@ TEST(Expanded, faces_of_one_body_laid_on_the_other) {
   const auto finite = elastic(VolumeType::hex8, 3);
   const Pair p = pair_on({of(boundary), of(finite)}, zone_of(*boundary));
   ASSERT_TRUE(p.frame.curved());
-  expect_error("quad4 below hex8, faces of the first", expansion_error(p.frame, *p.compliance),
-               1e-12);
+  expect_error("quad4 below hex8, faces of the first", expansion_error(p.frame, *p.compliance), 1e-12);
   expect_unknowns(p, 2, true);
   const auto fine = elastic(VolumeType::hex20, 2);
   const auto quads = elastic(ElementType::quad8, 3);
   const Pair q = pair_on({of(fine), of(quads)}, zone_of(*fine));
-  expect_error("hex20 below quad8, faces of the first", expansion_error(q.frame, *q.compliance),
-               1e-12);
+  expect_error("hex20 below quad8, faces of the first", expansion_error(q.frame, *q.compliance), 1e-12);
 }
 
 TEST(Expanded, faces_of_both) {
@@ -168,9 +165,9 @@ TEST(Expanded, with_bodies_that_have_no_unknowns) {
   const Pair q = pair_on({simple(BodyKind::rigid), of(above)}, laid(ElementType::quad4, 5));
   expect_error("tet10 above a rigid body", expansion_error(q.frame, *q.compliance), 1e-12);
   expect_unknowns(q, 1, true);
-  const Pair r = pair_on({simple(BodyKind::halfspace), simple(BodyKind::halfspace)},
-                         frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, 1, 5),
-                                           frames::uniform_lines(-1, 1, 4)));
+  const Pair r =
+      pair_on({simple(BodyKind::halfspace), simple(BodyKind::halfspace)},
+              frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, 1, 5), frames::uniform_lines(-1, 1, 4)));
   expect_error("two half-spaces", expansion_error(r.frame, *r.compliance), 1e-12);
   expect_unknowns(r, 0, true);
 }
@@ -191,8 +188,8 @@ void expect_nothing_factorised(Type type, const std::string& name) {
   const Pair p = pair_on({of(owner), simple(BodyKind::rigid)}, zone_of(*owner));
   const Pair q = pair_on({of(owner), simple(BodyKind::halfspace)}, laid(ElementType::quad4, 4));
   const Body& body = owner->body();
-  const auto expect_counts = [&](std::int64_t assemblies, std::int64_t factorizations,
-                                 std::int64_t condensations, const char* when) {
+  const auto expect_counts = [&](std::int64_t assemblies, std::int64_t factorizations, std::int64_t condensations,
+                                 const char* when) {
     EXPECT_EQ(stat(body, &BodyStatistics::assemblies), assemblies) << name << ", " << when;
     EXPECT_EQ(stat(body, &BodyStatistics::factorizations), factorizations) << name << ", " << when;
     EXPECT_EQ(stat(body, &BodyStatistics::condensations), condensations) << name << ", " << when;
@@ -308,8 +305,8 @@ void expect_one_assembly_for_threads(Type type) {
     EXPECT_EQ(u[k], u[0]);
     EXPECT_EQ(expanded[k].body[0].load.value, expanded[0].body[0].load.value);
   }
-  for (const auto count : {&BodyStatistics::assemblies, &BodyStatistics::factorizations,
-                           &BodyStatistics::condensations})
+  for (const auto count :
+       {&BodyStatistics::assemblies, &BodyStatistics::factorizations, &BodyStatistics::condensations})
     EXPECT_EQ(stat(owner->body(), count), 1);
 }
 

@@ -1,5 +1,5 @@
-// Files of bodies whose checksums are right and whose content is not: refused, or harmless; never
-// read beyond what is there.
+// Files of bodies whose checksums are right and whose content is not: refused, or harmless; never read beyond what is
+// there.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -57,8 +57,8 @@ class ForgedFiles : public ::testing::Test {
       if (body->response()) body->response()->support_reaction();
     } catch (const Error& e) {
       ++refused;
-      const bool fits = e.status() == Status::err_io || e.status() == Status::err_unsupported ||
-                        e.status() == Status::err_memory;
+      const bool fits =
+          e.status() == Status::err_io || e.status() == Status::err_unsupported || e.status() == Status::err_memory;
       ASSERT_TRUE(fits) << where << ": " << e.what();
     }
   }
@@ -75,17 +75,15 @@ class ForgedFiles : public ::testing::Test {
     const std::size_t step = std::max<std::size_t>(1, good.size() / 250);
     const std::uint64_t huge = ~std::uint64_t{0}, large = std::uint64_t{1} << 40U;
     const double not_a_number = std::nan("");
-    for (std::size_t k = sizeof(SectionHeader); k < good.size();
-         k += k < sizeof(SectionHeader) + 400 ? 6 : step) {
+    for (std::size_t k = sizeof(SectionHeader); k < good.size(); k += k < sizeof(SectionHeader) + 400 ? 6 : step) {
       const char flipped = static_cast<char>(good[k] ^ 1 << k % 8);
       load(forged(good, k, &flipped, 1), k);
-      for (const void* word : {static_cast<const void*>(&huge), static_cast<const void*>(&large),
-                               static_cast<const void*>(&not_a_number)})
+      for (const void* word :
+           {static_cast<const void*>(&huge), static_cast<const void*>(&large), static_cast<const void*>(&not_a_number)})
         if (k % 3 == 0) load(forged(good, k, word, 8), k);
     }
-    std::printf("%lld forged files: %lld refused, %lld read\n",
-                static_cast<long long>(loaded + refused), static_cast<long long>(refused),
-                static_cast<long long>(loaded));
+    std::printf("%lld forged files: %lld refused, %lld read\n", static_cast<long long>(loaded + refused),
+                static_cast<long long>(refused), static_cast<long long>(loaded));
     EXPECT_GT(refused, 40);
   }
 
@@ -96,16 +94,14 @@ class ForgedFiles : public ::testing::Test {
 
 TEST_F(ForgedFiles, of_boundary_elements) {
   if (ROLLCON_BUILD_BEM == 0) GTEST_SKIP() << "this build has no boundary elements";
-  StaticBody body(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad4), 200,
-                  0.3);
+  StaticBody body(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad4), 200, 0.3);
   body.hold_tags({5});
   check(body, {0});
 }
 
 TEST_F(ForgedFiles, of_finite_elements) {
   if (ROLLCON_BUILD_FEM == 0) GTEST_SKIP() << "this build has no finite elements";
-  StaticBody body(volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), 200,
-                  0.3);
+  StaticBody body(volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), 200, 0.3);
   body.hold_tags({5});
   check(body, {3});
 }

@@ -35,10 +35,8 @@ void set_pose(Scene& scene, std::int32_t which, const Pose& pose) {
 }
 
 /// `mesh`, given in the coordinates of the scene, as a body standing in this pose.
-std::shared_ptr<Body> standing(const std::shared_ptr<Context>& context, const SurfaceMesh& mesh,
-                               const Pose& pose) {
-  auto body =
-      rigid_body(context, frames::transform(mesh, [&](const Vec3& x) { return pose.to_body(x); }));
+std::shared_ptr<Body> standing(const std::shared_ptr<Context>& context, const SurfaceMesh& mesh, const Pose& pose) {
+  auto body = rigid_body(context, frames::transform(mesh, [&](const Vec3& x) { return pose.to_body(x); }));
   body->prepare();
   return body;
 }
@@ -48,21 +46,18 @@ TEST(frame_on_body, nodes_of_the_other_body_are_recognised_in_any_pose) {
   for (const ElementType type : surfaces::all_types)
     for (const Pose& pose1 : poses)
       for (const Pose& pose2 : poses) {
-        // Caps of different radii that face each other, divided alike as seen along z; as a whole
-        // they stand somewhere too.
+        // Caps of different radii that face each other, divided alike as seen along z; as a whole they stand somewhere
+        // too.
         const Pose place = turned(0.3, 0.5, {5, 6, -7});
         const auto at_place = [&](const Vec3& x) { return place.place(x); };
         auto context = std::make_shared<Context>();
-        auto lower = standing(
-            context, frames::transform(sphere_cap(type, 6, 0.5, 3, 0, true), at_place), pose1);
-        auto upper = standing(
-            context, frames::transform(sphere_cap(type, 6, 0.5, 5, 0.01, false), at_place), pose2);
+        auto lower = standing(context, frames::transform(sphere_cap(type, 6, 0.5, 3, 0, true), at_place), pose1);
+        auto upper = standing(context, frames::transform(sphere_cap(type, 6, 0.5, 5, 0.01, false), at_place), pose2);
         Scene scene;
         set_pose(scene, 1, pose1);
         set_pose(scene, 2, pose2);
         scene.set_frame_from(0, lower->mesh().surface, lower->mesh().surface.tag[0]);
-        const Vec3 origin = place.place({0, 0, 0}), t1 = place.turn({1, 0, 0}),
-                   n = place.turn({0, 0, 1});
+        const Vec3 origin = place.place({0, 0, 0}), t1 = place.turn({1, 0, 0}), n = place.turn({0, 0, 1});
         scene.set_axes(origin.data(), t1.data(), n.data());
         const Frame frame = build_frame(scene.mesh(), scene.axes());
         const FrameOnBody own = lay_on_body(frame, *lower, scene.pose(0), 0),
@@ -75,8 +70,8 @@ TEST(frame_on_body, nodes_of_the_other_body_are_recognised_in_any_pose) {
           const auto i = static_cast<std::size_t>(k);
           ASSERT_GE(other.node[i], 0);
           const Vec3 x = place.to_body(frame.mesh.node[i]),
-                     y = place.to_body(scene.pose(1).place(
-                         upper->mesh().surface.node[static_cast<std::size_t>(other.node[i])]));
+                     y = place.to_body(
+                         scene.pose(1).place(upper->mesh().surface.node[static_cast<std::size_t>(other.node[i])]));
           EXPECT_LT(std::hypot(x[0] - y[0], x[1] - y[1]), 1e-10);
         }
       }
@@ -111,15 +106,13 @@ TEST(frame_on_body, nodes_that_coincide_only_in_part) {
 TEST(frame_on_body, nodes_as_near_as_rounded_coordinates_are_one) {
   for (const double off : {1e-8, 1e-7, 1e-5}) {
     const std::vector<double> lines = uniform_lines(-1, 1, 8);
-    auto body = standing(std::make_shared<Context>(),
-                         frames::rectangle(ElementType::quad8, lines, lines), {});
-    const Frame frame =
-        build_frame(frames::transform(frames::rectangle(ElementType::quad8, lines, lines),
-                                      [&](const Vec3& x) {
-                                        // Outwards at the rim too.
-                                        return Vec3{(1 + off) * x[0], (1 + off) * x[1], 0.1};
-                                      }),
-                    {});
+    auto body = standing(std::make_shared<Context>(), frames::rectangle(ElementType::quad8, lines, lines), {});
+    const Frame frame = build_frame(frames::transform(frames::rectangle(ElementType::quad8, lines, lines),
+                                                      [&](const Vec3& x) {
+                                                        // Outwards at the rim too.
+                                                        return Vec3{(1 + off) * x[0], (1 + off) * x[1], 0.1};
+                                                      }),
+                                    {});
     if (off < 1e-6) {
       EXPECT_TRUE(lay_on_body(frame, *body, {}, 0).of_faces()) << off;
     } else {
@@ -135,8 +128,7 @@ TEST(frame_on_body_long, five_thousand_nodes_on_twenty_thousand_faces) {
     body->prepare();
     const int n = type == ElementType::quad4 ? 70 : 40;  // about 5000 nodes
     for (const bool matching : {false, true}) {
-      SurfaceMesh mesh =
-          matching ? sphere_cap(type, 142, 0.5, 3, 0, true) : sphere_cap(type, n, 0.49, 3, 0, true);
+      SurfaceMesh mesh = matching ? sphere_cap(type, 142, 0.5, 3, 0, true) : sphere_cap(type, n, 0.49, 3, 0, true);
       const Frame frame = build_frame(mesh, {});
       const auto start = Clock::now();
       const SurfaceSearch search(body->mesh().surface, {});
@@ -146,10 +138,9 @@ TEST(frame_on_body_long, five_thousand_nodes_on_twenty_thousand_faces) {
       EXPECT_EQ(on.of_faces(), matching);
       const double tree = std::chrono::duration<double>(built - start).count(),
                    lay = std::chrono::duration<double>(end - built).count();
-      std::printf("%lld nodes on %lld %s: tree %.3f s, frame laid %.3f s%s\n",
-                  static_cast<long long>(frame.nodes()),
-                  static_cast<long long>(body->mesh().surface.elements()), name_of(type).c_str(),
-                  tree, lay, matching ? ", matching" : "");
+      std::printf("%lld nodes on %lld %s: tree %.3f s, frame laid %.3f s%s\n", static_cast<long long>(frame.nodes()),
+                  static_cast<long long>(body->mesh().surface.elements()), name_of(type).c_str(), tree, lay,
+                  matching ? ", matching" : "");
     }
   }
 }

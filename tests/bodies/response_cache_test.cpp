@@ -1,5 +1,4 @@
-// Responses that a body keeps: found again without work, bounded in bytes, the least recently used
-// ones dropped.
+// Responses that a body keeps: found again without work, bounded in bytes, the least recently used ones dropped.
 
 #include "bodies/model/response_cache.hpp"
 
@@ -15,8 +14,7 @@ namespace {
 /// Answers with the first face and the number of the question.
 class Counted final : public ResponseCache {
  public:
-  Counted(const SurfaceMesh& surface, std::int64_t most_bytes)
-      : ResponseCache(surface, most_bytes) {}
+  Counted(const SurfaceMesh& surface, std::int64_t most_bytes) : ResponseCache(surface, most_bytes) {}
   std::shared_ptr<const BodyEquations> equations(int /*threads*/) override { return nullptr; }
   std::span<const double> own_displacement() const override { return {}; }
   Resultant support_reaction() const override { return {}; }
@@ -35,13 +33,10 @@ class Counted final : public ResponseCache {
   void respond(const LoadedSurface& on, SurfaceRows& rows, int /*threads*/) override {
     fill(on.of_faces() ? static_cast<double>(on.face[0]) : on.layer.node[0][0], rows);
   }
-  void load(const LoadedSurface& /*on*/, SurfaceLoads& /*loads*/, int /*threads*/) override {
-    ++asked;
-  }
+  void load(const LoadedSurface& /*on*/, SurfaceLoads& /*loads*/, int /*threads*/) override { ++asked; }
   void fill(double mark, SurfaceRows& rows) {
     ++asked;
-    rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()),
-                  3 * static_cast<std::int64_t>(rows.column.size()));
+    rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * static_cast<std::int64_t>(rows.column.size()));
     rows.u.data()[0] = mark;
   }
 
@@ -51,9 +46,7 @@ class Counted final : public ResponseCache {
 class Cache : public ::testing::Test {
  protected:
   /// A face by itself; all have as many rows and columns in the middle of a side.
-  double ask(Counted& cache, std::int64_t face) const {
-    return cache.rows({{face}, {}, {}}, 1)->u.data()[0];
-  }
+  double ask(Counted& cache, std::int64_t face) const { return cache.rows({{face}, {}, {}}, 1)->u.data()[0]; }
   double lay(Counted& cache, double x) const {
     SurfaceMesh layer;
     layer.node = {{x, 0, 0}, {1, 0, 0}, {0, 1, 0}};

@@ -1,5 +1,5 @@
-/// Setters of a time loop allocate nothing, and neither do its solves; an allocation that fails
-/// leaves a contact that can be solved again.
+/// Setters of a time loop allocate nothing, and neither do its solves; an allocation that fails leaves a contact that
+/// can be solved again.
 
 #include <algorithm>
 #include <cmath>
@@ -18,8 +18,8 @@ thread_local std::int64_t until_failure = -1;  ///< allocations that still succe
 
 }  // namespace
 
-// All forms but the aligned ones, so that no block comes from one allocator and goes to another.
-// Not inlined: compilers that see the inside of one of a pair only take them for mismatched.
+// All forms but the aligned ones, so that no block comes from one allocator and goes to another. Not inlined: compilers
+// that see the inside of one of a pair only take them for mismatched.
 [[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++allocations;
   if (until_failure == 0) {
@@ -105,8 +105,7 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
   ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &friction), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
   for (const char* solver : {"lu", "gmres"}) {
     ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", solver), ROLLCON_OK);
     std::int64_t counted = 0;
@@ -126,9 +125,8 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
       ASSERT_EQ(rollcon_contact_get_stat(contact, "iterations", &n), ROLLCON_OK);
       iterations += step > 0 ? n : 0;
     }
-    std::printf(
-        "%s: allocations in 20 warm solves with derivatives: %lld (bound 0), %g iterations\n",
-        solver, static_cast<long long>(counted), iterations);
+    std::printf("%s: allocations in 20 warm solves with derivatives: %lld (bound 0), %g iterations\n", solver,
+                static_cast<long long>(counted), iterations);
     EXPECT_EQ(counted, 0);
     EXPECT_GT(iterations, 0) << "the solves had something to do";
   }
@@ -137,8 +135,7 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
 class allocation_meshed : public allocation {
  protected:
   /// A rigid sphere on the top of a unit cube held at its bottom, with growing creepage.
-  void expect_none_in_warm_solves(rollcon_body* body, const std::vector<std::int32_t>& bottom,
-                                  const char* what) {
+  void expect_none_in_warm_solves(rollcon_body* body, const std::vector<std::int32_t>& bottom, const char* what) {
     ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
     ASSERT_EQ(hold(body, bottom, ROLLCON_DOF_XYZ), ROLLCON_OK);
     rollcon_contact* c = roll_on_top(context, body, plane);
@@ -149,8 +146,7 @@ class allocation_meshed : public allocation {
       ASSERT_EQ(solve_small(c), ROLLCON_OK);
       if (step > 0) counted += allocations;
     }
-    std::printf("%s: allocations in 10 warm solves: %lld (bound 0)\n", what,
-                static_cast<long long>(counted));
+    std::printf("%s: allocations in 10 warm solves: %lld (bound 0)\n", what, static_cast<long long>(counted));
     EXPECT_EQ(counted, 0);
     rollcon_contact_release(c);
   }
@@ -176,15 +172,14 @@ TEST_F(allocation_meshed, solves_with_finite_elements_allocate_nothing) {
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, 200, 0.3), ROLLCON_OK);
     give_mesh(body, box);
     ASSERT_EQ(rollcon_body_set_int(body, "between_nodes", between_nodes), ROLLCON_OK);
-    expect_none_in_warm_solves(
-        body, box.nodes_at(2, 0),
-        between_nodes ? "finite elements, by shape functions" : "finite elements");
+    expect_none_in_warm_solves(body, box.nodes_at(2, 0),
+                               between_nodes ? "finite elements, by shape functions" : "finite elements");
     rollcon_body_release(body);
   }
 }
 
-/// Everything from the nodes of a finite-element body to the solve: a call that runs out of memory
-/// changes nothing and can be repeated.
+/// Everything from the nodes of a finite-element body to the solve: a call that runs out of memory changes nothing and
+/// can be repeated.
 TEST_F(allocation_meshed, calls_with_finite_elements_that_ran_out_of_memory_can_be_repeated) {
   if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
   const BoxVolume box(2);
@@ -216,21 +211,17 @@ TEST_F(allocation_meshed, calls_with_finite_elements_that_ran_out_of_memory_can_
         twice([&] { return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1); }),
         twice([&] { return rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, quad, 0, 5); }),
         twice([&] {
-          return rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(),
-                                           box.connectivity.data(), 0, 4);
+          return rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 4);
         }),
         twice([&] { return rollcon_body_tag_faces_of_nodes(body, 9, top.data(), 0, 3); }),
-        twice([&] {
-          return rollcon_body_tag_faces(body, 4, faces.first.data(), faces.second.data(), 0, 6);
-        }),
+        twice([&] { return rollcon_body_tag_faces(body, 4, faces.first.data(), faces.second.data(), 0, 6); }),
         twice([&] { return rollcon_body_set_support(body, 9, bottom.data(), 0, 7, nullptr); }),
         twice([&] { return rollcon_body_set_pressure(body, 0, pressure); }),
         twice([&] { return rollcon_contact_create(context, body, plane, &c); }),
         twice([&] { return rollcon_contact_frame_from_body(c, 1, 6); }),
         twice([&] { return rollcon_contact_set_gap_quadratic(c, 0.5, 0.5, 0); }),
         twice([&] { return rollcon_contact_set_friction(c, "coulomb", 1, &friction); }),
-        twice(
-            [&] { return rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06); }),
+        twice([&] { return rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.06); }),
         twice([&] { return rollcon_body_prepare(body); }),
         twice([&] { return rollcon_contact_solve(c); }),
         rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr)};
@@ -243,8 +234,7 @@ TEST_F(allocation_meshed, calls_with_finite_elements_that_ran_out_of_memory_can_
       right = force;
       continue;
     }
-    for (std::size_t i = 0; i < 3; ++i)
-      ASSERT_NEAR(force[i], right[i], 1e-12 * std::abs(right[2])) << k;
+    for (std::size_t i = 0; i < 3; ++i) ASSERT_NEAR(force[i], right[i], 1e-12 * std::abs(right[2])) << k;
     if (!failed) break;
   }
   std::printf("finite elements: %d calls repeated after a failed allocation\n", repeated);
@@ -263,8 +253,7 @@ TEST_F(allocation, derivatives_that_ran_out_of_memory_can_be_asked_for_again) {
     ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", "lu"), ROLLCON_OK);
     ASSERT_EQ(solve_small(contact), ROLLCON_OK);
     const auto ask = [&] {
-      return rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, force, nullptr, nullptr,
-                                             nullptr);
+      return rollcon_contact_get_sensitivity(contact, ROLLCON_SPIN, force, nullptr, nullptr, nullptr);
     };
     failed = false;
     until_failure = k;
@@ -291,8 +280,7 @@ TEST_F(allocation, a_solve_that_ran_out_of_memory_can_be_repeated) {
     set_frame();
     ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &friction), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
   };
   ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);

@@ -8,8 +8,8 @@
 
 namespace capi_test {
 
-/// Surface of the cube [0, 1]^3 in n x n bilinear quadrilaterals a face, ids from 0, normals
-/// outwards. Faces 1 to 6: x = 0, x = 1, y = 0, y = 1, z = 0, z = 1, each a tag of its own.
+/// Surface of the cube [0, 1]^3 in n x n bilinear quadrilaterals a face, ids from 0, normals outwards. Faces 1 to 6: x
+/// = 0, x = 1, y = 0, y = 1, z = 0, z = 1, each a tag of its own.
 struct CubeSurface {
   std::vector<double> x;
   std::array<std::vector<std::int32_t>, 6> face;  ///< connectivity
@@ -80,9 +80,7 @@ class BodyApi : public Api {
   void set_mesh(rollcon_body* b) { give_mesh(b, cube); }
 
   /// Bottom z = 0 held, wholly or along z alone.
-  std::int32_t hold_bottom(std::int32_t dof_mask) {
-    return hold(body, cube.nodes_at(2, 0), dof_mask);
-  }
+  std::int32_t hold_bottom(std::int32_t dof_mask) { return hold(body, cube.nodes_at(2, 0), dof_mask); }
 
   void expect_size(std::int64_t nodes, std::int64_t elements) {
     std::int64_t n = -1, m = -1;

@@ -13,11 +13,9 @@ TEST_F(body_results, before_preparation_there_are_none) {
   set_mesh(body);
   double v[3];
   std::vector<double> u(cube.x.size());
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), u.data()), ROLLCON_ERR_STATE,
-               "rollcon_body_prepare");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), u.data()), ROLLCON_ERR_STATE, "rollcon_body_prepare");
   EXPECT_FAILS(rollcon_body_get_reaction(body, v, v), ROLLCON_ERR_STATE, "rollcon_body_prepare");
-  EXPECT_FAILS(rollcon_body_get_stat(body, "unknowns", v), ROLLCON_ERR_STATE,
-               "rollcon_body_prepare");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "unknowns", v), ROLLCON_ERR_STATE, "rollcon_body_prepare");
   EXPECT_FAILS(rollcon_body_get_reaction(sphere, v, v), ROLLCON_ERR_STATE, "half-space");
   EXPECT_FAILS(rollcon_body_get_displacements(sphere, 1, v), ROLLCON_ERR_STATE, "half-space");
 }
@@ -29,18 +27,13 @@ TEST_F(body_results, arguments) {
   std::vector<double> u(cube.x.size(), 5.0);
   const std::vector<double> kept = u;
   double v = 0;
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes() - 1, u.data()),
-               ROLLCON_ERR_CAPACITY, "25", "26");
-  EXPECT_FAILS(rollcon_body_get_displacements(body, -1, u.data()), ROLLCON_ERR_ARGUMENT,
-               "capacity is -1");
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), nullptr), ROLLCON_ERR_ARGUMENT,
-               "u is NULL");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes() - 1, u.data()), ROLLCON_ERR_CAPACITY, "25", "26");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, -1, u.data()), ROLLCON_ERR_ARGUMENT, "capacity is -1");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), nullptr), ROLLCON_ERR_ARGUMENT, "u is NULL");
   EXPECT_EQ(u, kept);
-  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), ROLLCON_ERR_OPTION, "'iterations'",
-               "factorizations");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), ROLLCON_ERR_OPTION, "'iterations'", "factorizations");
   EXPECT_FAILS(rollcon_body_get_stat(body, nullptr, &v), ROLLCON_ERR_ARGUMENT, "name is NULL");
-  EXPECT_FAILS(rollcon_body_get_stat(body, "bytes", nullptr), ROLLCON_ERR_ARGUMENT,
-               "value is NULL");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "bytes", nullptr), ROLLCON_ERR_ARGUMENT, "value is NULL");
   EXPECT_EQ(rollcon_body_get_size(body, nullptr, nullptr), ROLLCON_OK);
 }
 

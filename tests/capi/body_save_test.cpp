@@ -1,5 +1,5 @@
-/// Prepared bodies saved and loaded: the same tractions to the last bit, nothing assembled or
-/// factorised; files that are no such bodies are refused.
+/// Prepared bodies saved and loaded: the same tractions to the last bit, nothing assembled or factorised; files that
+/// are no such bodies are refused.
 
 #include <unistd.h>
 
@@ -64,8 +64,7 @@ class Saved : public BodyApi {
     std::int64_t nodes = 0, elements = 0;
     EXPECT_EQ(rollcon_contact_get_size(c, &nodes, &elements), ROLLCON_OK);
     result.traction.resize(static_cast<std::size_t>(3 * nodes));
-    EXPECT_EQ(rollcon_contact_get_tractions(c, ROLLCON_LOCAL, nodes, result.traction.data()),
-              ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_tractions(c, ROLLCON_LOCAL, nodes, result.traction.data()), ROLLCON_OK);
     rollcon_contact_release(c);
     return result;
   }
@@ -123,9 +122,7 @@ class Saved : public BodyApi {
     all << in.rdbuf();
     return all.str();
   }
-  void overwrite(const std::string& bytes) const {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-  }
+  void overwrite(const std::string& bytes) const { std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes; }
 
   fs::path folder;
   std::string path;
@@ -286,18 +283,15 @@ TEST_F(body_save, arguments_and_paths) {
   EXPECT_FAILS(rollcon_body_load(context, nullptr, &b), ROLLCON_ERR_ARGUMENT, "path is NULL");
   EXPECT_EQ(b, nullptr);
   EXPECT_FAILS(rollcon_body_load(context, "", &b), ROLLCON_ERR_ARGUMENT, "path is empty");
-  EXPECT_FAILS(rollcon_body_load(context, path.c_str(), nullptr), ROLLCON_ERR_ARGUMENT,
-               "body is NULL");
+  EXPECT_FAILS(rollcon_body_load(context, path.c_str(), nullptr), ROLLCON_ERR_ARGUMENT, "body is NULL");
   EXPECT_EQ(rollcon_body_load(nullptr, path.c_str(), &b), ROLLCON_ERR_ARGUMENT);
   EXPECT_FAILS(rollcon_body_load(context, path.c_str(), &b), ROLLCON_ERR_IO, path, "No such file");
-  EXPECT_FAILS(rollcon_body_load(context, folder.c_str(), &b), ROLLCON_ERR_IO, folder.string(),
-               "no regular file");
+  EXPECT_FAILS(rollcon_body_load(context, folder.c_str(), &b), ROLLCON_ERR_IO, folder.string(), "no regular file");
   EXPECT_FAILS(rollcon_body_save(plane, folder.c_str()), ROLLCON_ERR_IO, folder.string());
   const std::string nowhere = (folder / "no" / "where").string();
   EXPECT_FAILS(rollcon_body_save(plane, nowhere.c_str()), ROLLCON_ERR_IO, nowhere, "No such file");
   overwrite("<VTKFile>" + std::string(2000, ' '));
-  EXPECT_FAILS(rollcon_body_load(context, path.c_str(), &b), ROLLCON_ERR_IO, path,
-               "not a saved body");
+  EXPECT_FAILS(rollcon_body_load(context, path.c_str(), &b), ROLLCON_ERR_IO, path, "not a saved body");
 }
 
 TEST_F(body_save, damaged_files_are_refused) {

@@ -26,8 +26,7 @@ class body_threads : public BodyApi {
 
   std::array<double, 3> solve_in_many_threads() {
     const auto force = force_in_many_threads(3, [&](rollcon_context* own) { return roll(own); });
-    for (const char* name : {"assemblies", "factorizations", "condensations"})
-      EXPECT_EQ(count(name), 1) << name;
+    for (const char* name : {"assemblies", "factorizations", "condensations"}) EXPECT_EQ(count(name), 1) << name;
     return force;
   }
 };

@@ -33,8 +33,7 @@ class cancel_preparation : public Api {
   void SetUp() override {
     Api::SetUp();
     frame = SquareFrame(44, 1.5);
-    for (std::size_t k = 0; k < frame.x.size(); k += 3)
-      frame.x[k] += 0.004 * std::sin(40 * frame.x[k + 1]);
+    for (std::size_t k = 0; k < frame.x.size(); k += 3) frame.x[k] += 0.004 * std::sin(40 * frame.x[k + 1]);
     set_scene();
     ASSERT_EQ(rollcon_contact_set_real(contact, "accuracy", 1e-9), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_set_progress(contact, stop_at_work, &watcher), ROLLCON_OK);
@@ -49,8 +48,7 @@ TEST_F(cancel_preparation, stops_a_solve_and_leaves_the_contact_usable) {
     EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_CANCELLED);
     EXPECT_EQ(watcher.at_work, 1) << "of the calls of one that was told to stop";
     double force[3];
-    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr),
-              ROLLCON_ERR_STATE);
+    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_ERR_STATE);
   }
   watcher = {false, 0};
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
@@ -62,8 +60,7 @@ TEST_F(cancel_preparation, stops_a_list_of_cases) {
   const double value[] = {1e-4, 1e-3};
   std::int32_t status[2] = {-1, -1};
   double force[6] = {};
-  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 2, value, "force", 3, force,
-                                       nullptr, status),
+  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 2, value, "force", 3, force, nullptr, status),
             ROLLCON_CANCELLED);
   for (int k = 0; k < 2; ++k) EXPECT_EQ(status[k], ROLLCON_CANCELLED);
   for (const double f : force) EXPECT_TRUE(std::isnan(f));
@@ -81,8 +78,7 @@ TEST_F(cancel_lattice, stops_the_tables_of_influence) {
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_CANCELLED);
   EXPECT_EQ(watcher.at_work, 1);
   double force[3];
-  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr),
-            ROLLCON_ERR_STATE);
+  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_ERR_STATE);
 }
 
 /// A body that takes longer to assemble than the host waits to be told.
@@ -106,8 +102,7 @@ class CancelBody : public Fixture {
     double factorizations = 0;
     const std::int32_t there = rollcon_body_get_stat(this->body, "factorizations", &factorizations);
     EXPECT_TRUE(there == ROLLCON_OK || there == ROLLCON_ERR_STATE);
-    std::printf("%s, %g factorisation(s) (bound 1)\n", there == ROLLCON_OK ? "whole" : "unfinished",
-                factorizations);
+    std::printf("%s, %g factorisation(s) (bound 1)\n", there == ROLLCON_OK ? "whole" : "unfinished", factorizations);
     EXPECT_LE(factorizations, 1);
     rollcon_contact_release(c);
   }

@@ -46,24 +46,19 @@ class capacity : public Api {
 };
 
 TEST_F(capacity, texts) {
-  check_text_getter("option_doc", [](auto n, auto* text, auto* needed) {
-    return rollcon_option_doc(0, n, text, needed);
-  });
-  check_text_getter("stat_name", [](auto n, auto* text, auto* needed) {
-    return rollcon_stat_name(0, n, text, needed);
-  });
-  check_text_getter("body_option_doc", [](auto n, auto* text, auto* needed) {
-    return rollcon_body_option_doc(0, n, text, needed);
-  });
-  check_text_getter("body_stat_name", [](auto n, auto* text, auto* needed) {
-    return rollcon_body_stat_name(0, n, text, needed);
-  });
+  check_text_getter("option_doc",
+                    [](auto n, auto* text, auto* needed) { return rollcon_option_doc(0, n, text, needed); });
+  check_text_getter("stat_name",
+                    [](auto n, auto* text, auto* needed) { return rollcon_stat_name(0, n, text, needed); });
+  check_text_getter("body_option_doc",
+                    [](auto n, auto* text, auto* needed) { return rollcon_body_option_doc(0, n, text, needed); });
+  check_text_getter("body_stat_name",
+                    [](auto n, auto* text, auto* needed) { return rollcon_body_stat_name(0, n, text, needed); });
   check_text_getter("get_str", [&](auto n, auto* text, auto* needed) {
     return rollcon_contact_get_str(contact, "convection", n, text, needed);
   });
-  check_text_getter("get_plan", [&](auto n, auto* text, auto* needed) {
-    return rollcon_contact_get_plan(contact, n, text, needed);
-  });
+  check_text_getter(
+      "get_plan", [&](auto n, auto* text, auto* needed) { return rollcon_contact_get_plan(contact, n, text, needed); });
 }
 
 TEST_F(capacity, fields) {
@@ -72,37 +67,32 @@ TEST_F(capacity, fields) {
       SCOPED_TRACE(field);
       const bool slip = field == ROLLCON_FIELD_SLIP || field == ROLLCON_FIELD_RIGID_SLIP;
       const bool vector = field == ROLLCON_FIELD_POINT || field == ROLLCON_FIELD_TRACTION ||
-                          field == ROLLCON_FIELD_DISPLACEMENT1 ||
-                          field == ROLLCON_FIELD_DISPLACEMENT2;
+                          field == ROLLCON_FIELD_DISPLACEMENT1 || field == ROLLCON_FIELD_DISPLACEMENT2;
       const std::int64_t values = vector ? 3 : slip ? (axes == ROLLCON_LOCAL ? 2 : 3) : 1;
       std::int64_t n = 0;
       ASSERT_EQ(rollcon_contact_get_field(contact, field, axes, 0, nullptr, &n), ROLLCON_OK);
       EXPECT_EQ(n, values * frame.nodes);
       std::vector<double> v(static_cast<std::size_t>(n) + 1, -777);
       std::int64_t again = 0;
-      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n - 1, v.data(), &again),
-                ROLLCON_ERR_CAPACITY);
+      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n - 1, v.data(), &again), ROLLCON_ERR_CAPACITY);
       EXPECT_EQ(again, n);
       EXPECT_EQ(v, std::vector<double>(v.size(), -777));
       EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n, v.data(), nullptr), ROLLCON_OK);
       EXPECT_EQ(v.back(), -777);
-      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n, nullptr, nullptr),
-                ROLLCON_ERR_ARGUMENT);
+      EXPECT_EQ(rollcon_contact_get_field(contact, field, axes, n, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
     }
   }
 }
 
 TEST_F(capacity, tractions_status_and_history) {
   std::vector<double> t(static_cast<std::size_t>(3 * frame.nodes) + 1, -777);
-  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes - 1, t.data()),
-               ROLLCON_ERR_CAPACITY, "169");
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes - 1, t.data()), ROLLCON_ERR_CAPACITY,
+               "169");
   EXPECT_EQ(t, std::vector<double>(t.size(), -777));
-  EXPECT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, t.data()),
-            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, t.data()), ROLLCON_OK);
   EXPECT_EQ(t.back(), -777);
   std::vector<std::int32_t> s(static_cast<std::size_t>(frame.nodes) + 1, -777);
-  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes - 1, s.data()), ROLLCON_ERR_CAPACITY,
-               "169");
+  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes - 1, s.data()), ROLLCON_ERR_CAPACITY, "169");
   EXPECT_EQ(rollcon_contact_get_status(contact, frame.nodes, s.data()), ROLLCON_OK);
   EXPECT_EQ(s.back(), -777);
 
@@ -110,8 +100,7 @@ TEST_F(capacity, tractions_status_and_history) {
   ASSERT_EQ(rollcon_contact_get_history(contact, 0, nullptr, &rows), ROLLCON_OK);
   ASSERT_GE(rows, 2);
   std::vector<double> history(static_cast<std::size_t>(8 * rows) + 1, -777);
-  EXPECT_EQ(rollcon_contact_get_history(contact, rows - 1, history.data(), &again),
-            ROLLCON_ERR_CAPACITY);
+  EXPECT_EQ(rollcon_contact_get_history(contact, rows - 1, history.data(), &again), ROLLCON_ERR_CAPACITY);
   EXPECT_EQ(again, rows);
   EXPECT_EQ(rollcon_contact_get_history(contact, rows, history.data(), nullptr), ROLLCON_OK);
   EXPECT_EQ(history.back(), -777);
@@ -121,9 +110,7 @@ TEST_F(capacity, outputs_that_are_not_wanted_may_be_null) {
   EXPECT_EQ(rollcon_contact_get_size(contact, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_motion(contact, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, nullptr, nullptr), ROLLCON_OK);
-  EXPECT_EQ(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, nullptr, nullptr, nullptr, nullptr),
-      ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, nullptr, nullptr, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_get_displacements_at(contact, 1, 0, nullptr, nullptr), ROLLCON_OK);
 }
 

@@ -23,8 +23,7 @@ TEST_F(components, bodies_of_absent_kinds_are_refused_by_name) {
       EXPECT_EQ(rollcon_body_create(context, c.kind, &body), ROLLCON_OK) << c.feature;
       rollcon_body_release(body);
     } else {
-      EXPECT_FAILS(rollcon_body_create(context, c.kind, &body), ROLLCON_ERR_UNSUPPORTED, c.option,
-                   c.words);
+      EXPECT_FAILS(rollcon_body_create(context, c.kind, &body), ROLLCON_ERR_UNSUPPORTED, c.option, c.words);
       EXPECT_EQ(body, nullptr);
     }
   }
@@ -34,14 +33,13 @@ TEST_F(components, absent_procedures_are_refused_by_name_and_the_standard_one_wo
   set_scene();
   ASSERT_EQ(rollcon_contact_set_str(contact, "convection", "godunov"), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
-  for (const auto& [option, value] :
-       {std::pair{"system", "monolithic"}, std::pair{"jacobian", "b_derivative"}}) {
+  for (const auto& [option, value] : {std::pair{"system", "monolithic"}, std::pair{"jacobian", "b_derivative"}}) {
     ASSERT_EQ(rollcon_contact_set_str(contact, option, value), ROLLCON_OK);
     if (rollcon_has_feature("procedures"))
       EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
     else
-      EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_UNSUPPORTED, option, value,
-                   "component PROCEDURES", "ROLLCON_WITH_PROCEDURES");
+      EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_UNSUPPORTED, option, value, "component PROCEDURES",
+                   "ROLLCON_WITH_PROCEDURES");
     ASSERT_EQ(rollcon_contact_set_str(contact, "system", "condensed"), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_set_str(contact, "jacobian", "exact"), ROLLCON_OK);
   }
@@ -52,8 +50,8 @@ TEST_F(components, absent_files_are_refused_by_name) {
   if (rollcon_has_feature("vtu")) GTEST_SKIP() << "this build writes VTU files";
   set_scene();
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
-  EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_UNSUPPORTED,
-               "never_written.vtu", "component VTU", "ROLLCON_WITH_VTU");
+  EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_UNSUPPORTED, "never_written.vtu",
+               "component VTU", "ROLLCON_WITH_VTU");
 }
 
 TEST_F(components, rigid_bodies_have_meshes_in_every_build) {
@@ -64,14 +62,11 @@ TEST_F(components, rigid_bodies_have_meshes_in_every_build) {
   for (std::size_t e = 0; e < ball.connectivity.size(); e += 4)  // looking down
     std::swap(ball.connectivity[e + 1], ball.connectivity[e + 3]);
   ASSERT_EQ(rollcon_body_set_nodes(plane, ball.nodes, ball.x.data(), 3, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_add_elements(plane, ROLLCON_QUAD4, ball.elements, ball.connectivity.data(),
-                                      0, 1),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_add_elements(plane, ROLLCON_QUAD4, ball.elements, ball.connectivity.data(), 0, 1), ROLLCON_OK);
   set_frame();
   ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &mu), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_rolling(contact, 10), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
   double measured[3], given[3];
   ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, measured, nullptr), ROLLCON_OK);
@@ -79,15 +74,13 @@ TEST_F(components, rigid_bodies_have_meshes_in_every_build) {
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
   ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, given, nullptr), ROLLCON_OK);
   EXPECT_NEAR(measured[2] / given[2], 1, 1e-3) << "facets for a paraboloid";
-  std::printf("normal force of facets over that of the paraboloid: %.4f (bound 1 +- 1e-3)\n",
-              measured[2] / given[2]);
+  std::printf("normal force of facets over that of the paraboloid: %.4f (bound 1 +- 1e-3)\n", measured[2] / given[2]);
 }
 
 TEST_F(components, licences_are_those_of_what_is_linked) {
   const std::string info = rollcon_build_info();
   const auto has = [](const char* name) { return rollcon_has_feature(name) != 0; };
-  EXPECT_EQ(info.find("GPL") != std::string::npos, has("cholmod") || has("umfpack") || has("fftw"))
-      << info;
+  EXPECT_EQ(info.find("GPL") != std::string::npos, has("cholmod") || has("umfpack") || has("fftw")) << info;
   EXPECT_EQ(info.find("CHOLMOD") != std::string::npos, has("cholmod")) << info;
   EXPECT_EQ(info.find("UMFPACK") != std::string::npos, has("umfpack")) << info;
   EXPECT_EQ(info.find("FFTW") != std::string::npos, has("fftw")) << info;

@@ -26,8 +26,7 @@ class corner_frames : public FemApi {
     const double x = at_x + width / 2, y = at_y + width / 2;
     const SquareFrame small = moved(SquareFrame(2, width / 2), x, y, 1);
     rollcon_contact* c = roll_on_top(
-        context, body, plane,
-        {.x = x, .y = y, .curvature = 0.1, .approach = 1e-3, .mu = 0.2, .creep = 0, .tag = 0});
+        context, body, plane, {.x = x, .y = y, .curvature = 0.1, .approach = 1e-3, .mu = 0.2, .creep = 0, .tag = 0});
     give_frame(c, small);
     const std::int32_t status = rollcon_contact_solve(c);
     if (status >= 0) {

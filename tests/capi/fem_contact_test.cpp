@@ -1,5 +1,5 @@
-/// Finite-element bodies loaded and in contact through the public interface: closed forms, options,
-/// counters, many threads.
+/// Finite-element bodies loaded and in contact through the public interface: closed forms, options, counters, many
+/// threads.
 
 #include <algorithm>
 #include <cmath>
@@ -32,17 +32,14 @@ class fem_contact : public FemApi {
   rollcon_contact* roll(rollcon_context* own) { return roll_on_top(own, body, plane); }
 
   /// A frame within the top whose nodes are not the body's.
-  static void lay_frame(rollcon_contact* c) {
-    give_frame(c, moved(SquareFrame(7, 0.4), 0.5, 0.5, 1));
-  }
+  static void lay_frame(rollcon_contact* c) { give_frame(c, moved(SquareFrame(7, 0.4), 0.5, 0.5, 1)); }
 
-  static void expect_same(const std::array<double, 3>& a, const std::array<double, 3>& b,
-                          double relative, const char* what) {
+  static void expect_same(const std::array<double, 3>& a, const std::array<double, 3>& b, double relative,
+                          const char* what) {
     double error = 0;
     for (std::size_t c = 0; c < 3; ++c) error = std::max(error, std::abs(a[c] - b[c]));
     const double bound = relative * std::abs(b[2]);
-    std::printf("%s: force (%g, %g, %g), difference %.2e, bound %.2e\n", what, a[0], a[1], a[2],
-                error, bound);
+    std::printf("%s: force (%g, %g, %g), difference %.2e, bound %.2e\n", what, a[0], a[1], a[2], error, bound);
     EXPECT_LE(error, bound);
     EXPECT_LT(b[2], 0);
   }
@@ -55,8 +52,7 @@ TEST_F(fem_contact, a_block_of_two_materials_is_pressed_as_springs_in_series) {
   set_two_materials(lower, upper, 0);
   hold_freely();
   ASSERT_EQ(rollcon_body_set_int(body, "between_nodes", 1), ROLLCON_OK);
-  rollcon_contact* c = roll_on_top(context, body, plane,
-                                   {.curvature = 0, .approach = approach, .mu = 0, .creep = 0});
+  rollcon_contact* c = roll_on_top(context, body, plane, {.curvature = 0, .approach = approach, .mu = 0, .creep = 0});
   const std::array<double, 3> force = solved_force(c);
   const double exact = -approach / (0.5 / lower + 0.5 / upper);  // -4
   expect_same(force, {0, 0, exact}, 1e-9, "springs in series");
@@ -80,8 +76,7 @@ TEST_F(fem_contact, frames_stay_on_faces_that_get_other_numbers) {
   const std::array<double, 3> force = solved_force(usual);
   rollcon_contact_release(usual);
   rollcon_body_release(body);
-  // The upper half first: its lower faces vanish, and all others get other numbers, once the other
-  // half is there.
+  // The upper half first: its lower faces vanish, and all others get other numbers, once the other half is there.
   ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
@@ -96,14 +91,12 @@ TEST_F(fem_contact, frames_stay_on_faces_that_get_other_numbers) {
 
 TEST_F(fem_contact, both_factorisations_agree_and_missing_ones_are_refused) {
   std::vector<std::array<double, 3>> force;
-  const std::array<const char*, 3> feature{"fem", "cholmod", "umfpack"},
-      library{"", "CHOLMOD", "UMFPACK"};
+  const std::array<const char*, 3> feature{"fem", "cholmod", "umfpack"}, library{"", "CHOLMOD", "UMFPACK"};
   for (std::size_t which = 0; which < 3; ++which) {
     rollcon_body_release(body);
     ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
     set_block(4);
-    ASSERT_EQ(rollcon_body_set_int(body, "factorization", static_cast<std::int64_t>(which)),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_set_int(body, "factorization", static_cast<std::int64_t>(which)), ROLLCON_OK);
     if (!rollcon_has_feature(feature[which])) {
       EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, library[which]);
       ASSERT_EQ(rollcon_body_set_int(body, "factorization", 0), ROLLCON_OK);
@@ -125,8 +118,7 @@ TEST_F(fem_contact, statistics) {
   EXPECT_EQ(statistic("condensations"), 0);
   rollcon_contact* c = roll(context);
   solved_force(c);
-  for (const char* name : {"assemblies", "factorizations", "condensations"})
-    EXPECT_EQ(statistic(name), 1) << name;
+  for (const char* name : {"assemblies", "factorizations", "condensations"}) EXPECT_EQ(statistic(name), 1) << name;
   EXPECT_GE(statistic("condensed_unknowns"), 3 * 25) << "those of the frame at least";
   EXPECT_LE(statistic("condensed_unknowns"), unknowns);
   EXPECT_GE(statistic("factor_nonzeros"), unknowns);
@@ -166,8 +158,7 @@ TEST_F(fem_contact, without_factors_another_frame_gives_the_same) {
 }
 
 TEST_F(fem_contact_long, settings_of_the_discretisation_change_the_result_a_little) {
-  const std::array<std::pair<const char*, std::int64_t>, 3> setting{
-      {{"hex8", 0}, {"hex8", 1}, {"between_nodes", 1}}};
+  const std::array<std::pair<const char*, std::int64_t>, 3> setting{{{"hex8", 0}, {"hex8", 1}, {"between_nodes", 1}}};
   std::vector<std::array<double, 3>> force;
   for (const auto& [name, value] : setting) {
     rollcon_body_release(body);
@@ -190,8 +181,7 @@ TEST_F(fem_contact, a_contact_whose_body_failed_is_solved_once_it_is_mended) {
   set_block(4);
   ASSERT_EQ(rollcon_body_set_elastic(body, 2, young, 0.5), ROLLCON_OK);
   rollcon_contact* c = roll(context);
-  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_UNSUPPORTED, "body 1", "element 32",
-               "poisson 0.5");
+  EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_UNSUPPORTED, "body 1", "element 32", "poisson 0.5");
   ASSERT_EQ(rollcon_body_set_elastic(body, 2, young, poisson), ROLLCON_OK);
   solved_force(c);
   rollcon_contact_release(c);

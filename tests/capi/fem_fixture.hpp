@@ -8,8 +8,8 @@
 
 namespace capi_test {
 
-/// The box [0, 1]^2 x [0, height] in n x n x n trilinear hexahedra, ids from 0; the last index of
-/// node and element runs along z.
+/// The box [0, 1]^2 x [0, height] in n x n x n trilinear hexahedra, ids from 0; the last index of node and element runs
+/// along z.
 struct BoxVolume {
   int n;
   double height;
@@ -23,8 +23,7 @@ struct BoxVolume {
     for (int k = 0; k < n; ++k)
       for (int j = 0; j < n; ++j)
         for (int i = 0; i < n; ++i)
-          for (const auto& c : corners)
-            connectivity.push_back(i + c[0] + (n + 1) * (j + c[1] + (n + 1) * (k + c[2])));
+          for (const auto& c : corners) connectivity.push_back(i + c[0] + (n + 1) * (j + c[1] + (n + 1) * (k + c[2])));
   }
 
   static constexpr std::array<std::array<int, 3>, 8> corners{
@@ -53,11 +52,8 @@ struct BoxVolume {
 inline void give_mesh(rollcon_body* b, const BoxVolume& box) {
   const auto [element, face] = box.top_faces();
   ASSERT_EQ(rollcon_body_set_nodes(b, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
-  ASSERT_EQ(
-      rollcon_body_add_elements(b, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0),
-      ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(),
-                                   face.data(), 0, 6),
+  ASSERT_EQ(rollcon_body_add_elements(b, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(), face.data(), 0, 6),
             ROLLCON_OK);
 }
 
@@ -79,10 +75,8 @@ inline std::vector<double> unit_element(std::int32_t type) {
       edge = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
       break;
     default:
-      for (const auto& c : BoxVolume::corners)
-        corner.push_back({1.0 * c[0], 1.0 * c[1], 1.0 * c[2]});
-      edge = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-              {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+      for (const auto& c : BoxVolume::corners) corner.push_back({1.0 * c[0], 1.0 * c[1], 1.0 * c[2]});
+      edge = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
   }
   std::vector<double> x;
   for (const Corner& c : corner) x.insert(x.end(), c.begin(), c.end());
@@ -116,15 +110,12 @@ class FemApi : public Api {
     Api::TearDown();
   }
 
-  std::int32_t set_nodes_of_box() {
-    return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1);
-  }
+  std::int32_t set_nodes_of_box() { return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1); }
 
   /// Layers of elements from `first` to the one before `end`, of a material.
   std::int32_t add_layers(int first, int end, std::int32_t tag) {
     const std::int32_t* from = box.connectivity.data() + 8 * first * box.layer_elements();
-    return rollcon_body_add_elements(body, ROLLCON_HEX8, (end - first) * box.layer_elements(), from,
-                                     0, tag);
+    return rollcon_body_add_elements(body, ROLLCON_HEX8, (end - first) * box.layer_elements(), from, 0, tag);
   }
 
   /// Nodes and all elements with material tag 0.
@@ -135,14 +126,12 @@ class FemApi : public Api {
 
   std::int32_t tag_top(std::int32_t tag) {
     const auto [element, face] = box.top_faces();
-    return rollcon_body_tag_faces(body, static_cast<std::int64_t>(element.size()), element.data(),
-                                  face.data(), 0, tag);
+    return rollcon_body_tag_faces(body, static_cast<std::int64_t>(element.size()), element.data(), face.data(), 0, tag);
   }
 
   std::int32_t tag_nodes_at(std::size_t axis, double value, std::int32_t tag) {
     const std::vector<std::int32_t> nodes = box.nodes_at(axis, value);
-    return rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(nodes.size()),
-                                           nodes.data(), 0, tag);
+    return rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0, tag);
   }
 
   std::int32_t hold(const std::vector<std::int32_t>& nodes, std::int32_t dof_mask) {

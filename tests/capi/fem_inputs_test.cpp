@@ -1,5 +1,5 @@
-/// Elements and tags of finite-element bodies: bad ones are refused with their status and a text
-/// that names them, and change nothing.
+/// Elements and tags of finite-element bodies: bad ones are refused with their status and a text that names them, and
+/// change nothing.
 
 #include <algorithm>
 
@@ -17,12 +17,12 @@ TEST_F(fem_inputs, kind_and_first_steps) {
   EXPECT_EQ(kind, ROLLCON_BODY_FEM);
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "rollcon_body_set_elastic");
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "volume elements",
-               "rollcon_body_set_nodes", "rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "volume elements", "rollcon_body_set_nodes",
+               "rollcon_body_add_elements");
   const std::vector<std::int32_t> ids = counting(20);
   for (const std::int32_t type : volume_types)
-    EXPECT_FAILS(rollcon_body_add_elements(body, type, 1, ids.data(), 0, 0), ROLLCON_ERR_STATE,
-                 "no nodes", "rollcon_body_set_nodes");
+    EXPECT_FAILS(rollcon_body_add_elements(body, type, 1, ids.data(), 0, 0), ROLLCON_ERR_STATE, "no nodes",
+                 "rollcon_body_set_nodes");
   expect_size(0, 0);
 }
 
@@ -43,12 +43,11 @@ TEST_F(fem_inputs, every_volume_type_takes_its_number_of_nodes) {
     for (std::int32_t& id : ids) id = std::min(id + 1, static_cast<std::int32_t>(width[t]));
     ASSERT_EQ(rollcon_body_add_elements(body, type, 1, ids.data(), 1, 0), ROLLCON_OK);
     expect_size(width[t], 1);
-    EXPECT_EQ(frame_size(0), Size(frame_nodes[t], faces[t]))
-        << "all faces of one element have tag 0";
+    EXPECT_EQ(frame_size(0), Size(frame_nodes[t], faces[t])) << "all faces of one element have tag 0";
     const auto last = static_cast<std::int32_t>(faces[t]), none = last + 1;
     const std::int32_t one = 1;
-    EXPECT_FAILS(rollcon_body_tag_faces(body, 1, &one, &none, 1, 5), ROLLCON_ERR_MESH,
-                 "entry 1 of faces", "is " + std::to_string(none), "1 to " + std::to_string(last));
+    EXPECT_FAILS(rollcon_body_tag_faces(body, 1, &one, &none, 1, 5), ROLLCON_ERR_MESH, "entry 1 of faces",
+                 "is " + std::to_string(none), "1 to " + std::to_string(last));
     EXPECT_EQ(rollcon_body_tag_faces(body, 1, &one, &last, 1, 5), ROLLCON_OK);
     EXPECT_EQ(frame_size(5).second, 1);
     EXPECT_EQ(frame_size(0).second, faces[t] - 1);
@@ -62,14 +61,13 @@ TEST_F(fem_inputs, elements) {
     EXPECT_FAILS(rollcon_body_add_elements(body, type, 1, ids.data(), 0, 0), ROLLCON_ERR_ARGUMENT,
                  "type is " + std::to_string(type), "304 (tet4)", "350 (hex20)", "214 (quad4)");
   for (const std::int32_t base : {-1, 2})
-    EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, ids.data(), base, 0),
-                 ROLLCON_ERR_ARGUMENT, "index_base", "0, 1");
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, -1, ids.data(), 0, 0),
-               ROLLCON_ERR_ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, INT64_MAX, ids.data(), 0, 0),
-               ROLLCON_ERR_ARGUMENT, "a body has at most 2147483647");
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, nullptr, 0, 0),
-               ROLLCON_ERR_ARGUMENT, "connectivity is NULL");
+    EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, ids.data(), base, 0), ROLLCON_ERR_ARGUMENT,
+                 "index_base", "0, 1");
+  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, -1, ids.data(), 0, 0), ROLLCON_ERR_ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, INT64_MAX, ids.data(), 0, 0), ROLLCON_ERR_ARGUMENT,
+               "a body has at most 2147483647");
+  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, nullptr, 0, 0), ROLLCON_ERR_ARGUMENT,
+               "connectivity is NULL");
   EXPECT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 0, nullptr, 0, 0), ROLLCON_OK);
   expect_size(box.nodes(), 0);
 }
@@ -86,71 +84,59 @@ TEST_F(fem_inputs, other_bodies_take_no_volume_elements) {
                    "type is " + std::to_string(type), "219 (quad9)");
   }
   for (rollcon_body* b : {bem, plane, sphere})
-    EXPECT_FAILS(rollcon_body_tag_faces(b, 1, ids.data(), ids.data(), 0, 1), ROLLCON_ERR_STATE,
-                 "finite-element");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(sphere, 4, ids.data(), 0, 1), ROLLCON_ERR_STATE,
-               "half-space");
+    EXPECT_FAILS(rollcon_body_tag_faces(b, 1, ids.data(), ids.data(), 0, 1), ROLLCON_ERR_STATE, "finite-element");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(sphere, 4, ids.data(), 0, 1), ROLLCON_ERR_STATE, "half-space");
   rollcon_body_release(bem);
 }
 
 TEST_F(fem_inputs, faces_by_element_and_face) {
   std::int32_t element[2] = {4, 7}, face[2] = {1, 1};
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_STATE,
-               "no volume elements", "rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_STATE, "no volume elements",
+               "rollcon_body_add_elements");
   set_mesh();
   for (const std::int32_t base : {-1, 2})
-    EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, base, 6), ROLLCON_ERR_ARGUMENT,
-                 "index_base", "0, 1");
-  EXPECT_FAILS(rollcon_body_tag_faces(body, -2, element, face, 0, 6), ROLLCON_ERR_ARGUMENT,
-               "n is -2");
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, nullptr, face, 0, 6), ROLLCON_ERR_ARGUMENT,
-               "elements is NULL");
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, nullptr, 0, 6), ROLLCON_ERR_ARGUMENT,
-               "faces is NULL");
+    EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, base, 6), ROLLCON_ERR_ARGUMENT, "index_base", "0, 1");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, -2, element, face, 0, 6), ROLLCON_ERR_ARGUMENT, "n is -2");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, nullptr, face, 0, 6), ROLLCON_ERR_ARGUMENT, "elements is NULL");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, nullptr, 0, 6), ROLLCON_ERR_ARGUMENT, "faces is NULL");
   EXPECT_EQ(rollcon_body_tag_faces(body, 0, nullptr, nullptr, 0, 6), ROLLCON_OK);
   element[1] = 8;
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_MESH,
-               "entry 1 of elements", "from 0", "is 8", "0 to 7");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_MESH, "entry 1 of elements", "from 0",
+               "is 8", "0 to 7");
   element[0] = 0;
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH,
-               "entry 1 of elements", "from 1", "is 0", "1 to 8");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH, "entry 1 of elements", "from 1",
+               "is 0", "1 to 8");
   element[0] = INT32_MIN;
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH,
-               "is -2147483648");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH, "is -2147483648");
   element[0] = element[1] = 7;
   face[1] = 6;
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_MESH,
-               "entry 1 of faces", "from 0", "is 6", "0 to 5");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 0, 6), ROLLCON_ERR_MESH, "entry 1 of faces", "from 0",
+               "is 6", "0 to 5");
   face[0] = 0;
-  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH,
-               "entry 1 of faces", "from 1", "is 0", "1 to 6");
+  EXPECT_FAILS(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_ERR_MESH, "entry 1 of faces", "from 1",
+               "is 0", "1 to 6");
   EXPECT_EQ(frame_size(0), Size(26, 24)) << "refused tags change nothing";
   EXPECT_EQ(frame_size(6), Size(-1, -1));
 }
 
 TEST_F(fem_inputs, faces_of_nodes) {
   const std::int32_t nodes[3] = {0, 26, 27};
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 2, nodes, 0, 6), ROLLCON_ERR_STATE,
-               "no nodes");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 2, nodes, 0, 6), ROLLCON_ERR_STATE, "no nodes");
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 2, nodes, 0, 6), ROLLCON_ERR_STATE,
                "elements: call rollcon_body_add_elements", "rollcon_body_add_elements");
   set_mesh();
   for (const std::int32_t base : {-1, 2})
-    EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 2, nodes, base, 6), ROLLCON_ERR_ARGUMENT,
-                 "index_base", "0, 1");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, -1, nodes, 0, 6), ROLLCON_ERR_ARGUMENT,
-               "n is -1");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, nullptr, 0, 6), ROLLCON_ERR_ARGUMENT,
-               "nodes is NULL");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 3, nodes, 0, 6), ROLLCON_ERR_MESH,
-               "entry 2 of nodes", "from 0", "id 27", "0 to 26");
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 3, nodes, 1, 6), ROLLCON_ERR_MESH,
-               "entry 1 of nodes", "from 1", "id 0", "1 to 27");
+    EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 2, nodes, base, 6), ROLLCON_ERR_ARGUMENT, "index_base", "0, 1");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, -1, nodes, 0, 6), ROLLCON_ERR_ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, nullptr, 0, 6), ROLLCON_ERR_ARGUMENT, "nodes is NULL");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 3, nodes, 0, 6), ROLLCON_ERR_MESH, "entry 2 of nodes", "from 0",
+               "id 27", "0 to 26");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 3, nodes, 1, 6), ROLLCON_ERR_MESH, "entry 1 of nodes", "from 1",
+               "id 0", "1 to 27");
   EXPECT_EQ(rollcon_body_tag_faces_of_nodes(body, 0, nullptr, 0, 6), ROLLCON_OK);
-  EXPECT_EQ(rollcon_body_tag_faces_of_nodes(body, 2, nodes, 0, 6), ROLLCON_OK)
-      << "two nodes make no face";
+  EXPECT_EQ(rollcon_body_tag_faces_of_nodes(body, 2, nodes, 0, 6), ROLLCON_OK) << "two nodes make no face";
   EXPECT_EQ(frame_size(0), Size(26, 24));
   ASSERT_EQ(tag_nodes_at(2, 1, 6), ROLLCON_OK);
   EXPECT_EQ(frame_size(6), Size(9, 4));
@@ -204,8 +190,8 @@ TEST_F(fem_inputs, surface_elements_may_come_before_the_volume) {
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_QUAD4, 4, quads.data(), 0, 6), ROLLCON_OK);
   expect_size(27, 0);
   quads[7] = 27;
-  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_QUAD4, 4, quads.data(), 0, 6),
-               ROLLCON_ERR_MESH, "node 3 of element 1", "id 27", "0 to 26");
+  EXPECT_FAILS(rollcon_body_add_elements(body, ROLLCON_QUAD4, 4, quads.data(), 0, 6), ROLLCON_ERR_MESH,
+               "node 3 of element 1", "id 27", "0 to 26");
   ASSERT_EQ(add_layers(0, 2, 0), ROLLCON_OK);
   expect_size(27, 8);
   EXPECT_EQ(frame_size(6), Size(9, 4));
@@ -215,14 +201,12 @@ TEST_F(fem_inputs, tags_of_faces_are_not_those_of_materials) {
   const double t[3] = {0, 0, 1};
   const std::int32_t both[2] = {6, 40};
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_set_pressure(body, 0, 1), ROLLCON_ERR_STATE,
-               "elements: call rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_set_pressure(body, 0, 1), ROLLCON_ERR_STATE, "elements: call rollcon_body_add_elements");
   ASSERT_EQ(add_layers(0, 2, 40), ROLLCON_OK);
   ASSERT_EQ(tag_top(6), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_set_traction(body, 40, t), ROLLCON_ERR_ARGUMENT, "tag is 40", "0, 6");
   EXPECT_FAILS(rollcon_body_set_pressure(body, 40, 1), ROLLCON_ERR_ARGUMENT, "tag is 40", "0, 6");
-  EXPECT_FAILS(rollcon_body_set_contact_faces(body, 2, both), ROLLCON_ERR_ARGUMENT,
-               "entry 1 of tags", "is 40", "0, 6");
+  EXPECT_FAILS(rollcon_body_set_contact_faces(body, 2, both), ROLLCON_ERR_ARGUMENT, "entry 1 of tags", "is 40", "0, 6");
   EXPECT_EQ(frame_size(40).second, -1);
   for (const std::int32_t tag : {0, 6}) {
     EXPECT_EQ(rollcon_body_set_traction(body, tag, t), ROLLCON_OK);
@@ -251,8 +235,8 @@ TEST_F(fem_inputs, boundary_elements_are_tagged_by_their_nodes_too) {
     ASSERT_EQ(rollcon_contact_get_size(c, &n, &m), ROLLCON_OK);
     EXPECT_EQ(m, 1) << "elements added later keep the tag they came with";
   }
-  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(bem, 4, quads, 1, 6), ROLLCON_ERR_MESH,
-               "entry 1 of nodes", "id 0", "1 to 9");
+  EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(bem, 4, quads, 1, 6), ROLLCON_ERR_MESH, "entry 1 of nodes", "id 0",
+               "1 to 9");
   rollcon_contact_release(c);
   rollcon_body_release(bem);
 }

@@ -1,5 +1,5 @@
-/// Preparation of finite-element bodies: what is missing or wrong is named, the handle stays
-/// usable, and the mended body is prepared.
+/// Preparation of finite-element bodies: what is missing or wrong is named, the handle stays usable, and the mended
+/// body is prepared.
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +65,8 @@ TEST_F(fem_prepare, elements_without_material_are_counted_as_the_caller_does) {
 TEST_F(fem_prepare, tagged_faces_lie_on_the_boundary) {
   set_box();
   const std::int32_t element[2] = {1, 2}, face[2] = {BoxVolume::bottom + 1, BoxVolume::top + 1};
-  ASSERT_EQ(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_OK)
-      << "more elements might come";
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "face 2 of element 2", "from 1",
-               "tag 6", "boundary");
+  ASSERT_EQ(rollcon_body_tag_faces(body, 2, element, face, 1, 6), ROLLCON_OK) << "more elements might come";
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "face 2 of element 2", "from 1", "tag 6", "boundary");
   rollcon_contact* c = nullptr;
   ASSERT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
   EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 6), ROLLCON_ERR_MESH, "face 2 of element 2");
@@ -81,18 +79,16 @@ TEST_F(fem_prepare, surface_elements_lie_on_the_boundary) {
   set_box();
   const std::int32_t quads[8] = {19, 20, 23, 22, 10, 11, 14, 13};
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_QUAD4, 2, quads, 1, 6), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "surface element 2", "tag 6", "from 1",
-               "10, 11, 14, 13");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "surface element 2", "tag 6", "from 1", "10, 11, 14, 13");
   expect_mended();
 }
 
 TEST_F(fem_prepare, surface_elements_have_the_nodes_of_the_face) {
   const std::vector<std::int32_t> ids = counting(20);
-  const std::array<std::pair<std::int32_t, std::int32_t>, 4> wrong{
-      {{ROLLCON_HEX20, ROLLCON_QUAD4},
-       {ROLLCON_HEX20, ROLLCON_QUAD9},
-       {ROLLCON_TET10, ROLLCON_TRI3},
-       {ROLLCON_WEDGE15, ROLLCON_TRI3}}};
+  const std::array<std::pair<std::int32_t, std::int32_t>, 4> wrong{{{ROLLCON_HEX20, ROLLCON_QUAD4},
+                                                                    {ROLLCON_HEX20, ROLLCON_QUAD9},
+                                                                    {ROLLCON_TET10, ROLLCON_TRI3},
+                                                                    {ROLLCON_WEDGE15, ROLLCON_TRI3}}};
   for (const auto& [type, surface] : wrong) {
     set_unit_element(type, poisson);
     ASSERT_EQ(rollcon_body_add_elements(body, surface, 1, ids.data(), 0, 6), ROLLCON_OK);
@@ -120,35 +116,28 @@ TEST_F(fem_prepare, turned_elements_are_refused) {
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
   ASSERT_EQ(add_layers(0, 1, 0), ROLLCON_OK);
   std::vector<std::int32_t> turned(box.connectivity.begin() + 32, box.connectivity.end());
-  for (std::size_t e = 2; e < 4; ++e)
-    std::swap_ranges(&turned[8 * e], &turned[8 * e + 4], &turned[8 * e + 4]);
+  for (std::size_t e = 2; e < 4; ++e) std::swap_ranges(&turned[8 * e], &turned[8 * e + 4], &turned[8 * e + 4]);
   for (std::int32_t& id : turned) ++id;
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 4, turned.data(), 1, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "inside out", "2 such",
-               "element 7 (hex8)");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "inside out", "2 such", "element 7 (hex8)");
   expect_mended();
 }
 
 TEST_F(fem_prepare, unsound_meshes_are_refused) {
   set_box();
-  ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0),
-            ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "the same element",
-               "elements 0 and 8");
+  ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "the same element", "elements 0 and 8");
 
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0),
-            ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "belongs to no element", "19 such",
-               "node 2");
+  ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "belongs to no element", "19 such", "node 2");
 
   std::vector<double> x;
   std::vector<std::int32_t> apart = counting(16);
   for (const double shift : {0.0, 3.0})
-    for (const auto& c : BoxVolume::corners)
-      x.insert(x.end(), {c[0] + shift, 1.0 * c[1], 1.0 * c[2]});
+    for (const auto& c : BoxVolume::corners) x.insert(x.end(), {c[0] + shift, 1.0 * c[1], 1.0 * c[2]});
   ASSERT_EQ(rollcon_body_set_nodes(body, 16, x.data(), 3, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, 2, apart.data(), 0, 0), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "2 parts", "element 1");
@@ -168,29 +157,27 @@ TEST_F(fem_prepare, unsound_meshes_are_refused) {
 TEST_F(fem_prepare, unsupported_bodies_are_refused) {
   set_mesh();
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "no supports",
-               "rollcon_body_set_support");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "no supports", "rollcon_body_set_support");
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_Z), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "3 rigid motion(s)");
   ASSERT_EQ(hold({0}, ROLLCON_DOF_X + ROLLCON_DOF_Y), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "1 rigid motion(s)",
-               "rotation (0, 0, 1)");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "1 rigid motion(s)", "rotation (0, 0, 1)");
   ASSERT_EQ(hold({2}, ROLLCON_DOF_Y), ROLLCON_OK);
   EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
 }
 
 TEST_F(fem_prepare, incompressible_bodies_are_refused) {
   set_box(0.5);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", "from 0",
-               "poisson 0.5", "allowed", "boundary-element");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", "from 0", "poisson 0.5", "allowed",
+               "boundary-element");
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, 0.4999), ROLLCON_OK);
   EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
 }
 
 TEST_F(fem_prepare, linear_tetrahedra_are_refused_near_incompressibility) {
   set_unit_element(ROLLCON_TET4, 0.4999);
-  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", "tet4",
-               "poisson 0.4999", "allowed", "tet10");
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", "tet4", "poisson 0.4999", "allowed",
+               "tet10");
   set_unit_element(ROLLCON_TET10, 0.4999);
   EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
 }
@@ -199,8 +186,7 @@ TEST_F(fem_prepare, elastic_constants_are_checked_at_once) {
   for (const std::int32_t tag : {0, -5, INT32_MAX}) {
     EXPECT_FAILS(rollcon_body_set_elastic(body, tag, 0, poisson), ROLLCON_ERR_ARGUMENT, "young");
     EXPECT_FAILS(rollcon_body_set_elastic(body, tag, 1, 0.51), ROLLCON_ERR_ARGUMENT, "poisson");
-    EXPECT_FAILS(rollcon_body_set_elastic(body, tag, std::nan(""), 0.3), ROLLCON_ERR_NONFINITE,
-                 "young");
+    EXPECT_FAILS(rollcon_body_set_elastic(body, tag, std::nan(""), 0.3), ROLLCON_ERR_NONFINITE, "young");
   }
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "rollcon_body_set_elastic");
 }
@@ -214,8 +200,7 @@ TEST_F(fem_prepare, new_nodes_forget_everything_but_the_material) {
   ASSERT_EQ(rollcon_body_tag_faces(body, 1, &inner, &top, 0, 7), ROLLCON_OK) << "an inner face";
   ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
   expect_size(box.nodes(), 0);
-  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), ROLLCON_ERR_STATE,
-               "elements: call rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), ROLLCON_ERR_STATE, "elements: call rollcon_body_add_elements");
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_STATE, "no volume elements");
   ASSERT_EQ(add_layers(0, 2, 0), ROLLCON_OK);
   EXPECT_EQ(frame_size(6).second, -1);

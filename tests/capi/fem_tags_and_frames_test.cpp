@@ -1,5 +1,5 @@
-/// What finite-element bodies ask of tags, materials, supports and frames: what they cannot do is
-/// refused by a text that names it, and the mended body serves; what comes often costs little.
+/// What finite-element bodies ask of tags, materials, supports and frames: what they cannot do is refused by a text
+/// that names it, and the mended body serves; what comes often costs little.
 
 #include <algorithm>
 #include <cmath>
@@ -15,19 +15,16 @@ class fem_tags_and_frames : public FemApi {
   void set_hex20() {
     const std::vector<double> x = unit_element(ROLLCON_HEX20);
     ASSERT_EQ(rollcon_body_set_nodes(body, 20, x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX20, 1, counting(20).data(), 0, 0),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX20, 1, counting(20).data(), 0, 0), ROLLCON_OK);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
     ASSERT_EQ(hold({0, 1, 2, 3, 8, 9, 10, 11}, ROLLCON_DOF_XYZ), ROLLCON_OK);
   }
 
   std::int32_t tag_nodes(const std::vector<std::int32_t>& nodes, std::int32_t tag) {
-    return rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(nodes.size()),
-                                           nodes.data(), 0, tag);
+    return rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0, tag);
   }
 
-  static inline const std::vector<std::int32_t> top_corners{4, 5, 6, 7},
-      top_of_hex20{4, 5, 6, 7, 12, 13, 14, 15};
+  static inline const std::vector<std::int32_t> top_corners{4, 5, 6, 7}, top_of_hex20{4, 5, 6, 7, 12, 13, 14, 15};
 
   /// Held at its bottom, with material and tag 6 on its top.
   void set_block(int per_edge) {
@@ -60,12 +57,10 @@ TEST_F(fem_tags_and_frames, a_loaded_tag_is_on_a_face) {
   for (const bool pressure : {true, false}) {
     set_hex20();
     ASSERT_EQ(tag_nodes(top_corners, 6), ROLLCON_OK);
-    ASSERT_EQ(pressure ? rollcon_body_set_pressure(body, 6, 2)
-                       : rollcon_body_set_traction(body, 6, traction),
+    ASSERT_EQ(pressure ? rollcon_body_set_pressure(body, 6, 2) : rollcon_body_set_traction(body, 6, traction),
               ROLLCON_OK);
     for (int attempt = 0; attempt < 2; ++attempt)
-      EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "tag 6", "midside nodes",
-                   "rollcon_body_set_pressure");
+      EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "tag 6", "midside nodes", "rollcon_body_set_pressure");
   }
   ASSERT_EQ(tag_nodes(top_of_hex20, 6), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_pressure(body, 6, 2), ROLLCON_OK);
@@ -119,8 +114,7 @@ TEST_F(fem_tags_and_frames, a_rigid_body_with_nodes_has_elements) {
 
 TEST_F(fem_tags_and_frames, a_face_held_along_its_normal_carries_no_frame) {
   const std::int32_t six = 6;
-  const std::array<std::int32_t, 3> masks{ROLLCON_DOF_Z, ROLLCON_DOF_Z + ROLLCON_DOF_X,
-                                          ROLLCON_DOF_X};
+  const std::array<std::int32_t, 3> masks{ROLLCON_DOF_Z, ROLLCON_DOF_Z + ROLLCON_DOF_X, ROLLCON_DOF_X};
   for (const bool named : {false, true})
     for (const std::int32_t held : masks) {
       rollcon_body_release(body);
@@ -150,8 +144,7 @@ TEST_F(fem_tags_and_frames, elements_of_constant_strain_are_refused_near_incompr
     std::int32_t type;
     const char *name, *instead;
   };
-  for (const Case& c :
-       {Case{ROLLCON_TET4, "tet4", "tet10"}, Case{ROLLCON_WEDGE6, "wedge6", "wedge15"}}) {
+  for (const Case& c : {Case{ROLLCON_TET4, "tet4", "tet10"}, Case{ROLLCON_WEDGE6, "wedge6", "wedge15"}}) {
     const std::vector<double> x = unit_element(c.type);
     const auto n = static_cast<std::int64_t>(x.size() / 3);
     rollcon_body_release(body);
@@ -160,8 +153,8 @@ TEST_F(fem_tags_and_frames, elements_of_constant_strain_are_refused_near_incompr
     ASSERT_EQ(rollcon_body_add_elements(body, c.type, 1, counting(n).data(), 0, 0), ROLLCON_OK);
     ASSERT_EQ(hold({0, 1, 2}, ROLLCON_DOF_XYZ), ROLLCON_OK);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, 0.46), ROLLCON_OK);
-    EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", c.name,
-                 "poisson 0.46", "up to 0.45", c.instead);
+    EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", c.name, "poisson 0.46", "up to 0.45",
+                 c.instead);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, 0.45), ROLLCON_OK);
     EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
   }
@@ -198,8 +191,8 @@ TEST_F(fem_tags_and_frames, going_back_to_earlier_frames_factorises_nothing) {
         continue;
       }
       const double change = std::abs(now / force[which] - 1), bound = 0.01;
-      std::printf("round %d, frame %d: %g factorisations of 2, change of force %.2e, bound %.2e\n",
-                  round, which, statistic("factorizations"), change, bound);
+      std::printf("round %d, frame %d: %g factorisations of 2, change of force %.2e, bound %.2e\n", round, which,
+                  statistic("factorizations"), change, bound);
       EXPECT_EQ(statistic("factorizations"), 2);
       EXPECT_LE(change, bound);
     }
@@ -217,11 +210,9 @@ TEST_F(fem_tags_and_frames, thousands_of_tags_carry_their_own_pressures) {
       for (int i = 0; i <= n; ++i) x.insert(x.end(), {1.0 * i, 1.0 * j, 1.0 * k});
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)
-      for (const auto& c : BoxVolume::corners)
-        element.push_back(i + c[0] + (n + 1) * (j + c[1] + (n + 1) * c[2]));
+      for (const auto& c : BoxVolume::corners) element.push_back(i + c[0] + (n + 1) * (j + c[1] + (n + 1) * c[2]));
   for (std::int32_t i = 0; i < (n + 1) * (n + 1); ++i) bottom.push_back(i);
-  ASSERT_EQ(rollcon_body_set_nodes(body, 2 * std::int64_t{n + 1} * (n + 1), x.data(), 3, 1),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_nodes(body, 2 * std::int64_t{n + 1} * (n + 1), x.data(), 3, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, tags, element.data(), 0, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
   ASSERT_EQ(hold(bottom, ROLLCON_DOF_XYZ), ROLLCON_OK);
@@ -233,8 +224,7 @@ TEST_F(fem_tags_and_frames, thousands_of_tags_carry_their_own_pressures) {
     if (e % 2 == 0) {
       ASSERT_EQ(rollcon_body_tag_faces(body, 1, &e, &face, 0, e + 1), ROLLCON_OK);
     } else {
-      ASSERT_EQ(rollcon_body_tag_faces_of_nodes(
-                    body, 4, &element[8 * static_cast<std::size_t>(e) + 4], 0, e + 1),
+      ASSERT_EQ(rollcon_body_tag_faces_of_nodes(body, 4, &element[8 * static_cast<std::size_t>(e) + 4], 0, e + 1),
                 ROLLCON_OK);
     }
     ASSERT_EQ(rollcon_body_set_pressure(body, e + 1, pressure), ROLLCON_OK) << error();

@@ -19,16 +19,14 @@ struct SquareFrame {
   std::vector<std::int32_t> connectivity;
   std::int64_t nodes, elements;
 
-  SquareFrame(int n, double half_width)
-      : nodes(std::int64_t{n + 1} * (n + 1)), elements(std::int64_t{n} * n) {
+  SquareFrame(int n, double half_width) : nodes(std::int64_t{n + 1} * (n + 1)), elements(std::int64_t{n} * n) {
     for (int j = 0; j <= n; ++j)
       for (int i = 0; i <= n; ++i)
         x.insert(x.end(), {half_width * (2.0 * i / n - 1), half_width * (2.0 * j / n - 1), 0.0});
     for (int j = 0; j < n; ++j) {
       for (int i = 0; i < n; ++i) {
         const int corner = j * (n + 1) + i;
-        connectivity.insert(connectivity.end(),
-                            {corner, corner + 1, corner + n + 2, corner + n + 1});
+        connectivity.insert(connectivity.end(), {corner, corner + 1, corner + n + 2, corner + n + 1});
       }
     }
   }
@@ -42,9 +40,7 @@ inline SquareFrame moved(SquareFrame f, double x, double y, double z) {
 
 inline void give_frame(rollcon_contact* c, const SquareFrame& f) {
   ASSERT_EQ(rollcon_contact_set_frame_nodes(c, f.nodes, f.x.data(), 3, 1), ROLLCON_OK);
-  ASSERT_EQ(
-      rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0),
-      ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0), ROLLCON_OK);
 }
 
 /// Everything a solve needs; gross sliding is far.
@@ -58,20 +54,18 @@ inline void give_scene(rollcon_contact* c, const SquareFrame& f) {
   ASSERT_EQ(rollcon_contact_set_creep(c, 1e-3, 0, 0), ROLLCON_OK);
 }
 
-inline std::int32_t hold(rollcon_body* body, const std::vector<std::int32_t>& nodes,
-                         std::int32_t dof_mask) {
-  return rollcon_body_set_support(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0,
-                                  dof_mask, nullptr);
+inline std::int32_t hold(rollcon_body* body, const std::vector<std::int32_t>& nodes, std::int32_t dof_mask) {
+  return rollcon_body_set_support(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0, dof_mask, nullptr);
 }
 
-/// A rigid sphere that rolls on the top of a body, the plane z = 1 over the unit square; tag 0: the
-/// frame is still to come.
+/// A rigid sphere that rolls on the top of a body, the plane z = 1 over the unit square; tag 0: the frame is still to
+/// come.
 struct OnTop {
   double x = 0.5, y = 0.5, curvature = 1, approach = 0.06, mu = 0.3, creep = 1e-2;
   std::int32_t tag = 6;
 };
-inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body,
-                                    rollcon_body* plane, const OnTop& at = {}) {
+inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body, rollcon_body* plane,
+                                    const OnTop& at = {}) {
   const double origin[3] = {at.x, at.y, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
   rollcon_contact* c = nullptr;
   EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
@@ -79,17 +73,14 @@ inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body
   if (at.tag > 0) {
     EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, at.tag), ROLLCON_OK) << rollcon_last_error();
   }
-  EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * at.curvature, 0.5 * at.curvature, 0),
-            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * at.curvature, 0.5 * at.curvature, 0), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &at.mu), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, at.approach),
-            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, at.approach), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_set_creep(c, at.creep, 0, 0), ROLLCON_OK);
   return c;
 }
 
-/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter
-/// there.
+/// Solves. The small frames of many tests have few nodes in contact, which is told and no matter there.
 inline std::int32_t solve_small(rollcon_contact* contact) {
   const std::int32_t status = rollcon_contact_solve(contact);
   return status == ROLLCON_COARSE ? ROLLCON_OK : status;
@@ -102,8 +93,7 @@ inline std::array<double, 3> solved_force(rollcon_contact* c) {
   return force;
 }
 
-/// Force of contacts that make(context) gives, each with a context and a thread of its own: the
-/// same.
+/// Force of contacts that make(context) gives, each with a context and a thread of its own: the same.
 template <class Make>
 std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double relative = 0) {
   std::vector<std::array<double, 3>> force(static_cast<std::size_t>(contacts));
@@ -121,8 +111,7 @@ std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double re
   for (std::thread& t : pool) t.join();
   EXPECT_LT(force[0][2], 0);
   for (const auto& f : force)
-    for (std::size_t c = 0; c < 3; ++c)
-      EXPECT_NEAR(f[c], force[0][c], relative * std::abs(force[0][2]));
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(f[c], force[0][c], relative * std::abs(force[0][2]));
   return force[0];
 }
 
@@ -149,8 +138,7 @@ class Api : public ::testing::Test {
   }
 
   std::int32_t add_elements(const SquareFrame& f) {
-    return rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, f.elements,
-                                              f.connectivity.data(), 0, 0);
+    return rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0);
   }
 
   void set_frame() { give_frame(contact, frame); }

@@ -55,12 +55,11 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   const double origin[3] = {0, 0, 0};
   const double bad[3] = {nan, nan, nan};
   const auto n = frame.nodes;
-  std::vector<double> gap, slip(static_cast<std::size_t>(2 * n), 0.0),
-      field(static_cast<std::size_t>(n), 0.1), v(static_cast<std::size_t>(3 * n));
+  std::vector<double> gap, slip(static_cast<std::size_t>(2 * n), 0.0), field(static_cast<std::size_t>(n), 0.1),
+      v(static_cast<std::size_t>(3 * n));
   std::vector<std::int32_t> status(static_cast<std::size_t>(n));
   for (std::int64_t i = 0; i < n; ++i)
-    gap.push_back(0.01 *
-                  (frame.x[3 * i] * frame.x[3 * i] + frame.x[3 * i + 1] * frame.x[3 * i + 1]));
+    gap.push_back(0.01 * (frame.x[3 * i] * frame.x[3 * i] + frame.x[3 * i + 1] * frame.x[3 * i + 1]));
   const double points[6] = {0, 0, frame.x[0], frame.x[1], 40, -3};
   std::int32_t i32 = 0;
   std::int64_t i64 = 0;
@@ -77,8 +76,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_has_feature("fem"));
   EXPECT_SURVIVES(rollcon_status_string(0));
   EXPECT_SURVIVES(rollcon_context_create(ROLLCON_ABI, &context2));
-  EXPECT_SURVIVES(
-      rollcon_context_set_log(context, ROLLCON_LOG_DEBUG, expect_traps_in_log, &logged));
+  EXPECT_SURVIVES(rollcon_context_set_log(context, ROLLCON_LOG_DEBUG, expect_traps_in_log, &logged));
   EXPECT_SURVIVES(rollcon_context_set_threads(context, 2));
   EXPECT_SURVIVES(rollcon_context_set_latch(context, 0));
   EXPECT_SURVIVES(rollcon_context_check(context));
@@ -88,9 +86,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_create(context2, body2, sphere, &contact2));
   {
     const Trapping trapping;
-    const auto check = [](const char* name, bool, std::int32_t) {
-      EXPECT_EQ(fegetexcept(), trapped) << name;
-    };
+    const auto check = [](const char* name, bool, std::int32_t) { EXPECT_EQ(fegetexcept(), trapped) << name; };
     with_each_body_call(body2, check);
     with_each_contact_call(contact2, check);
     rollcon_body_release(body2);  // as often as it was retained
@@ -134,8 +130,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_contact_get_resultant(contact, ROLLCON_GLOBAL, v.data(), v.data() + 3));
   EXPECT_SURVIVES(rollcon_contact_get_motion(contact, v.data(), v.data() + 1));
   for (std::int32_t p = ROLLCON_LONGITUDINAL; p <= ROLLCON_FRICTION; ++p)
-    EXPECT_SURVIVES(rollcon_contact_get_sensitivity(contact, p, v.data(), v.data() + 3,
-                                                    v.data() + 6, v.data() + 7));
+    EXPECT_SURVIVES(rollcon_contact_get_sensitivity(contact, p, v.data(), v.data() + 3, v.data() + 6, v.data() + 7));
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 3, points, v.data()));
   EXPECT_SURVIVES(rollcon_contact_get_displacements_at(contact, 1, 1, bad, v.data()));
   for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
@@ -178,8 +173,7 @@ TEST_F(floating_point, flags_and_rounding_of_the_host_come_back) {
   ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nearest, nullptr), ROLLCON_OK);
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(rounded_up[i], nearest[i]) << "the host's rounding leaks in";
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(rounded_up[i], nearest[i]) << "the host's rounding leaks in";
 }
 
 #ifdef __SSE2__

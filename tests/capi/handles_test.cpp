@@ -78,10 +78,8 @@ TEST_F(handles, dead_bodies_make_no_contact) {
   auto* made = reinterpret_cast<rollcon_contact*>(context);
   EXPECT_FAILS(rollcon_contact_create(context, sphere, dead, &made), ROLLCON_ERR_HANDLE, "body2");
   EXPECT_EQ(made, nullptr);
-  EXPECT_FAILS(rollcon_contact_create(context, nullptr, sphere, &made), ROLLCON_ERR_ARGUMENT,
-               "body1");
-  EXPECT_FAILS(rollcon_contact_create(context, sphere, plane, nullptr), ROLLCON_ERR_ARGUMENT,
-               "contact");
+  EXPECT_FAILS(rollcon_contact_create(context, nullptr, sphere, &made), ROLLCON_ERR_ARGUMENT, "body1");
+  EXPECT_FAILS(rollcon_contact_create(context, sphere, plane, nullptr), ROLLCON_ERR_ARGUMENT, "contact");
 }
 
 TEST_F(handles, any_64_bits_are_told_from_live_handles) {
@@ -103,10 +101,9 @@ TEST_F(handles, any_64_bits_are_told_from_live_handles) {
     ASSERT_EQ(rollcon_id_of(handle), 0) << handle;
     ++refused;
   }
-  std::printf("garbage handles refused: %d of %d (bound: all but live ones and NULL)\n", refused,
-              patterns);
-  for (const std::uint64_t bits : {1ULL, 7ULL, 0x20000000ULL, 0x7fffffffULL, 0x80000000ULL,
-                                   0xffffffffULL, 0x7fff00000000ULL, ~0ULL}) {
+  std::printf("garbage handles refused: %d of %d (bound: all but live ones and NULL)\n", refused, patterns);
+  for (const std::uint64_t bits :
+       {1ULL, 7ULL, 0x20000000ULL, 0x7fffffffULL, 0x80000000ULL, 0xffffffffULL, 0x7fff00000000ULL, ~0ULL}) {
     with_each_context_call(as_pointer(bits), expecting(ROLLCON_ERR_HANDLE));
     with_each_body_call(as_pointer(bits), expecting(ROLLCON_ERR_HANDLE));
     with_each_contact_call(as_pointer(bits), expecting(ROLLCON_ERR_HANDLE));

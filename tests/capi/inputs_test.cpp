@@ -19,20 +19,16 @@ class inputs : public Api {};
 
 TEST_F(inputs, body_kinds) {
   rollcon_body* body = nullptr;
-  EXPECT_FAILS(rollcon_body_create(context, 0, &body), ROLLCON_ERR_ARGUMENT, "kind is 0",
-               "3 (half-space)");
-  EXPECT_FAILS(rollcon_body_create(context, ROLLCON_BODY_RIGID, nullptr), ROLLCON_ERR_ARGUMENT,
-               "body is NULL");
+  EXPECT_FAILS(rollcon_body_create(context, 0, &body), ROLLCON_ERR_ARGUMENT, "kind is 0", "3 (half-space)");
+  EXPECT_FAILS(rollcon_body_create(context, ROLLCON_BODY_RIGID, nullptr), ROLLCON_ERR_ARGUMENT, "body is NULL");
   EXPECT_FAILS(rollcon_body_get_kind(sphere, nullptr), ROLLCON_ERR_ARGUMENT, "kind is NULL");
 }
 
 TEST_F(inputs, elastic_constants) {
   for (const double young : {0.0, -1.0})
-    EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, young, 0.3), ROLLCON_ERR_ARGUMENT, "young",
-                 "> 0");
+    EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, young, 0.3), ROLLCON_ERR_ARGUMENT, "young", "> 0");
   for (const double poisson : {-1.0, -2.0, 0.5000001, 1.0})
-    EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, 1, poisson), ROLLCON_ERR_ARGUMENT, "poisson",
-                 "<= 0.5");
+    EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, 1, poisson), ROLLCON_ERR_ARGUMENT, "poisson", "<= 0.5");
   for (const double bad : {not_a_number, infinite, -infinite}) {
     EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, bad, 0.3), ROLLCON_ERR_NONFINITE, "young");
     EXPECT_FAILS(rollcon_body_set_elastic(sphere, 0, 1, bad), ROLLCON_ERR_NONFINITE, "poisson");
@@ -62,24 +58,18 @@ TEST_F(inputs, context_settings) {
 
 TEST_F(inputs, frame_nodes) {
   auto& x = frame.x;
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, -1, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT,
-               "n is -1");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 0, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT,
-               "n is 0");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, INT64_MAX, x.data(), 3, 1),
-               ROLLCON_ERR_ARGUMENT, "2147483647");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, nullptr, 3, 1), ROLLCON_ERR_ARGUMENT,
-               "x is NULL");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, -1, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 0, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "n is 0");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, INT64_MAX, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "2147483647");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, nullptr, 3, 1), ROLLCON_ERR_ARGUMENT, "x is NULL");
   for (const std::int64_t stride : {std::int64_t{0}, std::int64_t{-3}}) {
-    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), stride, 1),
-                 ROLLCON_ERR_ARGUMENT, "strides");
-    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), 3, stride),
-                 ROLLCON_ERR_ARGUMENT, "strides");
+    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), stride, 1), ROLLCON_ERR_ARGUMENT, "strides");
+    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), 3, stride), ROLLCON_ERR_ARGUMENT, "strides");
   }
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), INT64_MAX / 2, 1),
-               ROLLCON_ERR_ARGUMENT, "address space");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 1, x.data(), 3, INT64_MAX / 4),
-               ROLLCON_ERR_ARGUMENT, "address space");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), INT64_MAX / 2, 1), ROLLCON_ERR_ARGUMENT,
+               "address space");
+  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 1, x.data(), 3, INT64_MAX / 4), ROLLCON_ERR_ARGUMENT,
+               "address space");
   for (const double bad : {not_a_number, infinite, -infinite}) {
     const double kept = x[7 * 3 + 1];
     x[7 * 3 + 1] = bad;
@@ -116,14 +106,12 @@ TEST_F(inputs, strided_nodes_are_those_of_packed_ones) {
     const double* x;
     std::int64_t node, component;
   };
-  for (const Layout& layout : {Layout{frame.x.data(), 3, 1}, Layout{by_columns.data(), 1, n},
-                               Layout{padded.data(), 5, 1}}) {
-    ASSERT_EQ(rollcon_contact_set_frame_nodes(contact, n, layout.x, layout.node, layout.component),
-              ROLLCON_OK);
+  for (const Layout& layout :
+       {Layout{frame.x.data(), 3, 1}, Layout{by_columns.data(), 1, n}, Layout{padded.data(), 5, 1}}) {
+    ASSERT_EQ(rollcon_contact_set_frame_nodes(contact, n, layout.x, layout.node, layout.component), ROLLCON_OK);
     ASSERT_EQ(add_elements(frame), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * n,
-                                        found.data(), nullptr),
+    ASSERT_EQ(rollcon_contact_get_field(contact, ROLLCON_FIELD_POINT, ROLLCON_GLOBAL, 3 * n, found.data(), nullptr),
               ROLLCON_OK);
     EXPECT_EQ(found, frame.x);
   }
@@ -131,37 +119,36 @@ TEST_F(inputs, strided_nodes_are_those_of_packed_ones) {
 
 TEST_F(inputs, frame_elements) {
   const std::int32_t quad[8] = {0, 1, 14, 13, 1, 2, 15, 14};
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, 0, 0),
-               ROLLCON_ERR_STATE, "no nodes");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, 0, 0), ROLLCON_ERR_STATE,
+               "no nodes");
   ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
   for (const std::int32_t type : {0, 204, 308, -1})
-    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, type, 1, quad, 0, 0),
-                 ROLLCON_ERR_ARGUMENT, "type", "219 (quad9)");
+    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, type, 1, quad, 0, 0), ROLLCON_ERR_ARGUMENT, "type",
+                 "219 (quad9)");
   for (const std::int32_t base : {-1, 2})
-    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, base, 0),
-                 ROLLCON_ERR_ARGUMENT, "index_base", "0, 1");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, -1, quad, 0, 0),
-               ROLLCON_ERR_ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, INT64_MAX, quad, 0, 0),
-               ROLLCON_ERR_ARGUMENT, "2147483647");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, nullptr, 0, 0),
-               ROLLCON_ERR_ARGUMENT, "connectivity is NULL");
-  EXPECT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 0, nullptr, 0, 0),
-            ROLLCON_OK);
+    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, base, 0), ROLLCON_ERR_ARGUMENT,
+                 "index_base", "0, 1");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, -1, quad, 0, 0), ROLLCON_ERR_ARGUMENT,
+               "n is -1");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, INT64_MAX, quad, 0, 0), ROLLCON_ERR_ARGUMENT,
+               "2147483647");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, nullptr, 0, 0), ROLLCON_ERR_ARGUMENT,
+               "connectivity is NULL");
+  EXPECT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 0, nullptr, 0, 0), ROLLCON_OK);
 }
 
 TEST_F(inputs, node_ids_are_named_as_the_caller_counts) {
   ASSERT_EQ(set_nodes(frame), ROLLCON_OK);  // 169 nodes
   std::int32_t quad[8] = {0, 1, 14, 13, 1, 2, 169, 14};
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 0, 0),
-               ROLLCON_ERR_MESH, "node 2 of element 1", "from 0", "id 169", "0 to 168");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 0, 0), ROLLCON_ERR_MESH,
+               "node 2 of element 1", "from 0", "id 169", "0 to 168");
   quad[6] = 0;
   quad[0] = 1;
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0),
-               ROLLCON_ERR_MESH, "node 3 of element 2", "from 1", "id 0", "1 to 169");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0), ROLLCON_ERR_MESH,
+               "node 3 of element 2", "from 1", "id 0", "1 to 169");
   quad[6] = INT32_MIN;
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0),
-               ROLLCON_ERR_MESH, "-2147483648");
+  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0), ROLLCON_ERR_MESH,
+               "-2147483648");
   std::int64_t elements = -1;
   ASSERT_EQ(rollcon_contact_get_size(contact, nullptr, &elements), ROLLCON_OK);
   EXPECT_EQ(elements, 0);
@@ -169,48 +156,35 @@ TEST_F(inputs, node_ids_are_named_as_the_caller_counts) {
 
 TEST_F(inputs, axes) {
   const double zero[3] = {0, 0, 0}, tilted[3] = {1, 0, 1e-9}, bad[3] = {0, not_a_number, 0};
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, nullptr, along_x, along_z), ROLLCON_ERR_ARGUMENT,
-               "origin");
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, nullptr, along_z), ROLLCON_ERR_ARGUMENT,
-               "rolling");
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, nullptr), ROLLCON_ERR_ARGUMENT,
-               "normal");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, nullptr, along_x, along_z), ROLLCON_ERR_ARGUMENT, "origin");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, nullptr, along_z), ROLLCON_ERR_ARGUMENT, "rolling");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, nullptr), ROLLCON_ERR_ARGUMENT, "normal");
   EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, zero, along_z), ROLLCON_ERR_ARGUMENT,
                "rolling is the zero vector");
   EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, zero), ROLLCON_ERR_ARGUMENT,
                "normal is the zero vector");
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, along_x), ROLLCON_ERR_ARGUMENT,
-               "parallel");
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, tilted, along_x), ROLLCON_ERR_ARGUMENT,
-               "parallel");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, along_x), ROLLCON_ERR_ARGUMENT, "parallel");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, tilted, along_x), ROLLCON_ERR_ARGUMENT, "parallel");
   EXPECT_FAILS(rollcon_contact_set_axes(contact, bad, along_x, along_z), ROLLCON_ERR_NONFINITE,
                "component y of origin");
   EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, bad, along_z), ROLLCON_ERR_NONFINITE,
                "component y of rolling");
-  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, bad), ROLLCON_ERR_NONFINITE,
-               "component y of normal");
+  EXPECT_FAILS(rollcon_contact_set_axes(contact, origin, along_x, bad), ROLLCON_ERR_NONFINITE, "component y of normal");
 }
 
 TEST_F(inputs, gap) {
   std::vector<double> gap(static_cast<std::size_t>(frame.nodes), 1.0);
-  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_ERR_STATE,
-               "no nodes");
+  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_ERR_STATE, "no nodes");
   ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes - 1, gap.data()), ROLLCON_ERR_ARGUMENT,
-               "169 nodes");
+  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes - 1, gap.data()), ROLLCON_ERR_ARGUMENT, "169 nodes");
   EXPECT_FAILS(rollcon_contact_set_gap(contact, -5, gap.data()), ROLLCON_ERR_ARGUMENT, "n is -5");
-  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT,
-               "gap is NULL");
+  EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT, "gap is NULL");
   for (const double bad : {not_a_number, infinite}) {
     gap[168] = bad;
-    EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_ERR_NONFINITE,
-                 "gap of node 168");
-    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, bad, 0, 0), ROLLCON_ERR_NONFINITE,
-                 "a is");
-    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, 0, bad, 0), ROLLCON_ERR_NONFINITE,
-                 "b is");
-    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, 0, 0, bad), ROLLCON_ERR_NONFINITE,
-                 "c is");
+    EXPECT_FAILS(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_ERR_NONFINITE, "gap of node 168");
+    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, bad, 0, 0), ROLLCON_ERR_NONFINITE, "a is");
+    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, 0, bad, 0), ROLLCON_ERR_NONFINITE, "b is");
+    EXPECT_FAILS(rollcon_contact_set_gap_quadratic(contact, 0, 0, bad), ROLLCON_ERR_NONFINITE, "c is");
   }
 }
 
@@ -219,71 +193,57 @@ TEST_F(inputs, motion_and_loads) {
     EXPECT_FAILS(rollcon_contact_set_rolling(contact, speed), ROLLCON_ERR_ARGUMENT, "speed", "> 0");
   for (const double bad : {not_a_number, infinite, -infinite}) {
     EXPECT_FAILS(rollcon_contact_set_rolling(contact, bad), ROLLCON_ERR_NONFINITE, "speed");
-    EXPECT_FAILS(rollcon_contact_set_creep(contact, bad, 0, 0), ROLLCON_ERR_NONFINITE,
-                 "longitudinal");
+    EXPECT_FAILS(rollcon_contact_set_creep(contact, bad, 0, 0), ROLLCON_ERR_NONFINITE, "longitudinal");
     EXPECT_FAILS(rollcon_contact_set_creep(contact, 0, bad, 0), ROLLCON_ERR_NONFINITE, "lateral");
     EXPECT_FAILS(rollcon_contact_set_creep(contact, 0, 0, bad), ROLLCON_ERR_NONFINITE, "spin");
-    EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, bad),
-                 ROLLCON_ERR_NONFINITE, "value");
+    EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, bad), ROLLCON_ERR_NONFINITE,
+                 "value");
   }
   for (const std::int32_t direction : {0, 5, -1})
-    EXPECT_FAILS(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, 1),
-                 ROLLCON_ERR_ARGUMENT, "direction", "3 (normal)");
+    EXPECT_FAILS(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, 1), ROLLCON_ERR_ARGUMENT, "direction",
+                 "3 (normal)");
   for (const std::int32_t how : {0, 3})
-    EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_SPIN, how, 1), ROLLCON_ERR_ARGUMENT,
-                 "how", "2 (by force)");
-  EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, -1),
-               ROLLCON_ERR_ARGUMENT, "load", "0 or more");
+    EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_SPIN, how, 1), ROLLCON_ERR_ARGUMENT, "how", "2 (by force)");
+  EXPECT_FAILS(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, -1), ROLLCON_ERR_ARGUMENT, "load",
+               "0 or more");
   EXPECT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1), ROLLCON_OK);
 }
 
 TEST_F(inputs, creep_field) {
   std::vector<double> slip(static_cast<std::size_t>(2 * frame.nodes), 0.0);
-  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, slip.data()),
-               ROLLCON_ERR_STATE, "no nodes");
+  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, slip.data()), ROLLCON_ERR_STATE, "no nodes");
   ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, 3, slip.data()), ROLLCON_ERR_ARGUMENT,
-               "n is 3");
-  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, -1, slip.data()), ROLLCON_ERR_ARGUMENT,
-               "n is -1");
-  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT,
-               "slip is NULL");
+  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, 3, slip.data()), ROLLCON_ERR_ARGUMENT, "n is 3");
+  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, -1, slip.data()), ROLLCON_ERR_ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT, "slip is NULL");
   slip[11] = not_a_number;
-  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, slip.data()),
-               ROLLCON_ERR_NONFINITE, "component 1 of slip of node 5");
+  EXPECT_FAILS(rollcon_contact_set_creep_field(contact, frame.nodes, slip.data()), ROLLCON_ERR_NONFINITE,
+               "component 1 of slip of node 5");
   EXPECT_EQ(rollcon_contact_set_creep_field(contact, 0, nullptr), ROLLCON_OK);
 }
 
 TEST_F(inputs, friction) {
   const double good = 0.3, negative = -0.1;
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, nullptr, 1, &good), ROLLCON_ERR_ARGUMENT,
-               "law is NULL");
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, "Coulomb", 1, &good), ROLLCON_ERR_ARGUMENT,
-               "'Coulomb'", "'coulomb'");
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 2, &good), ROLLCON_ERR_ARGUMENT,
-               "n is 2");
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", -1, &good), ROLLCON_ERR_ARGUMENT,
-               "n is -1");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, nullptr, 1, &good), ROLLCON_ERR_ARGUMENT, "law is NULL");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, "Coulomb", 1, &good), ROLLCON_ERR_ARGUMENT, "'Coulomb'",
+               "'coulomb'");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 2, &good), ROLLCON_ERR_ARGUMENT, "n is 2");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", -1, &good), ROLLCON_ERR_ARGUMENT, "n is -1");
   EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 1, nullptr), ROLLCON_ERR_ARGUMENT,
                "parameters is NULL");
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 1, &negative), ROLLCON_ERR_ARGUMENT,
-               "mu is -0.1");
-  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 1, &not_a_number),
-               ROLLCON_ERR_NONFINITE, "mu");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 1, &negative), ROLLCON_ERR_ARGUMENT, "mu is -0.1");
+  EXPECT_FAILS(rollcon_contact_set_friction(contact, "coulomb", 1, &not_a_number), ROLLCON_ERR_NONFINITE, "mu");
   std::vector<double> mu(static_cast<std::size_t>(frame.nodes), 0.2);
-  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()),
-               ROLLCON_ERR_STATE, "no nodes");
+  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()), ROLLCON_ERR_STATE, "no nodes");
   set_frame();
-  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, 1, mu.data()), ROLLCON_ERR_ARGUMENT,
-               "n is 1");
-  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, nullptr),
-               ROLLCON_ERR_ARGUMENT, "mu is NULL");
+  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, 1, mu.data()), ROLLCON_ERR_ARGUMENT, "n is 1");
+  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT, "mu is NULL");
   mu[9] = -1;
-  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()),
-               ROLLCON_ERR_ARGUMENT, "mu of node 9");
+  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()), ROLLCON_ERR_ARGUMENT,
+               "mu of node 9");
   mu[9] = infinite;
-  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()),
-               ROLLCON_ERR_NONFINITE, "mu of node 9");
+  EXPECT_FAILS(rollcon_contact_set_friction_field(contact, frame.nodes, mu.data()), ROLLCON_ERR_NONFINITE,
+               "mu of node 9");
 }
 
 TEST_F(inputs, arguments_of_results) {
@@ -292,37 +252,31 @@ TEST_F(inputs, arguments_of_results) {
   std::int64_t n = 0;
   set_scene();
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_get_tractions(contact, 2, frame.nodes, v.data()),
-               ROLLCON_ERR_ARGUMENT, "axes is 2", "1 (global)");
-  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, -1, v.data()),
-               ROLLCON_ERR_ARGUMENT, "capacity is -1");
-  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, nullptr),
-               ROLLCON_ERR_ARGUMENT, "t is NULL");
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, 2, frame.nodes, v.data()), ROLLCON_ERR_ARGUMENT, "axes is 2",
+               "1 (global)");
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, -1, v.data()), ROLLCON_ERR_ARGUMENT,
+               "capacity is -1");
+  EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT,
+               "t is NULL");
   for (const std::int32_t field : {0, 13, -1})
-    EXPECT_FAILS(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 1, v.data(), &n),
-                 ROLLCON_ERR_ARGUMENT, "field", "1 to 12");
-  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT,
-               "status is NULL");
-  EXPECT_FAILS(rollcon_contact_get_resultant(contact, 7, v.data(), nullptr), ROLLCON_ERR_ARGUMENT,
-               "axes is 7");
+    EXPECT_FAILS(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 1, v.data(), &n), ROLLCON_ERR_ARGUMENT,
+                 "field", "1 to 12");
+  EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes, nullptr), ROLLCON_ERR_ARGUMENT, "status is NULL");
+  EXPECT_FAILS(rollcon_contact_get_resultant(contact, 7, v.data(), nullptr), ROLLCON_ERR_ARGUMENT, "axes is 7");
   const double points[4] = {0, 0, 0, not_a_number};
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 3, 1, points, v.data()),
-               ROLLCON_ERR_ARGUMENT, "body is 3");
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, -1, points, v.data()),
-               ROLLCON_ERR_ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, INT64_MAX, points, v.data()),
-               ROLLCON_ERR_ARGUMENT, "address space");
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, nullptr, v.data()),
-               ROLLCON_ERR_ARGUMENT, "xy is NULL");
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, points, nullptr),
-               ROLLCON_ERR_ARGUMENT, "u is NULL");
-  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 2, points, v.data()),
-               ROLLCON_ERR_NONFINITE, "coordinate y of point 1");
-  EXPECT_FAILS(rollcon_contact_get_stat(contact, "no such number", v.data()), ROLLCON_ERR_OPTION,
-               "no such number");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 3, 1, points, v.data()), ROLLCON_ERR_ARGUMENT,
+               "body is 3");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, -1, points, v.data()), ROLLCON_ERR_ARGUMENT, "n is -1");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, INT64_MAX, points, v.data()), ROLLCON_ERR_ARGUMENT,
+               "address space");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, nullptr, v.data()), ROLLCON_ERR_ARGUMENT,
+               "xy is NULL");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, points, nullptr), ROLLCON_ERR_ARGUMENT, "u is NULL");
+  EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 2, points, v.data()), ROLLCON_ERR_NONFINITE,
+               "coordinate y of point 1");
+  EXPECT_FAILS(rollcon_contact_get_stat(contact, "no such number", v.data()), ROLLCON_ERR_OPTION, "no such number");
   EXPECT_FAILS(rollcon_contact_get_stat(contact, nullptr, v.data()), ROLLCON_ERR_ARGUMENT, "name");
-  EXPECT_FAILS(rollcon_contact_get_stat(contact, "no such number", nullptr), ROLLCON_ERR_ARGUMENT,
-               "value");
+  EXPECT_FAILS(rollcon_contact_get_stat(contact, "no such number", nullptr), ROLLCON_ERR_ARGUMENT, "value");
   EXPECT_FAILS(rollcon_contact_write(contact, nullptr), ROLLCON_ERR_ARGUMENT, "path");
   EXPECT_FAILS(rollcon_contact_write(contact, ""), ROLLCON_ERR_ARGUMENT, "path");
 }

@@ -41,22 +41,18 @@ TEST_F(last_error, is_that_of_a_call_without_a_live_handle) {
 TEST_F(last_error, is_that_of_a_call_without_an_object) {
   rollcon_context* other = nullptr;
   EXPECT_EQ(rollcon_context_create(ROLLCON_ABI + 6, &other), ROLLCON_ERR_UNSUPPORTED);
-  expect_text("rollcon_context_create",
-              ("header_abi is " + std::to_string(ROLLCON_ABI + 6)).c_str());
-  expect_text("rollcon_context_create",
-              ("binary interface " + std::to_string(ROLLCON_ABI)).c_str());
+  expect_text("rollcon_context_create", ("header_abi is " + std::to_string(ROLLCON_ABI + 6)).c_str());
+  expect_text("rollcon_context_create", ("binary interface " + std::to_string(ROLLCON_ABI)).c_str());
   EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, nullptr), ROLLCON_ERR_ARGUMENT);
   expect_text("rollcon_context_create", "context is NULL");
   EXPECT_EQ(rollcon_stat_name(-3, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
   expect_text("rollcon_stat_name", "i is -3");
-  EXPECT_EQ(rollcon_option_info(100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr),
-            ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_option_info(100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
   expect_text("rollcon_option_info", "i is 100000");
   std::int64_t value = 0;
   EXPECT_EQ(rollcon_event_get_int(nullptr, ROLLCON_EVENT_PHASE, &value), ROLLCON_ERR_ARGUMENT);
   expect_text("rollcon_event_get_int", "event is NULL");
-  EXPECT_EQ(rollcon_event_get_int(reinterpret_cast<const rollcon_event*>(&value),
-                                  ROLLCON_EVENT_PHASE, &value),
+  EXPECT_EQ(rollcon_event_get_int(reinterpret_cast<const rollcon_event*>(&value), ROLLCON_EVENT_PHASE, &value),
             ROLLCON_ERR_HANDLE);
   expect_text("rollcon_event_get_int", "event is no live event");
 }
@@ -169,8 +165,7 @@ TEST_F(latch, tells_of_the_first_caveat_without_stopping) {
   ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   EXPECT_EQ(rollcon_context_check(context), ROLLCON_NO_CONTACT);
   expect_text("rollcon_contact_solve", rollcon_status_string(ROLLCON_NO_CONTACT));
@@ -181,8 +176,7 @@ TEST_F(latch, tells_of_the_first_caveat_without_stopping) {
 
 TEST_F(latch, holds_failures_that_layers_report) {
   ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
-  EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_ARGUMENT, "RCNODE: LDX is 2"),
-            ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_ARGUMENT, "RCNODE: LDX is 2"), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_ERR_ARGUMENT);
   EXPECT_STREQ(rollcon_last_error(), "RCNODE: LDX is 2");
 }

@@ -8,12 +8,10 @@
 #include <string>
 
 TEST(library, version_text_and_number_agree) {
-  const std::string text = std::to_string(ROLLCON_VERSION_MAJOR) + "." +
-                           std::to_string(ROLLCON_VERSION_MINOR) + "." +
+  const std::string text = std::to_string(ROLLCON_VERSION_MAJOR) + "." + std::to_string(ROLLCON_VERSION_MINOR) + "." +
                            std::to_string(ROLLCON_VERSION_PATCH);
   EXPECT_EQ(rollcon_version_string(), text);
-  EXPECT_EQ(rollcon_version(),
-            10000 * ROLLCON_VERSION_MAJOR + 100 * ROLLCON_VERSION_MINOR + ROLLCON_VERSION_PATCH);
+  EXPECT_EQ(rollcon_version(), 10000 * ROLLCON_VERSION_MAJOR + 100 * ROLLCON_VERSION_MINOR + ROLLCON_VERSION_PATCH);
   EXPECT_EQ(rollcon_abi(), ROLLCON_ABI);
 }
 
@@ -25,8 +23,7 @@ TEST(library, build_info_names_licence_and_version) {
 
 TEST(library, every_status_has_its_own_text) {
   std::set<std::string> texts;
-  for (const int status :
-       {0, 1, 2, 3, 4, 5, -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -99})
+  for (const int status : {0, 1, 2, 3, 4, 5, -1, -2, -3, -4, -5, -6, -7, -8, -9, -10, -11, -12, -13, -99})
     texts.insert(rollcon_status_string(status));
   EXPECT_EQ(texts.size(), 20U);
   for (const int unknown : {6, -14, 1000, INT32_MIN, INT32_MAX})

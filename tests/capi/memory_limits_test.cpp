@@ -1,5 +1,5 @@
-/// Sizes that this process cannot have: refused with need, limit and remedy, and everything is
-/// usable afterwards. In children, whose address space is limited.
+/// Sizes that this process cannot have: refused with need, limit and remedy, and everything is usable afterwards. In
+/// children, whose address space is limited.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -95,8 +95,7 @@ TEST_F(MemoryLimits, dense_operators_of_a_large_frame_are_refused) {
       take_frame(60);
       ASSERT_EQ(rollcon_contact_set_str(contact, "operators", operators), ROLLCON_OK);
       // Of 9 blocks of 3721 squared doubles.
-      expect_refusal(rollcon_contact_solve(contact),
-                     "the operators of a frame of 3721 nodes need 0.997",
+      expect_refusal(rollcon_contact_solve(contact), "the operators of a frame of 3721 nodes need 0.997",
                      "'operators' = 'fft' needs no matrices");
       expect_usable();
     });
@@ -123,8 +122,7 @@ TEST_F(MemoryLimits, a_large_boundary_element_body_is_refused) {
     set_mesh(body);
     ASSERT_EQ(hold_bottom(7), ROLLCON_OK);
     // 2906 nodes, and tractions on some: at least 8 bytes x (3 x 2906)^2.
-    expect_refusal(rollcon_body_prepare(body), "the matrix of a boundary-element body with ",
-                   "finite elements");
+    expect_refusal(rollcon_body_prepare(body), "the matrix of a boundary-element body with ", "finite elements");
     EXPECT_NE(error().find(" needs 0.6"), std::string::npos) << error();
     expect_usable();
   });

@@ -1,5 +1,5 @@
-/// What bodies of boundary elements and of finite elements owe alike: a cube under its own loads, a
-/// frozen body, one body in many contacts.
+/// What bodies of boundary elements and of finite elements owe alike: a cube under its own loads, a frozen body, one
+/// body in many contacts.
 
 #include <algorithm>
 #include <cmath>
@@ -39,8 +39,7 @@ class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int3
     x = bem() ? cube.x : box.x;
     bottom = bem() ? cube.nodes_at(2, 0) : box.nodes_at(2, 0);
     top = bem() ? cube.nodes_at(2, 1) : box.nodes_at(2, 1);
-    ASSERT_EQ(rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(bottom.size()),
-                                              bottom.data(), 0, 5),
+    ASSERT_EQ(rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(bottom.size()), bottom.data(), 0, 5),
               ROLLCON_OK);
   }
 
@@ -70,12 +69,11 @@ class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int3
       const double exact = stress / young * (i % 3 == 2 ? x[i] : -poisson * x[i]);
       error = std::max(error, std::abs(u[i] - exact));
     }
-    for (int c = 0; c < 3; ++c)
-      reaction = std::max({reaction, std::abs(f[c] - force[c]), std::abs(m[c] - moment[c])});
+    for (int c = 0; c < 3; ++c) reaction = std::max({reaction, std::abs(f[c] - force[c]), std::abs(m[c] - moment[c])});
     // Boundary integrals are as accurate as their rules, finite elements exact.
     const double bound = (bem() ? 1e-6 : 1e-11) * stress / young, least = bem() ? 1e-6 : 1e-10;
-    std::printf("uniaxial stress: error %.2e, bound %.2e; reaction: error %.2e, bound %.2e\n",
-                error, bound, reaction, least);
+    std::printf("uniaxial stress: error %.2e, bound %.2e; reaction: error %.2e, bound %.2e\n", error, bound, reaction,
+                least);
     EXPECT_LE(error, bound);
     EXPECT_LE(reaction, least);
   }
@@ -90,8 +88,7 @@ class meshed_bodies : public Api, public ::testing::WithParamInterface<std::int3
 
 INSTANTIATE_TEST_SUITE_P(of, meshed_bodies, ::testing::Values(ROLLCON_BODY_BEM, ROLLCON_BODY_FEM),
                          [](const auto& kind) {
-                           return kind.param == ROLLCON_BODY_BEM ? "boundary_elements"
-                                                                 : "finite_elements";
+                           return kind.param == ROLLCON_BODY_BEM ? "boundary_elements" : "finite_elements";
                          });
 
 TEST_P(meshed_bodies, tension_by_pressure_and_traction_together) {
@@ -109,8 +106,8 @@ TEST_P(meshed_bodies, tension_by_given_displacements) {
   std::vector<double> values(3 * top.size(), std::nan(""));
   for (std::size_t i = 0; i < top.size(); ++i) values[3 * i + 2] = 2 / young;
   for (std::int32_t& id : top) ++id;
-  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(top.size()), top.data(), 1,
-                                     ROLLCON_DOF_Z, values.data()),
+  ASSERT_EQ(rollcon_body_set_support(body, static_cast<std::int64_t>(top.size()), top.data(), 1, ROLLCON_DOF_Z,
+                                     values.data()),
             ROLLCON_OK);
   ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
   expect_uniaxial(2, {0, 0, 0}, {0, 0, 0});  // top and bottom pull against each other
@@ -150,8 +147,7 @@ TEST_P(meshed_bodies, prepared_ones_are_frozen) {
     EXPECT_FAILS(rollcon_body_set_int(body, "factorization", 2), state, "prepared");
     EXPECT_FAILS(rollcon_body_set_int(body, "between_nodes", 1), state, "prepared");
   }
-  EXPECT_FAILS(rollcon_body_set_support(body, 1, &one, 0, ROLLCON_DOF_X, nullptr), state,
-               "prepared");
+  EXPECT_FAILS(rollcon_body_set_support(body, 1, &one, 0, ROLLCON_DOF_X, nullptr), state, "prepared");
   EXPECT_FAILS(rollcon_body_set_traction(body, 6, t), state, "prepared");
   EXPECT_FAILS(rollcon_body_set_pressure(body, 6, 1), state, "prepared");
   EXPECT_FAILS(rollcon_body_set_contact_faces(body, 1, &tag), state, "prepared");

@@ -15,8 +15,7 @@ class message : public Api {
   }
 
   static void expect_words(const std::string& text, std::initializer_list<const char*> words) {
-    for (const char* word : words)
-      EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
+    for (const char* word : words) EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
   }
 
   /// Solves; the plan, and the warning in the log, say why.
@@ -35,8 +34,7 @@ class message : public Api {
 
 TEST_F(message, two_rigid_bodies_names_all_elastic_kinds) {
   rollcon_contact* c = nullptr;
-  EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &c), ROLLCON_ERR_ARGUMENT,
-               "(FEM, BEM or HALFSPACE)");
+  EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &c), ROLLCON_ERR_ARGUMENT, "(FEM, BEM or HALFSPACE)");
 }
 
 TEST_F(message, rim_contact_tells_wrong_sign_wrong_units_and_small_frames_apart) {
@@ -80,19 +78,15 @@ TEST_F(message, a_library_of_another_abi_is_not_said_to_lack_a_feature) {
 TEST_F(message, numbers_of_elements_say_from_where_they_count) {
   set_scene();
   for (const std::int32_t base : {0, 1}) {
-    std::vector<std::int32_t> twice(frame.connectivity.begin() + 8,
-                                    frame.connectivity.begin() + 12);
+    std::vector<std::int32_t> twice(frame.connectivity.begin() + 8, frame.connectivity.begin() + 12);
     for (std::int32_t& id : twice) id += base;
     SquareFrame based = frame;
     for (std::int32_t& id : based.connectivity) id += base;
     ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-    for (const auto& [n, ids] :
-         {std::pair{frame.elements, &based.connectivity}, std::pair{std::int64_t{1}, &twice}})
-      ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, n, ids->data(), base, 0),
-                ROLLCON_OK);
-    const std::string pair = "elements " + std::to_string(2 + base) + " and " +
-                             std::to_string(frame.elements + base) + " (counting from " +
-                             std::to_string(base) + ")";
+    for (const auto& [n, ids] : {std::pair{frame.elements, &based.connectivity}, std::pair{std::int64_t{1}, &twice}})
+      ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, n, ids->data(), base, 0), ROLLCON_OK);
+    const std::string pair = "elements " + std::to_string(2 + base) + " and " + std::to_string(frame.elements + base) +
+                             " (counting from " + std::to_string(base) + ")";
     EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_MESH, pair);
   }
 }
@@ -103,14 +97,12 @@ TEST_F(message_of_fem, the_plan_counts_volume_elements_and_boundary_faces_apart)
   give_mesh(body, box);
   ASSERT_EQ(rollcon_body_set_elastic(body, 0, 100, 0.3), ROLLCON_OK);
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  rollcon_contact* c =
-      roll_on_top(context, body, plane, {.curvature = 0, .approach = 0.01, .mu = 0, .creep = 0});
+  rollcon_contact* c = roll_on_top(context, body, plane, {.curvature = 0, .approach = 0.01, .mu = 0, .creep = 0});
   ASSERT_GE(rollcon_contact_solve(c), ROLLCON_OK) << error();
   std::vector<char> text(10000);
   ASSERT_EQ(rollcon_contact_get_plan(c, 10000, text.data(), nullptr), ROLLCON_OK) << error();
-  const std::string said = std::to_string(box.nodes()) + " nodes, " +
-                           std::to_string(box.elements()) + " volume elements, " +
-                           std::to_string(6 * box.layer_elements()) + " boundary faces";
+  const std::string said = std::to_string(box.nodes()) + " nodes, " + std::to_string(box.elements()) +
+                           " volume elements, " + std::to_string(6 * box.layer_elements()) + " boundary faces";
   EXPECT_NE(std::string(text.data()).find(said), std::string::npos) << said << "\n" << text.data();
   rollcon_contact_release(c);
 }
@@ -123,17 +115,13 @@ TEST_F(message, finite_elements_without_a_volume_are_told_so) {
   ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 2), ROLLCON_ERR_STATE,
-               "body 1 has no volume elements", "rollcon_body_add_elements");
+  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 2), ROLLCON_ERR_STATE, "body 1 has no volume elements",
+               "rollcon_body_add_elements");
   const std::int32_t face[4] = {0, 3, 4, 1};
   ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_QUAD4, 1, face, 0, 2), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 2), ROLLCON_ERR_STATE,
-               "body 1 has no volume elements");
-  ASSERT_EQ(
-      rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0),
-      ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 7), ROLLCON_ERR_ARGUMENT,
-               "tag is 7, which no face of body 1 has");
+  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 2), ROLLCON_ERR_STATE, "body 1 has no volume elements");
+  ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_frame_from_body(c, 1, 7), ROLLCON_ERR_ARGUMENT, "tag is 7, which no face of body 1 has");
   EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, 2), ROLLCON_OK) << error();
   rollcon_contact_release(c);
   rollcon_body_release(body);

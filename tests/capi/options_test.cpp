@@ -8,8 +8,8 @@
 
 using namespace capi_test;
 
-/// The functions of one kind of object, and settings of each type; `listed` are names that a
-/// refusal of an unknown one tells.
+/// The functions of one kind of object, and settings of each type; `listed` are names that a refusal of an unknown one
+/// tells.
 struct OfContact {
   static constexpr auto count = rollcon_option_count;
   static constexpr auto info = rollcon_option_info;
@@ -18,8 +18,8 @@ struct OfContact {
   static constexpr auto set_real = rollcon_contact_set_real;
   static constexpr auto get_int = rollcon_contact_get_int;
   static constexpr auto get_real = rollcon_contact_get_real;
-  static constexpr const char *kind = "rollcon_contact_", *integer = "max_iterations",
-                              *real = "tolerance", *listed = "max_iterations";
+  static constexpr const char *kind = "rollcon_contact_", *integer = "max_iterations", *real = "tolerance",
+                              *listed = "max_iterations";
 };
 struct OfBody {
   static constexpr auto count = rollcon_body_option_count;
@@ -29,8 +29,7 @@ struct OfBody {
   static constexpr auto set_real = rollcon_body_set_real;
   static constexpr auto get_int = rollcon_body_get_int;
   static constexpr auto get_real = rollcon_body_get_real;
-  static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors",
-                              *real = "accuracy",
+  static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors", *real = "accuracy",
                               *listed =
                                   "accuracy, edge_angle, keep_factors, between_nodes, "
                                   "factorization, hex8, prepare";
@@ -124,10 +123,8 @@ TYPED_TEST(options, unknown_names_and_wrong_types_are_refused) {
   const auto option = this->option, argument = this->argument;
   this->refused(Of::set_int(o, nearly.c_str(), 5), "set_int", option, {nearly.c_str(), Of::listed});
   this->refused(Of::set_real(o, "", 5), "set_real", option, {"unknown"});
-  this->refused(Of::set_int(o, Of::real, 1), "set_int", option,
-                {"is a real number, not an integer"});
-  this->refused(Of::set_real(o, Of::integer, 1), "set_real", option,
-                {"is an integer, not a real number"});
+  this->refused(Of::set_int(o, Of::real, 1), "set_int", option, {"is a real number, not an integer"});
+  this->refused(Of::set_real(o, Of::integer, 1), "set_real", option, {"is an integer, not a real number"});
   this->refused(Of::get_int(o, Of::real, &i), "get_int", option, {"not an integer"});
   this->refused(Of::get_real(o, "nothing", &r), "get_real", option, {"nothing", Of::listed});
   this->refused(Of::set_int(o, nullptr, 5), "set_int", argument, {"name is NULL"});
@@ -154,16 +151,13 @@ TEST_F(text_options, are_held_to_their_choices) {
   for (const char* value : {"least_squares", "godunov", "characteristic"})
     EXPECT_EQ(rollcon_contact_set_str(contact, "convection", value), ROLLCON_OK);
   for (const char* value : {"", "least", "godunov|characteristic", "Godunov", "|"})
-    EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", value), ROLLCON_ERR_OPTION,
-                 "convection", "characteristic|least_squares|godunov");
+    EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", value), ROLLCON_ERR_OPTION, "convection",
+                 "characteristic|least_squares|godunov");
   char text[32];
   ASSERT_EQ(rollcon_contact_get_str(contact, "convection", sizeof text, text, nullptr), ROLLCON_OK);
   EXPECT_STREQ(text, "characteristic");
-  EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", nullptr), ROLLCON_ERR_ARGUMENT,
-               "value is NULL");
+  EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", nullptr), ROLLCON_ERR_ARGUMENT, "value is NULL");
   std::int64_t needed = 0;
-  EXPECT_FAILS(rollcon_contact_set_str(contact, "tolerance", "1e-6"), ROLLCON_ERR_OPTION,
-               "is a real number, not text");
-  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &needed),
-               ROLLCON_ERR_OPTION, "text");
+  EXPECT_FAILS(rollcon_contact_set_str(contact, "tolerance", "1e-6"), ROLLCON_ERR_OPTION, "is a real number, not text");
+  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &needed), ROLLCON_ERR_OPTION, "text");
 }

@@ -1,5 +1,5 @@
-/// Gaps and creepages at the end of the range of double precision: refused by a text that names the
-/// node, or calculated with.
+/// Gaps and creepages at the end of the range of double precision: refused by a text that names the node, or calculated
+/// with.
 
 #include <cfloat>
 #include <cmath>
@@ -28,8 +28,7 @@ class overflow : public Api {
     std::int64_t n = 0;
     rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 0, nullptr, &n);
     std::vector<double> v(static_cast<std::size_t>(n));
-    EXPECT_EQ(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, n, v.data(), nullptr),
-              ROLLCON_OK);
+    EXPECT_EQ(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, n, v.data(), nullptr), ROLLCON_OK);
     int bad = 0;
     for (const double value : v) bad += !std::isfinite(value);
     return bad;
@@ -46,13 +45,10 @@ TEST_F(overflow, creepages_are_refused_and_the_scene_stays_usable) {
   const std::vector<double> before = force();
   for (const double huge : {1e304, DBL_MAX, -DBL_MAX}) {
     for (int which = 0; which < 3; ++which) {
-      ASSERT_EQ(rollcon_contact_set_creep(contact, which == 0 ? huge : 0, which == 1 ? huge : 0,
-                                          which == 2 ? huge : 0),
+      ASSERT_EQ(rollcon_contact_set_creep(contact, which == 0 ? huge : 0, which == 1 ? huge : 0, which == 2 ? huge : 0),
                 ROLLCON_OK);
-      EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "node 0 ", "creepages",
-                   "allowed: up to");
-      EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nullptr, nullptr),
-                   ROLLCON_ERR_STATE, "solve");
+      EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "node 0 ", "creepages", "allowed: up to");
+      EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nullptr, nullptr), ROLLCON_ERR_STATE, "solve");
     }
   }
   ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
@@ -70,8 +66,7 @@ TEST_F(overflow, every_creepage_below_slides) {
     ASSERT_EQ(rollcon_contact_set_creep(contact, creep, 0, 0), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << creep;
     const std::vector<double> f = force();
-    worst =
-        std::max(worst, std::abs(f[0] / f[2] - 0.1));  // both on body 1: against creep, pressure
+    worst = std::max(worst, std::abs(f[0] / f[2] - 0.1));  // both on body 1: against creep, pressure
     for (const std::int32_t field :
          {ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP, ROLLCON_FIELD_GAP, ROLLCON_FIELD_TRACTION})
       EXPECT_EQ(not_finite(field), 0) << "field " << field << " at creepage " << creep;
@@ -99,15 +94,12 @@ TEST_F(overflow, gaps_and_approaches) {
   EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "gap of node 0 ", "is inf");
   ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
   for (const double approach : {1e148, 1e155, 1e200, 1e290, 1e302, DBL_MAX}) {
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach), ROLLCON_OK);
     EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "approach", "allowed: -");
   }
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -DBL_MAX),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -DBL_MAX), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   const std::vector<double> before = force();
 
@@ -165,8 +157,7 @@ TEST_F(overflow, the_monolithic_system_counts_far_gaps) {
 TEST_F(overflow, every_approach_below_presses) {
   double unit = 0, worst = 0;
   for (const double approach : {1e3, 1e10, 1e50, 1e100, 1e140}) {
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, approach), ROLLCON_OK);
     ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_RIM_CONTACT) << approach;
     const double stiffness = -force()[2] / approach;
     if (unit == 0) unit = stiffness;
@@ -194,15 +185,13 @@ TEST_F(overflow, nodes_of_no_element_are_not_asked) {
 }
 
 TEST_F(overflow, only_what_is_left_of_gap_and_approach_counts) {
-  // The same scene a long way off: 2^1000 in gaps and approach, to which their differences are
-  // lost.
+  // The same scene a long way off: 2^1000 in gaps and approach, to which their differences are lost.
   const double far = std::ldexp(1.0, 1000);
   const std::vector<double> gap(static_cast<std::size_t>(frame.nodes), far);
   ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, far), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 2 * far),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 2 * far), ROLLCON_OK);
   EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_ARGUMENT, "approach");
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 100), ROLLCON_OK);
   const std::int32_t flat = rollcon_contact_solve(contact);
@@ -214,8 +203,7 @@ TEST_F(overflow, load_cases_fail_alone) {
   const double value[3] = {1e-3, DBL_MAX, 2e-3};
   std::int32_t status[3] = {-1000, -1000, -1000};
   std::vector<double> f(9);
-  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 3, value, "force", 3, f.data(),
-                                       nullptr, status),
+  EXPECT_EQ(rollcon_contact_solve_many(contact, "longitudinal", 3, value, "force", 3, f.data(), nullptr, status),
             ROLLCON_NOT_CONVERGED);
   EXPECT_EQ(status[0], ROLLCON_OK);
   EXPECT_EQ(status[1], ROLLCON_ERR_ARGUMENT);
@@ -232,7 +220,6 @@ TEST_F(overflow, results_beyond_the_range_are_not_written) {
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   EXPECT_EQ(not_finite(ROLLCON_FIELD_SLIP), 0);
   EXPECT_GT(not_finite(ROLLCON_FIELD_FRICTION_POWER), 0);
-  EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_NONFINITE,
-               "friction_power");
+  EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_NONFINITE, "friction_power");
   EXPECT_EQ(std::fopen("never_written.vtu", "r"), nullptr);
 }

@@ -40,12 +40,9 @@ class pose : public BodyApi {
 
 TEST_F(pose, arguments) {
   for (const std::int32_t which : {0, 3, -1})
-    EXPECT_FAILS(rollcon_contact_set_pose(pair, which, identity, zero), ROLLCON_ERR_ARGUMENT,
-                 "which is", "1, 2");
-  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, nullptr, zero), ROLLCON_ERR_ARGUMENT,
-               "rotation is NULL");
-  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, identity, nullptr), ROLLCON_ERR_ARGUMENT,
-               "translation is NULL");
+    EXPECT_FAILS(rollcon_contact_set_pose(pair, which, identity, zero), ROLLCON_ERR_ARGUMENT, "which is", "1, 2");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, nullptr, zero), ROLLCON_ERR_ARGUMENT, "rotation is NULL");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, identity, nullptr), ROLLCON_ERR_ARGUMENT, "translation is NULL");
   const double nowhere[3] = {0, not_a_number, 0};
   double bad[9] = {1, 0, 0, 0, 1, 0, 0, not_a_number, 1};
   EXPECT_FAILS(rollcon_contact_set_pose(pair, 1, bad, zero), ROLLCON_ERR_NONFINITE, "rotation");
@@ -56,8 +53,7 @@ TEST_F(pose, arguments) {
 TEST_F(pose, rotations_only) {
   const double mirrored[9] = {1, 0, 0, 0, 1, 0, 0, 0, -1}, larger[9] = {2, 0, 0, 0, 2, 0, 0, 0, 2},
                sheared[9] = {1, 2e-6, 0, 0, 1, 0, 0, 0, 1}, nothing[9] = {};
-  EXPECT_FAILS(rollcon_contact_set_pose(pair, 2, mirrored, zero), ROLLCON_ERR_ARGUMENT,
-               "determinant");
+  EXPECT_FAILS(rollcon_contact_set_pose(pair, 2, mirrored, zero), ROLLCON_ERR_ARGUMENT, "determinant");
   for (const double* r : {larger, sheared, nothing})
     EXPECT_FAILS(rollcon_contact_set_pose(pair, 2, r, zero), ROLLCON_ERR_ARGUMENT, "orthonormal");
   const double rounded[9] = {1, 4e-7, 0, -4e-7, 1, 0, 0, 0, 1 + 4e-7};
@@ -67,8 +63,7 @@ TEST_F(pose, rotations_only) {
 
 TEST_F(pose, frames_from_bodies_are_their_tagged_faces) {
   for (const std::int32_t which : {0, 3, -7})
-    EXPECT_FAILS(rollcon_contact_frame_from_body(pair, which, 6), ROLLCON_ERR_ARGUMENT, "which is",
-                 "1, 2");
+    EXPECT_FAILS(rollcon_contact_frame_from_body(pair, which, 6), ROLLCON_ERR_ARGUMENT, "which is", "1, 2");
   EXPECT_FAILS(rollcon_contact_frame_from_body(pair, 2, 9), ROLLCON_ERR_ARGUMENT, "tag is 9");
   EXPECT_FAILS(rollcon_contact_frame_from_body(pair, 1, 6), ROLLCON_ERR_STATE);
   expect_frame(0, 0);
@@ -83,8 +78,8 @@ TEST_F(pose, frames_from_bodies_are_their_tagged_faces) {
   expect_frame(3, 0);
 }
 
-// The cube's upper face rolls on a plane; where the plane is said to be under the cube, somebody
-// forgot to move one of them.
+// The cube's upper face rolls on a plane; where the plane is said to be under the cube, somebody forgot to move one of
+// them.
 TEST_F(pose, forgotten_ones_are_told) {
   ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
   rollcon_contact* on_plane = nullptr;
@@ -96,8 +91,8 @@ TEST_F(pose, forgotten_ones_are_told) {
   ASSERT_EQ(rollcon_contact_prescribe(on_plane, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 1), ROLLCON_OK);
   const double below[3] = {0.5, 0.5, -0.5}, there[3] = {0.5, 0.5, 1};
   ASSERT_EQ(rollcon_contact_set_axes(on_plane, below, rolling, up), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_solve(on_plane), ROLLCON_ERR_ARGUMENT, "overlap by 1.5",
-               "body 1 is thick (1)", "set_pose");
+  EXPECT_FAILS(rollcon_contact_solve(on_plane), ROLLCON_ERR_ARGUMENT, "overlap by 1.5", "body 1 is thick (1)",
+               "set_pose");
   ASSERT_EQ(rollcon_contact_set_axes(on_plane, there, rolling, up), ROLLCON_OK);
   EXPECT_GE(rollcon_contact_solve(on_plane), ROLLCON_OK);
   rollcon_contact_release(on_plane);

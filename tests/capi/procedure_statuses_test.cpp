@@ -22,14 +22,13 @@ std::int32_t stop(const rollcon_event*, void* user) {
 class procedure_statuses : public ProcedureScene {
  protected:
   void expect_all_finite() const {
-    for (const auto& v :
-         {field(ROLLCON_FIELD_TRACTION, 3), field(ROLLCON_FIELD_GAP, 1),
-          field(ROLLCON_FIELD_SLIP, 2), field(ROLLCON_FIELD_PRESSURE, 1),
-          field(ROLLCON_FIELD_DISPLACEMENT1, 3), field(ROLLCON_FIELD_FRICTION_POWER, 1)})
+    for (const auto& v : {field(ROLLCON_FIELD_TRACTION, 3), field(ROLLCON_FIELD_GAP, 1), field(ROLLCON_FIELD_SLIP, 2),
+                          field(ROLLCON_FIELD_PRESSURE, 1), field(ROLLCON_FIELD_DISPLACEMENT1, 3),
+                          field(ROLLCON_FIELD_FRICTION_POWER, 1)})
       for (const double x : v) ASSERT_TRUE(std::isfinite(x));
     const Results r = results();
-    for (const double x : {r.force[0], r.force[1], r.force[2], r.moment[2], r.approach, r.creep[0],
-                           r.creep[1], r.creep[2], r.law, r.iterations})
+    for (const double x : {r.force[0], r.force[1], r.force[2], r.moment[2], r.approach, r.creep[0], r.creep[1],
+                           r.creep[2], r.law, r.iterations})
       EXPECT_TRUE(std::isfinite(x));
     for (std::int32_t i = 0; i < rollcon_stat_count(); ++i) {
       char name[64];
@@ -70,8 +69,8 @@ TEST_F(procedure_statuses, too_few_iterations) {
   }
 }
 
-// A linear solution of any accuracy may only cost iterations: what it leaves behind anywhere, in
-// the equations of the bodies too, counts as a residual.
+// A linear solution of any accuracy may only cost iterations: what it leaves behind anywhere, in the equations of the
+// bodies too, counts as a residual.
 TEST_F(procedure_statuses, coarse_linear_solutions_do_not_pass_for_converged) {
   double worst = 0, usual = 0;
   int solved = 0;
@@ -95,15 +94,13 @@ TEST_F(procedure_statuses, coarse_linear_solutions_do_not_pass_for_converged) {
           if (status != ROLLCON_OK) continue;
           ++solved;
           const Results r = results();
-          const double error = std::max(difference(r.traction, reference.traction),
-                                        difference(r.gap, reference.gap));
+          const double error = std::max(difference(r.traction, reference.traction), difference(r.gap, reference.gap));
           EXPECT_LE(error, 1e-6);
           worst = std::max(worst, error);
         }
     }
   }
-  std::printf("%d solved with coarse linear solutions, tractions differ by %.1e (bound 1e-6)\n",
-              solved, worst);
+  std::printf("%d solved with coarse linear solutions, tractions differ by %.1e (bound 1e-6)\n", solved, worst);
   EXPECT_GT(solved, 100);
 }
 
@@ -163,8 +160,7 @@ TEST_F(procedure_statuses, forces_beyond_friction_are_never_solved) {
       by_force(ROLLCON_LONGITUDINAL, part * 28);
       ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 60), ROLLCON_OK);
       const std::int32_t status = solve_cold();
-      EXPECT_TRUE(status == ROLLCON_ERR_LOAD || status == ROLLCON_NOT_CONVERGED)
-          << rollcon_status_string(status);
+      EXPECT_TRUE(status == ROLLCON_ERR_LOAD || status == ROLLCON_NOT_CONVERGED) << rollcon_status_string(status);
       if (status >= 0) expect_all_finite();
       by_force(ROLLCON_LONGITUDINAL, 10);
       ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 500), ROLLCON_OK);
@@ -187,14 +183,11 @@ TEST_F(procedure_statuses, error_function_falls_to_the_tolerance) {
     const auto n = static_cast<std::size_t>(rows);
     std::vector<double> psi(n + 1, -7), seconds(n + 1, -7), table(8 * n);
     std::int64_t needed = 0;
-    EXPECT_EQ(
-        rollcon_contact_get_error_function(contact, rows - 1, psi.data(), seconds.data(), &needed),
-        ROLLCON_ERR_CAPACITY);
+    EXPECT_EQ(rollcon_contact_get_error_function(contact, rows - 1, psi.data(), seconds.data(), &needed),
+              ROLLCON_ERR_CAPACITY);
     EXPECT_EQ(needed, rows);
     EXPECT_EQ(psi[0], -7);
-    ASSERT_EQ(
-        rollcon_contact_get_error_function(contact, rows, psi.data(), seconds.data(), nullptr),
-        ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, psi.data(), seconds.data(), nullptr), ROLLCON_OK);
     EXPECT_EQ(psi[n], -7);
     EXPECT_EQ(seconds[n], -7);
     ASSERT_EQ(rollcon_contact_get_history(contact, rows, table.data(), nullptr), ROLLCON_OK);
@@ -209,15 +202,13 @@ TEST_F(procedure_statuses, error_function_falls_to_the_tolerance) {
     EXPECT_LE(psi[n - 1], 1e-16) << "largest residual 1e-10";
     EXPECT_LT(psi[n - 1], 1e-10 * psi[0]);
     std::vector<double> alone(n);
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, alone.data(), nullptr, nullptr),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, alone.data(), nullptr, nullptr), ROLLCON_OK);
     EXPECT_EQ(alone, std::vector<double>(psi.begin(), psi.end() - 1));
-    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, nullptr, alone.data(), nullptr),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, nullptr, alone.data(), nullptr), ROLLCON_OK);
     EXPECT_EQ(alone, std::vector<double>(seconds.begin(), seconds.end() - 1));
   }
-  EXPECT_FAILS(rollcon_contact_get_error_function(contact, -1, nullptr, nullptr, &rows),
-               ROLLCON_ERR_ARGUMENT, "capacity");
+  EXPECT_FAILS(rollcon_contact_get_error_function(contact, -1, nullptr, nullptr, &rows), ROLLCON_ERR_ARGUMENT,
+               "capacity");
   ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_get_error_function(contact, 0, nullptr, nullptr, &rows), ROLLCON_OK);
   EXPECT_EQ(rows, 0) << "forgotten";
@@ -228,8 +219,7 @@ TEST_F(procedure_statuses, results_that_need_operators_come_without_a_standard_s
   set("jacobian", "b_derivative");
   ASSERT_EQ(solve_cold(), ROLLCON_OK) << error();
   double force[3] = {}, estimate = 0;
-  ASSERT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, nullptr, nullptr,
-                                            nullptr),
+  ASSERT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LONGITUDINAL, force, nullptr, nullptr, nullptr),
             ROLLCON_OK)
       << error();
   EXPECT_NE(force[0], 0);
@@ -241,12 +231,9 @@ TEST_F(procedure_statuses, results_that_need_operators_come_without_a_standard_s
 TEST_F(procedure_statuses, sensitivities_are_those_of_the_standard_one) {
   const auto rates = [&] {
     std::vector<double> all;
-    for (std::int32_t parameter = ROLLCON_LONGITUDINAL; parameter <= ROLLCON_FRICTION;
-         ++parameter) {
+    for (std::int32_t parameter = ROLLCON_LONGITUDINAL; parameter <= ROLLCON_FRICTION; ++parameter) {
       std::array<double, 10> v{};
-      EXPECT_EQ(rollcon_contact_get_sensitivity(contact, parameter, &v[0], &v[3], &v[6], &v[7]),
-                ROLLCON_OK)
-          << error();
+      EXPECT_EQ(rollcon_contact_get_sensitivity(contact, parameter, &v[0], &v[3], &v[6], &v[7]), ROLLCON_OK) << error();
       // Each by its own size: they have different dimensions.
       const double scale = std::hypot(v[0], v[1], v[2]);
       for (std::size_t i = 0; i < 3; ++i) all.push_back(v[i] / scale);

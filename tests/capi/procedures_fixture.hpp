@@ -49,8 +49,7 @@ inline double difference(const std::vector<double>& a, const std::vector<double>
 class ProcedureScene : public Api {
  protected:
   void SetUp() override {
-    if (!rollcon_has_feature("procedures"))
-      GTEST_SKIP() << "this build has no published solution procedures";
+    if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no published solution procedures";
     Api::SetUp();
     frame = SquareFrame(8, 1.5);
     set_scene();
@@ -84,8 +83,8 @@ class ProcedureScene : public Api {
   }
   std::vector<double> field(std::int32_t which, std::size_t components) const {
     std::vector<double> v(components * static_cast<std::size_t>(frame.nodes));
-    EXPECT_EQ(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL,
-                                        static_cast<std::int64_t>(v.size()), v.data(), nullptr),
+    EXPECT_EQ(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL, static_cast<std::int64_t>(v.size()), v.data(),
+                                        nullptr),
               ROLLCON_OK);
     return v;
   }

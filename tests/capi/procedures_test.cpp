@@ -1,5 +1,5 @@
-/// Options of the solution procedures: what is refused, and that every other combination answers
-/// as the standard one does, in whatever order and units they come.
+/// Options of the solution procedures: what is refused, and that every other combination answers as the standard one
+/// does, in whatever order and units they come.
 
 #include <iterator>
 
@@ -84,8 +84,8 @@ TEST_F(procedures, a_fixed_tolerance_needs_gmres) {
   set("linear_tolerance", 1e-3);
   for (const char* solver : {"auto", "lu", "gmres_adaptive"}) {
     set("linear_solver", solver);
-    EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_OPTION, "linear_tolerance", "0.001",
-                 "linear_solver", "gmres");
+    EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_OPTION, "linear_tolerance", "0.001", "linear_solver",
+                 "gmres");
   }
   set("linear_solver", "gmres");
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
@@ -140,8 +140,8 @@ TEST_F(procedures, parameters_do_not_change_the_answer) {
       EXPECT_EQ(solve_cold(), ROLLCON_OK) << system << " " << c.jacobian << " " << c.name;
       const Results r = results();
       const double error = difference(r.traction, reference.traction);
-      std::printf("%-10s %-12s %-22s %5g: %3.0f iterations, error %.1e (bound 1e-6)\n", system,
-                  c.jacobian, c.name, c.value, r.iterations, error);
+      std::printf("%-10s %-12s %-22s %5g: %3.0f iterations, error %.1e (bound 1e-6)\n", system, c.jacobian, c.name,
+                  c.value, r.iterations, error);
       worst = std::max(worst, error);
       EXPECT_LE(error, 1e-6);
       set(c.name, before);
@@ -162,14 +162,12 @@ TEST_F(procedures_long, give_the_results_of_the_standard_one) {
       ASSERT_EQ(solve_cold(), ROLLCON_OK) << error();
       const Results r = results();
       EXPECT_EQ(r.state, reference.state);
-      const double motion = std::max({std::abs(r.approach / reference.approach - 1),
-                                      std::abs(r.creep[0] / reference.creep[0] - 1),
-                                      std::abs(r.force[2] / reference.force[2] - 1),
-                                      std::abs(r.force[0] / reference.force[0] - 1),
-                                      std::abs(r.moment[2] / reference.moment[2] - 1)});
-      const double error =
-          std::max({difference(r.traction, reference.traction), difference(r.gap, reference.gap),
-                    difference(r.slip, reference.slip), motion});
+      const double motion =
+          std::max({std::abs(r.approach / reference.approach - 1), std::abs(r.creep[0] / reference.creep[0] - 1),
+                    std::abs(r.force[2] / reference.force[2] - 1), std::abs(r.force[0] / reference.force[0] - 1),
+                    std::abs(r.moment[2] / reference.moment[2] - 1)});
+      const double error = std::max({difference(r.traction, reference.traction), difference(r.gap, reference.gap),
+                                     difference(r.slip, reference.slip), motion});
       EXPECT_LE(error, 1e-6);
       EXPECT_LE(r.law, 1e-6);
       worst = std::max(worst, error);
@@ -194,8 +192,8 @@ TEST_F(procedures, switching_warm_and_cold_changes_nothing) {
     const Results warm = results();
     EXPECT_LE(warm.iterations, 30) << "from the solution itself";
     ASSERT_EQ(solve_cold(), ROLLCON_OK) << error();
-    worst = std::max({worst, difference(warm.traction, reference.traction),
-                      difference(results().traction, reference.traction)});
+    worst = std::max(
+        {worst, difference(warm.traction, reference.traction), difference(results().traction, reference.traction)});
   }
   set(Procedure{});
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
@@ -208,8 +206,7 @@ TEST_F(procedures_long, changed_creepages_start_from_the_last_solution) {
   const double creep[2][3] = {{-8e-4, 4e-4, 2e-4}, {-1.1e-3, 3e-4, 1e-4}};
   Results reference[2];
   for (int i = 0; i < 2; ++i) {
-    ASSERT_EQ(rollcon_contact_set_creep(contact, creep[i][0], creep[i][1], creep[i][2]),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_set_creep(contact, creep[i][0], creep[i][1], creep[i][2]), ROLLCON_OK);
     reference[i] = standard();
   }
   double worst = 0;
@@ -266,9 +263,8 @@ TEST_F(procedures_long, units_do_not_matter) {
       for (double& g : r[1].gap) g *= 1e3;
       for (double& s : r[1].slip) s *= 1e3;
       EXPECT_EQ(r[0].iterations, r[1].iterations);
-      const double error =
-          std::max({difference(r[1].traction, r[0].traction), difference(r[1].gap, r[0].gap),
-                    difference(r[1].slip, r[0].slip)});
+      const double error = std::max(
+          {difference(r[1].traction, r[0].traction), difference(r[1].gap, r[0].gap), difference(r[1].slip, r[0].slip)});
       EXPECT_LE(error, 1e-9);
       worst = std::max(worst, error);
     }

@@ -26,14 +26,12 @@ class sensitivity : public Api {
 
 TEST_F(sensitivity, needs_a_converged_solution) {
   Values v{};
-  EXPECT_FAILS(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v.data(), nullptr, nullptr, nullptr),
-      ROLLCON_ERR_STATE, "rollcon_contact_solve");
+  EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v.data(), nullptr, nullptr, nullptr),
+               ROLLCON_ERR_STATE, "rollcon_contact_solve");
   ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_NOT_CONVERGED);
-  EXPECT_FAILS(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v.data(), nullptr, nullptr, nullptr),
-      ROLLCON_ERR_STATE, "did not converge");
+  EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v.data(), nullptr, nullptr, nullptr),
+               ROLLCON_ERR_STATE, "did not converge");
   ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 500), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   EXPECT_EQ(get(ROLLCON_NORMAL, v), ROLLCON_OK);
@@ -47,12 +45,10 @@ TEST_F(sensitivity, arguments) {
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   double v[3];
   for (const std::int32_t p : {0, 6, -1})
-    EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, p, v, nullptr, nullptr, nullptr),
-                 ROLLCON_ERR_ARGUMENT, "parameter is " + std::to_string(p), "allowed: 1 to 5");
+    EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, p, v, nullptr, nullptr, nullptr), ROLLCON_ERR_ARGUMENT,
+                 "parameter is " + std::to_string(p), "allowed: 1 to 5");
   double approach = 7, creep[3] = {7, 7, 7};
-  ASSERT_EQ(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, nullptr, nullptr, &approach, creep),
-      ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, nullptr, nullptr, &approach, creep), ROLLCON_OK);
   EXPECT_EQ(approach, 0);
   EXPECT_EQ((std::array{creep[0], creep[1], creep[2]}), (std::array{0.0, 1.0, 0.0}));
 }
@@ -61,8 +57,7 @@ TEST_F(sensitivity, belongs_to_what_was_last_solved) {
   Values before{}, after{};
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   ASSERT_EQ(get(ROLLCON_LONGITUDINAL, before), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 1),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 1), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_set_real(contact, "tolerance", 1e-6), ROLLCON_OK);
   ASSERT_EQ(get(ROLLCON_LONGITUDINAL, after), ROLLCON_OK);
   EXPECT_EQ(before, after);
@@ -72,8 +67,7 @@ TEST_F(sensitivity, belongs_to_what_was_last_solved) {
 }
 
 TEST_F(sensitivity, without_contact_only_the_motion_itself_changes) {
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
   for (std::int32_t p = ROLLCON_LONGITUDINAL; p <= ROLLCON_FRICTION; ++p) {
     Values v{}, wanted{};
@@ -96,11 +90,9 @@ TEST_F(sensitivity, a_force_without_friction_has_none) {
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_FORCE, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   double v[3];
-  EXPECT_FAILS(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr),
-      ROLLCON_ERR_STATE, "direction 2", "friction coefficient is 0");
-  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v, nullptr, nullptr, nullptr),
-            ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr),
+               ROLLCON_ERR_STATE, "direction 2", "friction coefficient is 0");
+  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_NORMAL, v, nullptr, nullptr, nullptr), ROLLCON_OK);
   EXPECT_LT(v[2], 0);
 }
 
@@ -112,12 +104,10 @@ TEST_F(sensitivity, a_load_that_cannot_change_has_none) {
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_FORCE, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   double v[3];
-  EXPECT_FAILS(
-      rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr),
-      ROLLCON_ERR_SINGULAR, "singular");
+  EXPECT_FAILS(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr),
+               ROLLCON_ERR_SINGULAR, "singular");
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_MOTION, 0), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr),
-            ROLLCON_OK);
+  EXPECT_EQ(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, v, nullptr, nullptr, nullptr), ROLLCON_OK);
   EXPECT_EQ(v[1], 0);
 }

@@ -68,31 +68,28 @@ class CaseLists : public Api {
   void SetUp() override {
     Api::SetUp();
     set_scene();
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
   }
 
-  Table table(const std::vector<std::int32_t>& parameters, const std::vector<double>& values,
-              std::int32_t threads, std::int32_t expected = ROLLCON_OK) {
+  Table table(const std::vector<std::int32_t>& parameters, const std::vector<double>& values, std::int32_t threads,
+              std::int32_t expected = ROLLCON_OK) {
     const std::size_t cases = values.size() / parameters.size();
     Table t(cases, parameters.size(), name_count, nodes());
     EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
     const std::size_t width = 10 + 10 * parameters.size() + name_count + 3 * nodes();
     std::vector<double> rows(width * cases);
     std::int64_t told = 0;
-    const std::string columns =
-        std::string("force moment approach creep derivatives ") + names + " tractions";
-    EXPECT_EQ(rollcon_contact_solve_many(contact, names_of(parameters).c_str(),
-                                         static_cast<std::int64_t>(cases), values.data(),
-                                         columns.c_str(), static_cast<std::int64_t>(width),
-                                         rows.data(), &told, t.status.data()),
+    const std::string columns = std::string("force moment approach creep derivatives ") + names + " tractions";
+    EXPECT_EQ(rollcon_contact_solve_many(contact, names_of(parameters).c_str(), static_cast<std::int64_t>(cases),
+                                         values.data(), columns.c_str(), static_cast<std::int64_t>(width), rows.data(),
+                                         &told, t.status.data()),
               expected)
         << error();
     EXPECT_EQ(told, static_cast<std::int64_t>(width));
     for (std::size_t i = 0; i < cases; ++i) {
       const double* from = &rows[width * i];
-      for (std::vector<double>* array : {&t.force, &t.moment, &t.approach, &t.creep, &t.derivatives,
-                                         &t.statistics, &t.tractions}) {
+      for (std::vector<double>* array :
+           {&t.force, &t.moment, &t.approach, &t.creep, &t.derivatives, &t.statistics, &t.tractions}) {
         const std::size_t n = array->size() / cases;
         std::copy_n(from, n, array->data() + n * i);
         from += n;
@@ -102,8 +99,7 @@ class CaseLists : public Api {
   }
 
   static std::string names_of(const std::vector<std::int32_t>& parameters) {
-    static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin",
-                                            "friction"};
+    static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction"};
     std::string text;
     for (const std::int32_t p : parameters) text += std::string(" ") + known[p - 1];
     return text;
@@ -113,8 +109,8 @@ class CaseLists : public Api {
   std::int32_t forces(const std::vector<std::int32_t>& parameters, std::int64_t cases,
                       const std::vector<double>& values, std::vector<double>& force) {
     force.assign(static_cast<std::size_t>(3 * cases), -1);
-    return rollcon_contact_solve_many(contact, names_of(parameters).c_str(), cases, values.data(),
-                                      "force", 3, force.data(), nullptr, nullptr);
+    return rollcon_contact_solve_many(contact, names_of(parameters).c_str(), cases, values.data(), "force", 3,
+                                      force.data(), nullptr, nullptr);
   }
 
   std::size_t nodes() const { return static_cast<std::size_t>(frame.nodes); }
@@ -126,8 +122,7 @@ class CaseLists : public Api {
     std::vector<double> values;
     for (const double f : {0.7, 0.9, 1.1, 1.3})
       for (const double eta : {-2e-3, -1e-3, 0.0, 1e-3, 2e-3})
-        for (const double phi : {-5e-4, 0.0, 1e-3})
-          values.insert(values.end(), {eta, f * load, phi});
+        for (const double phi : {-5e-4, 0.0, 1e-3}) values.insert(values.end(), {eta, f * load, phi});
     return values;
   }
   /// Values nowhere twice.
@@ -136,8 +131,7 @@ class CaseLists : public Api {
     std::uniform_real_distribution<double> unit(-1, 1);
     std::vector<double> values;
     for (std::size_t i = 0; i < cases; ++i)
-      values.insert(values.end(), {2e-3 * unit(generator), (1 + 0.3 * unit(generator)) * load,
-                                   1e-3 * unit(generator)});
+      values.insert(values.end(), {2e-3 * unit(generator), (1 + 0.3 * unit(generator)) * load, 1e-3 * unit(generator)});
     return values;
   }
 };

@@ -155,8 +155,8 @@ TEST_F(solve_many_threads, several_contacts_at_once_in_threads_of_their_own) {
       EXPECT_EQ(rollcon_contact_create(own, sphere, plane, &c), ROLLCON_OK);
       give_scene(c, frame);
       EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_solve_many(c, names_of(three).c_str(), 60, values.data(), "force",
-                                           3, force[k].data(), nullptr, nullptr),
+      EXPECT_EQ(rollcon_contact_solve_many(c, names_of(three).c_str(), 60, values.data(), "force", 3, force[k].data(),
+                                           nullptr, nullptr),
                 ROLLCON_OK);
       rollcon_contact_release(c);
       rollcon_context_release(own);
@@ -165,8 +165,7 @@ TEST_F(solve_many_threads, several_contacts_at_once_in_threads_of_their_own) {
   // The number of BLAS threads belongs to the process: rounding differs.
   double worst = 0;
   for (const auto& f : force)
-    for (std::size_t i = 0; i < f.size(); ++i)
-      worst = std::max(worst, std::abs(f[i] - right[i]) / load);
+    for (std::size_t i = 0; i < f.size(); ++i) worst = std::max(worst, std::abs(f[i] - right[i]) / load);
   std::printf("two callers with two threads each: off by %.1e (bound 1e-12)\n", worst);
   EXPECT_LT(worst, 1e-12);
 }

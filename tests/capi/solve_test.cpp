@@ -29,17 +29,13 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
   std::int64_t n = 0;
   const double point[2] = {0, 0};
   for (int round = 0; round < 3; ++round) {
-    EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), ROLLCON_ERR_STATE,
-                 "solve");
-    EXPECT_FAILS(
-        rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n),
-        ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_status(contact, 1000, &s), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr),
+    EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), ROLLCON_ERR_STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n),
                  ROLLCON_ERR_STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_status(contact, 1000, &s), ROLLCON_ERR_STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), ROLLCON_ERR_STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), ROLLCON_ERR_STATE,
-                 "solve");
+    EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), ROLLCON_ERR_STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_plan(contact, 0, nullptr, &n), ROLLCON_ERR_STATE, "solve");
     EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_STATE, "solve");
     if (round == 0) set_scene();
@@ -83,8 +79,7 @@ TEST_F(solve, two_rigid_bodies_are_refused) {
 
 TEST_F(solve, bodies_apart_have_no_tractions) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
   double force[3] = {1, 1, 1};
   EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
@@ -99,8 +94,7 @@ TEST_F(solve, contact_at_the_rim_is_reported) {
 
 TEST_F(solve, a_contact_of_a_few_nodes_is_coarse) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-4),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-4), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_COARSE);
   double touching = 0, inside = -1, estimate = 0;
   ASSERT_EQ(rollcon_contact_get_stat(contact, "nodes_contact", &touching), ROLLCON_OK);
@@ -122,8 +116,7 @@ TEST_F(solve, too_few_iterations_are_reported_and_the_iterate_kept) {
 TEST_F(solve, force_beyond_friction_has_no_steady_solution) {
   set_scene();
   ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 31),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 31), ROLLCON_OK);
   EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_LOAD, "steady");
 }
 
@@ -134,18 +127,15 @@ TEST_F(solve, bad_elements_are_mesh_errors_that_name_the_element) {
     const char* text;
   };
   // Ids count from 1; the frame has 13 nodes per row, 169 in all.
-  for (const Case& c : {Case{"flipped", {1, 14, 15, 2}, "element 2"},
-                        Case{"repeated node", {1, 2, 2, 14}, "element 2"},
-                        Case{"degenerate", {1, 2, 3, 4}, "element 2"},
-                        Case{"same twice", {3, 4, 17, 16}, "elements 1 and 2"}}) {
+  for (const Case& c :
+       {Case{"flipped", {1, 14, 15, 2}, "element 2"}, Case{"repeated node", {1, 2, 2, 14}, "element 2"},
+        Case{"degenerate", {1, 2, 3, 4}, "element 2"}, Case{"same twice", {3, 4, 17, 16}, "elements 1 and 2"}}) {
     SCOPED_TRACE(c.name);
     set_scene();
     ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
     const std::int32_t good[4] = {3, 4, 17, 16};
-    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0),
-              ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0),
-              ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0), ROLLCON_OK);
     EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_MESH, c.text);
   }
 }
@@ -154,8 +144,7 @@ TEST_F(solve, files_that_cannot_be_written_are_io_errors) {
   if (!rollcon_has_feature("vtu")) GTEST_SKIP() << "this build writes no VTU files";
   set_scene();
   ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_write(contact, "no/such/folder/out.vtu"), ROLLCON_ERR_IO,
-               "no/such/folder/out.vtu");
+  EXPECT_FAILS(rollcon_contact_write(contact, "no/such/folder/out.vtu"), ROLLCON_ERR_IO, "no/such/folder/out.vtu");
 }
 
 TEST_F(solve, later_gap_replaces_the_earlier_kind) {

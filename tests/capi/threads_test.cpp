@@ -49,8 +49,8 @@ std::int32_t call_back_into_the_library(const rollcon_event*, void* user) {
   double v[3];
   if (watcher.calls++ > 0) return 0;
   watcher.statuses = {rollcon_contact_solve(c), rollcon_contact_set_rolling(c, 1),
-                      rollcon_contact_get_motion(c, v, nullptr),
-                      rollcon_contact_set_progress(c, nullptr, nullptr), rollcon_contact_reset(c)};
+                      rollcon_contact_get_motion(c, v, nullptr), rollcon_contact_set_progress(c, nullptr, nullptr),
+                      rollcon_contact_reset(c)};
   EXPECT_EQ(rollcon_contact_retain(c), ROLLCON_OK);
   rollcon_contact_release(c);
   EXPECT_EQ(rollcon_context_check(watcher.context), ROLLCON_OK);
@@ -138,8 +138,7 @@ TEST_F(callbacks, non_zero_return_cancels_and_the_contact_stays_usable) {
 }
 
 TEST_F(callbacks, cancel_request_from_inside_stops_the_solve) {
-  ASSERT_EQ(rollcon_contact_set_progress(contact, request_cancel_from_inside, &watcher),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_progress(contact, request_cancel_from_inside, &watcher), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_CANCELLED);
   EXPECT_EQ(watcher.calls, 1);
   ASSERT_EQ(rollcon_contact_set_progress(contact, nullptr, nullptr), ROLLCON_OK);
@@ -147,8 +146,7 @@ TEST_F(callbacks, cancel_request_from_inside_stops_the_solve) {
 }
 
 TEST_F(callbacks, the_contact_is_busy_for_its_own_callback) {
-  ASSERT_EQ(rollcon_contact_set_progress(contact, call_back_into_the_library, &watcher),
-            ROLLCON_OK);
+  ASSERT_EQ(rollcon_contact_set_progress(contact, call_back_into_the_library, &watcher), ROLLCON_OK);
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
   ASSERT_EQ(watcher.statuses.size(), 5U);
   for (const std::int32_t status : watcher.statuses) EXPECT_EQ(status, ROLLCON_ERR_BUSY);
@@ -223,9 +221,8 @@ TEST_F(threads, handles_may_come_and_go_in_many_threads) {
         rollcon_context* own = nullptr;
         rollcon_body* body = nullptr;
         rollcon_contact* c = nullptr;
-        if (rollcon_context_create(ROLLCON_ABI, &own) ||
-            rollcon_body_create(own, ROLLCON_BODY_RIGID, &body) || rollcon_body_retain(sphere) ||
-            rollcon_contact_create(own, sphere, body, &c))
+        if (rollcon_context_create(ROLLCON_ABI, &own) || rollcon_body_create(own, ROLLCON_BODY_RIGID, &body) ||
+            rollcon_body_retain(sphere) || rollcon_contact_create(own, sphere, body, &c))
           ++failures;
         rollcon_context_release(own);
         rollcon_body_release(body);

@@ -17,8 +17,7 @@ class time_loop : public Api {
       rollcon_body_release(*body);
       ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, body), ROLLCON_OK);
       const bool soft = dissimilar && body == &plane;
-      ASSERT_EQ(rollcon_body_set_elastic(*body, 0, (soft ? 0.8 : 1) * run::young,
-                                         soft ? 0.45 : run::poisson),
+      ASSERT_EQ(rollcon_body_set_elastic(*body, 0, (soft ? 0.8 : 1) * run::young, soft ? 0.45 : run::poisson),
                 ROLLCON_OK);
     }
     ASSERT_EQ(rollcon_contact_create(context, sphere, plane, &contact), ROLLCON_OK);
@@ -58,9 +57,8 @@ TEST_F(time_loop, every_step_converges_in_few_iterations) {
       std::printf(
           "%s, longitudinal %s: %.3f iterations per step (bound 3), at most %g, %g "
           "fallbacks (bound %d), %d not OK (bound 0)\n",
-          dissimilar ? "dissimilar" : "identical",
-          drive == run::Drive::creepage ? "creepage" : "force", iterations / (steps - 1), most,
-          fallbacks, steps / 500, not_ok);
+          dissimilar ? "dissimilar" : "identical", drive == run::Drive::creepage ? "creepage" : "force",
+          iterations / (steps - 1), most, fallbacks, steps / 500, not_ok);
       EXPECT_LE(iterations / (steps - 1), 3);
       EXPECT_LE(fallbacks, steps / 500);
       EXPECT_EQ(not_ok, 0);

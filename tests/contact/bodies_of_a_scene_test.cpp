@@ -30,9 +30,7 @@ void expect_refused(F f, Status status, const char* part) {
 TEST(pose, only_rotations_are_taken) {
   Scene scene;
   const double zero[3] = {0, 0, 0}, one[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  const auto set = [&](const double* r) {
-    return [&scene, r, &zero] { scene.set_pose(1, r, zero); };
-  };
+  const auto set = [&](const double* r) { return [&scene, r, &zero] { scene.set_pose(1, r, zero); }; };
   const double mirror[9] = {1, 0, 0, 0, 1, 0, 0, 0, -1}, big[9] = {1.00001, 0, 0, 0, 1, 0, 0, 0, 1};
   const double skew[9] = {1, 1e-5, 0, 0, 1, 0, 0, 0, 1};
   double nan[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -85,8 +83,7 @@ TEST(frame_from_body, faces_of_body_1_and_2) {
       const int parts = corner_count(type) == 3 ? 2 : 1;
       EXPECT_EQ(contact.elements(), 8 * parts);
       EXPECT_EQ(contact.nodes(),
-                static_cast<std::int64_t>(
-                    surfaces::nodes_with_tag(mesh, std::array{which == 1 ? 6 : 5}).size()));
+                static_cast<std::int64_t>(surfaces::nodes_with_tag(mesh, std::array{which == 1 ? 6 : 5}).size()));
       EXPECT_EQ(contact.scene.mesh().index_base, 1);
       const Frame frame = build_frame(contact.scene.mesh(), contact.scene.axes());
       EXPECT_NEAR(frame.area, 2, 1e-13) << "seen from the tip of n";
@@ -125,8 +122,8 @@ TEST(frame_from_body, refusals_and_replacement) {
   const std::int32_t quad[4] = {0, 1, 2, 3};
   expect_refused([&] { scene.add_frame_elements(214, 1, quad, 0, 1); }, Status::err_state,
                  "rollcon_contact_set_frame_nodes");
-  const SurfaceMesh own = frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 1),
-                                            frames::uniform_lines(0, 1, 1));
+  const SurfaceMesh own =
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 1), frames::uniform_lines(0, 1, 1));
   scene.set_frame_nodes(4, own.node[0].data(), 3, 1);
   scene.add_frame_elements(214, 1, own.connectivity.data(), 0, 1);
   EXPECT_EQ(contact.nodes(), 4);
@@ -140,8 +137,7 @@ TEST(frame_from_body, refusals_and_replacement) {
     build_frame(scene.mesh(), scene.axes());
     ADD_FAILURE() << "not refused";
   } catch (const Error& e) {
-    EXPECT_NE(std::string(e.what()).find("rollcon_contact_set_axes"), std::string::npos)
-        << e.what();
+    EXPECT_NE(std::string(e.what()).find("rollcon_contact_set_axes"), std::string::npos) << e.what();
   }
 }
 
@@ -149,8 +145,7 @@ TEST(frame_from_body, refusals_and_replacement) {
 struct SphereOnPlane {
   std::shared_ptr<Context> context = std::make_shared<Context>();
   std::shared_ptr<Body> plane = std::make_shared<Body>(context, 3);
-  std::shared_ptr<Body> sphere =
-      rigid_body(context, sphere_cap(ElementType::quad9, 16, 1.4, 50, 0, false));
+  std::shared_ptr<Body> sphere = rigid_body(context, sphere_cap(ElementType::quad9, 16, 1.4, 50, 0, false));
   Contact contact{context, plane, sphere};
 
   SphereOnPlane() {
@@ -176,10 +171,10 @@ double largest_part(const std::array<double, 3>& a, const std::array<double, 3>&
 }
 
 TEST(gap_from_geometry, a_rigid_sphere_given_as_a_mesh) {
-  // The same scene with the sphere's gap as a quadratic form on a flat frame. Slopes are 0.03 at
-  // most, and what is left between both is of their second order once the flat frame's tractions
-  // are added up in the directions of the sphere: those of the first order cancel by symmetry but
-  // for pressures that lean to one side and for friction towards the middle.
+  // The same scene with the sphere's gap as a quadratic form on a flat frame. Slopes are 0.03 at most, and what is left
+  // between both is of their second order once the flat frame's tractions are added up in the directions of the sphere:
+  // those of the first order cancel by symmetry but for pressures that lean to one side and for friction towards the
+  // middle.
   Pair flat(1e4, 0.3, 1e4, -2);
   standard_scene(flat, 16);
   flat.contact->scene.set_creep(-1.2e-3, 4e-4, 3e-4);
@@ -193,8 +188,7 @@ TEST(gap_from_geometry, a_rigid_sphere_given_as_a_mesh) {
     const double x = mesh.node[k][0] / 50, y = mesh.node[k][1] / 50;
     const Triad local = local_triad({}, leveled({-x, -y, std::sqrt(1 - x * x - y * y)}));
     for (std::size_t c = 0; c < 3; ++c)
-      expected[c] += weight[k] * (t[3 * k] * local.t1[c] + t[3 * k + 1] * local.t2[c] +
-                                  t[3 * k + 2] * local.n[c]);
+      expected[c] += weight[k] * (t[3 * k] * local.t1[c] + t[3 * k + 1] * local.t2[c] + t[3 * k + 2] * local.n[c]);
   }
 
   SphereOnPlane on_plane, on_sphere;
@@ -253,15 +247,12 @@ TEST(gap_from_geometry, results_are_in_the_triads_of_their_nodes) {
     fastest = std::max(fastest, length(s));
   }
   // Normals of facets at the rim of an open surface are one-sided; those in contact are exact.
-  std::printf(
-      "global tractions along the sphere's normals: off by %.1e (bound 0.05), axes' by %.1e\n",
-      turned, tilt);
+  std::printf("global tractions along the sphere's normals: off by %.1e (bound 0.05), axes' by %.1e\n", turned, tilt);
   EXPECT_LT(turned, 0.05);
   EXPECT_GT(tilt, 0.1);
   double off = 0;
   for (std::size_t c = 0; c < 3; ++c) off = std::max(off, std::abs(resultant[c] - force[c]));
-  std::printf("weights times global tractions: %.1e of the force (bound 1e-9)\n",
-              off / std::abs(force[2]));
+  std::printf("weights times global tractions: %.1e of the force (bound 1e-9)\n", off / std::abs(force[2]));
   EXPECT_LT(off, 1e-9 * std::abs(force[2]));
   EXPECT_LT(out_of_plane, 0.03 * fastest);
 }

@@ -13,12 +13,11 @@ using namespace rollcon;
 
 namespace {
 
-double distance(const std::vector<double>& value, std::int64_t columns, std::int64_t a,
-                std::int64_t b) {
+double distance(const std::vector<double>& value, std::int64_t columns, std::int64_t a, std::int64_t b) {
   double sum = 0;
   for (std::int64_t c = 0; c < columns; ++c) {
-    const double d = value[static_cast<std::size_t>(a * columns + c)] -
-                     value[static_cast<std::size_t>(b * columns + c)];
+    const double d =
+        value[static_cast<std::size_t>(a * columns + c)] - value[static_cast<std::size_t>(b * columns + c)];
     sum += d * d;
   }
   return std::sqrt(sum);
@@ -46,8 +45,7 @@ TEST(case_order, tables_are_walked_one_step_at_a_time) {
   const std::int64_t priority[4] = {1, 2, 3, 0};
   const CaseOrder order = order_cases(140, 4, value.data(), priority);
   ASSERT_EQ(order.solved.size(), 140U);
-  for (std::size_t i = 1; i < 140; ++i)
-    EXPECT_EQ(distance(value, 4, order.solved[i - 1], order.solved[i]), 1) << i;
+  for (std::size_t i = 1; i < 140; ++i) EXPECT_EQ(distance(value, 4, order.solved[i - 1], order.solved[i]), 1) << i;
   // The first column changes least often.
   int changes = 0;
   for (std::size_t i = 1; i < 140; ++i)
@@ -69,9 +67,8 @@ TEST(case_order, neighbours_of_scattered_cases_are_near) {
     std::iota(as_listed.solved.begin(), as_listed.solved.end(), 0);
     const double step = mean_step(order, value, columns);
     const double spacing = std::pow(1.0 / cases, 1.0 / static_cast<double>(columns));
-    std::printf("%lld columns: mean step %.4f, spacing %.4f, as listed %.4f\n",
-                static_cast<long long>(columns), step, spacing,
-                mean_step(as_listed, value, columns));
+    std::printf("%lld columns: mean step %.4f, spacing %.4f, as listed %.4f\n", static_cast<long long>(columns), step,
+                spacing, mean_step(as_listed, value, columns));
     EXPECT_LT(step, 2 * spacing);
   }
 }
@@ -98,8 +95,7 @@ TEST(case_order, does_not_depend_on_the_list) {
   for (std::size_t i = 0; i < a.solved.size(); ++i)
     EXPECT_EQ(row(value, columns, a.solved[i]), row(shuffled, columns, b.solved[i]));
   for (std::int64_t i = 0; i < cases; ++i)
-    EXPECT_EQ(row(value, columns, a.solved_as[static_cast<std::size_t>(i)]),
-              row(value, columns, i));
+    EXPECT_EQ(row(value, columns, a.solved_as[static_cast<std::size_t>(i)]), row(value, columns, i));
 }
 
 TEST(case_order, chains_cover_the_cases) {

@@ -1,5 +1,5 @@
-/// Steps of the characteristic scheme on quadratic quadrilaterals: nodes that stand equally far
-/// from each other step equally far.
+/// Steps of the characteristic scheme on quadratic quadrilaterals: nodes that stand equally far from each other step
+/// equally far.
 
 #include "contact/scene_fixture.hpp"
 
@@ -8,8 +8,7 @@ namespace {
 
 using namespace contact_test;
 
-std::array<double, 3> force(ElementType type, int n, double young2, double poisson2,
-                            double* magnitude = nullptr) {
+std::array<double, 3> force(ElementType type, int n, double young2, double poisson2, double* magnitude = nullptr) {
   Pair pair(2e5, 0.3, young2, poisson2);
   const std::vector<double> lines = frames::uniform_lines(-1.25, 1.25, n);
   pair.frame(frames::rectangle(type, lines, lines));

@@ -13,15 +13,14 @@
 
 namespace rollcon::convection_test {
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 constexpr double directions[] = {0, 7, 30, 45, 90, 133, 180, 245, 301};
 
 struct Direction {
   double ex, ey;
   explicit Direction(double degrees)
-      : ex(std::cos(degrees * std::numbers::pi / 180)),
-        ey(std::sin(degrees * std::numbers::pi / 180)) {}
+      : ex(std::cos(degrees * std::numbers::pi / 180)), ey(std::sin(degrees * std::numbers::pi / 180)) {}
 };
 
 struct NamedFrame {
@@ -53,8 +52,7 @@ inline std::vector<NamedFrame> frames_of(ElementType type) {
 template <class F>
 double apply(const Frame& frame, const SparseRows& d, std::size_t i, F w, double* scale = nullptr) {
   double sum = 0, size = 0;
-  for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]);
-       ++k) {
+  for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
     const auto j = static_cast<std::size_t>(d.column[k]);
     const double difference = w(frame.x[j], frame.y[j]) - w(frame.x[i], frame.y[i]);
     sum += d.value[k] * difference;
@@ -72,15 +70,13 @@ inline std::vector<double> dense(const SparseRows& d) {
   const std::size_t n = d.start.size() - 1;
   std::vector<double> a(n * n, 0);
   for (std::size_t i = 0; i < n; ++i)
-    for (auto k = static_cast<std::size_t>(d.start[i]);
-         k < static_cast<std::size_t>(d.start[i + 1]); ++k)
+    for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k)
       a[i * n + static_cast<std::size_t>(d.column[k])] += d.value[k];
   return a;
 }
 
 /// Largest difference of two operators' rows over the row's size.
-inline double row_difference(const std::vector<double>& a, const std::vector<double>& b,
-                             double factor) {
+inline double row_difference(const std::vector<double>& a, const std::vector<double>& b, double factor) {
   const auto n = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(a.size()))));
   double worst = 0;
   for (std::size_t i = 0; i < n; ++i) {

@@ -1,5 +1,5 @@
-// Nodes of which only one neighbour lies upstream, beside the path: least squares then take the
-// difference to it, along the path that leads there.
+// Nodes of which only one neighbour lies upstream, beside the path: least squares then take the difference to it, along
+// the path that leads there.
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,7 @@ TEST(convection, last_resort_is_the_difference_along_the_only_neighbour) {
       if (flux.start[i] != flux.start[i + 1] || rows.start[i] == rows.start[i + 1]) continue;
       if (!rows.fallback[i] || rows.start[i + 1] - rows.start[i] != 2) continue;
       ++met;
-      for (auto k = static_cast<std::size_t>(rows.start[i]);
-           k < static_cast<std::size_t>(rows.start[i + 1]); ++k) {
+      for (auto k = static_cast<std::size_t>(rows.start[i]); k < static_cast<std::size_t>(rows.start[i + 1]); ++k) {
         const auto j = static_cast<std::size_t>(rows.column[k]);
         if (j == i) continue;
         const double s = (frame.x[j] - frame.x[i]) * ex + (frame.y[j] - frame.y[i]) * ey;

@@ -45,8 +45,8 @@ double truncation(const Frame& frame, const SparseRows& d, Direction e) {
   return std::sqrt(sum / count);
 }
 
-/// Solves D w = v . grad(smooth) at inner nodes, w given on the rim, by sweeps downstream. This is
-/// what the stick zone does with D: rows that amplify make it blow up. RMS error of w.
+/// Solves D w = v . grad(smooth) at inner nodes, w given on the rim, by sweeps downstream. This is what the stick zone
+/// does with D: rows that amplify make it blow up. RMS error of w.
 double march(const Frame& frame, const SparseRows& d, Direction e) {
   const std::size_t n = frame.x.size();
   std::vector<double> w(n);
@@ -60,11 +60,9 @@ double march(const Frame& frame, const SparseRows& d, Direction e) {
     double change = 0;
     for (std::size_t i : order) {
       if (frame.rim[i] || empty_row(d, i)) continue;
-      double sum =
-          -(e.ex * smooth_x(frame.x[i], frame.y[i]) + e.ey * smooth_y(frame.x[i], frame.y[i]));
+      double sum = -(e.ex * smooth_x(frame.x[i], frame.y[i]) + e.ey * smooth_y(frame.x[i], frame.y[i]));
       double diagonal = 0;
-      for (auto k = static_cast<std::size_t>(d.start[i]);
-           k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
+      for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
         const auto j = static_cast<std::size_t>(d.column[k]);
         if (j == i)
           diagonal = d.value[k];
@@ -98,12 +96,10 @@ TEST(Convection, FirstOrderForSmoothFields) {
     const std::string id = ", type " + std::to_string(static_cast<int>(type));
     expect_order("least squares on random nodes" + id, observed_order(ls[0], ls[1], 2, 1), 0.85);
     if (type == ElementType::quad4)
-      expect_order("Godunov on squares at 30 degrees" + id, observed_order(flux[0], flux[1], 2, 1),
-                   0.9);
-    expect_order("march with least squares, random nodes" + id,
-                 observed_order(marched_ls[0], marched_ls[1], 2, 1), 0.8);
-    expect_order("march with Godunov, random nodes" + id,
-                 observed_order(marched_flux[0], marched_flux[1], 2, 1), 0.7);
+      expect_order("Godunov on squares at 30 degrees" + id, observed_order(flux[0], flux[1], 2, 1), 0.9);
+    expect_order("march with least squares, random nodes" + id, observed_order(marched_ls[0], marched_ls[1], 2, 1),
+                 0.8);
+    expect_order("march with Godunov, random nodes" + id, observed_order(marched_flux[0], marched_flux[1], 2, 1), 0.7);
   }
 }
 

@@ -46,10 +46,9 @@ TEST(Convection, LeastSquaresIsExactForLinearFields) {
         for (std::size_t i = 0; i < f.frame.x.size(); ++i) {
           double scale;
           const double exact = -(2 * e.ex - 50 * e.ey);
-          const double error =
-              apply(
-                  f.frame, d, i, [](double x, double y) { return 3 + 2 * x - 50 * y; }, &scale) -
-              exact;
+          const double error = apply(
+                                   f.frame, d, i, [](double x, double y) { return 3 + 2 * x - 50 * y; }, &scale) -
+                               exact;
           const double relative = std::abs(error) / std::max(scale, std::abs(exact));
           if (!f.frame.rim[i] || enters[i])
             worst = std::max(worst, relative);
@@ -58,8 +57,7 @@ TEST(Convection, LeastSquaresIsExactForLinearFields) {
         }
       }
       expect_error("least squares, linear field, " + f.name, worst, 1e-10);
-      std::printf("  path leaves the frame: %d rows, %d without a stencil for both directions\n",
-                  leaving, inexact);
+      std::printf("  path leaves the frame: %d rows, %d without a stencil for both directions\n", leaving, inexact);
     }
 }
 
@@ -75,12 +73,9 @@ TEST(Convection, GodunovIsExactAlongTheLinesOfUniformSquares) {
       const double s = frame.x[i] * e.ex + frame.y[i] * e.ey;
       if (std::abs(s) > 0.99) continue;
       const double exact = -(2 * e.ex - 5 * e.ey);
-      error = std::max(
-          error,
-          std::abs(apply(frame, d, i, [](double x, double y) { return 2 * x - 5 * y; }) - exact));
+      error = std::max(error, std::abs(apply(frame, d, i, [](double x, double y) { return 2 * x - 5 * y; }) - exact));
     }
-    expect_error("Godunov, linear field along lines, degrees " + std::to_string(degrees), error,
-                 1e-12);
+    expect_error("Godunov, linear field along lines, degrees " + std::to_string(degrees), error, 1e-12);
   }
 }
 
@@ -90,12 +85,10 @@ TEST(Convection, RigidTranslationGivesNothing) {
       double error = 0;
       for (double degrees : directions) {
         const Direction e(degrees);
-        for (const SparseRows& d :
-             {godunov(f.frame, e.ex, e.ey), least_squares(f.frame, e.ex, e.ey)})
+        for (const SparseRows& d : {godunov(f.frame, e.ex, e.ey), least_squares(f.frame, e.ex, e.ey)})
           for (std::size_t i = 0; i < f.frame.x.size(); ++i) {
             double sum = 0, size = 1e-300;
-            for (auto k = static_cast<std::size_t>(d.start[i]);
-                 k < static_cast<std::size_t>(d.start[i + 1]); ++k)
+            for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k)
               sum += d.value[k], size += std::abs(d.value[k]);
             error = std::max(error, std::abs(sum) / size);
           }
@@ -111,8 +104,7 @@ TEST(Convection, GodunovTakesFromUpstreamOnly) {
         const Direction e(degrees);
         const SparseRows d = godunov(f.frame, e.ex, e.ey);
         for (std::size_t i = 0; i < f.frame.x.size(); ++i)
-          for (auto k = static_cast<std::size_t>(d.start[i]);
-               k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
+          for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
             if (static_cast<std::size_t>(d.column[k]) == i)
               ASSERT_GT(d.value[k], 0) << f.name;
             else
@@ -124,16 +116,15 @@ TEST(Convection, GodunovTakesFromUpstreamOnly) {
 TEST(Convection, LeastSquaresHasNoColumnDownstream) {
   for (ElementType type : all_types)
     for (const NamedFrame& f : frames_of(type)) {
-      // On slender cells a row may take a neighbour of the cell through which the path enters
-      // although the half plane of upwind neighbours misses it; interpolating, never extrapolating.
+      // On slender cells a row may take a neighbour of the cell through which the path enters although the half plane
+      // of upwind neighbours misses it; interpolating, never extrapolating.
       int rows = 0, entries = 0;
       for (double degrees : directions) {
         const Direction e(degrees);
         const SparseRows d = least_squares(f.frame, e.ex, e.ey);
         for (std::size_t i = 0; i < f.frame.x.size(); ++i) {
           rows += !empty_row(d, i);
-          for (auto k = static_cast<std::size_t>(d.start[i]);
-               k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
+          for (auto k = static_cast<std::size_t>(d.start[i]); k < static_cast<std::size_t>(d.start[i + 1]); ++k) {
             const auto j = static_cast<std::size_t>(d.column[k]);
             const double dx = f.frame.x[j] - f.frame.x[i], dy = f.frame.y[j] - f.frame.y[i];
             if (j == i || dx * e.ex + dy * e.ey >= -1e-9 * std::hypot(dx, dy)) continue;
@@ -182,10 +173,8 @@ TEST(Convection, TurnedFramesHaveTheSameOperator) {
         const double fx = std::cos(turn) * e.ex - std::sin(turn) * e.ey;
         const double fy = std::sin(turn) * e.ex + std::cos(turn) * e.ey;
         error = std::max(
-            {error,
-             row_difference(dense(godunov(f.frame, e.ex, e.ey)), dense(godunov(turned, fx, fy)), 1),
-             row_difference(dense(least_squares(f.frame, e.ex, e.ey)),
-                            dense(least_squares(turned, fx, fy)), 1)});
+            {error, row_difference(dense(godunov(f.frame, e.ex, e.ey)), dense(godunov(turned, fx, fy)), 1),
+             row_difference(dense(least_squares(f.frame, e.ex, e.ey)), dense(least_squares(turned, fx, fy)), 1)});
       }
       expect_error("turned frame, " + f.name, error, 1e-8);
     }
@@ -197,13 +186,11 @@ TEST(Convection, ScalesLikeOneOverLength) {
       const Frame small = build_frame(frames::stretch(f.frame.mesh, 1e-6, 1e-6), Axes{});
       const Direction e(30);
       expect_error("Godunov at 1e-6 of the size, " + f.name,
-                   row_difference(dense(godunov(f.frame, e.ex, e.ey)),
-                                  dense(godunov(small, e.ex, e.ey)), 1e6),
-                   1e-10);
-      expect_error("least squares at 1e-6 of the size, " + f.name,
-                   row_difference(dense(least_squares(f.frame, e.ex, e.ey)),
-                                  dense(least_squares(small, e.ex, e.ey)), 1e6),
-                   1e-10);
+                   row_difference(dense(godunov(f.frame, e.ex, e.ey)), dense(godunov(small, e.ex, e.ey)), 1e6), 1e-10);
+      expect_error(
+          "least squares at 1e-6 of the size, " + f.name,
+          row_difference(dense(least_squares(f.frame, e.ex, e.ey)), dense(least_squares(small, e.ex, e.ey)), 1e6),
+          1e-10);
     }
 }
 
@@ -222,9 +209,9 @@ TEST(Convection, MirroredNodesHaveMirroredRows) {
       std::vector<double> mirrored(n * n);
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j) mirrored[i * n + j] = down[image[i] * n + image[j]];
-      expect_error(std::string(flux ? "Godunov" : "least squares") + " mirrored, type " +
-                       std::to_string(static_cast<int>(type)),
-                   row_difference(up, mirrored, 1), 1e-12);
+      expect_error(
+          std::string(flux ? "Godunov" : "least squares") + " mirrored, type " + std::to_string(static_cast<int>(type)),
+          row_difference(up, mirrored, 1), 1e-12);
     }
   }
 }

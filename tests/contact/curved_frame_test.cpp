@@ -15,8 +15,8 @@ namespace rollcon {
 namespace {
 
 constexpr double radius = 2, half_angle = 0.6, half_width = 0.5;
-constexpr ElementType types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                 ElementType::quad8, ElementType::quad9};
+constexpr ElementType types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                 ElementType::quad9};
 
 // Nodes on the cylinder, from (angle, width, 0): it touches the plane z = 0 from below.
 Vec3 on_cylinder(const Vec3& p) {
@@ -53,8 +53,7 @@ Sums sums_on(const Frame& frame) {
   };
   double moment = 0;  // about t2, of a unit traction along t1 everywhere
   for (std::size_t k = 0; k < n; ++k)
-    moment +=
-        problem.moment_z[k] * problem.turn[k][0][0] - problem.moment_x[k] * problem.turn[k][0][2];
+    moment += problem.moment_z[k] * problem.turn[k][0][0] - problem.moment_x[k] * problem.turn[k][0][2];
   return {frame.area, -load(2, approach), load(0, xi1), moment};
 }
 
@@ -78,8 +77,8 @@ TEST(curved_frame, area_and_resultants_of_a_cylinder) {
       EXPECT_NEAR(cells, frame.area, 1e-13 * frame.area);
       EXPECT_NEAR(weights, frame.area, 1e-13 * frame.area);
     }
-    // Facets are flat: second order. Quadratic elements: fourth. The moment is a small difference.
-    // Measured on the coarsest mesh: 1.1e-2 and 0.14; quadratic 1.7e-5 and 1.6e-4.
+    // Facets are flat: second order. Quadratic elements: fourth. The moment is a small difference. Measured on the
+    // coarsest mesh: 1.1e-2 and 0.14; quadratic 1.7e-5 and 1.6e-4.
     const bool quadratic = is_quadratic(type);
     const double order_bound = quadratic ? 3.9 : 1.9;
     const double force_bound = quadratic ? 2.5e-5 : 1.5e-2, moment_bound = quadratic ? 2.5e-4 : 0.2;
@@ -90,8 +89,7 @@ TEST(curved_frame, area_and_resultants_of_a_cylinder) {
       std::printf(
           "type %d %-12s error %.1e %.1e %.1e (bound of the first %.0e), order %.2f (at least "
           "%.1f)\n",
-          static_cast<int>(type), names[q], error[0][q], error[1][q], error[2][q], bound, order,
-          order_bound);
+          static_cast<int>(type), names[q], error[0][q], error[1][q], error[2][q], bound, order, order_bound);
       EXPECT_LT(error[0][q], bound);
       EXPECT_GT(order, order_bound);
     }
@@ -109,8 +107,8 @@ TEST(curved_frame, triads_follow_the_surface) {
       const double x = frame.mesh.node[k][0] / radius;  // sine of the angle
       const Vec3 n{x, 0, std::sqrt(1 - x * x)};
       const Vec3 along = axes.t1[0] == 1 ? Vec3{n[2], 0, -n[0]} : Vec3{0, 1, 0};
-      worst = std::max({worst, length(t.n - n), length(t.t1 - along),
-                        length(t.t2 - cross(t.n, t.t1)), std::abs(dot(t.t2, axes.t1))});
+      worst = std::max({worst, length(t.n - n), length(t.t1 - along), length(t.t2 - cross(t.n, t.t1)),
+                        std::abs(dot(t.t2, axes.t1))});
     }
     std::printf("triads: error %.1e (bound 1e-14)\n", worst);
     EXPECT_LT(worst, 1e-14);
@@ -118,8 +116,8 @@ TEST(curved_frame, triads_follow_the_surface) {
 }
 
 TEST(curved_frame, normals_of_the_axes_leave_it_flat) {
-  const SurfaceMesh mesh = frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2),
-                                             frames::uniform_lines(0, 1, 2));
+  const SurfaceMesh mesh =
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2), frames::uniform_lines(0, 1, 2));
   Frame frame = build_frame(mesh, {});
   const std::vector<double> weight = frame.weight;
   std::vector<Vec3> normal(mesh.node.size(), Vec3{1e-13, 0, 3});
@@ -132,8 +130,8 @@ TEST(curved_frame, normals_of_the_axes_leave_it_flat) {
 }
 
 TEST(curved_frame, steep_surfaces_are_refused) {
-  SurfaceMesh mesh = frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2),
-                                       frames::uniform_lines(0, 1, 2));
+  SurfaceMesh mesh =
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2), frames::uniform_lines(0, 1, 2));
   mesh.index_base = 1;
   Frame frame = build_frame(mesh, {});
   std::vector<Vec3> normal(mesh.node.size(), Vec3{0, 0, 1});

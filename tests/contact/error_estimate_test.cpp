@@ -1,5 +1,5 @@
-/// Promises of error estimates: they cost nothing until asked for, change nothing, do not depend on
-/// units or on how a motion was prescribed, fall with the mesh, and are numbers in any state.
+/// Promises of error estimates: they cost nothing until asked for, change nothing, do not depend on units or on how a
+/// motion was prescribed, fall with the mesh, and are numbers in any state.
 
 #include "build_info.hpp"
 #include "contact/scene_fixture.hpp"
@@ -10,8 +10,7 @@ namespace {
 using namespace contact_test;
 
 constexpr double rigid = -2;
-constexpr const char* names[] = {"error_estimate_normal", "error_estimate_tangential",
-                                 "error_estimate_tractions"};
+constexpr const char* names[] = {"error_estimate_normal", "error_estimate_tangential", "error_estimate_tractions"};
 constexpr const char* schemes[] = {"godunov", "least_squares", "characteristic"};
 
 std::unique_ptr<Pair> rolling(int n, double poisson2, const char* scheme = "characteristic") {
@@ -28,12 +27,10 @@ std::vector<double> estimates(const Contact& contact) {
   return v;
 }
 
-void expect_same(const std::vector<double>& a, const std::vector<double>& b, double bound,
-                 const char* what) {
+void expect_same(const std::vector<double>& a, const std::vector<double>& b, double bound, const char* what) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double difference = std::abs(a[i] / b[i] - 1);
-    std::printf("%s: %s %.6e and %.6e, difference %.1e (bound %.0e)\n", what, names[i], a[i], b[i],
-                difference, bound);
+    std::printf("%s: %s %.6e and %.6e, difference %.1e (bound %.0e)\n", what, names[i], a[i], b[i], difference, bound);
     EXPECT_LE(difference, bound);
   }
 }
@@ -129,12 +126,10 @@ TEST(error_estimate, is_that_of_the_motions_however_they_were_prescribed) {
 
 TEST(error_estimate, is_the_same_after_any_procedure) {
   if (ROLLCON_BUILD_PROCEDURES == 0) GTEST_SKIP() << "this build has no published procedures";
-  const auto standard = rolling(10, rigid), monolithic = rolling(10, rigid),
-             published = rolling(10, rigid);
+  const auto standard = rolling(10, rigid), monolithic = rolling(10, rigid), published = rolling(10, rigid);
   monolithic->contact->scene.options.set_text("system", "monolithic");
   published->contact->scene.options.set_text("jacobian", "b_derivative");
-  for (Pair* pair : {standard.get(), monolithic.get(), published.get()})
-    ASSERT_EQ(pair->contact->solve(), Status::ok);
+  for (Pair* pair : {standard.get(), monolithic.get(), published.get()}) ASSERT_EQ(pair->contact->solve(), Status::ok);
   expect_same(estimates(*monolithic->contact), estimates(*standard->contact), 1e-5, "monolithic");
   expect_same(estimates(*published->contact), estimates(*standard->contact), 1e-5, "b_derivative");
 }
@@ -169,16 +164,16 @@ TEST(error_estimate, falls_with_the_mesh) {
       // Four times finer: order 3/2 for the normal force, about one for the rest.
       const double bound[] = {0.25, 0.6, 0.6};
       for (std::size_t i = 0; i < 3; ++i) {
-        std::printf("%s, %s: 8 x 8 %.2e, 32 x 32 %.2e, ratio %.3f (bound %.2f)\n", scheme, names[i],
-                    sizes[0][i], sizes[1][i], sizes[1][i] / sizes[0][i], bound[i]);
+        std::printf("%s, %s: 8 x 8 %.2e, 32 x 32 %.2e, ratio %.3f (bound %.2f)\n", scheme, names[i], sizes[0][i],
+                    sizes[1][i], sizes[1][i] / sizes[0][i], bound[i]);
         EXPECT_LT(sizes[1][i], bound[i] * sizes[0][i]);
       }
     }
 }
 
 TEST(error_estimate_long, of_every_kind_of_element) {
-  for (const ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                 ElementType::quad8, ElementType::quad9})
+  for (const ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9})
     for (const char* scheme : schemes) {
       Pair pair(1e4, 0.3, 1e4, rigid);
       const bool quadratic = is_quadratic(type);

@@ -1,7 +1,6 @@
-// Small scenes at which the full step gets stuck: without friction worth the name between unlike
-// bodies, with much of it, spin moments and forces near what friction carries. However they are
-// solved, they end solved or with a status that says why not, they are left as they were given, and
-// they can be interrupted anywhere.
+// Small scenes at which the full step gets stuck: without friction worth the name between unlike bodies, with much of
+// it, spin moments and forces near what friction carries. However they are solved, they end solved or with a status
+// that says why not, they are left as they were given, and they can be interrupted anywhere.
 
 #include <gtest/gtest.h>
 
@@ -20,10 +19,9 @@ using extremes::Scene;
 
 constexpr double law_bound = 1e-8;
 
-/// Seeds of random scenes. Solved, as far as is known: with one load or moment given and with
-/// several, approach or load given, all three schemes, like and unlike bodies, mu from 1e-12 to 10.
-/// Rounding does not decide them: all were solved with friction disturbed in its last digits, too,
-/// twelve times of twelve.
+/// Seeds of random scenes. Solved, as far as is known: with one load or moment given and with several, approach or load
+/// given, all three schemes, like and unlike bodies, mu from 1e-12 to 10. Rounding does not decide them: all were
+/// solved with friction disturbed in its last digits, too, twelve times of twelve.
 constexpr std::uint32_t solved[] = {73,   203,  241,  517,  597,  764,  857,  887,  905,  994, 997,
                                     1159, 1276, 1289, 1305, 1577, 1794, 1994, 2076, 2386, 3348};
 /// Forces that friction cannot carry, among them some that are seen with every node sliding only.
@@ -68,8 +66,7 @@ TEST(fallback_scenes, end_solved_or_refused) {
   std::printf(
       "%zu scenes: worst law residual %.1e (bound %.0e), %d got stuck, %g fallbacks; %d of %zu "
       "refused\n",
-      std::size(solved) + std::size(refused), worst, law_bound, stuck, fallbacks, loads,
-      std::size(refused));
+      std::size(solved) + std::size(refused), worst, law_bound, stuck, fallbacks, loads, std::size(refused));
   EXPECT_GE(stuck, 1) << "other seeds are wanted: these scenes try nothing any more";
   EXPECT_EQ(loads, static_cast<int>(std::size(refused)));
 }
@@ -85,8 +82,7 @@ TEST(fallback_scenes, are_solved_when_solved_again) {
       const Ending again = extremes::solve(*first.pair, scene);
       EXPECT_EQ(again.status, first.end.status) << seed;
       // At the tolerance itself rounding may ask for one step more.
-      EXPECT_LE(again.iterations, first.end.residual < 0.99 * tolerance ? 0 : 1)
-          << seed << ", tolerance " << tolerance;
+      EXPECT_LE(again.iterations, first.end.residual < 0.99 * tolerance ? 0 : 1) << seed << ", tolerance " << tolerance;
       EXPECT_EQ(again.fallbacks, 0) << seed;
       if (again.iterations > 0) continue;
       // But for the rounding of images made anew.
@@ -131,8 +127,7 @@ TEST(fallback_scenes, refusal_leaves_nothing_behind) {
     worst = std::max(worst, off);
     EXPECT_LT(off, bound) << seed;
   }
-  std::printf("after a refusal, tractions differ from fresh ones by %.1e (bound %.0e)\n", worst,
-              bound);
+  std::printf("after a refusal, tractions differ from fresh ones by %.1e (bound %.0e)\n", worst, bound);
 }
 
 struct Stop {

@@ -1,5 +1,5 @@
-/// Contacts of too few nodes are not called success: status, warnings, plan and estimates say so,
-/// and contacts of enough nodes hear nothing of it.
+/// Contacts of too few nodes are not called success: status, warnings, plan and estimates say so, and contacts of
+/// enough nodes hear nothing of it.
 
 #include "contact/estimate/few_nodes.hpp"
 
@@ -21,9 +21,7 @@ struct Warnings {
   explicit Warnings(Context& context) {
     context.set_log(
         2,
-        [](std::int32_t, const char* message, void* user) {
-          static_cast<Warnings*>(user)->text.emplace_back(message);
-        },
+        [](std::int32_t, const char* message, void* user) { static_cast<Warnings*>(user)->text.emplace_back(message); },
         this);
   }
   bool say(const char* words) const {
@@ -32,16 +30,15 @@ struct Warnings {
   }
 };
 
-/// Equal half-spaces, a sphere's gap about (shift, shift) spacings, elements `spacing` Hertzian
-/// radii wide. n even: a node at the middle.
+/// Equal half-spaces, a sphere's gap about (shift, shift) spacings, elements `spacing` Hertzian radii wide. n even: a
+/// node at the middle.
 struct Sphere : Pair {
   closed_forms::Hertz hertz;
   Sphere(double spacing, double shift, double mu, ElementType type = ElementType::quad4)
       : Pair(young, poisson, young, poisson) {
     const double shear = young / (2 * (1 + poisson));
     const closed_forms::Elastic steel{shear, poisson};
-    hertz = closed_forms::hertz_from_approach(0.01, 0.01,
-                                              closed_forms::effective_modulus(steel, steel), depth);
+    hertz = closed_forms::hertz_from_approach(0.01, 0.01, closed_forms::effective_modulus(steel, steel), depth);
     const double h = spacing * hertz.a * (is_quadratic(type) ? 2 : 1);
     const int n = 2 * static_cast<int>(std::ceil(1.3 * hertz.a / h)) + 2;
     const std::vector<double> lines = frames::uniform_lines(-n * h / 2, n * h / 2, n);
@@ -72,9 +69,8 @@ TEST(few_nodes, one_to_four_nodes_are_no_success) {
         Warnings warnings(*s.context);
         const Status status = s.contact->solve();
         if (status == Status::no_contact) continue;
-        std::printf("spacing %.1f a, shift %.1f, mu %.1f: %g node(s), force off by %.0f %%\n",
-                    spacing, shift, mu, s.contact->stat("nodes_contact"),
-                    100 * std::abs(s.force() / s.hertz.load - 1));
+        std::printf("spacing %.1f a, shift %.1f, mu %.1f: %g node(s), force off by %.0f %%\n", spacing, shift, mu,
+                    s.contact->stat("nodes_contact"), 100 * std::abs(s.force() / s.hertz.load - 1));
         EXPECT_EQ(status, Status::coarse);
         EXPECT_EQ(s.contact->stat("nodes_inside"), 0);
         EXPECT_TRUE(warnings.say("too few nodes in contact to trust"));
@@ -97,10 +93,9 @@ TEST(few_nodes, success_is_within_ten_percent) {
           if (s.contact->solve() != Status::ok) continue;
           const double off = std::abs(s.force() / s.hertz.load - 1);
           if (off > 0.06)
-            std::printf(
-                "type %d, mu %.1f, spacing %.2f a, shift %.2f: %g touch, %g inside, off by %.3f\n",
-                static_cast<int>(type), mu, spacing, shift, s.contact->stat("nodes_contact"),
-                s.contact->stat("nodes_inside"), off);
+            std::printf("type %d, mu %.1f, spacing %.2f a, shift %.2f: %g touch, %g inside, off by %.3f\n",
+                        static_cast<int>(type), mu, spacing, shift, s.contact->stat("nodes_contact"),
+                        s.contact->stat("nodes_inside"), off);
           worst = std::max(worst, off);
         }
   std::printf("normal force off by %.3f at most (bound 0.1)\n", worst);
@@ -110,8 +105,8 @@ TEST(few_nodes, success_is_within_ten_percent) {
 
 TEST(few_nodes, eight_across_are_enough) {
   for (const double mu : {0.0, 0.3})
-    for (const ElementType type : {ElementType::quad4, ElementType::tri3, ElementType::tri6,
-                                   ElementType::quad8, ElementType::quad9}) {
+    for (const ElementType type :
+         {ElementType::quad4, ElementType::tri3, ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
       Sphere s(0.25, 0.2, mu, type);
       Warnings warnings(*s.context);
       EXPECT_EQ(s.contact->solve(), Status::ok) << static_cast<int>(type);
@@ -127,14 +122,12 @@ TEST(few_nodes, eight_across_are_enough) {
 // A slender contact has many nodes and no inside.
 TEST(few_nodes, two_lines_of_many_nodes_are_too_few) {
   Pair pair(young, poisson, young, poisson);
-  pair.frame(frames::rectangle(ElementType::quad4, frames::uniform_lines(-2, 2, 8),
-                               frames::uniform_lines(-8, 8, 40)));
+  pair.frame(frames::rectangle(ElementType::quad4, frames::uniform_lines(-2, 2, 8), frames::uniform_lines(-8, 8, 40)));
   pair.contact->scene.set_gap_quadratic(0.05, 0.0003, 0);
   pair.friction(0.3);
   pair.contact->scene.prescribe(3, 1, 0.01);
   EXPECT_EQ(pair.contact->solve(), Status::coarse);
-  std::printf("%g nodes touch, %g inside\n", pair.contact->stat("nodes_contact"),
-              pair.contact->stat("nodes_inside"));
+  std::printf("%g nodes touch, %g inside\n", pair.contact->stat("nodes_contact"), pair.contact->stat("nodes_inside"));
   EXPECT_GE(pair.contact->stat("nodes_contact"), 20);
   EXPECT_EQ(pair.contact->stat("nodes_inside"), 0);
 }
@@ -145,9 +138,9 @@ TEST(few_nodes, counts_nodes_without_an_open_neighbour) {
     ElementType type;
     std::int64_t touching, inside;
   };
-  for (const Count& c : {Count{ElementType::quad4, 25, 9}, Count{ElementType::tri3, 25, 9},
-                         Count{ElementType::tri6, 81, 49}, Count{ElementType::quad8, 65, 33},
-                         Count{ElementType::quad9, 81, 49}}) {
+  for (const Count& c :
+       {Count{ElementType::quad4, 25, 9}, Count{ElementType::tri3, 25, 9}, Count{ElementType::tri6, 81, 49},
+        Count{ElementType::quad8, 65, 33}, Count{ElementType::quad9, 81, 49}}) {
     const std::vector<double> lines = frames::uniform_lines(-4, 4, 8);
     SolverState s;
     Frame& frame = begin_preparation(s).frame;

@@ -38,12 +38,11 @@ struct Example {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         p.op.block[r][c].resize(nodes, nodes);
-        for (std::int64_t k = 0; k < nodes * nodes; ++k)
-          p.op.block[r][c].data()[k] = 0.1 * random();
+        for (std::int64_t k = 0; k < nodes * nodes; ++k) p.op.block[r][c].data()[k] = 0.1 * random();
         for (std::int64_t k = 0; r == c && k < nodes; ++k) p.op.block[r][c].row(k)[k] += 4;
       }
-    for (auto* v : {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.convection.slip_x,
-                    &p.op.convection.slip_y})
+    for (auto* v :
+         {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.convection.slip_x, &p.op.convection.slip_y})
       for (std::size_t k = 0; k < n; ++k) v->push_back(1 + 0.3 * random());
     p.used.assign(n, 1);
     for (auto& v : lambda) v.assign(n, 0.0);
@@ -59,9 +58,8 @@ struct Example {
   void slide(Part part) {
     for (std::int64_t a = 0; a < system.active(); ++a) {
       const double pressure = a % 3 == 0 ? 30 : 1;
-      system.law(a) = coulomb().linearise(
-          {0.3, a == 4 ? 0 : pressure, a == 4 ? 0 : random(), a == 4 ? 0 : random()},
-          part == Part::full);
+      system.law(a) = coulomb().linearise({0.3, a == 4 ? 0 : pressure, a == 4 ? 0 : random(), a == 4 ? 0 : random()},
+                                          part == Part::full);
     }
   }
 
@@ -113,8 +111,8 @@ TEST(free_system, every_row_of_the_whole_system_is_solved) {
         double drift = 0;
         for (std::size_t i = 0; i < product.size(); ++i)
           drift = std::max(drift, std::abs(product[i] - e.system.product()[i]));
-        std::printf("%s: residual %.1e, product %.1e (bounds 1e-10)\n",
-                    method == LinearMethod::lu ? "LU" : "GMRES", worst, drift);
+        std::printf("%s: residual %.1e, product %.1e (bounds 1e-10)\n", method == LinearMethod::lu ? "LU" : "GMRES",
+                    worst, drift);
         EXPECT_LT(worst, 1e-10);
         EXPECT_LT(drift, 1e-10);
         EXPECT_EQ(solver.factorizations, 1);
@@ -134,8 +132,8 @@ TEST(free_system, factors_serve_a_system_in_another_state) {
     e.system.law(1) = coulomb().linearise({0.3, 1, 0.1, 1}, part == Part::full);
     ASSERT_TRUE(solver.solve(e.system, nodes, e.b, 1e-10, x));
     const std::int64_t kept = solver.iterations - fresh;
-    std::printf("%lld iterations with fresh factors, %lld with kept ones\n",
-                static_cast<long long>(fresh), static_cast<long long>(kept));
+    std::printf("%lld iterations with fresh factors, %lld with kept ones\n", static_cast<long long>(fresh),
+                static_cast<long long>(kept));
     EXPECT_EQ(solver.factorizations, 1);
     EXPECT_LE(kept, fresh + 8);
     EXPECT_LT(e.residual(x), 1e-8);
@@ -175,8 +173,7 @@ TEST(free_system, condition_is_estimated_within_a_small_factor_below_the_exact_o
   for (const Part part : parts) {
     Example e(part, true);
     const double exact = exact_condition(e.system), estimate = estimate_condition(e.system);
-    std::printf("part %d: condition %.4g, estimate %.4g (0.3 to 1 of it)\n", static_cast<int>(part),
-                exact, estimate);
+    std::printf("part %d: condition %.4g, estimate %.4g (0.3 to 1 of it)\n", static_cast<int>(part), exact, estimate);
     EXPECT_LE(estimate, exact * (1 + 1e-10));
     EXPECT_GE(estimate, 0.3 * exact);
   }

@@ -1,5 +1,5 @@
-/// Every friction law: its derivative against finite differences, its fixed points, what it admits,
-/// and its solution at one node. A law is one line of laws().
+/// Every friction law: its derivative against finite differences, its fixed points, what it admits, and its solution at
+/// one node. A law is one line of laws().
 
 #include "contact/laws/friction_law.hpp"
 
@@ -59,8 +59,7 @@ TEST(friction_law, linearisation_is_the_derivative_of_the_projection) {
         }
       }
     }
-    std::printf("%s: derivative off by %.1e (bound 1e-8), %d of %d points slide\n", name, worst,
-                sliding, trials);
+    std::printf("%s: derivative off by %.1e (bound 1e-8), %d of %d points slide\n", name, worst, sliding, trials);
     EXPECT_LT(worst, 1e-8);
     EXPECT_GT(sliding, trials / 4);
     EXPECT_LT(sliding, trials);
@@ -80,9 +79,8 @@ TEST(friction_law, a_fixed_point_satisfies_the_linearised_row) {
       for (const bool follows : {true, false}) {
         const TangentialLaw row = law->linearise({mu, -ln, t.t1 - s1, t.t2 - s2}, follows);
         for (int i = 0; i < 2; ++i)
-          worst = std::max(
-              worst, std::abs(row.own[i][0] * t.t1 + row.own[i][1] * t.t2 + row.own[i][2] * ln +
-                              row.slip[i][0] * s1 + row.slip[i][1] * s2 - row.constant[i]));
+          worst = std::max(worst, std::abs(row.own[i][0] * t.t1 + row.own[i][1] * t.t2 + row.own[i][2] * ln +
+                                           row.slip[i][0] * s1 + row.slip[i][1] * s2 - row.constant[i]));
       }
     }
     std::printf("%s: fixed points off by %.1e (bound 1e-14)\n", name, worst);
@@ -102,15 +100,14 @@ TEST(friction_law, capacity_bounds_tractions_and_is_reached) {
       double found = 0;
       for (int j = 0; j < 720; ++j) {
         const double angle = j * 0.0087266;
-        const FrictionTraction t =
-            law->traction({mu, pressure, 100 * std::cos(angle), 100 * std::sin(angle)});
+        const FrictionTraction t = law->traction({mu, pressure, 100 * std::cos(angle), 100 * std::sin(angle)});
         found = std::max(found, t.t1 * s1 + t.t2 * s2);
       }
       beyond = std::max(beyond, found / most - 1);
       short_of = std::max(short_of, 1 - found / most);
     }
-    std::printf("%s: power beyond the capacity %.1e (bound 1e-12), short of it %.1e (bound 1e-4)\n",
-                name, beyond, short_of);
+    std::printf("%s: power beyond the capacity %.1e (bound 1e-12), short of it %.1e (bound 1e-4)\n", name, beyond,
+                short_of);
     EXPECT_LT(beyond, 1e-12);
     EXPECT_LT(short_of, 1e-4);
   }

@@ -70,16 +70,13 @@ TEST(friction_limit, full_sliding_is_the_limit) {
           for (std::size_t k = 0; k < p.mu.size(); ++k) {
             double v[2] = {};
             for (const int m : {xi1, xi2, spin})
-              for (std::size_t c = 0; c < 2; ++c)
-                v[c] += a[static_cast<std::size_t>(m)] * p.load_row(m, k)[c];
+              for (std::size_t c = 0; c < 2; ++c) v[c] += a[static_cast<std::size_t>(m)] * p.load_row(m, k)[c];
             const double size = std::hypot(v[0], v[1]);
-            for (std::size_t c = 0; c < 2; ++c)
-              l.lambda[c][k] = size > 0 ? -p.mu[k] * l.lambda[2][k] * v[c] / size : 0;
+            for (std::size_t c = 0; c < 2; ++c) l.lambda[c][k] = size > 0 ? -p.mu[k] * l.lambda[2][k] * v[c] / size : 0;
           }
           for (const double part : {1.0, 0.25}) {
             for (const int m : {xi1, xi2, spin})
-              l.given.value[static_cast<std::size_t>(m)] =
-                  part * load_on_body1(p, m, l.lambda).value;
+              l.given.value[static_cast<std::size_t>(m)] = part * load_on_body1(p, m, l.lambda).value;
             const FrictionShare share = share_of_friction(p, l.given, l.lambda);
             worst = std::max(worst, std::abs(share.together / part - 1));
             worst_sliding = std::max(worst_sliding, 1 - share.sliding / part);
@@ -90,15 +87,13 @@ TEST(friction_limit, full_sliding_is_the_limit) {
           }
         }
       }
-  std::printf(
-      "share of full sliding: off by %.1e (bound %.0e); by motion of nodes at most %.1e less\n",
-      worst, bound, worst_sliding);
+  std::printf("share of full sliding: off by %.1e (bound %.0e); by motion of nodes at most %.1e less\n", worst, bound,
+              worst_sliding);
   EXPECT_LT(worst, bound);
   EXPECT_LT(worst_sliding, bound);
 }
 
-// Whatever tractions friction allows, their loads are within the limit; and no direction tells
-// more.
+// Whatever tractions friction allows, their loads are within the limit; and no direction tells more.
 TEST(friction_limit, no_admissible_tractions_are_beyond) {
   double most = 0, missed = 0;
   frames::Random random(11);
@@ -110,8 +105,7 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
         const double centre = 0.3 * random(), turn = 3 * random();
         for (std::size_t k = 0; k < p.mu.size(); ++k) {
           const double angle =
-              std::atan2(p.op.convection.slip_y[k] - centre, p.op.convection.slip_x[k]) + turn +
-              0.2 * random();
+              std::atan2(p.op.convection.slip_y[k] - centre, p.op.convection.slip_x[k]) + turn + 0.2 * random();
           l.lambda[0][k] = -p.mu[k] * l.lambda[2][k] * std::cos(angle);
           l.lambda[1][k] = -p.mu[k] * l.lambda[2][k] * std::sin(angle);
         }
@@ -130,15 +124,13 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
           for (std::size_t k = 0; k < p.mu.size(); ++k) {
             double v[2] = {};
             for (const int m : {xi1, xi2, spin})
-              for (std::size_t c = 0; c < 2; ++c)
-                v[c] += a[static_cast<std::size_t>(m)] * p.load_row(m, k)[c];
+              for (std::size_t c = 0; c < 2; ++c) v[c] += a[static_cast<std::size_t>(m)] * p.load_row(m, k)[c];
             power -= p.mu[k] * l.lambda[2][k] * std::hypot(v[0], v[1]);
           }
           missed = std::max(missed, asked / power - share.together);
         }
       }
-  std::printf("greatest share %.6f (bound 1), directions tell %.1e more (bound 1e-6)\n", most,
-              missed);
+  std::printf("greatest share %.6f (bound 1), directions tell %.1e more (bound 1e-6)\n", most, missed);
   EXPECT_LE(most, 1 + 1e-12);
   EXPECT_LT(missed, 1e-6);
 }
@@ -214,8 +206,8 @@ TEST(friction_limit, force_and_moment_together) {
       pair.contact->reset();
       const Ended bad = solve(pair);
       std::printf("E2 %.0e, normal by %s: %lld steps to solve, %lld to refuse: %s\n", young2,
-                  by_force ? "force" : "motion", static_cast<long long>(good.steps),
-                  static_cast<long long>(bad.steps), bad.text.c_str());
+                  by_force ? "force" : "motion", static_cast<long long>(good.steps), static_cast<long long>(bad.steps),
+                  bad.text.c_str());
       EXPECT_EQ(bad.status, Status::err_load);
       EXPECT_NE(bad.text.find("tangential force and spin moment together"), std::string::npos);
       EXPECT_LE(bad.steps, young2 == 2.1e5 ? good.steps : 4 * good.steps);
@@ -224,8 +216,7 @@ TEST(friction_limit, force_and_moment_together) {
       scene.prescribe(4, 2, 0.8 * most * radius);
       const Ended moment = solve(pair);
       EXPECT_EQ(moment.status, Status::err_load);
-      EXPECT_NE(moment.text.find("the prescribed spin moment is"), std::string::npos)
-          << moment.text;
+      EXPECT_NE(moment.text.find("the prescribed spin moment is"), std::string::npos) << moment.text;
       scene.prescribe(4, 1, 0);
       scene.prescribe(1, 2, 1.2 * most);
       const Ended force = solve(pair);
@@ -234,8 +225,8 @@ TEST(friction_limit, force_and_moment_together) {
     }
 }
 
-// A moment that a spin produced is carried when it is prescribed, also where moments of shape
-// functions are greater than weight times distance of the node.
+// A moment that a spin produced is carried when it is prescribed, also where moments of shape functions are greater
+// than weight times distance of the node.
 TEST(friction_limit, a_moment_that_a_spin_produced_is_carried) {
   int beyond_nodes = 0, meshes = 0;
   for (const ElementType type : {ElementType::quad4, ElementType::tri3})
@@ -265,8 +256,7 @@ TEST(friction_limit, a_moment_that_a_spin_produced_is_carried) {
         scene.prescribe(4, 2, moment);
         pair.contact->reset();
         const Ended e = solve(pair);
-        EXPECT_TRUE(e.status == Status::ok || e.status == Status::rim_contact ||
-                    e.status == Status::coarse)
+        EXPECT_TRUE(e.status == Status::ok || e.status == Status::rim_contact || e.status == Status::coarse)
             << n << ", seed " << seed << ": " << e.text;
       }
   std::printf("%d meshes, moments of %d beyond weight times distance\n", meshes, beyond_nodes);
@@ -289,8 +279,8 @@ TEST(friction_limit, quad8_frames_do_not_carry_more_than_mu_fn) {
       scene.prescribe(1, 2, share * 0.25 * load);
       pair.contact->reset();
       const Ended e = solve(pair);
-      std::printf("quad8, normal by %s, %.2f mu Fn: status %d\n", by_force ? "force" : "motion",
-                  share, static_cast<int>(e.status));
+      std::printf("quad8, normal by %s, %.2f mu Fn: status %d\n", by_force ? "force" : "motion", share,
+                  static_cast<int>(e.status));
       EXPECT_EQ(e.status, share < 1 ? Status::coarse : Status::err_load) << e.text;
     }
 }
@@ -314,8 +304,8 @@ TEST(friction_limit, refusals_do_not_take_many_times_a_solve) {
     scene.prescribe(1, 2, share * most);
     pair.contact->reset();
     const Ended bad = solve(pair);
-    std::printf("%.1f mu Fn: %lld steps, 0.9 mu Fn: %lld (bound 4 times)\n", share,
-                static_cast<long long>(bad.steps), static_cast<long long>(good.steps));
+    std::printf("%.1f mu Fn: %lld steps, 0.9 mu Fn: %lld (bound 4 times)\n", share, static_cast<long long>(bad.steps),
+                static_cast<long long>(good.steps));
     EXPECT_EQ(bad.status, Status::err_load);
     EXPECT_LE(bad.steps, 4 * good.steps);
   }

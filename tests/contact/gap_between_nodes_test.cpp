@@ -1,5 +1,5 @@
-// The gap between the nodes against sums over rectangles, for quadrilaterals and for triangles that
-// make the same rectangles.
+// The gap between the nodes against sums over rectangles, for quadrilaterals and for triangles that make the same
+// rectangles.
 
 #include "contact/prepare/gap_between_nodes.hpp"
 
@@ -53,8 +53,8 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
     double sum = 0;
     for (std::size_t i = 0; i < cells; ++i)
       for (std::size_t j = 0; j < cells; ++j) {
-        const double mean = 0.25 * (rate_at(x_[i], y_[j]) + rate_at(x_[i + 1], y_[j]) +
-                                    rate_at(x_[i], y_[j + 1]) + rate_at(x_[i + 1], y_[j + 1]));
+        const double mean = 0.25 * (rate_at(x_[i], y_[j]) + rate_at(x_[i + 1], y_[j]) + rate_at(x_[i], y_[j + 1]) +
+                                    rate_at(x_[i + 1], y_[j + 1]));
         const double x = 0.5 * (x_[i] + x_[i + 1]), y = 0.5 * (y_[j] + y_[j + 1]);
         double u[3];
         on_->compliance->apply({{&x, 1}, {&y, 1}}, t.data(), u);
@@ -71,8 +71,7 @@ class GapBetweenNodes : public ::testing::TestWithParam<ElementType> {
 
 TEST_P(GapBetweenNodes, is_summed_over_rectangles) {
   const double reference = expected(), found = gap_force(s_, rate_);
-  std::printf("%d corners: %.9g, expected %.9g (bound 1e-5)\n", corner_count(GetParam()), found,
-              reference);
+  std::printf("%d corners: %.9g, expected %.9g (bound 1e-5)\n", corner_count(GetParam()), found, reference);
   EXPECT_NEAR(found, reference, 1e-5 * std::abs(reference));
 }
 
@@ -90,11 +89,8 @@ TEST_P(GapBetweenNodes, cells_without_rate_have_no_share) {
     EXPECT_GT(found, 0.5 * one);  // its triangles at this corner, by themselves or in a pair
 }
 
-INSTANTIATE_TEST_SUITE_P(types, GapBetweenNodes,
-                         ::testing::Values(ElementType::tri3, ElementType::quad4),
-                         [](const auto& info) {
-                           return info.param == ElementType::tri3 ? "tri3" : "quad4";
-                         });
+INSTANTIATE_TEST_SUITE_P(types, GapBetweenNodes, ::testing::Values(ElementType::tri3, ElementType::quad4),
+                         [](const auto& info) { return info.param == ElementType::tri3 ? "tri3" : "quad4"; });
 
 }  // namespace
 }  // namespace rollcon

@@ -51,17 +51,15 @@ struct Errors {
   double normal = 0, gap = 0, mean_gap = 0;
 };
 
-/// Largest (and root mean square) errors at the frame's nodes; the frame is a cap of a body or a
-/// flat mesh between them.
+/// Largest (and root mean square) errors at the frame's nodes; the frame is a cap of a body or a flat mesh between
+/// them.
 Errors errors_of(ElementType type, int n, On on, const Pose& pose = {}) {
   auto context = std::make_shared<Context>();
   // The bodies' elements do not match, except on the body that carries the frame.
-  auto lower =
-      rigid_body(context, on == On::body1 ? cap_with_zone(type, n, radius1, 0, true)
-                                          : sphere_cap(type, 3 * n / 4, cap, radius1, 0, true));
-  auto upper = rigid_body(
-      context, on == On::body2 ? cap_with_zone(type, n, radius2, clearance, false)
-                               : sphere_cap(type, 3 * n / 4, cap, radius2, clearance, false));
+  auto lower = rigid_body(context, on == On::body1 ? cap_with_zone(type, n, radius1, 0, true)
+                                                   : sphere_cap(type, 3 * n / 4, cap, radius1, 0, true));
+  auto upper = rigid_body(context, on == On::body2 ? cap_with_zone(type, n, radius2, clearance, false)
+                                                   : sphere_cap(type, 3 * n / 4, cap, radius2, clearance, false));
   lower->prepare();
   upper->prepare();
   Scene scene;
@@ -73,15 +71,13 @@ Errors errors_of(ElementType type, int n, On on, const Pose& pose = {}) {
   if (on == On::body2) scene.set_frame_from(1, upper->mesh().surface, zone_tag);
   if (on == On::plane) {
     const std::vector<double> lines = frames::uniform_lines(-0.45, 0.45, 17);
-    const SurfaceMesh mesh =
-        frames::transform(frames::rectangle(ElementType::quad4, lines, lines), [&](const Vec3& p) {
-          return pose.place({p[0], p[1], 0.3 * clearance});
-        });
+    const SurfaceMesh mesh = frames::transform(frames::rectangle(ElementType::quad4, lines, lines), [&](const Vec3& p) {
+      return pose.place({p[0], p[1], 0.3 * clearance});
+    });
     scene.set_frame_nodes(mesh.nodes(), mesh.node[0].data(), 3, 1);
     scene.add_frame_elements(214, mesh.elements(), mesh.connectivity.data(), 0, 1);
   }
-  const Vec3 origin = pose.place({0, 0, 0}), t1 = pose.turn({1, 0, 0}),
-             n_axis = pose.turn({0, 0, 1});
+  const Vec3 origin = pose.place({0, 0, 0}), t1 = pose.turn({1, 0, 0}), n_axis = pose.turn({0, 0, 1});
   scene.set_axes(origin.data(), t1.data(), n_axis.data());
   const PairOfBodies pair{{lower.get(), upper.get()}, {scene.pose(0), scene.pose(1)}};
   Frame frame = build_frame(scene.mesh(), scene.axes());
@@ -102,22 +98,21 @@ Errors errors_of(ElementType type, int n, On on, const Pose& pose = {}) {
 
 TEST(geometry, gap_of_two_spheres) {
   const char* where[] = {"on body 1", "on body 2", "laid between"};
-  for (const ElementType type : {ElementType::tri3, ElementType::quad4, ElementType::tri6,
-                                 ElementType::quad8, ElementType::quad9})
+  for (const ElementType type :
+       {ElementType::tri3, ElementType::quad4, ElementType::tri6, ElementType::quad8, ElementType::quad9})
     for (const On on : {On::body1, On::body2, On::plane}) {
       const Errors coarse = errors_of(type, 8, on), fine = errors_of(type, 16, on);
-      // Sagitta of a linear element: h^2 (1/8R1 + 1/8R2), twice for a diagonal, and the effect of
-      // the normal's error, which is of second order for quadratic elements too.
+      // Sagitta of a linear element: h^2 (1/8R1 + 1/8R2), twice for a diagonal, and the effect of the normal's error,
+      // which is of second order for quadratic elements too.
       const bool quadratic = is_quadratic(type);
       const double h = 2 * cap / 6;
       const double bound = h * h * (1 / radius1 + 1 / radius2) / 4 * (quadratic ? 0.01 : 1.2);
-      const double order = std::log2(coarse.mean_gap / fine.mean_gap),
-                   least = quadratic && on != On::body1 ? 2.8 : 1.9;
+      const double order = std::log2(coarse.mean_gap / fine.mean_gap), least = quadratic && on != On::body1 ? 2.8 : 1.9;
       std::printf(
           "type %d, frame %s: gap error %.1e (bound %.1e), order %.2f (at least %.1f); normals "
           "%.1e, %.1e\n",
-          static_cast<int>(type), where[static_cast<int>(on)], coarse.gap, bound, order, least,
-          coarse.normal, fine.normal);
+          static_cast<int>(type), where[static_cast<int>(on)], coarse.gap, bound, order, least, coarse.normal,
+          fine.normal);
       EXPECT_LT(coarse.gap, bound);
       EXPECT_GT(order, least);
       EXPECT_LT(fine.normal, quadratic ? 2e-3 : 3e-2);
@@ -130,8 +125,7 @@ TEST(geometry, poses_move_bodies_without_a_trace) {
   for (const On on : {On::body1, On::body2, On::plane}) {
     const Errors still = errors_of(ElementType::quad8, 8, on);
     const Errors moved = errors_of(ElementType::quad8, 8, on, pose);
-    const double change =
-        std::max(std::abs(moved.gap - still.gap), std::abs(moved.normal - still.normal));
+    const double change = std::max(std::abs(moved.gap - still.gap), std::abs(moved.normal - still.normal));
     std::printf("moved: errors change by %.1e (bound 1e-12)\n", change);
     EXPECT_LT(change, 1e-12);
   }
@@ -145,10 +139,9 @@ TEST(geometry, a_body_without_mesh_is_the_plane_of_the_axes) {
   plane->prepare();
   sphere->prepare();
   const std::vector<double> lines = frames::uniform_lines(-0.5, 0.5, 9);
-  const SurfaceMesh flat =
-      frames::transform(frames::rectangle(ElementType::tri3, lines, lines), [](const Vec3& p) {
-        return Vec3{p[0], p[1], 0.002 * p[0] + 0.001};
-      });
+  const SurfaceMesh flat = frames::transform(frames::rectangle(ElementType::tri3, lines, lines), [](const Vec3& p) {
+    return Vec3{p[0], p[1], 0.002 * p[0] + 0.001};
+  });
   const Frame bare = build_frame(flat, {});
   for (const int which : {0, 1}) {  // whose surface the sphere is
     Frame frame = bare;
@@ -171,8 +164,7 @@ TEST(geometry, a_body_without_mesh_is_the_plane_of_the_axes) {
       worst = std::max(worst, std::abs(gap[k] - expected));
       largest = std::max(largest, expected);
     }
-    std::printf("sphere as body %d: gap error %.1e of %.2e (bound 2e-5)\n", which + 1, worst,
-                largest);
+    std::printf("sphere as body %d: gap error %.1e of %.2e (bound 2e-5)\n", which + 1, worst, largest);
     EXPECT_LT(worst, 2e-5);
   }
 }
@@ -192,8 +184,7 @@ TEST(geometry, zones_do_not_break_smooth_normals) {
   curve_frame(frame, surface_normals(frame, scene.frame_source(), {{body.get(), other.get()}, {}}));
   double worst = 0;
   for (std::size_t k = 0; k < frame.n.size(); ++k)
-    worst = std::max(
-        worst, length(frame.n[k] - normal_of_1(frame.mesh.node[k][0], frame.mesh.node[k][1])));
+    worst = std::max(worst, length(frame.n[k] - normal_of_1(frame.mesh.node[k][0], frame.mesh.node[k][1])));
   // One-sided normals would be off by half an element: 0.03.
   std::printf("normals of a zone: error %.1e (bound 2e-3)\n", worst);
   EXPECT_LT(worst, 2e-3);
@@ -217,8 +208,7 @@ void expect_text(const std::string& text, const std::string& part) {
 TEST(geometry, nodes_beside_a_body_are_named) {
   auto context = std::make_shared<Context>();
   auto plane = std::make_shared<Body>(context, 4);
-  auto sphere =
-      rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));
+  auto sphere = rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));
   plane->prepare();
   sphere->prepare();
   const std::vector<double> lines = frames::uniform_lines(-0.4, 0.4, 4);
@@ -259,25 +249,21 @@ TEST(geometry, nodes_beside_a_body_are_named) {
   half->set_contact_faces(1, &tag);
   half->prepare();
   frame = build_frame(mesh, {});
-  const std::string other = refusal([&] {
-    undeformed_gap(frame, {}, {{plane.get(), half.get()}, {}});
-  });
-  expect_text(other,
-              "over faces that are held, loaded or not among rollcon_body_set_contact_faces");
+  const std::string other = refusal([&] { undeformed_gap(frame, {}, {{plane.get(), half.get()}, {}}); });
+  expect_text(other, "over faces that are held, loaded or not among rollcon_body_set_contact_faces");
 }
 
 TEST(geometry, frames_that_end_where_the_body_does_may_be_rounded) {
   // A frame of the size of the body, its coordinates written with seven digits.
   auto context = std::make_shared<Context>();
   auto plane = std::make_shared<Body>(context, 4);
-  auto sphere =
-      rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));
+  auto sphere = rigid_body(context, sphere_cap(ElementType::quad4, 6, 0.3, radius2, clearance, false));
   plane->prepare();
   sphere->prepare();
   const std::vector<double> lines = frames::uniform_lines(-0.3, 0.3, 6);
   for (const double beyond : {0.0, 3e-8, 1e-5}) {
-    const SurfaceMesh mesh = frames::stretch(frames::rectangle(ElementType::quad4, lines, lines),
-                                             1 + beyond, 1 + beyond);
+    const SurfaceMesh mesh =
+        frames::stretch(frames::rectangle(ElementType::quad4, lines, lines), 1 + beyond, 1 + beyond);
     const Frame frame = build_frame(mesh, {});
     const PairOfBodies pair{{plane.get(), sphere.get()}, {}};
     if (beyond < 1e-7) {
@@ -286,8 +272,7 @@ TEST(geometry, frames_that_end_where_the_body_does_may_be_rounded) {
       for (std::size_t k = 0; k < gap.size(); ++k) {
         const Vec3 p = frame.mesh.node[k];
         const double r2 = p[0] * p[0] + p[1] * p[1];
-        worst = std::max(worst, std::abs(gap[k] - clearance -
-                                         r2 / (radius2 + std::sqrt(radius2 * radius2 - r2))));
+        worst = std::max(worst, std::abs(gap[k] - clearance - r2 / (radius2 + std::sqrt(radius2 * radius2 - r2))));
       }
       std::printf("beyond the edge by %.0e: gap error %.1e (bound 1e-6)\n", beyond, worst);
       EXPECT_LT(worst, 1e-6);

@@ -1,5 +1,5 @@
-// Linear systems are solved as accurately as Newton's step needs, the last one no more than the
-// tolerance asks for: counted where operators are not formed and each iteration costs transforms.
+// Linear systems are solved as accurately as Newton's step needs, the last one no more than the tolerance asks for:
+// counted where operators are not formed and each iteration costs transforms.
 
 #include <gtest/gtest.h>
 
@@ -31,8 +31,7 @@ TEST(krylov_work, is_no_more_than_the_tolerance_asks_for) {
         outer += pair.contact->stat("iterations");
       }
     }
-  std::printf("%g linear iterations in %g of Newton: %.1f in each (bound %.1f)\n", inner, outer,
-              inner / outer, bound);
+  std::printf("%g linear iterations in %g of Newton: %.1f in each (bound %.1f)\n", inner, outer, inner / outer, bound);
   EXPECT_LE(inner, bound * outer);
 }
 

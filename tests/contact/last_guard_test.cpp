@@ -18,8 +18,8 @@ using namespace contact_test;
 
 constexpr double load = 10, bound = 1e-8;
 
-/// Equal steel half-spaces, a few nodes in contact, whose tangential loads are all given, near what
-/// friction carries; a moment of 0.25 is a fifth too much.
+/// Equal steel half-spaces, a few nodes in contact, whose tangential loads are all given, near what friction carries; a
+/// moment of 0.25 is a fifth too much.
 void give_loads(Pair& pair, double moment) {
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 13);
   pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
@@ -47,8 +47,8 @@ TEST(last_guard, several_loads_leave_the_normal_one_as_it_is) {
       // Few nodes touch.
       EXPECT_EQ(status, moment > 0.2 ? Status::err_load : Status::coarse) << moment << operators;
       if (status != Status::coarse) continue;
-      std::printf("moment %.2f, %s: loads off by %.1e, laws by %.1e (bound %.0e)\n", moment,
-                  operators, pair.contact->stat("law_equilibrium"), pair.worst_law(), bound);
+      std::printf("moment %.2f, %s: loads off by %.1e, laws by %.1e (bound %.0e)\n", moment, operators,
+                  pair.contact->stat("law_equilibrium"), pair.worst_law(), bound);
       EXPECT_LT(pair.worst_law(), bound) << moment << operators;
     }
 }
@@ -73,8 +73,7 @@ TEST(last_guard, neither_do_cases_of_a_list) {
   (void)pair.contact->solve_many(list, results);
   for (std::size_t i = 0; i < 2; ++i) {
     const double off = std::abs(force[3 * i + 2] / -value[i] - 1);
-    std::printf("case %zu: status %d, normal load off by %.1e (bound %.0e)\n", i, status[i], off,
-                bound);
+    std::printf("case %zu: status %d, normal load off by %.1e (bound %.0e)\n", i, status[i], off, bound);
     EXPECT_EQ(status[i], static_cast<std::int32_t>(i == 0 ? Status::err_load : Status::coarse));
     if (i == 1) {
       EXPECT_LT(off, bound);
@@ -125,8 +124,7 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   Spoiler spoiler;
   spoiler.iterate = &s.iterate;
   if (again) {
-    EXPECT_EQ(newton.solve(p, given, s.iterate, false, 1e-10, 500, spoiler).outcome,
-              Outcome::converged);
+    EXPECT_EQ(newton.solve(p, given, s.iterate, false, 1e-10, 500, spoiler).outcome, Outcome::converged);
     given.value[xi1] = 25;
   }
   spoiler.what = what;
@@ -150,11 +148,10 @@ TEST(last_guard, sees_what_was_not_solved_last) {
         for (const double l : right.iterate.lambda[2]) most = std::max(most, -l);
         for (std::size_t k = 0; k < right.iterate.lambda[2].size(); ++k)
           off = std::max(off, std::abs(s.iterate.lambda[2][k] - right.iterate.lambda[2][k]) / most);
-        std::printf(
-            "%s, normal by %s, %s spoilt: %lld refuted, pressures off by %.1e (bound %.0e)\n",
-            again ? "warm" : "cold", by_force ? "force" : "motion",
-            what == Spoiler::What::pressures ? "pressures" : "approach",
-            static_cast<long long>(s.report.refuted), off, bound);
+        std::printf("%s, normal by %s, %s spoilt: %lld refuted, pressures off by %.1e (bound %.0e)\n",
+                    again ? "warm" : "cold", by_force ? "force" : "motion",
+                    what == Spoiler::What::pressures ? "pressures" : "approach",
+                    static_cast<long long>(s.report.refuted), off, bound);
         EXPECT_GE(s.report.refuted, 1);
         EXPECT_EQ(s.report.outcome, Outcome::converged);
         EXPECT_LT(off, bound);

@@ -11,13 +11,12 @@
 
 namespace rollcon {
 
-/// nx by ny cells of dx by dy, turned, with nodes and elements renumbered; with holes: a corner
-/// cell, one at a side, two that meet in a node and four around one lack, and a node lies loose.
+/// nx by ny cells of dx by dy, turned, with nodes and elements renumbered; with holes: a corner cell, one at a side,
+/// two that meet in a node and four around one lack, and a node lies loose.
 inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, bool holes = false) {
-  SurfaceMesh mesh = frames::rotate(
-      frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, -1 + nx * dx, nx),
-                        frames::uniform_lines(0.5, 0.5 + ny * dy, ny)),
-      angle);
+  SurfaceMesh mesh = frames::rotate(frames::rectangle(ElementType::quad4, frames::uniform_lines(-1, -1 + nx * dx, nx),
+                                                      frames::uniform_lines(0.5, 0.5 + ny * dy, ny)),
+                                    angle);
   const auto n = static_cast<std::size_t>(mesh.nodes());
   std::vector<std::int32_t> number(n);
   for (std::size_t k = 0; k < n; ++k)
@@ -31,8 +30,7 @@ inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, b
     const int gone[][2] = {{5, 6}, {5, 5}, {4, 6}, {4, 5}, {2, 3}, {1, 2}, {3, 0}, {0, 0}};
     for (const auto& cell : gone) {  // the last one first
       const auto e = static_cast<std::ptrdiff_t>(cell[1] * nx + cell[0]);
-      mesh.connectivity.erase(mesh.connectivity.begin() + 4 * e,
-                              mesh.connectivity.begin() + 4 * e + 4);
+      mesh.connectivity.erase(mesh.connectivity.begin() + 4 * e, mesh.connectivity.begin() + 4 * e + 4);
       mesh.type.pop_back(), mesh.tag.pop_back(), mesh.offset.pop_back();
     }
   }
@@ -45,8 +43,7 @@ inline ContactOperators convection_of(const Frame& frame, Scheme scheme) {
   return op;
 }
 
-inline constexpr HalfspaceConstants alike{0.7, 0.3, 0}, unlike{0.7, 0.3, 0.11},
-    incompressible{0.7, 0, 0.2};
+inline constexpr HalfspaceConstants alike{0.7, 0.3, 0}, unlike{0.7, 0.3, 0.11}, incompressible{0.7, 0, 0.2};
 
 struct LatticeCase {
   const char* name;

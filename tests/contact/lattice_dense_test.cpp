@@ -42,8 +42,7 @@ TEST(LatticeDense, EqualsAssembledOperators) {
       assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, assembled);
       fill_lattice_operators(*lattice, c.c, true, filled);
       const double error = difference(frame, assembled, filled);
-      std::printf("%-30s scheme %d holes %d: error %.1e, bound 1e-12\n", c.name, kind % 3, holes,
-                  error);
+      std::printf("%-30s scheme %d holes %d: error %.1e, bound 1e-12\n", c.name, kind % 3, holes, error);
       EXPECT_LT(error, 1e-12);
       EXPECT_EQ(assembled.coupled, filled.coupled);
       EXPECT_EQ(assembled.rows, filled.rows);
@@ -59,8 +58,7 @@ TEST(LatticeDense, SmallestLattices) {
       ContactOperators assembled = convection_of(frame, scheme), filled = assembled;
       if (scheme == Scheme::characteristic && cells == 1)
         continue;  // two nodes along the flow: rim nodes have steps of their own
-      assemble_operators(frame, *make_halfspace_compliance(frame, unlike, 1e-13, 1), true,
-                         assembled);
+      assemble_operators(frame, *make_halfspace_compliance(frame, unlike, 1e-13, 1), true, assembled);
       fill_lattice_operators(*lattice, unlike, true, filled);
       EXPECT_LT(difference(frame, assembled, filled), 1e-12) << cells;
     }

@@ -30,8 +30,7 @@ Fields product(const ContactOperators& op, const Fields& lambda) {
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c)
       if (!op.block[r][c].empty())
-        multiply(op.block[r][c].data(), op.nodes, op.nodes, lambda.value[c].data(), 1.0,
-                 image.value[r].data());
+        multiply(op.block[r][c].data(), op.nodes, op.nodes, lambda.value[c].data(), 1.0, image.value[r].data());
   return image;
 }
 
@@ -58,16 +57,14 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
   const std::optional<Lattice> lattice = find_lattice(frame);
   ASSERT_TRUE(lattice.has_value());
   ContactOperators op = convection_of(frame, scheme);
-  LatticeOperator field(*lattice, c.c,
-                        scheme == Scheme::characteristic ? op.convection.ahead[0] : 0.0,
+  LatticeOperator field(*lattice, c.c, scheme == Scheme::characteristic ? op.convection.ahead[0] : 0.0,
                         op.convection.rows);
   assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, op);
   frames::Random random(7);
   const auto n = static_cast<std::size_t>(frame.nodes());
   Fields lambda(n), image(n), normal(n);
   for (auto& t : lambda.value)
-    for (std::size_t k = 0; k < n; ++k)
-      t[k] = frame.used[k] && (cut || !frame.rim[k]) ? random() : 0;
+    for (std::size_t k = 0; k < n; ++k) t[k] = frame.used[k] && (cut || !frame.rim[k]) ? random() : 0;
   const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
   double* out[3] = {image.value[0].data(), image.value[1].data(), image.value[2].data()};
   field.apply(in, out);
@@ -76,8 +73,8 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
     for (std::size_t k = 0; k < n; ++k)
       if (!frame.used[k]) image_of[k] = 0;
   const double error = difference(dense, image);
-  std::printf("%-30s scheme %d cut hats %d holes %d: error %.1e, bound 1e-13\n", c.name,
-              static_cast<int>(scheme), cut, holes, error);
+  std::printf("%-30s scheme %d cut hats %d holes %d: error %.1e, bound 1e-13\n", c.name, static_cast<int>(scheme), cut,
+              holes, error);
   EXPECT_LT(error, 1e-13);
 
   // Fields left out.
@@ -92,19 +89,17 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
   if (holes) return;
 
   // Own entries and norms of the node in the middle.
-  const std::int32_t middle =
-      lattice->node[static_cast<std::size_t>(lattice->ny / 2 * lattice->nx + lattice->nx / 2)];
+  const std::int32_t middle = lattice->node[static_cast<std::size_t>(lattice->ny / 2 * lattice->nx + lattice->nx / 2)];
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)
       if (!op.block[r][k].empty()) {
         const double scale = std::abs(op.block[r][r].row(middle)[middle]) + 1e-3 * c.c.cn;
-        EXPECT_NEAR(field.entry(r, k), op.block[r][k].row(middle)[middle], 1e-12 * scale)
-            << r << " " << k;
+        EXPECT_NEAR(field.entry(r, k), op.block[r][k].row(middle)[middle], 1e-12 * scale) << r << " " << k;
       }
   // Norms differ by the halves of hats that are missing on the rim.
   for (int r = 0; r < 2; ++r) {
-    const double norm = std::hypot(norm2(op.block[r][0].row(middle), op.nodes),
-                                   norm2(op.block[r][1].row(middle), op.nodes));
+    const double norm =
+        std::hypot(norm2(op.block[r][0].row(middle), op.nodes), norm2(op.block[r][1].row(middle), op.nodes));
     EXPECT_NEAR(field.row_norm(r) / norm, 1, 0.03);
   }
 }
@@ -147,8 +142,7 @@ TEST(LatticeOperator, ColumnsOfCutHatsAreMadeWhenNeeded) {
   Fields lambda(n), image(n);
   const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
   double* out[3] = {image.value[0].data(), image.value[1].data(), image.value[2].data()};
-  lambda.value[2][static_cast<std::size_t>(
-      lattice->node[static_cast<std::size_t>(3 * lattice->nx + 5)])] = 1;
+  lambda.value[2][static_cast<std::size_t>(lattice->node[static_cast<std::size_t>(3 * lattice->nx + 5)])] = 1;
   const std::size_t before = field.bytes();
   field.apply(in, out);
   EXPECT_EQ(field.bytes(), before);

@@ -1,5 +1,5 @@
-// Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind
-// of scene; work and memory grow with the number of nodes.
+// Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind of scene; work and
+// memory grow with the number of nodes.
 
 #include <gtest/gtest.h>
 
@@ -60,8 +60,8 @@ std::unique_ptr<RollingPair> make(const Case& c, const char* operators, int n = 
   if (c.second == Second::rigid)
     pair = std::make_unique<RollingPair>(soft, std::nullopt);
   else
-    pair = std::make_unique<RollingPair>(steady_rolling::steel,
-                                         c.second == Second::softer ? soft : steady_rolling::steel);
+    pair =
+        std::make_unique<RollingPair>(steady_rolling::steel, c.second == Second::softer ? soft : steady_rolling::steel);
   const double half = c.covered * steady_rolling::radius / 0.85;
   pair->frame(mesh_of(c, half, n));
   if (c.angle != 0) pair->rolling_at(c.angle);
@@ -83,11 +83,9 @@ double difference(const scenes::Solution& a, const scenes::Solution& b) {
   double scale = 0, worst = 0;
   for (std::size_t k = 0; k < a.nodes(); ++k) scale = std::max(scale, a.pressure[k]);
   for (std::size_t k = 0; k < a.nodes(); ++k)
-    for (std::size_t c = 0; c < 3; ++c)
-      worst = std::max(worst, std::abs(a.traction[k][c] - b.traction[k][c]) / scale);
+    for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(a.traction[k][c] - b.traction[k][c]) / scale);
   worst = std::max(worst, std::abs(a.approach / b.approach - 1));
-  for (std::size_t c = 0; c < 2; ++c)
-    worst = std::max(worst, std::abs(a.creep[c] - b.creep[c]) / 1e-3);
+  for (std::size_t c = 0; c < 2; ++c) worst = std::max(worst, std::abs(a.creep[c] - b.creep[c]) / 1e-3);
   return worst;
 }
 
@@ -121,39 +119,29 @@ TEST_P(Lattices, WarmSolvesAgreeWithCold) {
 
 INSTANTIATE_TEST_SUITE_P(
     Scenes, Lattices,
-    testing::Values(Case{.name = "longitudinal"},
-                    Case{.name = "spin", .lateral = 2e-4, .spin = 3e-4},
-                    Case{.name = "rigid", .second = Second::rigid, .spin = 3e-4},
-                    Case{.name = "unlike", .second = Second::softer, .lateral = -3e-4},
-                    Case{.name = "forces", .forces = true},
-                    Case{.name = "forces_rigid", .second = Second::rigid, .forces = true},
-                    Case{.name = "approach", .second = Second::rigid, .approach = true},
-                    Case{.name = "frictionless", .mu = 0},
-                    Case{.name = "frictionless_rigid", .second = Second::rigid, .mu = 0},
-                    Case{.name = "rolling_at_30_degrees",
-                         .second = Second::rigid,
-                         .spin = 1e-4,
-                         .angle = 0.5235987755982988},
-                    Case{.name = "rolling_backwards", .spin = 2e-4, .angle = 2.8},
-                    Case{.name = "least_squares", .spin = 1e-4, .scheme = "least_squares"},
-                    Case{.name = "godunov", .second = Second::rigid, .scheme = "godunov"},
-                    Case{
-                        .name = "flat_cells", .second = Second::rigid, .spin = 1e-4, .narrow = 2.5},
-                    Case{.name = "beyond_the_rim", .second = Second::rigid, .covered = 0.7},
-                    Case{.name = "holes", .spin = 1e-4, .holes = true},
-                    Case{.name = "holes_least_squares",
-                         .second = Second::softer,
-                         .scheme = "least_squares",
-                         .holes = true}),
+    testing::Values(
+        Case{.name = "longitudinal"}, Case{.name = "spin", .lateral = 2e-4, .spin = 3e-4},
+        Case{.name = "rigid", .second = Second::rigid, .spin = 3e-4},
+        Case{.name = "unlike", .second = Second::softer, .lateral = -3e-4}, Case{.name = "forces", .forces = true},
+        Case{.name = "forces_rigid", .second = Second::rigid, .forces = true},
+        Case{.name = "approach", .second = Second::rigid, .approach = true}, Case{.name = "frictionless", .mu = 0},
+        Case{.name = "frictionless_rigid", .second = Second::rigid, .mu = 0},
+        Case{.name = "rolling_at_30_degrees", .second = Second::rigid, .spin = 1e-4, .angle = 0.5235987755982988},
+        Case{.name = "rolling_backwards", .spin = 2e-4, .angle = 2.8},
+        Case{.name = "least_squares", .spin = 1e-4, .scheme = "least_squares"},
+        Case{.name = "godunov", .second = Second::rigid, .scheme = "godunov"},
+        Case{.name = "flat_cells", .second = Second::rigid, .spin = 1e-4, .narrow = 2.5},
+        Case{.name = "beyond_the_rim", .second = Second::rigid, .covered = 0.7},
+        Case{.name = "holes", .spin = 1e-4, .holes = true},
+        Case{.name = "holes_least_squares", .second = Second::softer, .scheme = "least_squares", .holes = true}),
     [](const auto& info) { return std::string(info.param.name); });
 
-// Rolling cases (a) and (b), alike and unlike: Newton's iterations and the applications of the
-// operators hardly grow with the lattice, the bytes of a node not at all.
+// Rolling cases (a) and (b), alike and unlike: Newton's iterations and the applications of the operators hardly grow
+// with the lattice, the bytes of a node not at all.
 TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
-  for (const Case& c :
-       {Case{.name = "a"}, Case{.name = "b", .spin = steady_rolling::spin},
-        Case{.name = "b on rigid", .second = Second::rigid, .spin = steady_rolling::spin}}) {
+  for (const Case& c : {Case{.name = "a"}, Case{.name = "b", .spin = steady_rolling::spin},
+                        Case{.name = "b on rigid", .second = Second::rigid, .spin = steady_rolling::spin}}) {
     double first = 0;
     for (const int n : {32, 64, 128}) {
       const auto pair = make(c, "fft", n);
@@ -176,28 +164,24 @@ TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
 // Coordinates in single precision, cells that lack: as fast as without, and off by as little.
 TEST(Lattice, FlawsKeepTheFft) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
-  for (const Case& c :
-       {Case{.name = "rounded", .off = 2e-6}, Case{.name = "holes", .holes = true}}) {
+  for (const Case& c : {Case{.name = "rounded", .off = 2e-6}, Case{.name = "holes", .holes = true}}) {
     const auto fast = make(c, "auto"), exact = make(c, "dense");
     const std::int32_t expected = c.holes ? ROLLCON_RIM_CONTACT : ROLLCON_OK;
     ASSERT_EQ(fast->solve(), expected);
     ASSERT_EQ(exact->solve(), expected);
     EXPECT_GT(fast->stat("operator_applications"), 0);
-    const double worst = difference(fast->solution(), exact->solution()),
-                 bound = c.off > 0 ? 10 * c.off : agreement;
+    const double worst = difference(fast->solution(), exact->solution()), bound = c.off > 0 ? 10 * c.off : agreement;
     std::printf("%s: difference %.1e (bound %.0e), bytes %.0f, dense %.0f\n", c.name, worst, bound,
                 fast->stat("peak_bytes"), exact->stat("peak_bytes"));
     EXPECT_LE(worst, bound);
     EXPECT_LE(fast->stat("peak_bytes"), 0.2 * exact->stat("peak_bytes"));
-    EXPECT_NE(fast->plan().find(c.holes ? "4 cell(s) of the grid missing" : "of a spacing off"),
-              std::string::npos)
+    EXPECT_NE(fast->plan().find(c.holes ? "4 cell(s) of the grid missing" : "of a spacing off"), std::string::npos)
         << fast->plan();
   }
   // What is missing to be one is said.
   const auto jittered = make(Case{.name = "jittered", .off = 1e-3}, "auto", 12);
   EXPECT_EQ(jittered->solve(), ROLLCON_OK);
-  EXPECT_NE(jittered->plan().find("not a regular grid of quad4 elements: node"), std::string::npos)
-      << jittered->plan();
+  EXPECT_NE(jittered->plan().find("not a regular grid of quad4 elements: node"), std::string::npos) << jittered->plan();
 }
 
 TEST(Lattice, AnythingElseIsRefusedByName) {
@@ -249,8 +233,7 @@ TEST(Lattice, DisplacementsOfEachBodyAreThoseOfIntegrals) {
       scale = std::max(scale, std::abs(integrals[i]));
       worst = std::max(worst, std::abs(integrals[i] - fft[i]));
     }
-    std::printf("body %d: displacements differ by %.1e of the largest (bound 1e-10)\n", body,
-                worst / scale);
+    std::printf("body %d: displacements differ by %.1e of the largest (bound 1e-10)\n", body, worst / scale);
     EXPECT_LE(worst, 1e-10 * scale);
   }
 }
@@ -279,9 +262,9 @@ TEST(Lattice_long, ErrorEstimatesFollowTheErrors) {
   }
 }
 
-// Where the edge of the contact falls between the nodes, two lattices can agree by accident: from
-// these two alone estimates were a fifth (characteristic, 64) and a tenth (least squares, against a
-// coarse lattice by another scheme) of the errors.
+// Where the edge of the contact falls between the nodes, two lattices can agree by accident: from these two alone
+// estimates were a fifth (characteristic, 64) and a tenth (least squares, against a coarse lattice by another scheme)
+// of the errors.
 TEST(Lattice, ErrorEstimatesDoNotMissErrorsByAccident) {
   if (!have_fft()) GTEST_SKIP() << "built without FFTW";
   const auto solve = [&](const char* scheme, int n) {
@@ -319,12 +302,8 @@ TEST(Lattice, DerivativesAreThoseOfDenseOperators) {
   fft->solve();
   for (const std::int32_t parameter : {1, 2, 3, 4, 5}) {
     double a[3], b[3];
-    ASSERT_EQ(
-        rollcon_contact_get_sensitivity(dense->handle(), parameter, a, nullptr, nullptr, nullptr),
-        ROLLCON_OK);
-    ASSERT_EQ(
-        rollcon_contact_get_sensitivity(fft->handle(), parameter, b, nullptr, nullptr, nullptr),
-        ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_get_sensitivity(dense->handle(), parameter, a, nullptr, nullptr, nullptr), ROLLCON_OK);
+    ASSERT_EQ(rollcon_contact_get_sensitivity(fft->handle(), parameter, b, nullptr, nullptr, nullptr), ROLLCON_OK);
     const double scale = std::hypot(a[0], a[1], a[2]);
     for (int i = 0; i < 3; ++i) EXPECT_NEAR(a[i], b[i], 1e-6 * scale) << parameter;
   }

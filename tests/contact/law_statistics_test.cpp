@@ -14,8 +14,7 @@ namespace {
 
 using namespace contact_test;
 
-constexpr std::array<const char*, 4> laws{"law_normal", "law_friction", "law_slip",
-                                          "law_equilibrium"};
+constexpr std::array<const char*, 4> laws{"law_normal", "law_friction", "law_slip", "law_equilibrium"};
 
 /// The laws after `iterations` of a scene whose stresses and lengths are multiplied.
 std::array<double, 4> unfinished(double stress, double length, std::int64_t iterations) {
@@ -53,8 +52,7 @@ TEST(law_statistics, of_unfinished_iterates_do_not_depend_on_units) {
     std::printf(
         "after %lld iterations: normal %.1e, friction %.1e, slip %.1e, equilibrium %.1e; "
         "in other units off by %.1e (bound 1e-6)\n",
-        static_cast<long long>(iterations), reference[0], reference[1], reference[2], reference[3],
-        error);
+        static_cast<long long>(iterations), reference[0], reference[1], reference[2], reference[3], error);
     EXPECT_LE(error, 1e-6);
     EXPECT_GT(*std::max_element(reference.begin(), reference.end()), 1e-4);
   }

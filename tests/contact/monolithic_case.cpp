@@ -21,13 +21,12 @@ std::size_t at(std::int64_t i) {
 
 std::shared_ptr<const Frame> square_frame(int n, double length) {
   const auto lines = frames::uniform_lines(-length, length, n);
-  return std::make_shared<Frame>(build_frame(
-      frames::perturb(frames::rectangle(ElementType::quad4, lines, lines), 0.1, 5), Axes{}));
+  return std::make_shared<Frame>(
+      build_frame(frames::perturb(frames::rectangle(ElementType::quad4, lines, lines), 0.1, 5), Axes{}));
 }
 
-Case make_case(std::string name, std::shared_ptr<const Frame> frame,
-               std::shared_ptr<const Compliance> compliance, Scheme scheme, const Motions& motions,
-               double length, double stress, bool dense) {
+Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared_ptr<const Compliance> compliance,
+               Scheme scheme, const Motions& motions, double length, double stress, bool dense) {
   Case c;
   c.name = std::move(name);
   c.frame = std::move(frame);
@@ -60,8 +59,7 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame,
   c.step.given.value = {1e-3, -5e-4, 0.01 * length, 2e-4 / length};
   c.traction = 0.01 * stress;
   const double force = 1e-3 * stress * length * length;
-  if (motions.approach_by_force)
-    c.step.given.by_force[approach] = true, c.step.given.value[approach] = force;
+  if (motions.approach_by_force) c.step.given.by_force[approach] = true, c.step.given.value[approach] = force;
   if (motions.creep_by_force) {
     c.step.given.by_force[xi1] = c.step.given.by_force[xi2] = c.step.given.by_force[spin] = true;
     c.step.given.value[xi1] = 0.1 * force;
@@ -82,19 +80,18 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame,
     c.step.state[k] = slips ? PairState::slip : PairState::stick;
     const double bound = 0.3 * c.traction * (1 + 0.2 * random());
     const double size = slips ? bound * 1.3 : 0.5 * bound, angle = 3 + random();
-    c.step.law[k] = coulomb().linearise(
-        {0.3, bound / 0.3, size * std::cos(angle), size * std::sin(angle)}, true);
+    c.step.law[k] = coulomb().linearise({0.3, bound / 0.3, size * std::cos(angle), size * std::sin(angle)}, true);
   }
   return c;
 }
 
-Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Motions& motions,
-                double length, double stress) {
+Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Motions& motions, double length,
+                double stress) {
   auto context = std::make_shared<Context>();
   const auto body = [&](double poisson) {
     const bool rigid = poisson < -1;
-    auto made = std::make_shared<Body>(
-        context, static_cast<std::int32_t>(rigid ? BodyKind::rigid : BodyKind::halfspace));
+    auto made =
+        std::make_shared<Body>(context, static_cast<std::int32_t>(rigid ? BodyKind::rigid : BodyKind::halfspace));
     if (!rigid) made->set_elastic(0, stress, poisson);
     made->prepare();
     return made;
@@ -104,8 +101,8 @@ Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Mo
   PairOfBodies pair;
   pair.body = {one.get(), two.get()};
   std::shared_ptr<const Compliance> compliance = make_pair_compliance(*frame, pair, 1e-6, 1);
-  Case c = make_case(poisson2 < -1 ? "half-space on rigid" : "two half-spaces", frame, compliance,
-                     scheme, motions, length, stress);
+  Case c = make_case(poisson2 < -1 ? "half-space on rigid" : "two half-spaces", frame, compliance, scheme, motions,
+                     length, stress);
   c.keep.insert(c.keep.end(), {context, one, two});
   return c;
 }
@@ -210,11 +207,9 @@ Point condensed_step(const Case& c) {
   tangential_rows(c, a);
   std::vector<int> motion;
   for (int m = 0; m < 4; ++m)
-    if (c.step.given.by_force[at(m)] && (m == approach || c.tangential != Tangential::none))
-      motion.push_back(m);
+    if (c.step.given.by_force[at(m)] && (m == approach || c.tangential != Tangential::none)) motion.push_back(m);
   std::array<double, 4> known{};
-  for (std::size_t m = 0; m < 4; ++m)
-    known[m] = c.step.given.by_force[m] ? 0 : c.step.given.value[m];
+  for (std::size_t m = 0; m < 4; ++m) known[m] = c.step.given.by_force[m] ? 0 : c.step.given.value[m];
   // Motions count in units that keep the matrix's entries within a few orders of magnitude.
   const double rate = c.traction * p.length / std::abs(p.rn[at(n / 2)] * p.length);
   const auto unit = [&](int m) {
@@ -245,8 +240,7 @@ Point condensed_step(const Case& c) {
         right = p.rn[at(k)] * p.rigid_gap(at(k), known[approach]);
         for (std::size_t m = 0; m < motion.size(); ++m)
           if (motion[m] == approach)
-            row[3 * n + static_cast<std::int64_t>(m)] =
-                p.rn[at(k)] * p.closing(at(k)) * unit(approach);
+            row[3 * n + static_cast<std::int64_t>(m)] = p.rn[at(k)] * p.closing(at(k)) * unit(approach);
         continue;
       }
       if (c.tangential == Tangential::shift && state == PairState::stick) {
@@ -254,9 +248,8 @@ Point condensed_step(const Case& c) {
           for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += p.rn[at(k)] * a[r][j].row(k)[i];
         right = p.rn[at(k)] * c.step.target[r][at(k)];
         for (std::size_t m = 0; m < motion.size(); ++m)
-          row[3 * n + static_cast<std::int64_t>(m)] = p.rn[at(k)] * c.step.reach[at(k)] *
-                                                      p.slip_column(motion[m], at(k))[at(r)] *
-                                                      unit(motion[m]);
+          row[3 * n + static_cast<std::int64_t>(m)] =
+              p.rn[at(k)] * c.step.reach[at(k)] * p.slip_column(motion[m], at(k))[at(r)] * unit(motion[m]);
         continue;
       }
       const TangentialLaw& law = c.step.law[at(k)];
@@ -291,8 +284,7 @@ Point condensed_step(const Case& c) {
   }
   Point next = c.z;
   next.motion = known;
-  for (std::size_t m = 0; m < motion.size(); ++m)
-    next.motion[at(motion[m])] = x[at(3 * n) + m] * unit(motion[m]);
+  for (std::size_t m = 0; m < motion.size(); ++m) next.motion[at(motion[m])] = x[at(3 * n) + m] * unit(motion[m]);
   for (int j = 0; j < 3; ++j)
     for (std::int64_t k = 0; k < n; ++k) next.lambda[j][at(k)] = x[at(3 * k + j)];
   return image_of(c, next);
@@ -300,11 +292,9 @@ Point condensed_step(const Case& c) {
 
 double difference(const Case& c, const Point& a, const Point& b) {
   double worst = 0;
-  const auto compare = [&](const std::vector<double>& u, const std::vector<double>& v,
-                           double scale) {
+  const auto compare = [&](const std::vector<double>& u, const std::vector<double>& v, double scale) {
     EXPECT_EQ(u.size(), v.size());
-    for (std::size_t k = 0; k < v.size(); ++k)
-      worst = std::max(worst, std::abs(u[k] - v[k]) / scale);
+    for (std::size_t k = 0; k < v.size(); ++k) worst = std::max(worst, std::abs(u[k] - v[k]) / scale);
   };
   const auto largest = [](std::initializer_list<const std::vector<double>*> fields) {
     double m = 1e-300;
@@ -320,8 +310,7 @@ double difference(const Case& c, const Point& a, const Point& b) {
   }
   compare(a.depth, b.depth, largest({&b.depth}));
   if (c.tangential == Tangential::shift)
-    for (int i = 0; i < 2; ++i)
-      compare(a.shift[i], b.shift[i], largest({&b.shift[0], &b.shift[1]}));
+    for (int i = 0; i < 2; ++i) compare(a.shift[i], b.shift[i], largest({&b.shift[0], &b.shift[1]}));
   for (const int m : {xi1, xi2, approach, spin}) {
     double scale = std::abs(b.motion[at(m)]);
     if (m == xi1 || m == xi2) scale = std::max(std::abs(b.motion[xi1]), std::abs(b.motion[xi2]));

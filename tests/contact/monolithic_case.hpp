@@ -1,6 +1,6 @@
 #pragma once
-/// One linearised step on any pair of bodies, and its solution by condensed formulas: dense
-/// compliance, convected, one equation per traction and motion.
+/// One linearised step on any pair of bodies, and its solution by condensed formulas: dense compliance, convected, one
+/// equation per traction and motion.
 
 #include <memory>
 #include <string>
@@ -28,22 +28,21 @@ struct Motions {
   bool approach_by_force = false, creep_by_force = false;
 };
 
-/// Gap, loads, states and laws at random, but such that the step has one solution. length and
-/// stress: half the frame's width and Young's modulus. dense: with the condensed blocks.
-Case make_case(std::string name, std::shared_ptr<const Frame> frame,
-               std::shared_ptr<const Compliance> compliance, Scheme scheme, const Motions& motions,
-               double length, double stress, bool dense = true);
+/// Gap, loads, states and laws at random, but such that the step has one solution. length and stress: half the frame's
+/// width and Young's modulus. dense: with the condensed blocks.
+Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared_ptr<const Compliance> compliance,
+               Scheme scheme, const Motions& motions, double length, double stress, bool dense = true);
 std::shared_ptr<const Frame> square_frame(int n, double length);
 /// A square frame of n x n elements on half-spaces: E = 1, Poisson's ratios; below -1: rigid.
-Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Motions& motions,
-                double length = 1, double stress = 1);
-/// Two bodies with random equations, one sparse and symmetric, one dense and not symmetric; half
-/// of the compliance direct, if `direct`.
+Case halfspaces(int n, double poisson1, double poisson2, Scheme scheme, const Motions& motions, double length = 1,
+                double stress = 1);
+/// Two bodies with random equations, one sparse and symmetric, one dense and not symmetric; half of the compliance
+/// direct, if `direct`.
 Case random_bodies(int n, bool direct, Scheme scheme, const Motions& motions);
 
 enum class Model { fem, bem, halfspace, rigid };
-/// Blocks with a fine zone of n x n elements on top of each other, which is the frame; of
-/// half-spaces likewise. `curved`: their tops bulge, and the frame has local triads.
+/// Blocks with a fine zone of n x n elements on top of each other, which is the frame; of half-spaces likewise.
+/// `curved`: their tops bulge, and the frame has local triads.
 struct MeshedPair {
   Model model[2] = {Model::fem, Model::rigid};
   int n = 4, grade = 1, deep = 2;

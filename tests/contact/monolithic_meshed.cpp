@@ -35,8 +35,8 @@ Made make_body(const MeshedPair& pair, int which, std::shared_ptr<Context> conte
   };
   std::shared_ptr<statics::StaticBody> body;
   if (model == Model::fem)
-    body = std::make_shared<statics::StaticBody>(
-        volumes::transform(volumes::zone_block(shape, VolumeType::hex8), map), young, poisson);
+    body = std::make_shared<statics::StaticBody>(volumes::transform(volumes::zone_block(shape, VolumeType::hex8), map),
+                                                 young, poisson);
   else
     body = std::make_shared<statics::StaticBody>(
         surfaces::transform(surfaces::zone_block(shape, ElementType::quad4), map), young, poisson);
@@ -51,10 +51,7 @@ Made make_body(const MeshedPair& pair, int which, std::shared_ptr<Context> conte
 }
 
 std::string name_of(Model model) {
-  return model == Model::fem         ? "FEM"
-         : model == Model::bem       ? "BEM"
-         : model == Model::halfspace ? "half-space"
-                                     : "rigid";
+  return model == Model::fem ? "FEM" : model == Model::bem ? "BEM" : model == Model::halfspace ? "half-space" : "rigid";
 }
 
 }  // namespace
@@ -76,8 +73,8 @@ Case meshed(const MeshedPair& pair, Scheme scheme, const Motions& motions) {
   auto frame = std::make_shared<Frame>(build_frame(std::move(mesh), Axes{}));
   if (one.owner) curve_frame(*frame, surface_normals(*frame, {}, bodies));
   std::shared_ptr<const Compliance> compliance = make_pair_compliance(*frame, bodies, 1e-6, 2);
-  Case c = make_case(name_of(pair.model[0]) + "-" + name_of(pair.model[1]) +
-                         (pair.curved ? ", curved" : "") + (pair.own_frame ? ", own frame" : ""),
+  Case c = make_case(name_of(pair.model[0]) + "-" + name_of(pair.model[1]) + (pair.curved ? ", curved" : "") +
+                         (pair.own_frame ? ", own frame" : ""),
                      frame, compliance, scheme, motions, pair.length, pair.stress, pair.n <= 8);
   c.keep.insert(c.keep.end(), {context, one.body, two.body, one.owner, two.owner});
   return c;

@@ -12,8 +12,8 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Two bodies that stand for elastic ones: unknowns near every node, equations at random, and
-/// displacements interpolated with bell-shaped weights.
+/// Two bodies that stand for elastic ones: unknowns near every node, equations at random, and displacements
+/// interpolated with bell-shaped weights.
 class RandomBodies final : public Compliance {
  public:
   RandomBodies(const Frame& frame, bool direct) : frame_(frame), direct_(direct) {
@@ -83,8 +83,7 @@ class RandomBodies final : public Compliance {
               body.displacement.row.push_back(3 * k + c);
               body.displacement.value.push_back(w);
             }
-          body.displacement.start.push_back(
-              static_cast<std::int64_t>(body.displacement.row.size()));
+          body.displacement.start.push_back(static_cast<std::int64_t>(body.displacement.row.size()));
         }
       out.body.push_back(std::move(body));
     }
@@ -119,8 +118,7 @@ class RandomBodies final : public Compliance {
       const SparseMatrix& d = e.body[at(b)].displacement;
       for (std::int64_t r = 0; r < 3 * p; ++r)
         for (std::int64_t i = d.start[at(r)]; i < d.start[at(r + 1)]; ++i)
-          for (std::int64_t j = 0; j < 3 * n; ++j)
-            a[at(r * 3 * n + j)] += d.value[at(i)] * x[at(d.row[at(i)] + j * m)];
+          for (std::int64_t j = 0; j < 3 * n; ++j) a[at(r * 3 * n + j)] += d.value[at(i)] * x[at(d.row[at(i)] + j * m)];
     }
     for (std::int64_t r = 0; r < 3 * p; ++r)
       for (std::int64_t j = 0; j < 3 * n; ++j) {

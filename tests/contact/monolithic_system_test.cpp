@@ -1,5 +1,5 @@
-/// A step of the monolithic system is that of the condensed one, whatever the bodies, the scheme,
-/// the loads, the form and the solver.
+/// A step of the monolithic system is that of the condensed one, whatever the bodies, the scheme, the loads, the form
+/// and the solver.
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@ StepOptions monolithic(const Case& c, LinearMethod linear = LinearMethod::lu,
   return {true, c.tangential, linear, preconditioner};
 }
 
-/// Difference of the step from that by condensed formulas: with the bodies' unknowns written out,
-/// and with them eliminated.
+/// Difference of the step from that by condensed formulas: with the bodies' unknowns written out, and with them
+/// eliminated.
 double step_error(const Case& c) {
   double worst = 0;
   const Point expected = condensed_step(c);
@@ -77,8 +77,7 @@ TEST(monolithic_system_long, curved_and_laid_frames) {
   for (const auto& models : {pairs[1], pairs[3]})
     for (const bool own : {false, true})
       for (const Scheme scheme : schemes) {
-        Case c = meshed({.model = {models[0], models[1]}, .curved = true, .own_frame = own}, scheme,
-                        {true, true});
+        Case c = meshed({.model = {models[0], models[1]}, .curved = true, .own_frame = own}, scheme, {true, true});
         expect_error(c.name + ", " + name_of(scheme), step_error(c), bound);
         if (scheme == Scheme::characteristic) continue;
         make_reduced(c);
@@ -91,8 +90,7 @@ TEST(monolithic_system, without_friction) {
     for (Case c : {halfspaces(8, 0.3, -2, Scheme::godunov, {force, false}),
                    random_bodies(6, true, Scheme::godunov, {force, false})}) {
       make_frictionless(c);
-      expect_error(c.name + (force ? ", frictionless, load" : ", frictionless"), step_error(c),
-                   bound);
+      expect_error(c.name + (force ? ", frictionless, load" : ", frictionless"), step_error(c), bound);
     }
   }
 }
@@ -100,13 +98,11 @@ TEST(monolithic_system, without_friction) {
 TEST(monolithic_system, reduced_unknowns) {
   for (const Scheme scheme : {Scheme::godunov, Scheme::least_squares})
     for (const Motions& motions : {Motions{}, Motions{true, true}})
-      for (Case c :
-           {halfspaces(8, 0.3, -2, scheme, motions), halfspaces(8, 0.3, 0.1, scheme, motions),
-            random_bodies(6, false, scheme, motions), random_bodies(6, true, scheme, motions)}) {
+      for (Case c : {halfspaces(8, 0.3, -2, scheme, motions), halfspaces(8, 0.3, 0.1, scheme, motions),
+                     random_bodies(6, false, scheme, motions), random_bodies(6, true, scheme, motions)}) {
         make_reduced(c);
-        expect_error(
-            c.name + ", reduced, " + name_of(scheme) + (motions.creep_by_force ? ", forces" : ""),
-            step_error(c), bound);
+        expect_error(c.name + ", reduced, " + name_of(scheme) + (motions.creep_by_force ? ", forces" : ""),
+                     step_error(c), bound);
       }
 }
 
@@ -114,13 +110,10 @@ constexpr Preconditioner preconditioners[] = {Preconditioner::none, Precondition
                                               Preconditioner::automatic};
 
 const char* name_of(Preconditioner p) {
-  return p == Preconditioner::none       ? "none"
-         : p == Preconditioner::diagonal ? "diagonal"
-                                         : "factors";
+  return p == Preconditioner::none ? "none" : p == Preconditioner::diagonal ? "diagonal" : "factors";
 }
 
-/// Steps one after the other, the last with other states and laws, as Newton's iteration takes
-/// them.
+/// Steps one after the other, the last with other states and laws, as Newton's iteration takes them.
 double gmres_error(Case c, const StepOptions& options, StepCounters& counters) {
   const Problem problem = options.monolithic ? written_out(c) : c.problem;
   StepSystem system(problem, *c.frame, *c.compliance, options);
@@ -139,11 +132,10 @@ double gmres_error(Case c, const StepOptions& options, StepCounters& counters) {
 
 TEST(monolithic_system_long, gmres_with_every_preconditioner) {
   for (const int form : {0, 1, 2})
-    for (const Case& standard :
-         {halfspaces(8, 0.3, -2, Scheme::godunov, {true, true}),
-          meshed({.model = {Model::fem, Model::fem}}, Scheme::least_squares, {true, true}),
-          meshed({.model = {Model::fem, Model::bem}}, Scheme::godunov, {true, true}),
-          random_bodies(6, true, Scheme::godunov, {true, true})})
+    for (const Case& standard : {halfspaces(8, 0.3, -2, Scheme::godunov, {true, true}),
+                                 meshed({.model = {Model::fem, Model::fem}}, Scheme::least_squares, {true, true}),
+                                 meshed({.model = {Model::fem, Model::bem}}, Scheme::godunov, {true, true}),
+                                 random_bodies(6, true, Scheme::godunov, {true, true})})
       for (const Preconditioner p : preconditioners) {
         Case c = standard;
         if (form == 1) make_reduced(c);
@@ -171,8 +163,7 @@ TEST(monolithic_system, looser_tolerance_takes_fewer_iterations) {
   std::int64_t last = 0;
   for (const double eta : {0.1, 1e-4, 1e-8}) {
     const Problem problem = written_out(c);
-    StepSystem system(problem, *c.frame, *c.compliance,
-                      monolithic(c, LinearMethod::gmres, Preconditioner::bodies));
+    StepSystem system(problem, *c.frame, *c.compliance, monolithic(c, LinearMethod::gmres, Preconditioner::bodies));
     Point z = c.z, next;
     system.update(z);
     ASSERT_TRUE(system.solve(c.step, z, eta, next));
@@ -192,13 +183,11 @@ TEST(monolithic_system, units_change_nothing) {
       std::int64_t iterations[2];
       constexpr double millimetre = 1e3, megapascal = 1e-6;
       for (int i = 0; i < 2; ++i) {
-        const Case c = meshed({.model = {models[0], models[1]},
-                               .length = i == 0 ? 1 : millimetre,
-                               .stress = i == 0 ? 1 : megapascal},
-                              Scheme::godunov, {true, true});
+        const Case c = meshed(
+            {.model = {models[0], models[1]}, .length = i == 0 ? 1 : millimetre, .stress = i == 0 ? 1 : megapascal},
+            Scheme::godunov, {true, true});
         const Problem problem = written_out(c);
-        StepSystem system(problem, *c.frame, *c.compliance,
-                          monolithic(c, solver, Preconditioner::bodies));
+        StepSystem system(problem, *c.frame, *c.compliance, monolithic(c, solver, Preconditioner::bodies));
         Point z = c.z;
         system.update(z);
         ASSERT_TRUE(system.solve(c.step, z, 1e-8, solution[i]));
@@ -207,15 +196,13 @@ TEST(monolithic_system, units_change_nothing) {
       double worst = 0, scale = 0;
       for (int i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < solution[0].lambda[i].size(); ++k) {
-          const double one = solution[0].lambda[i][k],
-                       other = solution[1].lambda[i][k] / megapascal;
+          const double one = solution[0].lambda[i][k], other = solution[1].lambda[i][k] / megapascal;
           worst = std::max(worst, std::abs(one - other));
           scale = std::max(scale, std::abs(one));
         }
       EXPECT_EQ(iterations[0], iterations[1]);
       // Boundary integrals are cut off at the same relative accuracy, rounding aside.
-      expect_error(solver == LinearMethod::lu ? "LU, other units" : "GMRES, other units",
-                   worst / scale, 1e-6);
+      expect_error(solver == LinearMethod::lu ? "LU, other units" : "GMRES, other units", worst / scale, 1e-6);
     }
 }
 
@@ -255,8 +242,7 @@ TEST(monolithic_system, says_when_no_creepage_is_determined) {
     if (c.step.state[k] == PairState::stick) c.step.state[k] = PairState::open;
   for (const LinearMethod solver : {LinearMethod::lu, LinearMethod::gmres}) {
     Point z = c.z, next;
-    StepSystem system(c.problem, *c.frame, *c.compliance,
-                      monolithic(c, solver, Preconditioner::bodies));
+    StepSystem system(c.problem, *c.frame, *c.compliance, monolithic(c, solver, Preconditioner::bodies));
     system.update(z);
     EXPECT_FALSE(system.solve(c.step, z, 1e-8, next));
   }

@@ -1,5 +1,5 @@
-/// The solver's promises: loads and motions are two views of one solution, scales and linear
-/// solvers do not change it, warm starts are cheap, statuses are right.
+/// The solver's promises: loads and motions are two views of one solution, scales and linear solvers do not change it,
+/// warm starts are cheap, statuses are right.
 
 #include "contact/scene_fixture.hpp"
 
@@ -36,8 +36,7 @@ TEST(newton, forces_found_give_the_motions_back) {
     const double error = std::max({std::abs(depth / 0.02 - 1), std::abs(creep[0] / -1.2e-3 - 1),
                                    std::abs(creep[1] / 4e-4 - 1), std::abs(creep[2] / 3e-4 - 1)});
     const double difference = largest_difference(pair.tractions(), by_motion);
-    std::printf("%s: motions from forces: error %.1e, tractions %.1e (bounds 1e-7)\n", m.name,
-                error, difference);
+    std::printf("%s: motions from forces: error %.1e, tractions %.1e (bounds 1e-7)\n", m.name, error, difference);
     EXPECT_LT(error, 1e-7);
     EXPECT_LT(difference, 1e-7);
     EXPECT_LT(pair.worst_law(), 1e-8);
@@ -255,8 +254,8 @@ TEST(newton, a_creep_field_that_is_a_spin_acts_like_the_spin) {
 }
 
 TEST(newton, loads_that_the_first_nodes_cannot_carry_are_found_from_the_approach) {
-  // One corner node of a serendipity element in contact: its weight is negative, so that no
-  // compressive pressure there carries the load.
+  // One corner node of a serendipity element in contact: its weight is negative, so that no compressive pressure there
+  // carries the load.
   Pair pair(1e4, 0.3, 1e4, 0.3);
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 4);
   pair.frame(frames::rectangle(ElementType::quad8, lines, lines));
@@ -267,8 +266,7 @@ TEST(newton, loads_that_the_first_nodes_cannot_carry_are_found_from_the_approach
   scene.prescribe(3, 2, 0.1);
   ASSERT_EQ(pair.contact->solve(), Status::coarse);
   std::printf("%g nodes carry it, %g fallbacks, worst law residual %.1e (bound 1e-8)\n",
-              pair.contact->stat("nodes_contact"), pair.contact->stat("fallbacks"),
-              pair.worst_law());
+              pair.contact->stat("nodes_contact"), pair.contact->stat("fallbacks"), pair.worst_law());
   EXPECT_GT(pair.contact->stat("nodes_contact"), 1);
   EXPECT_GE(pair.contact->stat("fallbacks"), 1);
   EXPECT_LT(pair.worst_law(), 1e-8);

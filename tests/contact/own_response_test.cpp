@@ -1,6 +1,5 @@
-// The characteristic scheme: a node's traction drags the surface at the node further than at the
-// point upstream of it, wherever the node lies. Else its slip would grow with the friction that
-// opposes it, and no solution need exist.
+// The characteristic scheme: a node's traction drags the surface at the node further than at the point upstream of it,
+// wherever the node lies. Else its slip would grow with the friction that opposes it, and no solution need exist.
 
 #include <gtest/gtest.h>
 
@@ -72,8 +71,8 @@ void expect_positive(std::initializer_list<double> angles) {
         median = sorted[sorted.size() / 2];
         least = std::min(least, sorted.front() / median);
       }
-      std::printf("%-28s turned by %.1f: least over median %.3f, bound %.3f\n", named.name.c_str(),
-                  angle, least, bound);
+      std::printf("%-28s turned by %.1f: least over median %.3f, bound %.3f\n", named.name.c_str(), angle, least,
+                  bound);
       EXPECT_GT(least, bound) << named.name;
     }
 }

@@ -40,8 +40,7 @@ TEST(power, of_the_balance_is_right_on_coarse_grids) {
     const double balance = coarse->contact->stat("friction_power_balance") / limit - 1;
     const double nodal = coarse->contact->stat("friction_power") / limit - 1;
     const double nodal_fine = fine->contact->stat("friction_power") / limit - 1;
-    std::printf("balance %+.3f (bound 0.04), at nodes %+.3f, on the finer grid %+.3f\n", balance,
-                nodal, nodal_fine);
+    std::printf("balance %+.3f (bound 0.04), at nodes %+.3f, on the finer grid %+.3f\n", balance, nodal, nodal_fine);
     EXPECT_LT(std::abs(balance), 0.04);
     EXPECT_LT(std::abs(balance), std::abs(nodal));
     EXPECT_LT(nodal, 0);
@@ -51,10 +50,8 @@ TEST(power, of_the_balance_is_right_on_coarse_grids) {
 
 TEST(power, is_force_times_speed_and_nothing_in_free_rolling_of_equal_bodies) {
   const double one = solved(scenes[1], 20)->contact->stat("friction_power_balance");
-  EXPECT_NEAR(solved(scenes[1], 20, 7)->contact->stat("friction_power_balance"), 7 * one,
-              1e-9 * one);
-  EXPECT_NEAR(solved({2e5, 0.3, {0, 0, 0}}, 20)->contact->stat("friction_power_balance"), 0,
-              1e-9 * one);
+  EXPECT_NEAR(solved(scenes[1], 20, 7)->contact->stat("friction_power_balance"), 7 * one, 1e-9 * one);
+  EXPECT_NEAR(solved({2e5, 0.3, {0, 0, 0}}, 20)->contact->stat("friction_power_balance"), 0, 1e-9 * one);
   // Unlike bodies lose power though no force drives them.
   EXPECT_GT(solved({7e4, 0.4, {0, 0, 0}}, 20)->contact->stat("friction_power_balance"), 0.01 * one);
 }
@@ -75,11 +72,10 @@ TEST(power, counts_slip_given_as_a_field_like_creepage) {
 
 TEST(power, does_not_depend_on_the_kind_of_element) {
   const double limit = solved(scenes[2], 96)->contact->stat("friction_power_balance");
-  for (const ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                 ElementType::quad8, ElementType::quad9}) {
+  for (const ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     Pair pair(2e5, 0.3, 7e4, 0.4);
-    const std::vector<double> lines =
-        frames::uniform_lines(-1.3, 1.3, is_quadratic(type) ? 10 : 20);
+    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, is_quadratic(type) ? 10 : 20);
     pair.frame(frames::perturb(frames::rectangle(type, lines, lines), 0.1, 5));
     pair.contact->scene.set_gap_quadratic(0.01, 0.013, 0);
     pair.friction(0.3);

@@ -1,5 +1,5 @@
-// What is asked between two solves does not change the next one: slips that nobody asked for are
-// computed where a predicted start needs them.
+// What is asked between two solves does not change the next one: slips that nobody asked for are computed where a
+// predicted start needs them.
 
 #include <gtest/gtest.h>
 
@@ -43,18 +43,15 @@ Work growing_load(const closed_forms::Elastic& body2, double step, const char* s
 }
 
 TEST(prediction, is_the_same_whatever_was_asked_before) {
-  for (const auto& [name, body2] :
-       {std::pair{"identical", steady_rolling::steel}, {"dissimilar", soft}})
+  for (const auto& [name, body2] : {std::pair{"identical", steady_rolling::steel}, {"dissimilar", soft}})
     for (const char* scheme : {"characteristic", "godunov"})
       for (const double step : {0.02, 0.1, 0.3}) {
-        const Work plain = growing_load(body2, step, scheme, false),
-                   asked = growing_load(body2, step, scheme, true);
+        const Work plain = growing_load(body2, step, scheme, false), asked = growing_load(body2, step, scheme, true);
         const double change = std::abs(asked.force / plain.force - 1);
         std::printf(
             "%s bodies, %s, load in steps of %g: %g iterations and %g predicted starts, %g and %g "
             "after questions; forces differ by %.1e (bound 1e-9)\n",
-            name, scheme, step, plain.iterations, plain.predictions, asked.iterations,
-            asked.predictions, change);
+            name, scheme, step, plain.iterations, plain.predictions, asked.iterations, asked.predictions, change);
         EXPECT_EQ(plain.iterations, asked.iterations);
         EXPECT_EQ(plain.predictions, asked.predictions);
         EXPECT_LT(change, 1e-9);

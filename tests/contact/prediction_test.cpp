@@ -30,8 +30,7 @@ Work time_loop(const closed_forms::Elastic& body2, std::int64_t prediction) {
   for (int k = 0; k < 150; ++k) {
     const double t = 0.002 * k;
     pair.load(0.8 * steady_rolling::hertz.load * (1 + 0.2 * std::sin(9 * t)));
-    pair.creep(steady_rolling::creepage * std::sin(1 + 5 * t),
-               0.3 * steady_rolling::creepage * std::cos(3 * t),
+    pair.creep(steady_rolling::creepage * std::sin(1 + 5 * t), 0.3 * steady_rolling::creepage * std::cos(3 * t),
                steady_rolling::spin * std::sin(2 * t + 1));
     EXPECT_GE(pair.solve(), 0);
     if (k < 3) continue;
@@ -44,8 +43,7 @@ Work time_loop(const closed_forms::Elastic& body2, std::int64_t prediction) {
 }
 
 TEST(prediction, saves_iterations_of_a_time_loop) {
-  for (const auto& [name, body2] :
-       {std::pair{"identical", steady_rolling::steel}, {"dissimilar", soft}}) {
+  for (const auto& [name, body2] : {std::pair{"identical", steady_rolling::steel}, {"dissimilar", soft}}) {
     const Work plain = time_loop(body2, off), predicted = time_loop(body2, on);
     const double change = std::abs(predicted.force / plain.force - 1);
     std::printf(

@@ -1,5 +1,5 @@
-/// What the discrete problem takes from bodies: displacements they have anyway, coupling that turns
-/// out to be none, and what a change of pose makes stale.
+/// What the discrete problem takes from bodies: displacements they have anyway, coupling that turns out to be none, and
+/// what a change of pose makes stale.
 
 #include <gtest/gtest.h>
 
@@ -103,10 +103,8 @@ TEST(bodies_displaced, gap_and_slip_take_it) {
     scene.pair.contact->scene.set_gap_quadratic(0, 0, 0);
     scene.run();
     EXPECT_NEAR(p.slip1[60], -2e-3, 1e-13);
-    EXPECT_NEAR(
-        p.undeformed_gaps()[60],
-        -(1e-3 + 2e-4 * scene.state.prepared->frame.x[60] * scene.state.prepared->frame.y[60]),
-        1e-16);
+    EXPECT_NEAR(p.undeformed_gaps()[60],
+                -(1e-3 + 2e-4 * scene.state.prepared->frame.x[60] * scene.state.prepared->frame.y[60]), 1e-16);
   }
 }
 
@@ -135,8 +133,7 @@ TEST(coupling, blocks_of_rounding_are_dropped) {
 struct SphereOnBlock {
   std::shared_ptr<Context> context = std::make_shared<Context>();
   std::shared_ptr<Body> block = std::make_shared<Body>(context, 2);
-  std::shared_ptr<Body> sphere =
-      rigid_body(context, sphere_cap(ElementType::quad9, 10, 1.5, 50, 0, false));
+  std::shared_ptr<Body> sphere = rigid_body(context, sphere_cap(ElementType::quad9, 10, 1.5, 50, 0, false));
   Contact contact{context, block, sphere};
 
   SphereOnBlock() {
@@ -206,12 +203,10 @@ TEST(pose_of_both_bodies, moves_the_scene_without_a_trace) {
 
 // setters_test.cpp has the others.
 TEST(setter_of_a_meshed_scene, makes_only_what_depends_on_it) {
-  const std::vector<std::string> counted{
-      "body_preparations", "frame_builds", "compliance_builds",
-      "stencil_builds",    "gap_builds",   "friction_builds",
-      "slip_builds",       "scale_builds", "compliance_assemblies"};
-  const std::vector<int> nothing(9, 0), gap{0, 0, 0, 0, 1, 0, 0, 0, 0},
-      frame{0, 1, 1, 1, 1, 1, 1, 1, 1};
+  const std::vector<std::string> counted{"body_preparations", "frame_builds", "compliance_builds",
+                                         "stencil_builds",    "gap_builds",   "friction_builds",
+                                         "slip_builds",       "scale_builds", "compliance_assemblies"};
+  const std::vector<int> nothing(9, 0), gap{0, 0, 0, 0, 1, 0, 0, 0, 0}, frame{0, 1, 1, 1, 1, 1, 1, 1, 1};
   const double one[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, up[3] = {0, 0, 0.004};
   const double aside[3] = {0.1, 0, 0};
   struct Change {
@@ -219,24 +214,23 @@ TEST(setter_of_a_meshed_scene, makes_only_what_depends_on_it) {
     std::function<void(Contact&)> apply;
     std::vector<int> made;
   };
-  const Change changes[] = {
-      {"creep", [](Contact& c) { c.scene.set_creep(2e-3, 0, 0); }, nothing},
-      {"approach", [](Contact& c) { c.scene.prescribe(3, 1, 0.024); }, nothing},
-      {"pose of the rigid body", [&](Contact& c) { c.scene.set_pose(2, one, up); }, gap},
-      {"pose of both",
-       [&](Contact& c) {
-         for (const int which : {1, 2}) c.scene.set_pose(which, one, aside);
-         const double rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
-         c.scene.set_axes(aside, rolling, normal);
-       },
-       frame},
-      {"the same poses",
-       [&](Contact& c) {
-         const double none[3] = {0, 0, 0};
-         for (const int which : {1, 2}) c.scene.set_pose(which, one, none);
-       },
-       nothing},
-      {"frame", [](Contact& c) { c.frame_from_body(1, 2); }, frame}};
+  const Change changes[] = {{"creep", [](Contact& c) { c.scene.set_creep(2e-3, 0, 0); }, nothing},
+                            {"approach", [](Contact& c) { c.scene.prescribe(3, 1, 0.024); }, nothing},
+                            {"pose of the rigid body", [&](Contact& c) { c.scene.set_pose(2, one, up); }, gap},
+                            {"pose of both",
+                             [&](Contact& c) {
+                               for (const int which : {1, 2}) c.scene.set_pose(which, one, aside);
+                               const double rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
+                               c.scene.set_axes(aside, rolling, normal);
+                             },
+                             frame},
+                            {"the same poses",
+                             [&](Contact& c) {
+                               const double none[3] = {0, 0, 0};
+                               for (const int which : {1, 2}) c.scene.set_pose(which, one, none);
+                             },
+                             nothing},
+                            {"frame", [](Contact& c) { c.frame_from_body(1, 2); }, frame}};
   for (const Change& change : changes) {
     SphereOnBlock scene, fresh;
     scene.tractions();
@@ -259,8 +253,7 @@ TEST(pose_of_a_body, set_after_a_solve_leaves_its_results) {
   SphereOnBlock scene, twin;
   const auto displacements = [](SphereOnBlock& of) {
     std::vector<double> u(static_cast<std::size_t>(3 * of.contact.nodes()));
-    of.contact.field(Field::displacement1, InAxes::global, static_cast<std::int64_t>(u.size()),
-                     u.data());
+    of.contact.field(Field::displacement1, InAxes::global, static_cast<std::int64_t>(u.size()), u.data());
     return u;
   };
   scene.tractions();

@@ -55,8 +55,8 @@ TEST(procedure, takes_every_name) {
                                      {"pseudo_temporal", SlipEstimate::pseudo_temporal},
                                      {"extrapolation", SlipEstimate::extrapolation}})
     for (const char* scheme : {"godunov", "least_squares"}) {
-      const Procedure p = choose_procedure(
-          with({{"jacobian", "reduced"}, {"slip_estimate", name}, {"convection", scheme}}));
+      const Procedure p =
+          choose_procedure(with({{"jacobian", "reduced"}, {"slip_estimate", name}, {"convection", scheme}}));
       EXPECT_EQ(p.jacobian, Jacobian::reduced);
       EXPECT_EQ(p.estimate, wanted) << name;
     }
@@ -69,19 +69,13 @@ TEST(procedure, takes_every_name) {
                                      {"diagonal", Preconditioner::diagonal},
                                      {"bodies", Preconditioner::bodies}})
     for (const char* solver : {"gmres", "gmres_adaptive"})
-      EXPECT_EQ(
-          choose_procedure(
-              with({{"system", "monolithic"}, {"linear_solver", solver}, {"preconditioner", name}}))
-              .preconditioner,
-          wanted)
+      EXPECT_EQ(choose_procedure(with({{"system", "monolithic"}, {"linear_solver", solver}, {"preconditioner", name}}))
+                    .preconditioner,
+                wanted)
           << name;
-  for (const auto& [name, wanted] : {std::pair{"auto", LineSearch::automatic},
-                                     {"armijo", LineSearch::armijo},
-                                     {"off", LineSearch::off}})
-    EXPECT_EQ(
-        choose_procedure(with({{"jacobian", "simplified"}, {"line_search", name}})).line_search,
-        wanted)
-        << name;
+  for (const auto& [name, wanted] :
+       {std::pair{"auto", LineSearch::automatic}, {"armijo", LineSearch::armijo}, {"off", LineSearch::off}})
+    EXPECT_EQ(choose_procedure(with({{"jacobian", "simplified"}, {"line_search", name}})).line_search, wanted) << name;
 }
 
 TEST(procedure, takes_every_number) {
@@ -112,15 +106,13 @@ TEST(procedure, refuses_what_makes_no_sense) {
   for (const Case& c :
        {Case{{{"slip_estimate", "jacobi"}}, {"slip_estimate", "jacobi", "exact", "reduced"}},
         Case{{{"jacobian", "reduced"}}, {"reduced", "convection", "characteristic", "godunov"}},
-        Case{{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}},
-             {"preconditioner", "bodies", "condensed"}},
+        Case{{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}}, {"preconditioner", "bodies", "condensed"}},
         Case{{{"preconditioner", "kept_lu"}}, {"preconditioner", "kept_lu", "gmres"}},
         Case{{{"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}, {"system", "monolithic"}},
              {"preconditioner", "kept_lu", "monolithic", "bodies"}},
         Case{{{"line_search", "armijo"}}, {"line_search", "armijo", "exact", "monolithic"}}})
     for (const std::string& word : c.words)
-      EXPECT_NE(refusal(with(c.texts)).find(word), std::string::npos)
-          << word << " in: " << refusal(with(c.texts));
+      EXPECT_NE(refusal(with(c.texts)).find(word), std::string::npos) << word << " in: " << refusal(with(c.texts));
   Options o;
   o.set_real("linear_tolerance", 1e-3);
   for (const char* solver : {"auto", "lu", "gmres_adaptive"}) {

@@ -1,5 +1,5 @@
-// Which nodes without rows are doubted does not depend on where the frame lies, and a load that is
-// spread parts the surfaces less than one in its middle would.
+// Which nodes without rows are doubted does not depend on where the frame lies, and a load that is spread parts the
+// surfaces less than one in its middle would.
 
 #include <gtest/gtest.h>
 
@@ -27,8 +27,7 @@ struct Counts {
 /// 19 x 19 nodes of half-width 2.25 about a centre; the gap is given from there.
 Counts solve(double cx, double cy, const Gap& gap, bool reach) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
-  const auto x = frames::uniform_lines(cx - 2.25, cx + 2.25, 18),
-             y = frames::uniform_lines(cy - 2.25, cy + 2.25, 18);
+  const auto x = frames::uniform_lines(cx - 2.25, cx + 2.25, 18), y = frames::uniform_lines(cy - 2.25, cy + 2.25, 18);
   pair.frame(frames::rectangle(ElementType::quad4, x, y));
   Scene& s = pair.contact->scene;
   std::vector<double> h;
@@ -41,22 +40,19 @@ Counts solve(double cx, double cy, const Gap& gap, bool reach) {
   s.options.set_int("reach", reach);
   const Status status = pair.contact->solve();
   EXPECT_TRUE(status == Status::ok || status == Status::coarse) << "summits are a few nodes each";
-  return {pair.contact->stat("rows_assembled"), pair.contact->stat("nodes_returned"),
-          pair.tractions()};
+  return {pair.contact->stat("rows_assembled"), pair.contact->stat("nodes_returned"), pair.tractions()};
 }
 
 double sphere(double x, double y) {
   return 0.01 * (x * x + y * y);
 }
 
-/// Two summits apart along x, and two lower ones further apart across: the guess leaves those out,
-/// and they touch.
+/// Two summits apart along x, and two lower ones further apart across: the guess leaves those out, and they touch.
 double summits(double x, double y) {
   const auto summit = [&](double a, double b, double height) {
     return height + 0.08 * ((x - a) * (x - a) + (y - b) * (y - b));
   };
-  return std::min({summit(-1.25, 0, 0), summit(1.25, 0, 0), summit(0, -2, 0.83 * depth),
-                   summit(0, 2, 0.83 * depth)});
+  return std::min({summit(-1.25, 0, 0), summit(1.25, 0, 0), summit(0, -2, 0.83 * depth), summit(0, 2, 0.83 * depth)});
 }
 
 struct Named {
@@ -89,8 +85,7 @@ TEST(reach_bound, lower_summits_beside_two_higher_ones_are_found) {
   const Counts some = solve(0, 0, summits, true), all = solve(0, 0, summits, false);
   double low = 0;
   for (std::size_t k = 0; k < 361; ++k)
-    if (std::abs(static_cast<double>(k / 19) - 9) > 6 ||
-        std::abs(static_cast<double>(k % 19) - 9) > 6)
+    if (std::abs(static_cast<double>(k / 19) - 9) > 6 || std::abs(static_cast<double>(k % 19) - 9) > 6)
       low = std::max(low, -all.traction[3 * k + 2]);
   const double off = largest_difference(some.traction, all.traction);
   std::printf(

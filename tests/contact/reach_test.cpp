@@ -1,5 +1,4 @@
-/// Nodes out of reach have no rows, results are those of all rows, and nodes come back when a scene
-/// needs them.
+/// Nodes out of reach have no rows, results are those of all rows, and nodes come back when a scene needs them.
 
 #include <gtest/gtest.h>
 
@@ -23,8 +22,7 @@ constexpr double nodes = 19 * 19;
 struct Two {
   Pair some, all;
 
-  Two(double young2, double poisson2)
-      : some(1e4, 0.3, young2, poisson2), all(1e4, 0.3, young2, poisson2) {
+  Two(double young2, double poisson2) : some(1e4, 0.3, young2, poisson2), all(1e4, 0.3, young2, poisson2) {
     each([&](Pair& pair) {
       const std::vector<double> lines = frames::uniform_lines(-1.8, 1.8, 18);
       pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
@@ -53,8 +51,7 @@ struct Two {
       int i = 0;
       each([&](Pair& pair) {
         v[i].resize(static_cast<std::size_t>(2 * pair.contact->nodes()));
-        pair.contact->field(which, InAxes::local, static_cast<std::int64_t>(v[i].size()),
-                            v[i].data());
+        pair.contact->field(which, InAxes::local, static_cast<std::int64_t>(v[i].size()), v[i].data());
         ++i;
       });
       fields = std::max(fields, largest_difference(v[0], v[1]));
@@ -81,8 +78,7 @@ TEST(reach, saves_rows_in_every_scheme_and_pair) {
       EXPECT_EQ(two.stat("nodes_returned"), 0);
       EXPECT_LT(two.stat("kernel_evaluations"), 0.75 * two.all.contact->stat("kernel_evaluations"));
       EXPECT_NEAR(two.stat("operator_bytes"),
-                  two.all.contact->stat("operator_bytes") * two.stat("rows_assembled") / nodes,
-                  2e5);
+                  two.all.contact->stat("operator_bytes") * two.stat("rows_assembled") / nodes, 2e5);
       EXPECT_EQ(two.all.contact->stat("rows_assembled"), nodes);
       EXPECT_NE(two.some.contact->plan().find("are out of it"), std::string::npos);
       EXPECT_NE(two.all.contact->plan().find("option reach is 0"), std::string::npos);
@@ -125,12 +121,10 @@ TEST(reach_long, brings_back_what_the_guess_left_out) {
       {"flat with a step", [](double x, double y) { return std::hypot(x, y) < 1.2 ? 0.0 : 0.006; }},
       {"two bumps",
        [](double x, double y) {
-         return std::min(0.02 * ((x - 1) * (x - 1) + y * y),
-                         0.004 + 0.02 * ((x + 1) * (x + 1) + y * y));
+         return std::min(0.02 * ((x - 1) * (x - 1) + y * y), 0.004 + 0.02 * ((x + 1) * (x + 1) + y * y));
        }},
-      {"a needle in a plain", [](double x, double y) {
-         return std::min(0.3 * (x * x + y * y), 0.01 + 0.0005 * (x * x + y * y));
-       }}};
+      {"a needle in a plain",
+       [](double x, double y) { return std::min(0.3 * (x * x + y * y), 0.01 + 0.0005 * (x * x + y * y)); }}};
   double returned = 0;
   const auto solve = [&](const char* name, Gap gap, How how, double value) {
     Two two(1e4, 0.1);
@@ -148,8 +142,7 @@ TEST(reach_long, brings_back_what_the_guess_left_out) {
   // Contact reaches to 0.86 of the approach, that of the guess to a half.
   for (const double depth : {0.01, 0.012, 0.014})
     solve(
-        "a cusp", [](double x, double y) { return 0.012 * std::pow(std::hypot(x, y), 0.25); },
-        How::by_motion, depth);
+        "a cusp", [](double x, double y) { return 0.012 * std::pow(std::hypot(x, y), 0.25); }, How::by_motion, depth);
   EXPECT_GT(returned, 0) << "no scene of this test puts the check to work";
 }
 
@@ -173,14 +166,11 @@ TEST(reach, is_left_off_where_its_bound_does_not_hold) {
 TEST(reach, serves_sensitivities_and_estimates) {
   Two two(1e4, 0.1);
   two.expect_equal("first");
-  for (const Parameter parameter :
-       {Parameter::normal, Parameter::longitudinal, Parameter::friction}) {
+  for (const Parameter parameter : {Parameter::normal, Parameter::longitudinal, Parameter::friction}) {
     double force[2][3];
     int i = 0;
-    two.each(
-        [&](Pair& p) { p.contact->sensitivity(parameter, force[i++], nullptr, nullptr, nullptr); });
-    for (int c = 0; c < 3; ++c)
-      EXPECT_NEAR(force[0][c], force[1][c], 1e-8 * std::abs(force[1][2]) + 1e-8);
+    two.each([&](Pair& p) { p.contact->sensitivity(parameter, force[i++], nullptr, nullptr, nullptr); });
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(force[0][c], force[1][c], 1e-8 * std::abs(force[1][2]) + 1e-8);
   }
   for (const char* name : {"error_estimate_normal", "error_estimate_tangential"})
     EXPECT_NEAR(two.stat(name), two.all.contact->stat(name), 1e-6) << name;

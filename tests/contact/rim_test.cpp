@@ -14,9 +14,9 @@ namespace {
 constexpr double side = 2, height = 1;
 
 scenes::MeshedBody block(std::int32_t held) {
-  scenes::MeshedBody body = scenes::meshed(
-      volumes::block(surfaces::brick({3, 3, 2}, {side, side, height}), VolumeType::hex8),
-      {.shear = 1e3, .poisson = 0.3});
+  scenes::MeshedBody body =
+      scenes::meshed(volumes::block(surfaces::brick({3, 3, 2}, {side, side, height}), VolumeType::hex8),
+                     {.shear = 1e3, .poisson = 0.3});
   body.held_tag = {held};
   return body;
 }
@@ -24,10 +24,9 @@ scenes::MeshedBody block(std::int32_t held) {
 /// Linear quadrilaterals from `margin` to side - margin in both directions.
 SurfaceMesh laid(double margin, double z) {
   const auto lines = frames::uniform_lines(margin, side - margin, 5);
-  return surfaces::transform(frames::rectangle(ElementType::quad4, lines, lines),
-                             [z](const Vec3& x) {
-                               return Vec3{x[0], x[1], z};
-                             });
+  return surfaces::transform(frames::rectangle(ElementType::quad4, lines, lines), [z](const Vec3& x) {
+    return Vec3{x[0], x[1], z};
+  });
 }
 
 std::int32_t press(scenes::RollingPair& pair, double z) {
@@ -64,10 +63,9 @@ TEST(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
   scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
   const auto lines = frames::uniform_lines(0, side, 5);
   const auto half = frames::uniform_lines(0, side / 2, 5);
-  pair.frame(
-      surfaces::transform(frames::rectangle(ElementType::quad4, half, lines), [](const Vec3& x) {
-        return Vec3{x[0], x[1], height};
-      }));
+  pair.frame(surfaces::transform(frames::rectangle(ElementType::quad4, half, lines), [](const Vec3& x) {
+    return Vec3{x[0], x[1], height};
+  }));
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
   EXPECT_EQ(pair.stat("nodes_rim"), 4);  // its last line less the ends, which are on edges
 }
@@ -75,8 +73,7 @@ TEST(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
 // The edge of a rigid surface that moves along: the frame is not made anew.
 TEST(RimAtEdges, follows_a_rigid_body_that_moves) {
   scenes::MeshedBody plate;
-  plate.mesh =
-      surfaces::block(surfaces::brick({2, 2, 1}, {side, side, height}), ElementType::quad4);
+  plate.mesh = surfaces::block(surfaces::brick({2, 2, 1}, {side, side, height}), ElementType::quad4);
   scenes::RollingPair pair(block(5), plate, 1);
   pair.frame(laid(0.1, height));
   const std::array<Vec3, 3> same{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};

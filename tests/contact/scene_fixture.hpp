@@ -43,8 +43,7 @@ struct Pair {
   void frame(const SurfaceMesh& mesh) {
     Scene& s = contact->scene;
     s.set_frame_nodes(mesh.nodes(), mesh.node[0].data(), 3, 1);
-    s.add_frame_elements(static_cast<std::int32_t>(mesh.type[0]), mesh.elements(),
-                         mesh.connectivity.data(), 0, 1);
+    s.add_frame_elements(static_cast<std::int32_t>(mesh.type[0]), mesh.elements(), mesh.connectivity.data(), 0, 1);
   }
   void friction(double mu) { contact->scene.set_friction("coulomb", 1, &mu); }
   std::vector<double> tractions() const {

@@ -21,8 +21,8 @@ using scenes::Elastic;
 using scenes::RollingPair;
 using validation::expect_error;
 
-inline constexpr std::int32_t parameters[] = {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_NORMAL,
-                                              ROLLCON_SPIN, ROLLCON_FRICTION};
+inline constexpr std::int32_t parameters[] = {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_NORMAL, ROLLCON_SPIN,
+                                              ROLLCON_FRICTION};
 /// Force, moment, approach, creepages and spin.
 using Values = std::array<double, 10>;
 inline void must(std::int32_t status) {
@@ -65,13 +65,11 @@ struct Setting {
 
   void prescribe(std::size_t direction, double v) {
     const std::int32_t how = drive.by_force[direction] ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION;
-    must(rollcon_contact_prescribe(pair->handle(), static_cast<std::int32_t>(direction) + 1, how,
-                                   v));
+    must(rollcon_contact_prescribe(pair->handle(), static_cast<std::int32_t>(direction) + 1, how, v));
   }
 
   /// Solves, and prescribes the loads found where wanted.
-  Setting(std::unique_ptr<RollingPair> made, const Drive& wanted)
-      : pair(std::move(made)), drive(wanted) {
+  Setting(std::unique_ptr<RollingPair> made, const Drive& wanted) : pair(std::move(made)), drive(wanted) {
     pair->option("tolerance", 1e-13);
     pair->friction(drive.mu).approach(drive.approach).creep(drive.along, drive.across, drive.spin);
     solve();
@@ -116,8 +114,7 @@ struct Setting {
     const Values a = moved(parameter, -2 * h), b = moved(parameter, -h), c = moved(parameter, h),
                  e = moved(parameter, 2 * h);
     Values slope{};
-    for (std::size_t i = 0; i < slope.size(); ++i)
-      slope[i] = (8 * (c[i] - b[i]) - (e[i] - a[i])) / (12 * h);
+    for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (8 * (c[i] - b[i]) - (e[i] - a[i])) / (12 * h);
     return slope;
   }
 };
@@ -140,8 +137,8 @@ inline Drive with(std::array<bool, 4> by_force, Drive drive = rolling) {
   return drive;
 }
 
-inline constexpr std::array<bool, 4> ways[] = {
-    {false, false, false, false}, {false, false, true, false}, {true, false, false, false},
-    {false, true, true, false},   {false, false, false, true}, {true, true, true, true}};
+inline constexpr std::array<bool, 4> ways[] = {{false, false, false, false}, {false, false, true, false},
+                                               {true, false, false, false},  {false, true, true, false},
+                                               {false, false, false, true},  {true, true, true, true}};
 
 }  // namespace rollcon::sensitivity_test

@@ -1,5 +1,5 @@
-/// Derivatives of results against central differences of whole solves on both sides, at which every
-/// node keeps its state; and sums that must hold.
+/// Derivatives of results against central differences of whole solves on both sides, at which every node keeps its
+/// state; and sums that must hold.
 
 #include <algorithm>
 
@@ -21,9 +21,8 @@ struct Group {
 constexpr Group groups[] = {
     {"force", 0, 3}, {"moment", 3, 6}, {"approach", 6, 7}, {"creepages", 7, 9}, {"spin", 9, 10}};
 
-/// Error of each kind of result over the largest derivative of that kind; where all of a kind
-/// vanish, over the result itself (moments: the normal force times a length of 1) per size of the
-/// parameter.
+/// Error of each kind of result over the largest derivative of that kind; where all of a kind vanish, over the result
+/// itself (moments: the normal force times a length of 1) per size of the parameter.
 double error_of(const Values& found, const Values& wanted, const Values& result, double scale) {
   double worst = 0;
   for (const Group& g : groups) {
@@ -45,8 +44,7 @@ void check(const std::string& what, std::unique_ptr<RollingPair> made, const Dri
   Setting s(std::move(made), drive);
   const Values result = observe(*s.pair);
   std::array<Values, 5> found{};
-  for (const std::int32_t p : parameters)
-    found[static_cast<std::size_t>(p) - 1] = derivatives(*s.pair, p);
+  for (const std::int32_t p : parameters) found[static_cast<std::size_t>(p) - 1] = derivatives(*s.pair, p);
   std::string kind;
   for (const bool force : drive.by_force) kind += force ? 'F' : 'm';
   for (const std::int32_t p : parameters) {
@@ -102,9 +100,8 @@ std::unique_ptr<RollingPair> block(bool finite_elements, double bulge) {
     const double x = p[0] - 1, y = p[1] - 1;
     return Vec3{x, y, p[2] - 1 - bulge * p[2] * (x * x + 0.7 * y * y)};
   };
-  scenes::MeshedBody body = finite_elements
-                                ? scenes::meshed(volumes::block(shape, VolumeType::hex8), steel)
-                                : scenes::meshed(surfaces::block(shape, ElementType::quad4), steel);
+  scenes::MeshedBody body = finite_elements ? scenes::meshed(volumes::block(shape, VolumeType::hex8), steel)
+                                            : scenes::meshed(surfaces::block(shape, ElementType::quad4), steel);
   body.held_tag = {5};
   auto pair = std::make_unique<RollingPair>(body, scenes::RigidBody{}, 1);
   pair->frame_from_body(1, 6).gap_quadratic(0.15, 0.12);
@@ -119,8 +116,7 @@ TEST(sensitivity, of_boundary_and_finite_elements) {
       for (const auto& way : {ways[0], ways[2], ways[5]})
         check(bulge > 0 ? "curved BEM" : "flat BEM", block(false, bulge), with(way, on_block));
   if (rollcon_has_feature("fem"))
-    for (const auto& way : {ways[1], ways[5]})
-      check("flat FEM", block(true, 0), with(way, on_block));
+    for (const auto& way : {ways[1], ways[5]}) check("flat FEM", block(true, 0), with(way, on_block));
 }
 
 TEST(sensitivity, where_everything_slides_or_little_is_prescribed) {
@@ -198,8 +194,8 @@ TEST(sensitivity, full_stick_is_linear_and_full_sliding_proportional_to_friction
   Setting stick(half_spaces(steel), {0.02, -1e-6, 0, 0, 1e3, {}});
   const double slope = observe(*stick.pair)[0] / -1e-6;
   EXPECT_EQ(stick.pair->stat("nodes_slip"), 0);
-  expect_error("dF1/dxi1 of full stick against F1/xi1",
-               derivatives(*stick.pair, ROLLCON_LONGITUDINAL)[0] / slope - 1, 1e-9);
+  expect_error("dF1/dxi1 of full stick against F1/xi1", derivatives(*stick.pair, ROLLCON_LONGITUDINAL)[0] / slope - 1,
+               1e-9);
   EXPECT_LT(slope, 0) << "a force against the creepage";
   const Values none = derivatives(*stick.pair, ROLLCON_FRICTION);
   for (const double d : none) EXPECT_EQ(d, 0) << "nothing slides";
@@ -207,13 +203,12 @@ TEST(sensitivity, full_stick_is_linear_and_full_sliding_proportional_to_friction
   Setting slide(half_spaces(steel), {0.02, 90, 0, 0, 0.1, {}});
   EXPECT_EQ(slide.pair->stat("nodes_stick"), 0);
   const Values v = observe(*slide.pair);
-  expect_error("dF1/dln(mu) of full sliding against F1",
-               derivatives(*slide.pair, ROLLCON_FRICTION)[0] / v[0] - 1, 1e-10);
-  expect_error("dF1/dxi1 of full sliding over F1/xi1",
-               derivatives(*slide.pair, ROLLCON_LONGITUDINAL)[0] * 90 / v[0], 1e-10);
+  expect_error("dF1/dln(mu) of full sliding against F1", derivatives(*slide.pair, ROLLCON_FRICTION)[0] / v[0] - 1,
+               1e-10);
+  expect_error("dF1/dxi1 of full sliding over F1/xi1", derivatives(*slide.pair, ROLLCON_LONGITUDINAL)[0] * 90 / v[0],
+               1e-10);
   const Values normal = derivatives(*slide.pair, ROLLCON_NORMAL);
-  expect_error("dF1/dF3 of full sliding against the friction coefficient",
-               normal[0] / normal[2] / 0.1 - 1, 1e-9);
+  expect_error("dF1/dF3 of full sliding against the friction coefficient", normal[0] / normal[2] / 0.1 - 1, 1e-9);
 }
 
 TEST(sensitivity, without_friction_only_the_normal_problem_answers) {
@@ -229,8 +224,7 @@ TEST(sensitivity, without_friction_only_the_normal_problem_answers) {
     EXPECT_EQ(derivatives(*s.pair, ROLLCON_FRICTION), Values{});
     must(rollcon_contact_prescribe(s.pair->handle(), ROLLCON_SPIN, ROLLCON_BY_FORCE, 0));
     EXPECT_EQ(s.pair->solve(), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_get_sensitivity(s.pair->handle(), ROLLCON_SPIN, nullptr, nullptr,
-                                              nullptr, nullptr),
+    EXPECT_EQ(rollcon_contact_get_sensitivity(s.pair->handle(), ROLLCON_SPIN, nullptr, nullptr, nullptr, nullptr),
               ROLLCON_ERR_STATE);
   }
 }

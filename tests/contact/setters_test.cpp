@@ -1,5 +1,5 @@
-/// Caches are keyed by what they depend on: one test for each setter of the scene and each option.
-/// Only what depends on the change is made again, and results are those of a fresh contact.
+/// Caches are keyed by what they depend on: one test for each setter of the scene and each option. Only what depends on
+/// the change is made again, and results are those of a fresh contact.
 
 #include <gtest/gtest.h>
 
@@ -23,10 +23,9 @@ using Names = std::set<std::string>;
 
 // Everything that a solve may do before its iteration, as statistics count it.
 const std::vector<std::string> counted{
-    "body_preparations", "frame_builds",       "compliance_builds",    "stencil_builds",
-    "gap_builds",        "friction_builds",    "slip_builds",          "scale_builds",
-    "rows_assembled",    "fields_derived",     "laws_checked",         "displacement_fields",
-    "error_estimates",   "kernel_evaluations", "compliance_assemblies"};
+    "body_preparations", "frame_builds",        "compliance_builds", "stencil_builds",     "gap_builds",
+    "friction_builds",   "slip_builds",         "scale_builds",      "rows_assembled",     "fields_derived",
+    "laws_checked",      "displacement_fields", "error_estimates",   "kernel_evaluations", "compliance_assemblies"};
 
 const Names nothing{};
 const Names rows{"scale_builds", "rows_assembled", "kernel_evaluations", "compliance_assemblies"};
@@ -35,9 +34,8 @@ const Names scheme{"stencil_builds", "friction_builds",    "slip_builds",
 const Names whole_frame{"frame_builds", "compliance_builds",  "stencil_builds",
                         "gap_builds",   "friction_builds",    "slip_builds",
                         "scale_builds", "kernel_evaluations", "compliance_assemblies"};
-const Names whole_compliance{"compliance_builds",    "stencil_builds", "friction_builds",
-                             "slip_builds",          "scale_builds",   "kernel_evaluations",
-                             "compliance_assemblies"};
+const Names whole_compliance{"compliance_builds", "stencil_builds",     "friction_builds",      "slip_builds",
+                             "scale_builds",      "kernel_evaluations", "compliance_assemblies"};
 
 struct Change {
   const char* name;
@@ -95,15 +93,12 @@ std::vector<Change> changes() {
       {"set_gap",
        [](Contact& c) {
          const auto& node = c.scene.mesh().node;
-         const auto gap = field_of(c, 1, [&](std::size_t k) {
-           return 0.012 * node[k][0] * node[k][0] + 0.011 * node[k][1] * node[k][1];
-         });
+         const auto gap = field_of(
+             c, 1, [&](std::size_t k) { return 0.012 * node[k][0] * node[k][0] + 0.011 * node[k][1] * node[k][1]; });
          c.scene.set_gap(c.nodes(), gap.data());
        },
        {"gap_builds"}},
-      {"set_gap_quadratic",
-       [](Contact& c) { c.scene.set_gap_quadratic(0.012, 0.011, 1e-4); },
-       {"gap_builds"}},
+      {"set_gap_quadratic", [](Contact& c) { c.scene.set_gap_quadratic(0.012, 0.011, 1e-4); }, {"gap_builds"}},
       {"set_creep_field",
        [](Contact& c) {
          const auto slip = field_of(c, 2, [](std::size_t k) { return 1e-4 * std::sin(0.1 * k); });
@@ -122,8 +117,8 @@ std::vector<Change> changes() {
          const auto lines = frames::uniform_lines(-1.3, 1.3, 13);
          const SurfaceMesh mesh = frames::rectangle(ElementType::quad4, lines, lines);
          c.scene.set_frame_nodes(mesh.nodes(), mesh.node[0].data(), 3, 1);
-         c.scene.add_frame_elements(static_cast<std::int32_t>(mesh.type[0]), mesh.elements(),
-                                    mesh.connectivity.data(), 0, 1);
+         c.scene.add_frame_elements(static_cast<std::int32_t>(mesh.type[0]), mesh.elements(), mesh.connectivity.data(),
+                                    0, 1);
        },
        whole_frame},
       {"equal_values",
@@ -201,8 +196,7 @@ TEST_P(setter, makes_only_what_depends_on_it) {
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const std::vector<double> after = read();
     for (std::size_t i = 0; i < counted.size(); ++i) {
-      if (counted[i] == "rows_assembled" && !change.made.contains(counted[i]) &&
-          change.made.contains("frame_builds"))
+      if (counted[i] == "rows_assembled" && !change.made.contains(counted[i]) && change.made.contains("frame_builds"))
         continue;  // of another frame
       EXPECT_EQ(after[i] != before[i], change.made.contains(counted[i]))
           << counted[i] << ": " << before[i] << " before, " << after[i] << " after";
@@ -210,8 +204,7 @@ TEST_P(setter, makes_only_what_depends_on_it) {
     change.apply(*fresh.contact);
     ASSERT_EQ(fresh.contact->solve(), Status::ok);
     const double off = largest_difference(pair.tractions(), fresh.tractions());
-    std::printf("%s, nu2 = %g: against a fresh contact %.1e (bound %.0e)\n", change.name, other,
-                off, change.bound);
+    std::printf("%s, nu2 = %g: against a fresh contact %.1e (bound %.0e)\n", change.name, other, off, change.bound);
     EXPECT_LT(off, change.bound);
   }
 }

@@ -42,8 +42,7 @@ void expect_products(InstructionSet set, double bound) {
           std::complex<double> expected = 0;
           for (std::size_t m = 0; m < static_cast<std::size_t>(terms); ++m)
             expected += job.factor[m] * s[m][reversed ? n - 1 - k : k] * f[m][k];
-          EXPECT_LT(std::abs(sum[k] - expected), bound)
-              << count << " " << terms << " " << reversed << " " << k;
+          EXPECT_LT(std::abs(sum[k] - expected), bound) << count << " " << terms << " " << reversed << " " << k;
         }
         EXPECT_EQ(sum[n], std::complex<double>(7, 9));
       }
@@ -51,8 +50,7 @@ void expect_products(InstructionSet set, double bound) {
 }
 
 TEST(SpectrumProduct, EqualsComplexArithmetic) {
-  for (const InstructionSet set :
-       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512}) {
     if (set > rollcon::best_instruction_set()) continue;
     expect_products(set, 1e-15);
   }

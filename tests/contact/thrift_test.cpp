@@ -1,5 +1,4 @@
-/// Each row of the plan: what a scene does not need is not there, by counters, and results are
-/// those with it to 1e-10.
+/// Each row of the plan: what a scene does not need is not there, by counters, and results are those with it to 1e-10.
 
 #include <gtest/gtest.h>
 
@@ -47,8 +46,7 @@ TEST(plan_rigid_body, is_the_limit_of_a_stiff_one_without_its_compliance) {
   }
   EXPECT_TRUE(says(rigid, "body 2: rigid, no mesh: no matrix, no factorisation, no compliance"));
   EXPECT_EQ(stat(rigid, "body_preparations"), 0);
-  EXPECT_EQ(stat(rigid, "kernel_evaluations"), stat(stiff, "kernel_evaluations"))
-      << "one compliance, not two";
+  EXPECT_EQ(stat(rigid, "kernel_evaluations"), stat(stiff, "kernel_evaluations")) << "one compliance, not two";
   expect_equal("rigid against 1e18 times as stiff", rigid, stiff);
 }
 
@@ -64,10 +62,8 @@ TEST(plan_without_friction, has_no_tangential_unknown_row_or_column) {
     EXPECT_TRUE(says(without, "no tangential unknowns"));
     EXPECT_EQ(stat(without, "unknowns"), stat(without, "nodes_contact"));
     EXPECT_EQ(stat(without, "system_unknowns"), stat(without, "nodes_contact"));
-    EXPECT_EQ(stat(without, "operator_bytes"), 8 * 225 * stat(without, "rows_assembled"))
-        << "one block";
-    EXPECT_LT(stat(without, "kernel_evaluations"), 0.51 * stat(with, "kernel_evaluations"))
-        << "nothing upstream";
+    EXPECT_EQ(stat(without, "operator_bytes"), 8 * 225 * stat(without, "rows_assembled")) << "one block";
+    EXPECT_LT(stat(without, "kernel_evaluations"), 0.51 * stat(with, "kernel_evaluations")) << "nothing upstream";
     EXPECT_EQ(stat(without, "tangential_iterations") + stat(without, "full_iterations"), 0);
     expect_equal(c.name, without, with);
   }
@@ -185,11 +181,9 @@ TEST(plan_results, are_computed_when_asked_for_and_once) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
   sharp_scene(pair);
   Contact& c = *pair.contact;
-  const char* names[] = {"fields_derived", "laws_checked", "displacement_fields",
-                         "error_estimates"};
+  const char* names[] = {"fields_derived", "laws_checked", "displacement_fields", "error_estimates"};
   const auto expect = [&](std::vector<double> counts, const char* when) {
-    for (std::size_t i = 0; i < counts.size(); ++i)
-      EXPECT_EQ(c.stat(names[i]), counts[i]) << names[i] << " " << when;
+    for (std::size_t i = 0; i < counts.size(); ++i) EXPECT_EQ(c.stat(names[i]), counts[i]) << names[i] << " " << when;
   };
   ASSERT_EQ(c.solve(), Status::ok);
   pair.tractions();

@@ -1,5 +1,5 @@
-/// The same flat half-space scene in axes that stand askew on its plane: every node then has a
-/// local triad that differs from the axes, and the answer is known exactly.
+/// The same flat half-space scene in axes that stand askew on its plane: every node then has a local triad that differs
+/// from the axes, and the answer is known exactly.
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,7 @@ struct Quiet final : Monitor {
 /// Points come in the askew axes' projection.
 class Stretched final : public Compliance {
  public:
-  Stretched(std::unique_ptr<Compliance> inner, double factor)
-      : inner_(std::move(inner)), factor_(factor) {}
+  Stretched(std::unique_ptr<Compliance> inner, double factor) : inner_(std::move(inner)), factor_(factor) {}
   std::int64_t nodes() const override { return inner_->nodes(); }
   bool couples() const override { return inner_->couples(); }
   void block(Points p, const ComplianceBlock& out) const override {
@@ -81,12 +80,11 @@ struct Setting {
       c = {c.cn + d.cn, c.cv + d.cv, pair.poisson1 == pair.poisson2 ? 0 : c.ck + d.ck};
     }
     flat_compliance = make_halfspace_compliance(flat, c, 1e-8, 1);
-    askew_compliance =
-        std::make_unique<Stretched>(make_halfspace_compliance(flat, c, 1e-8, 1), 1 / cosine);
+    askew_compliance = std::make_unique<Stretched>(make_halfspace_compliance(flat, c, 1e-8, 1), 1 / cosine);
   }
 
-  Solved solve(bool tilted, Scheme scheme, const std::array<bool, 4>& by_force,
-               const std::array<double, 4>& value, double mu) const {
+  Solved solve(bool tilted, Scheme scheme, const std::array<bool, 4>& by_force, const std::array<double, 4>& value,
+               double mu) const {
     Solved s;
     Problem& p = s.problem;
     const Frame& frame = tilted ? askew : flat;
@@ -130,8 +128,7 @@ TEST(tilted_plane, motions_are_projected) {
   for (const Pair& pair : pairs)
     for (const Scheme scheme : {Scheme::godunov, Scheme::least_squares, Scheme::characteristic}) {
       const Setting setting(0.4, pair);
-      const Solved flat =
-          setting.solve(false, scheme, by_motion, {creep1, creep2, depth, spin_rate}, 0.3);
+      const Solved flat = setting.solve(false, scheme, by_motion, {creep1, creep2, depth, spin_rate}, 0.3);
       const Solved askew = setting.solve(true, scheme, by_motion, askew_motion(setting), 0.3);
       ASSERT_EQ(flat.report.outcome, Outcome::converged);
       ASSERT_EQ(askew.report.outcome, Outcome::converged);
@@ -145,22 +142,17 @@ TEST(tilted_plane, motions_are_projected) {
 TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
   for (const Pair& pair : pairs) {
     const Setting s(0.4, pair);
-    const Solved flat =
-        s.solve(false, Scheme::characteristic, by_motion, {creep1, creep2, depth, spin_rate}, 0.3);
-    const auto load = [](const Solved& of, int m) {
-      return load_on_body1(of.problem, m, of.iterate.lambda).value;
-    };
+    const Solved flat = s.solve(false, Scheme::characteristic, by_motion, {creep1, creep2, depth, spin_rate}, 0.3);
+    const auto load = [](const Solved& of, int m) { return load_on_body1(of.problem, m, of.iterate.lambda).value; };
     double about_t1 = 0;
     for (std::size_t k = 0; k < flat.problem.gap.size(); ++k)
       about_t1 += flat.problem.moment_y[k] * flat.iterate.lambda[2][k];
     const double fx = load(flat, xi1), fz = -load(flat, approach);
-    const std::array<double, 4> expected{s.cosine * fx - s.sine * fz, load(flat, xi2),
-                                         -(s.sine * fx + s.cosine * fz),
+    const std::array<double, 4> expected{s.cosine * fx - s.sine * fz, load(flat, xi2), -(s.sine * fx + s.cosine * fz),
                                          s.sine * about_t1 + s.cosine * load(flat, spin)};
     const Solved askew = s.solve(true, Scheme::characteristic, by_motion, askew_motion(s), 0.3);
     for (int m = 0; m < 4; ++m) {
-      const double error =
-          std::abs(load(askew, m) - expected[static_cast<std::size_t>(m)]) / std::abs(fz);
+      const double error = std::abs(load(askew, m) - expected[static_cast<std::size_t>(m)]) / std::abs(fz);
       std::printf("%s: load %d in askew axes: error %.1e (bound 1e-9)\n", pair.name, m, error);
       EXPECT_LT(error, 1e-9);
     }
@@ -179,11 +171,9 @@ TEST(tilted_plane, loads_are_the_resultant_in_the_axes) {
       ASSERT_EQ(found.report.outcome, Outcome::converged);
       EXPECT_EQ(found.report.fallbacks, 0);
       double error = 0;
-      for (std::size_t m = 0; m < 4; ++m)
-        error = std::max(error, std::abs(found.iterate.motion[m] / motion[m] - 1));
-      std::printf("%s, loads given %d%d%d%d: motions off by %.1e (bound 1e-7), tractions %.1e\n",
-                  pair.name, by_force[0], by_force[1], by_force[2], by_force[3], error,
-                  difference(found, flat));
+      for (std::size_t m = 0; m < 4; ++m) error = std::max(error, std::abs(found.iterate.motion[m] / motion[m] - 1));
+      std::printf("%s, loads given %d%d%d%d: motions off by %.1e (bound 1e-7), tractions %.1e\n", pair.name,
+                  by_force[0], by_force[1], by_force[2], by_force[3], error, difference(found, flat));
       EXPECT_LT(error, 1e-7);
       EXPECT_LT(difference(found, flat), 1e-7);
     }
@@ -194,11 +184,9 @@ TEST(tilted_plane, normal_load_without_friction) {
   const Setting s(0.4, pairs[0]);
   const std::array<bool, 4> by_force{false, false, true, false};
   const Solved flat = s.solve(false, Scheme::characteristic, by_force, {0, 0, 400, 0}, 0);
-  const Solved askew =
-      s.solve(true, Scheme::characteristic, by_force, {0, 0, 400 * s.cosine, 0}, 0);
+  const Solved askew = s.solve(true, Scheme::characteristic, by_force, {0, 0, 400 * s.cosine, 0}, 0);
   ASSERT_EQ(askew.report.outcome, Outcome::converged);
-  const double error =
-      std::abs(askew.iterate.motion[approach] * s.cosine / flat.iterate.motion[approach] - 1);
+  const double error = std::abs(askew.iterate.motion[approach] * s.cosine / flat.iterate.motion[approach] - 1);
   std::printf("approach found: error %.1e (bound 1e-9)\n", error);
   EXPECT_LT(error, 1e-9);
   EXPECT_LT(difference(askew, flat), 1e-9);
@@ -217,10 +205,8 @@ TEST(tilted_plane, a_load_beyond_friction_is_seen_for_what_friction_carries) {
   const std::array<bool, 4> by_force{true, false, false, false};
   for (const double part : {0.95, 1.05}) {
     const double value = pressures + part * s.cosine * 0.3 * force;
-    const Solved found =
-        s.solve(true, Scheme::characteristic, by_force, {value, 0, depth / s.cosine, 0}, 0.3);
-    std::printf("%.2f of what friction can carry along t1: outcome %d\n", part,
-                static_cast<int>(found.report.outcome));
+    const Solved found = s.solve(true, Scheme::characteristic, by_force, {value, 0, depth / s.cosine, 0}, 0.3);
+    std::printf("%.2f of what friction can carry along t1: outcome %d\n", part, static_cast<int>(found.report.outcome));
     EXPECT_EQ(found.report.outcome, part < 1 ? Outcome::converged : Outcome::no_solution);
   }
 }
@@ -228,15 +214,13 @@ TEST(tilted_plane, a_load_beyond_friction_is_seen_for_what_friction_carries) {
 // Work of loads is work of tractions: load rows are the motions' columns times the weights.
 TEST(tilted_plane, load_rows_are_the_transposed_columns) {
   const std::vector<double> lines = frames::cosine_lines(1, 6);
-  const SurfaceMesh plane =
-      frames::perturb(frames::rectangle(ElementType::quad9, lines, lines), 0.1, 7);
+  const SurfaceMesh plane = frames::perturb(frames::rectangle(ElementType::quad9, lines, lines), 0.1, 7);
   const auto bowl = [](const Vec3& p) {
     return Vec3{p[0], p[1], -0.2 * p[0] * p[0] - 0.3 * p[1] * p[1] + 0.1 * p[0] * p[1]};
   };
   Frame frame = build_frame(frames::transform(plane, bowl), {});
   std::vector<Vec3> normal;
-  for (const Vec3& p : plane.node)
-    normal.push_back({0.4 * p[0] - 0.1 * p[1], 0.6 * p[1] - 0.1 * p[0], 1});
+  for (const Vec3& p : plane.node) normal.push_back({0.4 * p[0] - 0.1 * p[1], 0.6 * p[1] - 0.1 * p[0], 1});
   curve_frame(frame, normal);
   Problem p;
   take_frame(p, frame);
@@ -262,8 +246,7 @@ TEST(tilted_plane, load_rows_are_the_transposed_columns) {
     // Spin: N x r per unit; the moment rows integrate r over the node's shape function.
     const Vec3 arm{-frame.y[k], frame.x[k], 0};
     const auto turning = p.slip_column(spin, k);
-    for (std::size_t c = 0; c < 2; ++c)
-      worst = std::max(worst, std::abs(turning[c] - dot(arm, direction[c])));
+    for (std::size_t c = 0; c < 2; ++c) worst = std::max(worst, std::abs(turning[c] - dot(arm, direction[c])));
     const Vec3 moment{-p.moment_y[k], p.moment_x[k], 0};
     for (std::size_t c = 0; c < 3; ++c)
       worst = std::max(worst, std::abs(p.load_row(spin, k)[c] - dot(moment, direction[c])));

@@ -16,8 +16,7 @@ namespace {
 
 Frame example_frame() {
   const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, 8);
-  return build_frame(frames::perturb(frames::rectangle(ElementType::quad4, lines, lines), 0.15, 3),
-                     Axes{});
+  return build_frame(frames::perturb(frames::rectangle(ElementType::quad4, lines, lines), 0.15, 3), Axes{});
 }
 
 TEST(traction_space, of_loaded_nodes_leaves_the_others_without_traction) {
@@ -49,8 +48,7 @@ TEST(traction_space, of_loaded_nodes_leaves_the_others_without_traction) {
   EXPECT_GT(i, 0u);
 }
 
-// Interpolation over the coarse triangles is exact for linear fields, and gathering is its
-// transpose.
+// Interpolation over the coarse triangles is exact for linear fields, and gathering is its transpose.
 TEST(traction_space, of_a_coarse_frame_keeps_linear_fields) {
   const Frame frame = example_frame();
   const TractionSpace space = coarse_space(frame);
@@ -63,14 +61,13 @@ TEST(traction_space, of_a_coarse_frame_keeps_linear_fields) {
   }
   const std::vector<double> coarse = pick(space, linear), fine = spread(space, coarse);
   double error = 0;
-  for (std::size_t k = 0; k < fine.size(); ++k)
-    error = std::max(error, std::abs(fine[k] - linear[k]));
+  for (std::size_t k = 0; k < fine.size(); ++k) error = std::max(error, std::abs(fine[k] - linear[k]));
   const std::vector<double> gathered = gather(space, other);
   double one = 0, two = 0;
   for (std::size_t k = 0; k < fine.size(); ++k) one += fine[k] * other[k];
   for (std::size_t i = 0; i < coarse.size(); ++i) two += coarse[i] * gathered[i];
-  std::printf("%zu of %zu nodes: linear field off by %.1e (bound 1e-12), transpose by %.1e\n",
-              space.node.size(), fine.size(), error, std::abs(one - two));
+  std::printf("%zu of %zu nodes: linear field off by %.1e (bound 1e-12), transpose by %.1e\n", space.node.size(),
+              fine.size(), error, std::abs(one - two));
   EXPECT_LE(error, 1e-12);
   EXPECT_NEAR(one, two, 1e-12);
 }

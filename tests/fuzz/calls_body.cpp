@@ -54,16 +54,14 @@ void set_nodes(World& w) {
   const std::int64_t stride = packed ? 3 : 1, step = packed ? 1 : used;
   const std::vector<double> x = w.in.reals(static_cast<std::size_t>(3 * used));
   const bool odd = w.in.one_in(16);
-  FUZZ_CALL(w, rollcon_body_set_nodes, w.body(), n, maybe_null(w.in, x),
-            odd ? -w.in.below(3) : stride, step);
+  FUZZ_CALL(w, rollcon_body_set_nodes, w.body(), n, maybe_null(w.in, x), odd ? -w.in.below(3) : stride, step);
 }
 
 void add_elements(World& w) {
   rollcon_body* b = w.body();
   const std::int32_t type = element_type(w.in);
   const std::int64_t n = array_size(w.in, 4);
-  const std::vector<std::int32_t> connectivity =
-      ids(w.in, n > 0 ? n * nodes_of_type(type) : 0, nodes_of(b));
+  const std::vector<std::int32_t> connectivity = ids(w.in, n > 0 ? n * nodes_of_type(type) : 0, nodes_of(b));
   FUZZ_CALL(w, rollcon_body_add_elements, b, type, n, maybe_null(w.in, connectivity),
             w.in.one_in(8) ? w.in.integer32() : 0, w.in.below(8));
 }
@@ -71,16 +69,15 @@ void add_elements(World& w) {
 void tag_faces(World& w) {
   const std::int64_t n = array_size(w.in, 6);
   const std::vector<std::int32_t> elements = ids(w.in, n, 4), faces = ids(w.in, n, 6);
-  FUZZ_CALL(w, rollcon_body_tag_faces, w.body(), n, maybe_null(w.in, elements),
-            maybe_null(w.in, faces), w.in.below(3), w.in.below(8));
+  FUZZ_CALL(w, rollcon_body_tag_faces, w.body(), n, maybe_null(w.in, elements), maybe_null(w.in, faces), w.in.below(3),
+            w.in.below(8));
 }
 
 void tag_faces_of_nodes(World& w) {
   rollcon_body* b = w.body();
   const std::int64_t n = array_size(w.in);
   const std::vector<std::int32_t> nodes = ids(w.in, n, nodes_of(b));
-  FUZZ_CALL(w, rollcon_body_tag_faces_of_nodes, b, n, maybe_null(w.in, nodes), w.in.below(2),
-            w.in.below(8));
+  FUZZ_CALL(w, rollcon_body_tag_faces_of_nodes, b, n, maybe_null(w.in, nodes), w.in.below(2), w.in.below(8));
 }
 
 void set_support(World& w) {
@@ -89,8 +86,7 @@ void set_support(World& w) {
   const std::vector<std::int32_t> nodes = ids(w.in, n, nodes_of(b));
   const std::vector<double> values = w.in.reals(3 * nodes.size());
   FUZZ_CALL(w, rollcon_body_set_support, b, n, maybe_null(w.in, nodes), w.in.below(2),
-            w.in.one_in(8) ? w.in.integer32() : 1 + w.in.below(7),
-            w.in.one_in(2) ? nullptr : values.data());
+            w.in.one_in(8) ? w.in.integer32() : 1 + w.in.below(7), w.in.one_in(2) ? nullptr : values.data());
 }
 
 void set_loads(World& w) {
@@ -124,13 +120,11 @@ void options(World& w) {
       FUZZ_CALL(w, rollcon_body_set_real, b, text, w.in.real());
       break;
     case 2:
-      require(FUZZ_CALL(w, rollcon_body_get_int, b, text, integer.data()) == ROLLCON_OK ||
-                  integer.untouched(),
+      require(FUZZ_CALL(w, rollcon_body_get_int, b, text, integer.data()) == ROLLCON_OK || integer.untouched(),
               "a failed call wrote into its output");
       break;
     default:
-      require(FUZZ_CALL(w, rollcon_body_get_real, b, text, real.data()) == ROLLCON_OK ||
-                  real.untouched(),
+      require(FUZZ_CALL(w, rollcon_body_get_real, b, text, real.data()) == ROLLCON_OK || real.untouched(),
               "a failed call wrote into its output");
   }
 }
@@ -152,8 +146,7 @@ void results(World& w) {
   good = FUZZ_CALL(w, rollcon_body_get_reaction, b, resultant.data(),
                    w.in.one_in(4) ? nullptr : resultant.data() + 3) == ROLLCON_OK;
   require(good ? all_finite(resultant.values()) : resultant.untouched(), "reaction of a body");
-  good = FUZZ_CALL(w, rollcon_body_get_stat, b, w.in.text(known_names()).c_str(), value.data()) ==
-         ROLLCON_OK;
+  good = FUZZ_CALL(w, rollcon_body_get_stat, b, w.in.text(known_names()).c_str(), value.data()) == ROLLCON_OK;
   require(good || value.untouched(), "a failed call wrote into its output");
 }
 
@@ -176,12 +169,9 @@ void load(World& w) {
 }  // namespace
 
 std::span<const Call> body_calls() {
-  static const Call calls[] = {create,      retain,    release,
-                               set_elastic, set_nodes, add_elements,
-                               give_box,    tag_faces, tag_faces_of_nodes,
-                               set_support, set_loads, options,
-                               set_elastic, prepare,   results,
-                               results,     save,      load};
+  static const Call calls[] = {
+      create,      retain,    release, set_elastic, set_nodes, add_elements, give_box, tag_faces, tag_faces_of_nodes,
+      set_support, set_loads, options, set_elastic, prepare,   results,      results,  save,      load};
   return calls;
 }
 

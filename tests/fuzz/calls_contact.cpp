@@ -23,8 +23,7 @@ void create(World& w) {
   rollcon_contact* made = nullptr;
   rollcon_body* one = w.body();
   rollcon_body* two = w.body();
-  if (FUZZ_CALL(w, rollcon_contact_create, c, one, two, w.in.one_in(30) ? nullptr : &made) ==
-      ROLLCON_OK) {
+  if (FUZZ_CALL(w, rollcon_contact_create, c, one, two, w.in.one_in(30) ? nullptr : &made) == ROLLCON_OK) {
     w.add(made, c);
     rollcon_contact_set_int(made, "max_iterations", 40);
   } else {
@@ -52,8 +51,7 @@ void set_frame_nodes(World& w) {
   std::vector<double> x = w.in.reals(static_cast<std::size_t>(3 * used));
   if (packed && !w.in.one_in(4))
     for (std::size_t i = 2; i < x.size(); i += 3) x[i] = 0;
-  FUZZ_CALL(w, rollcon_contact_set_frame_nodes, w.contact(), n, maybe_null(w.in, x), packed ? 3 : 1,
-            packed ? 1 : used);
+  FUZZ_CALL(w, rollcon_contact_set_frame_nodes, w.contact(), n, maybe_null(w.in, x), packed ? 3 : 1, packed ? 1 : used);
 }
 
 /// A lattice, perhaps with some of its nodes moved.
@@ -85,8 +83,7 @@ void add_frame_elements(World& w) {
   rollcon_contact* c = w.contact();
   const std::int32_t type = element_type(w.in);
   const std::int64_t n = array_size(w.in, 4);
-  const std::vector<std::int32_t> connectivity =
-      ids(w.in, n > 0 ? n * nodes_of_type(type) : 0, nodes_of(c));
+  const std::vector<std::int32_t> connectivity = ids(w.in, n > 0 ? n * nodes_of_type(type) : 0, nodes_of(c));
   FUZZ_CALL(w, rollcon_contact_add_frame_elements, c, type, n, maybe_null(w.in, connectivity),
             w.in.one_in(8) ? w.in.integer32() : 0, w.in.integer32());
 }
@@ -102,15 +99,14 @@ void set_pose(World& w) {
                                     {0.6, 0.8, 0, -0.8, 0.6, 0, 0, 0, 1}};
   const std::vector<double> any = w.in.reals(w.in.one_in(4) ? 9 : 0), translation = w.in.reals(3);
   const double* rotation = any.empty() ? turn[w.in.below(4)] : any.data();
-  FUZZ_CALL(w, rollcon_contact_set_pose, w.contact(), w.in.below(4), rotation,
-            maybe_null(w.in, translation));
+  FUZZ_CALL(w, rollcon_contact_set_pose, w.contact(), w.in.below(4), rotation, maybe_null(w.in, translation));
 }
 
 void set_axes(World& w) {
   const std::vector<double> origin = w.in.reals(3), rolling = w.in.reals(3), normal = w.in.reals(3);
   const double x[3] = {1, 0, 0}, z[3] = {0, 0, 1};
-  FUZZ_CALL(w, rollcon_contact_set_axes, w.contact(), maybe_null(w.in, origin),
-            w.in.one_in(3) ? rolling.data() : x, w.in.one_in(3) ? normal.data() : z);
+  FUZZ_CALL(w, rollcon_contact_set_axes, w.contact(), maybe_null(w.in, origin), w.in.one_in(3) ? rolling.data() : x,
+            w.in.one_in(3) ? normal.data() : z);
 }
 
 void set_gap(World& w) {
@@ -134,8 +130,7 @@ void set_motion(World& w) {
       FUZZ_CALL(w, rollcon_contact_set_creep, c, w.in.real(), w.in.real(), w.in.real());
       break;
     default:
-      FUZZ_CALL(w, rollcon_contact_prescribe, c,
-                w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(4),
+      FUZZ_CALL(w, rollcon_contact_prescribe, c, w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(4),
                 w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(2), w.in.real());
   }
 }
@@ -157,8 +152,7 @@ void set_friction(World& w) {
   const std::vector<double> mu{w.in.positive(), 0};
   const std::string law = w.in.one_in(12) ? w.in.text({"coulomb ", "Coulomb", ""}) : "coulomb";
   FUZZ_CALL(w, rollcon_contact_set_friction, w.contact(), w.in.one_in(40) ? nullptr : law.c_str(),
-            w.in.one_in(12) ? static_cast<std::int32_t>(array_size(w.in, 2)) : 1,
-            maybe_null(w.in, mu));
+            w.in.one_in(12) ? static_cast<std::int32_t>(array_size(w.in, 2)) : 1, maybe_null(w.in, mu));
 }
 
 void set_option(World& w) {
@@ -191,8 +185,7 @@ void set_option_in_range(World& w) {
   char name[64] = "";
   std::int32_t type = 0;
   double low = 0, high = 0, standard = 0;
-  rollcon_option_info(w.in.byte() % rollcon_option_count(), sizeof name, name, &type, &low, &high,
-                      &standard);
+  rollcon_option_info(w.in.byte() % rollcon_option_count(), sizeof name, name, &type, &low, &high, &standard);
   const double part = w.in.byte() / 255.0, value = low + part * part * part * (high - low);
   rollcon_contact* c = w.contact();
   if (type == ROLLCON_TYPE_INT && high <= 1)
@@ -205,11 +198,9 @@ void get_option(World& w) {
   const std::string name = w.in.text(known_names());
   Output<std::int64_t> integer(1);
   Output<double> real(1);
-  require(FUZZ_CALL(w, rollcon_contact_get_int, c, name.c_str(), integer.data()) == ROLLCON_OK ||
-              integer.untouched(),
+  require(FUZZ_CALL(w, rollcon_contact_get_int, c, name.c_str(), integer.data()) == ROLLCON_OK || integer.untouched(),
           "a failed call wrote into its output");
-  require(FUZZ_CALL(w, rollcon_contact_get_real, c, name.c_str(), real.data()) == ROLLCON_OK ||
-              real.untouched(),
+  require(FUZZ_CALL(w, rollcon_contact_get_real, c, name.c_str(), real.data()) == ROLLCON_OK || real.untouched(),
           "a failed call wrote into its output");
   std::int64_t need = 1;
   rollcon_contact_get_str(c, name.c_str(), 0, nullptr, &need);

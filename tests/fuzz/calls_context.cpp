@@ -35,8 +35,7 @@ void create(World& w) {
   if (FUZZ_CALL(w, rollcon_context_create, abi, w.in.one_in(8) ? nullptr : &made) == ROLLCON_OK)
     rollcon_context_set_threads(w.add(made), 1);
   else
-    require(made == nullptr || made == reinterpret_cast<rollcon_context*>(&w),
-            "a handle of nothing");
+    require(made == nullptr || made == reinterpret_cast<rollcon_context*>(&w), "a handle of nothing");
 }
 
 void retain(World& w) {
@@ -61,8 +60,7 @@ void ROLLCON_CALL on_message(std::int32_t level, const char* message, void* user
 
 void set_log(World& w) {
   // At level 4 the solver's own lines come, too.
-  FUZZ_CALL(w, rollcon_context_set_log, w.context(),
-            w.in.one_in(8) ? w.in.integer32() : w.in.below(5),
+  FUZZ_CALL(w, rollcon_context_set_log, w.context(), w.in.one_in(8) ? w.in.integer32() : w.in.below(5),
             w.in.one_in(8) ? nullptr : on_message, const_cast<char*>(own_folder().data()));
 }
 
@@ -75,8 +73,7 @@ void set_threads(World& w) {
 void report(World& w) {
   const std::int32_t status = w.in.integer32();
   const std::string text = w.in.text(known_names());
-  require(rollcon_report(w.body(), status, text.c_str()) ==
-              (status < 0 ? status : ROLLCON_ERR_ARGUMENT),
+  require(rollcon_report(w.body(), status, text.c_str()) == (status < 0 ? status : ROLLCON_ERR_ARGUMENT),
           "status of a report");
   require(std::string(rollcon_last_error()) == text.substr(0, 2047), "text of a report");
 }
@@ -133,11 +130,10 @@ void tables(World& w) {
       std::int32_t type = 0;
       const bool contacts = w.in.one_in(2);
       const auto info = contacts ? rollcon_option_info : rollcon_body_option_info;
-      const std::int32_t status = checked(
-          contacts ? "rollcon_option_info" : "rollcon_body_option_info", nullptr,
-          info(i, capacity, name.data(), &type, range.data(), range.data() + 1, range.data() + 2));
-      require(status == ROLLCON_OK || (name.untouched() && range.untouched()),
-              "a failed call wrote into its output");
+      const std::int32_t status =
+          checked(contacts ? "rollcon_option_info" : "rollcon_body_option_info", nullptr,
+                  info(i, capacity, name.data(), &type, range.data(), range.data() + 1, range.data() + 2));
+      require(status == ROLLCON_OK || (name.untouched() && range.untouched()), "a failed call wrote into its output");
     }
   }
 }
@@ -145,8 +141,7 @@ void tables(World& w) {
 }  // namespace
 
 std::span<const Call> context_calls() {
-  static const Call calls[] = {create, retain, release, set_log, set_threads,
-                               report, latch,  facts,   tables};
+  static const Call calls[] = {create, retain, release, set_log, set_threads, report, latch, facts, tables};
   return calls;
 }
 

@@ -57,10 +57,9 @@ void resultant(World& w) {
   bool good = FUZZ_CALL(w, rollcon_contact_get_resultant, c, axes(w), force.data(),
                         w.in.one_in(4) ? nullptr : moment.data()) == ROLLCON_OK;
   require(good || (force.untouched() && moment.untouched()), "a failed call wrote into its output");
-  good = FUZZ_CALL(w, rollcon_contact_get_motion, c, w.in.one_in(4) ? nullptr : approach.data(),
-                   creep.data()) == ROLLCON_OK;
-  require(good || (approach.untouched() && creep.untouched()),
-          "a failed call wrote into its output");
+  good = FUZZ_CALL(w, rollcon_contact_get_motion, c, w.in.one_in(4) ? nullptr : approach.data(), creep.data()) ==
+         ROLLCON_OK;
+  require(good || (approach.untouched() && creep.untouched()), "a failed call wrote into its output");
 }
 
 void sensitivity(World& w) {
@@ -68,13 +67,11 @@ void sensitivity(World& w) {
   Output<double> force(3), moment(3), approach(1), creep(3);
   const std::int32_t by = w.in.one_in(12) ? w.in.integer32() : 1 + w.in.below(5);
   const bool good = FUZZ_CALL(w, rollcon_contact_get_sensitivity, c, by, force.data(),
-                              w.in.one_in(4) ? nullptr : moment.data(), approach.data(),
-                              creep.data()) == ROLLCON_OK;
-  require(
-      good ? all_finite(force.values()) && all_finite(moment.values()) &&
-                 all_finite(approach.values()) && all_finite(creep.values())
-           : force.untouched() && moment.untouched() && approach.untouched() && creep.untouched(),
-      good ? "a derivative is not finite" : "a failed call wrote into its output");
+                              w.in.one_in(4) ? nullptr : moment.data(), approach.data(), creep.data()) == ROLLCON_OK;
+  require(good ? all_finite(force.values()) && all_finite(moment.values()) && all_finite(approach.values()) &&
+                     all_finite(creep.values())
+               : force.untouched() && moment.untouched() && approach.untouched() && creep.untouched(),
+          good ? "a derivative is not finite" : "a failed call wrote into its output");
 }
 
 void displacements_at(World& w) {
@@ -82,8 +79,8 @@ void displacements_at(World& w) {
   const std::int64_t n = array_size(w.in, 5);
   const std::vector<double> xy = w.in.reals(static_cast<std::size_t>(n > 0 ? 2 * n : 0));
   Output<double> u(n > 0 ? 3 * n : 0);
-  const bool good = FUZZ_CALL(w, rollcon_contact_get_displacements_at, c, w.in.below(4), n,
-                              maybe_null(w.in, xy), u.data()) == ROLLCON_OK;
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_displacements_at, c, w.in.below(4), n, maybe_null(w.in, xy),
+                              u.data()) == ROLLCON_OK;
   require(good ? all_finite(u.values()) : u.untouched(),
           good ? "a displacement is not finite" : "a failed call wrote into its output");
 }
@@ -92,8 +89,8 @@ void stat(World& w) {
   const rollcon_contact* c = w.contact();
   const std::string name = w.in.text(known_names());
   Output<double> value(1);
-  const bool good = FUZZ_CALL(w, rollcon_contact_get_stat, c,
-                              w.in.one_in(40) ? nullptr : name.c_str(), value.data()) == ROLLCON_OK;
+  const bool good =
+      FUZZ_CALL(w, rollcon_contact_get_stat, c, w.in.one_in(40) ? nullptr : name.c_str(), value.data()) == ROLLCON_OK;
   require(good || value.untouched(), "a failed call wrote into its output");
 }
 
@@ -129,9 +126,8 @@ void write(World& w) {
 }  // namespace
 
 std::span<const Call> result_calls() {
-  static const Call calls[] = {tractions, status,      field,       field,
-                               resultant, sensitivity, sensitivity, displacements_at,
-                               stat,      history,     plan,        write};
+  static const Call calls[] = {tractions,   status,           field, field,   resultant, sensitivity,
+                               sensitivity, displacements_at, stat,  history, plan,      write};
   return calls;
 }
 

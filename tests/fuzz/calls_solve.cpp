@@ -18,14 +18,11 @@ std::int32_t ROLLCON_CALL on_progress(const rollcon_event* event, void* user) {
   Output<double> real(1);
   static constexpr std::int32_t keys[] = {1, 2, 101, 102};
   const std::int32_t key = w.in.one_in(4) ? w.in.integer32() : keys[w.in.below(4)];
-  require(FUZZ_CALL(w, rollcon_event_get_int, event, key, integer.data()) == ROLLCON_OK ||
-              integer.untouched(),
+  require(FUZZ_CALL(w, rollcon_event_get_int, event, key, integer.data()) == ROLLCON_OK || integer.untouched(),
           "a failed call wrote into its output");
-  require(FUZZ_CALL(w, rollcon_event_get_real, event, key, real.data()) == ROLLCON_OK ||
-              real.untouched(),
+  require(FUZZ_CALL(w, rollcon_event_get_real, event, key, real.data()) == ROLLCON_OK || real.untouched(),
           "a failed call wrote into its output");
-  const std::span<const Call> kinds[] = {context_calls(), body_calls(), contact_calls(),
-                                         solve_calls(), result_calls()};
+  const std::span<const Call> kinds[] = {context_calls(), body_calls(), contact_calls(), solve_calls(), result_calls()};
   const std::span<const Call> calls = kinds[how % 5];
   calls[static_cast<std::size_t>(w.in.byte()) % calls.size()](w);
   --w.depth;
@@ -38,8 +35,7 @@ void solve(World& w) {
 }
 
 void set_progress(World& w) {
-  FUZZ_CALL(w, rollcon_contact_set_progress, w.contact(), w.in.one_in(4) ? nullptr : on_progress,
-            &w);
+  FUZZ_CALL(w, rollcon_contact_set_progress, w.contact(), w.in.one_in(4) ? nullptr : on_progress, &w);
 }
 
 void cancel(World& w) {
@@ -65,16 +61,13 @@ void solve_many(World& w) {
   // Lists for which a large machine might have room would only take long.
   if (n > 8) n = (n | std::int64_t{1} << 62U) >> (w.in.one_in(2) ? 0 : 23);
   const auto cases = static_cast<std::size_t>(absurd ? 0 : n);
-  static constexpr const char* known[] = {"longitudinal", "lateral",  "normal",
-                                          "spin",         "friction", "nonsense"};
+  static constexpr const char* known[] = {"longitudinal", "lateral", "normal", "spin", "friction", "nonsense"};
   std::string parameters;
   const int first = w.in.below(6), width = w.in.below(4);
-  for (int j = 0; j < width; ++j)
-    parameters += std::string(" ") + known[(first + (w.in.one_in(12) ? 0 : j)) % 6];
+  for (int j = 0; j < width; ++j) parameters += std::string(" ") + known[(first + (w.in.one_in(12) ? 0 : j)) % 6];
   const std::vector<double> values = w.in.reals(cases * static_cast<std::size_t>(width));
   static constexpr const char* lists[] = {"", "force", " force  moment max_pressure ",
-                                          "force tractions derivatives approach creep",
-                                          "force iterations nonsense"};
+                                          "force tractions derivatives approach creep", "force iterations nonsense"};
   const int list = w.in.below(5);
   std::int64_t nodes = 0;
   rollcon_contact_get_size(c, &nodes, nullptr);
@@ -90,9 +83,8 @@ void solve_many(World& w) {
   const bool some = !absurd && room == capacity;
   const std::int32_t sum =
       FUZZ_CALL(w, rollcon_contact_solve_many, c, absurd && n > 0 ? nullptr : parameters.c_str(), n,
-                absurd ? nullptr : values.data(), some || asks ? lists[list] : "",
-                some || asks ? capacity : 0, some ? result.data() : nullptr, &told,
-                absurd ? nullptr : status.data());
+                absurd ? nullptr : values.data(), some || asks ? lists[list] : "", some || asks ? capacity : 0,
+                some ? result.data() : nullptr, &told, absurd ? nullptr : status.data());
   if (sum < 0 || asks) {
     require(status.untouched() && result.untouched(), "a failed call wrote into its output");
     return;
@@ -111,8 +103,7 @@ void solve_many(World& w) {
 }  // namespace
 
 std::span<const Call> solve_calls() {
-  static const Call calls[] = {solve,        solve,  solve, solve_many,
-                               set_progress, cancel, reset, old_event};
+  static const Call calls[] = {solve, solve, solve, solve_many, set_progress, cancel, reset, old_event};
   return calls;
 }
 

@@ -14,31 +14,29 @@ namespace {
 using StatusesOf = std::map<std::string, std::set<std::int32_t>>;
 
 const std::map<std::string, std::int32_t>& status_numbers() {
-  static const std::map<std::string, std::int32_t> numbers = {
-      {"ROLLCON_OK", ROLLCON_OK},
-      {"ROLLCON_NOT_CONVERGED", ROLLCON_NOT_CONVERGED},
-      {"ROLLCON_NO_CONTACT", ROLLCON_NO_CONTACT},
-      {"ROLLCON_CANCELLED", ROLLCON_CANCELLED},
-      {"ROLLCON_RIM_CONTACT", ROLLCON_RIM_CONTACT},
-      {"ROLLCON_COARSE", ROLLCON_COARSE},
-      {"ROLLCON_ERR_ARGUMENT", ROLLCON_ERR_ARGUMENT},
-      {"ROLLCON_ERR_HANDLE", ROLLCON_ERR_HANDLE},
-      {"ROLLCON_ERR_NONFINITE", ROLLCON_ERR_NONFINITE},
-      {"ROLLCON_ERR_MESH", ROLLCON_ERR_MESH},
-      {"ROLLCON_ERR_STATE", ROLLCON_ERR_STATE},
-      {"ROLLCON_ERR_OPTION", ROLLCON_ERR_OPTION},
-      {"ROLLCON_ERR_CAPACITY", ROLLCON_ERR_CAPACITY},
-      {"ROLLCON_ERR_SINGULAR", ROLLCON_ERR_SINGULAR},
-      {"ROLLCON_ERR_MEMORY", ROLLCON_ERR_MEMORY},
-      {"ROLLCON_ERR_UNSUPPORTED", ROLLCON_ERR_UNSUPPORTED},
-      {"ROLLCON_ERR_BUSY", ROLLCON_ERR_BUSY},
-      {"ROLLCON_ERR_LOAD", ROLLCON_ERR_LOAD},
-      {"ROLLCON_ERR_IO", ROLLCON_ERR_IO}};
+  static const std::map<std::string, std::int32_t> numbers = {{"ROLLCON_OK", ROLLCON_OK},
+                                                              {"ROLLCON_NOT_CONVERGED", ROLLCON_NOT_CONVERGED},
+                                                              {"ROLLCON_NO_CONTACT", ROLLCON_NO_CONTACT},
+                                                              {"ROLLCON_CANCELLED", ROLLCON_CANCELLED},
+                                                              {"ROLLCON_RIM_CONTACT", ROLLCON_RIM_CONTACT},
+                                                              {"ROLLCON_COARSE", ROLLCON_COARSE},
+                                                              {"ROLLCON_ERR_ARGUMENT", ROLLCON_ERR_ARGUMENT},
+                                                              {"ROLLCON_ERR_HANDLE", ROLLCON_ERR_HANDLE},
+                                                              {"ROLLCON_ERR_NONFINITE", ROLLCON_ERR_NONFINITE},
+                                                              {"ROLLCON_ERR_MESH", ROLLCON_ERR_MESH},
+                                                              {"ROLLCON_ERR_STATE", ROLLCON_ERR_STATE},
+                                                              {"ROLLCON_ERR_OPTION", ROLLCON_ERR_OPTION},
+                                                              {"ROLLCON_ERR_CAPACITY", ROLLCON_ERR_CAPACITY},
+                                                              {"ROLLCON_ERR_SINGULAR", ROLLCON_ERR_SINGULAR},
+                                                              {"ROLLCON_ERR_MEMORY", ROLLCON_ERR_MEMORY},
+                                                              {"ROLLCON_ERR_UNSUPPORTED", ROLLCON_ERR_UNSUPPORTED},
+                                                              {"ROLLCON_ERR_BUSY", ROLLCON_ERR_BUSY},
+                                                              {"ROLLCON_ERR_LOAD", ROLLCON_ERR_LOAD},
+                                                              {"ROLLCON_ERR_IO", ROLLCON_ERR_IO}};
   return numbers;
 }
 
-/// "Also returns:" of the comment before each declaration of the header, and what its opening says
-/// of all functions.
+/// "Also returns:" of the comment before each declaration of the header, and what its opening says of all functions.
 StatusesOf read_header() {
   StatusesOf all;
   std::ifstream file(ROLLCON_HEADER);
@@ -95,9 +93,8 @@ std::int32_t checked(const char* function, const rollcon_context* context, std::
     require(text.rfind(std::string(function) + ": ", 0) == 0,
             std::string(function) + ": status " + std::to_string(status) + ", text '" + text + "'");
   }
-  require(found->second.count(status) == 1,
-          std::string(function) + ": status " + std::to_string(status) + " (" +
-              rollcon_status_string(status) + ") is not listed; text '" + text + "'");
+  require(found->second.count(status) == 1, std::string(function) + ": status " + std::to_string(status) + " (" +
+                                                rollcon_status_string(status) + ") is not listed; text '" + text + "'");
   return status;
 }
 
@@ -106,8 +103,7 @@ const std::vector<std::string>& known_names() {
     std::vector<std::string> all;
     char name[64];
     for (int i = 0; i < rollcon_option_count(); ++i)
-      if (rollcon_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0)
-        all.emplace_back(name);
+      if (rollcon_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0) all.emplace_back(name);
     for (int i = 0; i < rollcon_body_option_count(); ++i)
       if (rollcon_body_option_info(i, sizeof name, name, nullptr, nullptr, nullptr, nullptr) == 0)
         all.emplace_back(name);

@@ -23,8 +23,7 @@ void spoil(Input& in, Box& box) {
   const auto some = [&](std::size_t n) { return static_cast<std::size_t>(in.byte()) % n; };
   const auto width = static_cast<std::size_t>(box.per_element);
   for (int edits = in.below(6); edits > 0 && box.element.size() > width; --edits) {
-    const auto first =
-        box.element.begin() + static_cast<std::ptrdiff_t>(some(box.element.size() / width) * width);
+    const auto first = box.element.begin() + static_cast<std::ptrdiff_t>(some(box.element.size() / width) * width);
     const auto last = first + static_cast<std::ptrdiff_t>(width);
     switch (in.below(9)) {
       case 0:
@@ -71,8 +70,7 @@ void spoil(Input& in, Box& box) {
 void give_elements(World& w, rollcon_body* body, const Box& box, bool volume) {
   const std::int32_t tag = w.in.below(3);
   if (volume) {
-    FUZZ_CALL(w, rollcon_body_add_elements, body, box.type, box.elements(), box.element.data(), 0,
-              tag);
+    FUZZ_CALL(w, rollcon_body_add_elements, body, box.type, box.elements(), box.element.data(), 0, tag);
     return;
   }
   for (std::size_t e = 0; e < box.side.size(); ++e)
@@ -81,11 +79,10 @@ void give_elements(World& w, rollcon_body* body, const Box& box, bool volume) {
 }
 
 void name_faces(World& w, rollcon_body* body, const Box& box) {
-  FUZZ_CALL(w, rollcon_body_tag_faces_of_nodes, body, static_cast<std::int64_t>(box.at_top.size()),
-            box.at_top.data(), 0, 6);
+  FUZZ_CALL(w, rollcon_body_tag_faces_of_nodes, body, static_cast<std::int64_t>(box.at_top.size()), box.at_top.data(),
+            0, 6);
   if (w.in.one_in(3)) {
-    const std::vector<std::int32_t> elements = ids(w.in, 3, box.elements()),
-                                    faces = ids(w.in, 3, 6);
+    const std::vector<std::int32_t> elements = ids(w.in, 3, box.elements()), faces = ids(w.in, 3, 6);
     FUZZ_CALL(w, rollcon_body_tag_faces, body, 3, elements.data(), faces.data(), 0, w.in.below(8));
   }
   if (w.in.one_in(3)) {  // by surface elements
@@ -97,12 +94,10 @@ void name_faces(World& w, rollcon_body* body, const Box& box) {
 
 void hold_and_load(World& w, rollcon_body* body, const Box& box) {
   const int how = w.in.below(8);
-  const std::vector<std::int32_t> nodes =
-      how == 0 ? ids(w.in, 1 + w.in.below(4), box.nodes()) : box.at_bottom;
+  const std::vector<std::int32_t> nodes = how == 0 ? ids(w.in, 1 + w.in.below(4), box.nodes()) : box.at_bottom;
   const std::vector<double> values = w.in.reals(how < 3 ? 3 * nodes.size() : 0);
-  FUZZ_CALL(w, rollcon_body_set_support, body, static_cast<std::int64_t>(nodes.size()),
-            nodes.data(), 0, how == 1 ? 1 + w.in.below(7) : ROLLCON_DOF_XYZ,
-            values.empty() ? nullptr : values.data());
+  FUZZ_CALL(w, rollcon_body_set_support, body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0,
+            how == 1 ? 1 + w.in.below(7) : ROLLCON_DOF_XYZ, values.empty() ? nullptr : values.data());
   for (int loads = w.in.below(3); loads > 0; --loads) {
     const std::vector<double> traction = w.in.reals(3);
     if (w.in.one_in(2))
@@ -112,8 +107,7 @@ void hold_and_load(World& w, rollcon_body* body, const Box& box) {
   }
   if (w.in.one_in(4)) {
     const std::vector<std::int32_t> tags = ids(w.in, 1 + w.in.below(2), 8);
-    FUZZ_CALL(w, rollcon_body_set_contact_faces, body, static_cast<std::int64_t>(tags.size()),
-              tags.data());
+    FUZZ_CALL(w, rollcon_body_set_contact_faces, body, static_cast<std::int64_t>(tags.size()), tags.data());
   }
 }
 
@@ -122,8 +116,7 @@ void set_options(World& w, rollcon_body* body) {
     char name[64] = "";
     std::int32_t type = 0;
     double low = 0, high = 0;
-    rollcon_body_option_info(w.in.byte() % rollcon_body_option_count(), sizeof name, name, &type,
-                             &low, &high, nullptr);
+    rollcon_body_option_info(w.in.byte() % rollcon_body_option_count(), sizeof name, name, &type, &low, &high, nullptr);
     const double value = low + w.in.byte() / 255.0 * (high - low);
     if (type == ROLLCON_TYPE_INT)
       FUZZ_CALL(w, rollcon_body_set_int, body, name, static_cast<std::int64_t>(value));
@@ -150,8 +143,7 @@ void save_and_load(World& w, rollcon_body* body, std::int64_t nodes) {
   rollcon_context* other = nullptr;
   require(rollcon_context_create(ROLLCON_ABI, &other) == ROLLCON_OK, "no context");
   rollcon_context_set_threads(w.add(other), 1);
-  require(FUZZ_CALL(w, rollcon_body_load, other, path.c_str(), &copy) == ROLLCON_OK,
-          "what was saved cannot be loaded");
+  require(FUZZ_CALL(w, rollcon_body_load, other, path.c_str(), &copy) == ROLLCON_OK, "what was saved cannot be loaded");
   w.add(copy, other);
   require(answer(w, body, nodes) == answer(w, copy, nodes), "a loaded body answers otherwise");
 }
@@ -168,8 +160,7 @@ void bring_into_contact(World& w, rollcon_context* context, rollcon_body* body) 
   w.add(other, context);
   if (elastic_other) rollcon_body_set_elastic(other, 0, 100, 0.25);
   const bool first = !w.in.one_in(4);
-  FUZZ_CALL(w, rollcon_contact_create, context, first ? body : other, first ? other : body,
-            &contact);
+  FUZZ_CALL(w, rollcon_contact_create, context, first ? body : other, first ? other : body, &contact);
   if (!contact) return;
   w.add(contact, context);
   double top[3] = {w.in.real() / 8, w.in.real() / 8, 1};
@@ -185,21 +176,18 @@ void bring_into_contact(World& w, rollcon_context* context, rollcon_body* body) 
     FUZZ_CALL(w, rollcon_contact_set_frame_nodes, contact, 9, x.data(), 3, 1);
     FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, ROLLCON_QUAD4, 4, quads, 0, 0);
   } else {
-    FUZZ_CALL(w, rollcon_contact_frame_from_body, contact, first ? 1 : 2,
-              w.in.one_in(4) ? w.in.below(8) : 6);
+    FUZZ_CALL(w, rollcon_contact_frame_from_body, contact, first ? 1 : 2, w.in.one_in(4) ? w.in.below(8) : 6);
   }
   if (w.in.one_in(2)) FUZZ_CALL(w, rollcon_contact_set_gap_quadratic, contact, 0.05, 0.05, 0.0);
   FUZZ_CALL(w, rollcon_contact_set_friction, contact, "coulomb", 1, &mu);
-  FUZZ_CALL(w, rollcon_contact_prescribe, contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION,
-            w.in.positive() / 64);
+  FUZZ_CALL(w, rollcon_contact_prescribe, contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, w.in.positive() / 64);
   FUZZ_CALL(w, rollcon_contact_set_creep, contact, w.in.real() / 1024, w.in.real() / 1024, 0.0);
   rollcon_contact_set_int(contact, "max_iterations", 30);
   solve_and_check(w, contact);
 }
 
 void try_body(World& w, rollcon_context* context) {
-  const std::int32_t kinds[] = {ROLLCON_BODY_FEM, ROLLCON_BODY_BEM, ROLLCON_BODY_FEM,
-                                ROLLCON_BODY_RIGID};
+  const std::int32_t kinds[] = {ROLLCON_BODY_FEM, ROLLCON_BODY_BEM, ROLLCON_BODY_FEM, ROLLCON_BODY_RIGID};
   const std::int32_t kind = kinds[w.in.below(4)];
   const bool volume = kind == ROLLCON_BODY_FEM;
   rollcon_body* body = nullptr;
@@ -232,14 +220,12 @@ void try_frame(World& w) {
   std::vector<std::int32_t> top;
   const auto width = static_cast<std::size_t>(box.per_element);
   for (std::size_t e = 0; e < box.side.size(); ++e)
-    if (box.side[e] == 5)
-      top.insert(top.end(), &box.element[e * width], &box.element[e * width] + width);
+    if (box.side[e] == 5) top.insert(top.end(), &box.element[e * width], &box.element[e * width] + width);
   box.element = top;
   for (std::size_t i = 2; i < box.x.size(); i += 3) box.x[i] -= 1;
   spoil(w.in, box);
   FUZZ_CALL(w, rollcon_contact_set_frame_nodes, contact, box.nodes(), box.x.data(), 3, 1);
-  FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, box.type, box.elements(),
-            box.element.data(), 0, 0);
+  FUZZ_CALL(w, rollcon_contact_add_frame_elements, contact, box.type, box.elements(), box.element.data(), 0, 0);
   if (w.in.one_in(4)) {
     const std::int32_t type = element_types[w.in.below(5)];
     const std::vector<std::int32_t> nodes = ids(w.in, nodes_of_type(type), box.nodes());

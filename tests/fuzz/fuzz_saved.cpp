@@ -12,8 +12,7 @@ namespace {
 
 void write_file(const std::string& path, const Bytes& bytes) {
   std::FILE* file = std::fopen(path.c_str(), "wb");
-  require(file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(),
-          "cannot write '" + path + "'");
+  require(file && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size(), "cannot write '" + path + "'");
   std::fclose(file);
 }
 
@@ -23,8 +22,7 @@ void ask(World& w, rollcon_body* body) {
   FUZZ_CALL(w, rollcon_body_get_size, body, &nodes, nullptr);
   FUZZ_CALL(w, rollcon_body_get_kind, body, &kind);
   Output<double> u(3 * nodes), reaction(6), value(1);
-  const bool good =
-      FUZZ_CALL(w, rollcon_body_get_displacements, body, nodes, u.data()) == ROLLCON_OK;
+  const bool good = FUZZ_CALL(w, rollcon_body_get_displacements, body, nodes, u.data()) == ROLLCON_OK;
   require(good || u.untouched(), "a failed call wrote into its output");
   FUZZ_CALL(w, rollcon_body_get_reaction, body, reaction.data(), reaction.data() + 3);
   for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
@@ -59,8 +57,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const std::string path = own_folder() + "/body", copy = own_folder() + "/copy";
   Input in(data, size);
   const int first = in.byte();
-  write_file(path,
-             first == 255 ? Bytes(data + 1, data + size) : forged(saved_body(first % recipes), in));
+  write_file(path, first == 255 ? Bytes(data + 1, data + size) : forged(saved_body(first % recipes), in));
   World world(in);
   rollcon_context* context = nullptr;
   rollcon_body* body = nullptr;

@@ -12,21 +12,12 @@ namespace {
 
 using Real = std::numeric_limits<double>;
 
-constexpr double special[] = {
-    0.0,          -0.0,    1e-3, 1e3,   1e-15, 1e15, 1e-30,  1e30,  1e-60,           1e60,
-    1e-160,       1e160,   -1e3, -1e15, 1e-9,  1e9,  1e-300, 1e300, DBL_MIN,         DBL_MAX,
-    DBL_TRUE_MIN, DBL_MAX, 0.5,  0.3,   0.49,  -1,   0.4999, 1,     Real::infinity()};
+constexpr double special[] = {0.0,          -0.0,    1e-3, 1e3,   1e-15, 1e15, 1e-30,  1e30,  1e-60,           1e60,
+                              1e-160,       1e160,   -1e3, -1e15, 1e-9,  1e9,  1e-300, 1e300, DBL_MIN,         DBL_MAX,
+                              DBL_TRUE_MIN, DBL_MAX, 0.5,  0.3,   0.49,  -1,   0.4999, 1,     Real::infinity()};
 
-constexpr std::int64_t odd_number[] = {-1,
-                                       INT64_MIN,
-                                       INT64_MAX,
-                                       INT32_MAX,
-                                       INT32_MIN,
-                                       std::int64_t{1} << 31,
-                                       std::int64_t{1} << 32,
-                                       1000000,
-                                       65536,
-                                       -2};
+constexpr std::int64_t odd_number[] = {
+    -1, INT64_MIN, INT64_MAX, INT32_MAX, INT32_MIN, std::int64_t{1} << 31, std::int64_t{1} << 32, 1000000, 65536, -2};
 
 }  // namespace
 
@@ -61,8 +52,7 @@ std::vector<double> Input::reals(std::size_t n) {
 
 std::string Input::text(const std::vector<std::string>& words) {
   const int how = byte();
-  if (how < 240 && !words.empty())
-    return words[(static_cast<std::size_t>(how) << 8U | byte()) % words.size()];
+  if (how < 240 && !words.empty()) return words[(static_cast<std::size_t>(how) << 8U | byte()) % words.size()];
   std::string any(static_cast<std::size_t>(below(40)), ' ');
   for (char& c : any) c = static_cast<char>(byte() % 255 + 1);
   return any;

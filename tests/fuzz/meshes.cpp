@@ -8,9 +8,9 @@
 
 namespace fuzz {
 
-const std::int32_t element_types[11] = {
-    ROLLCON_TRI3,  ROLLCON_TRI6,   ROLLCON_QUAD4,   ROLLCON_QUAD8, ROLLCON_QUAD9, ROLLCON_TET4,
-    ROLLCON_TET10, ROLLCON_WEDGE6, ROLLCON_WEDGE15, ROLLCON_HEX8,  ROLLCON_HEX20};
+const std::int32_t element_types[11] = {ROLLCON_TRI3,    ROLLCON_TRI6, ROLLCON_QUAD4, ROLLCON_QUAD8,
+                                        ROLLCON_QUAD9,   ROLLCON_TET4, ROLLCON_TET10, ROLLCON_WEDGE6,
+                                        ROLLCON_WEDGE15, ROLLCON_HEX8, ROLLCON_HEX20};
 
 int nodes_of_type(std::int32_t type) {
   static const int count[11] = {3, 6, 4, 8, 9, 4, 10, 6, 15, 8, 20};
@@ -25,13 +25,10 @@ using Point = std::array<int, 3>;  // twice the index of the cell's corner
 using Edge = std::pair<int, int>;
 
 const std::vector<Edge>& edges_of(std::int32_t type) {
-  static const std::vector<Edge> triangle{{0, 1}, {1, 2}, {2, 0}},
-      quadrilateral{{0, 1}, {1, 2}, {2, 3}, {3, 0}},
+  static const std::vector<Edge> triangle{{0, 1}, {1, 2}, {2, 0}}, quadrilateral{{0, 1}, {1, 2}, {2, 3}, {3, 0}},
       tetrahedron{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}},
       wedge{{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}},
-      hexahedron{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
-                 {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}},
-      none;
+      hexahedron{{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}, none;
   switch (type) {
     case ROLLCON_TRI6:
       return triangle;
@@ -61,8 +58,7 @@ class Maker {
     const auto middle = [&](int a, int b) {
       Point p{};
       for (std::size_t c = 0; c < 3; ++c)
-        p[c] =
-            (corner[static_cast<std::size_t>(a)][c] + corner[static_cast<std::size_t>(b)][c]) / 2;
+        p[c] = (corner[static_cast<std::size_t>(a)][c] + corner[static_cast<std::size_t>(b)][c]) / 2;
       return p;
     };
     std::vector<Point> more;
@@ -99,8 +95,7 @@ class Maker {
           } else {
             add({a, b, c, d});
           }
-          const std::size_t added =
-              (box.element.size() - before) / static_cast<std::size_t>(box.per_element);
+          const std::size_t added = (box.element.size() - before) / static_cast<std::size_t>(box.per_element);
           box.side.insert(box.side.end(), added, static_cast<std::int32_t>(f));
         }
     }
@@ -110,11 +105,9 @@ class Maker {
 
  private:
   void cell(int i, int j, int k) {
-    const auto at = [&](int a, int b, int c) {
-      return Point{2 * (i + a), 2 * (j + b), 2 * (k + c)};
-    };
-    const Point a = at(0, 0, 0), b = at(1, 0, 0), c = at(1, 1, 0), d = at(0, 1, 0), e = at(0, 0, 1),
-                f = at(1, 0, 1), g = at(1, 1, 1), h = at(0, 1, 1);
+    const auto at = [&](int a, int b, int c) { return Point{2 * (i + a), 2 * (j + b), 2 * (k + c)}; };
+    const Point a = at(0, 0, 0), b = at(1, 0, 0), c = at(1, 1, 0), d = at(0, 1, 0), e = at(0, 0, 1), f = at(1, 0, 1),
+                g = at(1, 1, 1), h = at(0, 1, 1);
     switch (box.type) {
       case ROLLCON_TET4:
       case ROLLCON_TET10:

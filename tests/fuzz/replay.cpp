@@ -26,8 +26,7 @@ Bytes changed(const std::vector<Bytes>& corpus, std::mt19937_64& random) {
   const Bytes& other = corpus[below(corpus.size())];
   if (!other.empty() && random() % 4 == 0) {  // goes on like another
     input.resize(below(input.size() + 1));
-    input.insert(input.end(), other.begin() + static_cast<std::ptrdiff_t>(below(other.size())),
-                 other.end());
+    input.insert(input.end(), other.begin() + static_cast<std::ptrdiff_t>(below(other.size())), other.end());
   }
   for (std::size_t edits = 1 + below(6); edits > 0; --edits) {
     const std::size_t at = below(input.size() + 1);
@@ -80,8 +79,7 @@ int main(int argc, char** argv) {
   for (int i = 0; i < changes; ++i) {
     const Bytes input = changed(corpus, random);
     std::ofstream("last_input", std::ios::binary)
-        .write(reinterpret_cast<const char*>(input.data()),
-               static_cast<std::streamsize>(input.size()));
+        .write(reinterpret_cast<const char*>(input.data()), static_cast<std::streamsize>(input.size()));
     run(input);
   }
   std::printf("%zu inputs of the corpus and %d changed ones\n", corpus.size(), changes);

@@ -57,8 +57,7 @@ std::vector<OptionValue> read_standard_options() {
     char name[64] = "", text[64] = "";
     rollcon_option_info(i, sizeof name, name, &option.type, nullptr, nullptr, &option.number);
     option.name = name;
-    if (option.type == ROLLCON_TYPE_STR)
-      rollcon_contact_get_str(contact, name, sizeof text, text, nullptr);
+    if (option.type == ROLLCON_TYPE_STR) rollcon_contact_get_str(contact, name, sizeof text, text, nullptr);
     option.text = text;
     all.push_back(option);
   }
@@ -75,8 +74,7 @@ void set_standard_options(rollcon_contact* contact) {
     if (option.type == ROLLCON_TYPE_INT)
       rollcon_contact_set_int(contact, name, static_cast<std::int64_t>(option.number));
     if (option.type == ROLLCON_TYPE_REAL) rollcon_contact_set_real(contact, name, option.number);
-    if (option.type == ROLLCON_TYPE_STR)
-      rollcon_contact_set_str(contact, name, option.text.c_str());
+    if (option.type == ROLLCON_TYPE_STR) rollcon_contact_set_str(contact, name, option.text.c_str());
   }
   rollcon_contact_set_int(contact, "max_iterations", 60);
 }
@@ -86,10 +84,9 @@ void set_standard_options(rollcon_contact* contact) {
 void give_mesh(World& world, rollcon_body* body, const Box& box) {
   FUZZ_CALL(world, rollcon_body_set_nodes, body, box.nodes(), box.x.data(), 3, 1);
   if (box.side.empty()) {
-    FUZZ_CALL(world, rollcon_body_add_elements, body, box.type, box.elements(), box.element.data(),
-              0, 0);
-    FUZZ_CALL(world, rollcon_body_tag_faces_of_nodes, body,
-              static_cast<std::int64_t>(box.at_top.size()), box.at_top.data(), 0, around_top + 1);
+    FUZZ_CALL(world, rollcon_body_add_elements, body, box.type, box.elements(), box.element.data(), 0, 0);
+    FUZZ_CALL(world, rollcon_body_tag_faces_of_nodes, body, static_cast<std::int64_t>(box.at_top.size()),
+              box.at_top.data(), 0, around_top + 1);
   }
   for (std::size_t e = 0; e < box.side.size(); ++e)
     FUZZ_CALL(world, rollcon_body_add_elements, body, box.type, 1,
@@ -97,9 +94,8 @@ void give_mesh(World& world, rollcon_body* body, const Box& box) {
   std::int32_t kind = 0;
   rollcon_body_get_kind(body, &kind);
   if (kind != ROLLCON_BODY_RIGID)
-    FUZZ_CALL(world, rollcon_body_set_support, body,
-              static_cast<std::int64_t>(box.at_bottom.size()), box.at_bottom.data(), 0,
-              ROLLCON_DOF_XYZ, nullptr);
+    FUZZ_CALL(world, rollcon_body_set_support, body, static_cast<std::int64_t>(box.at_bottom.size()),
+              box.at_bottom.data(), 0, ROLLCON_DOF_XYZ, nullptr);
 }
 
 // 0: half-space on a rigid plane; 1: two half-spaces; 2, 3: boundary elements
@@ -113,8 +109,7 @@ void make_bodies(World& world, int recipe) {
   static const std::int32_t type[recipes] = {
       0, 0, ROLLCON_QUAD4, ROLLCON_TRI3, ROLLCON_HEX8, ROLLCON_TET10, ROLLCON_WEDGE15, 0};
   rollcon_body* one = make_body(world, kind);
-  rollcon_body* two =
-      make_body(world, recipe == 1 || recipe == 3 ? ROLLCON_BODY_HALFSPACE : ROLLCON_BODY_RIGID);
+  rollcon_body* two = make_body(world, recipe == 1 || recipe == 3 ? ROLLCON_BODY_HALFSPACE : ROLLCON_BODY_RIGID);
   if (!one || !two) return;
   if (meshed)
     make_elastic(world, one, type[recipe]);
@@ -135,15 +130,13 @@ void make_bodies(World& world, int recipe) {
 void set_scene(rollcon_contact* contact, int recipe) {
   const double mu = 0.1, identity[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1}, zero[3] = {0, 0, 0};
   const bool on_body = recipe >= 2 && recipe <= 6;
-  const double origin[3] = {0.5, 0.5, on_body ? 0.5 : 0}, rolling[3] = {1, 0, 0},
-               normal[3] = {0, 0, 1};
+  const double origin[3] = {0.5, 0.5, on_body ? 0.5 : 0}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
   rollcon_contact_set_progress(contact, nullptr, nullptr);
   for (int which = 1; which <= 2; ++which) rollcon_contact_set_pose(contact, which, identity, zero);
   if (!on_body || rollcon_contact_frame_from_body(contact, 1, around_top + 1) != ROLLCON_OK)
     set_frame(contact, on_body ? 0.5 : 0);
   rollcon_contact_set_axes(contact, origin, rolling, normal);
-  if (recipe != gap_of_mesh)
-    rollcon_contact_set_gap_quadratic(contact, 0.1, on_body ? 0.02 : 0.15, 0);
+  if (recipe != gap_of_mesh) rollcon_contact_set_gap_quadratic(contact, 0.1, on_body ? 0.02 : 0.15, 0);
   rollcon_contact_set_friction(contact, "coulomb", 1, &mu);
   rollcon_contact_set_rolling(contact, 10);
   for (const std::int32_t direction : {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_SPIN})
@@ -159,25 +152,21 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
   rollcon_contact_get_size(contact, &nodes, nullptr);
   Output<double> traction(3 * nodes), force(3), moment(3), motion(4);
   FUZZ_CALL(world, rollcon_contact_get_tractions, contact, ROLLCON_LOCAL, nodes, traction.data());
-  FUZZ_CALL(world, rollcon_contact_get_resultant, contact, ROLLCON_LOCAL, force.data(),
-            moment.data());
+  FUZZ_CALL(world, rollcon_contact_get_resultant, contact, ROLLCON_LOCAL, force.data(), moment.data());
   FUZZ_CALL(world, rollcon_contact_get_motion, contact, motion.data(), motion.data() + 1);
   const std::string with = "status " + std::to_string(status) + ", but ";
   require(all_finite(traction.values()), with + "a traction is not finite");
   require(all_finite(force.values()), with + "a force is not finite");
   require(all_finite(moment.values()), with + "a moment is not finite");
   require(all_finite(motion.values()), with + "a motion is not finite");
-  if (status != ROLLCON_OK && status != ROLLCON_RIM_CONTACT && status != ROLLCON_COARSE)
-    return status;
+  if (status != ROLLCON_OK && status != ROLLCON_RIM_CONTACT && status != ROLLCON_COARSE) return status;
   // Nodes of no element may have any gap and slip.
   std::vector<std::int32_t> state(static_cast<std::size_t>(nodes));
   rollcon_contact_get_status(contact, nodes, state.data());
-  for (const std::int32_t which :
-       {ROLLCON_FIELD_GAP, ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP}) {
+  for (const std::int32_t which : {ROLLCON_FIELD_GAP, ROLLCON_FIELD_SLIP, ROLLCON_FIELD_RIGID_SLIP}) {
     const std::size_t width = which == ROLLCON_FIELD_GAP ? 1 : 3;
     Output<double> field(3 * nodes);
-    FUZZ_CALL(world, rollcon_contact_get_field, contact, which, ROLLCON_GLOBAL, 3 * nodes,
-              field.data(), nullptr);
+    FUZZ_CALL(world, rollcon_contact_get_field, contact, which, ROLLCON_GLOBAL, 3 * nodes, field.data(), nullptr);
     for (std::size_t i = 0; i < width * state.size(); ++i)
       require(state[i / width] == ROLLCON_EXCLUDED || std::isfinite(field.values()[i]),
               with + "field " + std::to_string(which) + " is not finite");
@@ -206,16 +195,14 @@ void require_usable(World& world, rollcon_contact* contact, int recipe) {
     status[i] = solve_and_check(world, both[i]);
     if (status[i] >= 0) rollcon_contact_get_resultant(both[i], ROLLCON_LOCAL, force[i], nullptr);
   }
-  require(status[0] == status[1], "given the same scene, a used contact ends with status " +
-                                      std::to_string(status[0]) + ", a fresh one with " +
-                                      std::to_string(status[1]));
-  if (status[0] != ROLLCON_OK && status[0] != ROLLCON_RIM_CONTACT && status[0] != ROLLCON_COARSE)
-    return;
+  require(status[0] == status[1], "given the same scene, a used contact ends with status " + std::to_string(status[0]) +
+                                      ", a fresh one with " + std::to_string(status[1]));
+  if (status[0] != ROLLCON_OK && status[0] != ROLLCON_RIM_CONTACT && status[0] != ROLLCON_COARSE) return;
   const double scale = std::hypot(force[1][0], force[1][1], force[1][2]);
   for (int c = 0; c < 3; ++c)
     require(std::abs(force[0][c] - force[1][c]) <= 1e-7 * scale,
-            "given the same scene, a used contact finds a force of " + std::to_string(force[0][c]) +
-                ", a fresh one " + std::to_string(force[1][c]));
+            "given the same scene, a used contact finds a force of " + std::to_string(force[0][c]) + ", a fresh one " +
+                std::to_string(force[1][c]));
 }
 
 namespace {
@@ -231,8 +218,7 @@ std::vector<double> force_of_scene(int recipe) {
   const std::int32_t status = solve_and_check(world, world.contacts[0].handle);
   std::vector<double> force(3);
   rollcon_contact_get_resultant(world.contacts[0].handle, ROLLCON_LOCAL, force.data(), nullptr);
-  require((status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE) &&
-              force[2] < 0,
+  require((status == ROLLCON_OK || status == ROLLCON_RIM_CONTACT || status == ROLLCON_COARSE) && force[2] < 0,
           "scene " + std::to_string(recipe) + " ends with status " + std::to_string(status));
   return force;
 }

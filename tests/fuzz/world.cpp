@@ -100,8 +100,7 @@ const std::string& own_folder() {
   static const struct Folder {
     std::string name;
     Folder() {
-      std::string pattern =
-          (std::filesystem::temp_directory_path() / "rollcon_fuzz_XXXXXX").string();
+      std::string pattern = (std::filesystem::temp_directory_path() / "rollcon_fuzz_XXXXXX").string();
       require(mkdtemp(pattern.data()) != nullptr, "no temporary folder");
       name = pattern;
       require(mkfifo((name + "/pipe").c_str(), 0600) == 0, "no pipe");

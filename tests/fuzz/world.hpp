@@ -57,8 +57,7 @@ class World {
 const std::string& own_folder();
 
 template <class Function, class... Arguments>
-std::int32_t call(World& world, const char* name, Function* function,
-                  const std::tuple<Arguments...>& arguments) {
+std::int32_t call(World& world, const char* name, Function* function, const std::tuple<Arguments...>& arguments) {
   const std::int32_t status = std::apply(function, arguments);
   // Asked afterwards: a callback may have released both.
   if constexpr (std::is_pointer_v<std::tuple_element_t<0, std::tuple<Arguments...>>>)
@@ -69,7 +68,6 @@ std::int32_t call(World& world, const char* name, Function* function,
 
 /// Calls the function and checks what holds for every call. In braces,
 /// arguments are taken from the input in their order with every compiler.
-#define FUZZ_CALL(world, function, ...) \
-  ::fuzz::call(world, #function, function, std::tuple{__VA_ARGS__})
+#define FUZZ_CALL(world, function, ...) ::fuzz::call(world, #function, function, std::tuple{__VA_ARGS__})
 
 }  // namespace fuzz

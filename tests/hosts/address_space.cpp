@@ -1,5 +1,5 @@
-/// Hosts with a limit of address space (ulimit -v): a flow ends as usual or with a status and a
-/// text, and never hangs. OpenBLAS would, without room for its buffers.
+/// Hosts with a limit of address space (ulimit -v): a flow ends as usual or with a status and a text, and never hangs.
+/// OpenBLAS would, without room for its buffers.
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -48,9 +48,8 @@ int main() {
       waitpid(child, &status, 0);
       const int result = WIFEXITED(status) ? WEXITSTATUS(status) : wrong;
       ++count[result > wrong ? wrong : result];
-      verdict.expect(result == fine || result == refused,
-                     "%s with %d MiB: neither results nor a status (%#x)", flow.name,
-                     static_cast<int>(megabytes), static_cast<unsigned>(status));
+      verdict.expect(result == fine || result == refused, "%s with %d MiB: neither results nor a status (%#x)",
+                     flow.name, static_cast<int>(megabytes), static_cast<unsigned>(status));
     }
     std::printf("%s under 7 limits: %d fine, %d refused\n", flow.name, count[fine], count[refused]);
     verdict.expect(count[fine] > 0 && count[refused] > 0, "%s: the limits do not limit", flow.name);

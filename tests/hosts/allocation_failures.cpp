@@ -1,13 +1,12 @@
-/// Every allocation of a whole flow fails in turn, whoever makes it: once alone, and once with all
-/// that follow. The call ends with a status and a text, repeated it succeeds, the flow ends with
-/// its results, and no block is lost.
+/// Every allocation of a whole flow fails in turn, whoever makes it: once alone, and once with all that follow. The
+/// call ends with a status and a text, repeated it succeeds, the flow ends with its results, and no block is lost.
 ///
-/// Usage: allocation_failures FLOW THREADS [FIRST LAST]. Every one of the first hundred fails, then
-/// some in growing strides; with ROLLCON_EVERY_ALLOCATION=1 in the environment all of them.
+/// Usage: allocation_failures FLOW THREADS [FIRST LAST]. Every one of the first hundred fails, then some in growing
+/// strides; with ROLLCON_EVERY_ALLOCATION=1 in the environment all of them.
 ///
-/// Left out are the allocations of FFTW's planner, METIS and libgomp (CHOLMOD's loops), which end
-/// the process, print or lose memory by themselves; docs/api.md says so. Blocks that CHOLMOD loses
-/// inside UMFPACK's analysis are counted apart.
+/// Left out are the allocations of FFTW's planner, METIS and libgomp (CHOLMOD's loops), which end the process, print or
+/// lose memory by themselves; docs/api.md says so. Blocks that CHOLMOD loses inside UMFPACK's analysis are counted
+/// apart.
 
 #include <array>
 #include <cinttypes>
@@ -77,8 +76,8 @@ class Run {
       if (!without_loss(k)) break;
     std::printf("%s, %d threads, %s: %" PRId64 " failed of about %" PRId64 " allocations, %" PRId64
                 " survived, bound of results 1e-9, blocks lost by CHOLMOD %" PRId64 "\n",
-                flow_.name, plain_.threads, lasting_ ? "all later ones too" : "one at a time",
-                injected_, total_, survived_, lost_by_cholmod_);
+                flow_.name, plain_.threads, lasting_ ? "all later ones too" : "one at a time", injected_, total_,
+                survived_, lost_by_cholmod_);
     std::fflush(stdout);
     verdict_.expect(injected_ > 20, "%s: the failures did not come", flow_.name);
   }
@@ -96,8 +95,8 @@ class Run {
         lost_by_cholmod_ += lost;
         return failed;
       }
-      verdict_.expect(false, "%s, allocation %" PRId64 " of %s: %" PRId64 " blocks are lost",
-                      flow_.name, k, library_.c_str(), lost);
+      verdict_.expect(false, "%s, allocation %" PRId64 " of %s: %" PRId64 " blocks are lost", flow_.name, k,
+                      library_.c_str(), lost);
       return failed;
     }
   }
@@ -117,8 +116,8 @@ class Run {
     }
     if (wrong.empty()) wrong = call.wrong;
     verdict_.expect(wrong.empty(), "%s, %s %" PRId64 ", %s, %s: %s", flow_.name,
-                    lasting_ ? "allocations from" : "allocation", successes, call.where.c_str(),
-                    call.library.c_str(), wrong.c_str());
+                    lasting_ ? "allocations from" : "allocation", successes, call.where.c_str(), call.library.c_str(),
+                    wrong.c_str());
     injected_ += call.failed();
     survived_ += call.survived();
     library_ = call.library;
@@ -145,7 +144,6 @@ int main(int argc, char** argv) {
   const bool every = std::getenv("ROLLCON_EVERY_ALLOCATION") != nullptr;
   for (const char* library : {"libfftw3", "libmetis", "libgomp"}) spare(library);
   folder();
-  for (const bool lasting : {false, true})
-    Run(wanted, lasting, threads, verdict).all(first, last, every);
+  for (const bool lasting : {false, true}) Run(wanted, lasting, threads, verdict).all(first, last, every);
   return verdict.exit_code();
 }

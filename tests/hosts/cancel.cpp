@@ -1,5 +1,5 @@
-/// Flows are cancelled at every progress call in turn, by its result and by a request from inside.
-/// The call says so, and the next one ends as if nothing had happened.
+/// Flows are cancelled at every progress call in turn, by its result and by a request from inside. The call says so,
+/// and the next one ends as if nothing had happened.
 
 #include <algorithm>
 #include <cstdio>
@@ -14,8 +14,7 @@ using namespace hosts;
 class Cancelling final : public Caller {
  public:
   /// Of the calls of the progress function one cancels, counted from 1.
-  Cancelling(int at, bool by_request, bool reset)
-      : at_(at), by_request_(by_request), reset_(reset) {
+  Cancelling(int at, bool by_request, bool reset) : at_(at), by_request_(by_request), reset_(reset) {
     made_contact = [this](rollcon_contact* contact) {
       contact_ = contact;
       rollcon_contact_set_progress(contact, progress, this);
@@ -74,15 +73,14 @@ void cancel_everywhere(const Flow& flow, int threads, Verdict& verdict) {
       if (std::string(flow.name) == "many" && cancelling.cancelled() == 0)
         ++late;
       else
-        verdict.expect(cancelling.cancelled() == 1, "%s, cancelled at %d of %d: %d calls ended so",
-                       flow.name, at, calls, cancelling.cancelled());
+        verdict.expect(cancelling.cancelled() == 1, "%s, cancelled at %d of %d: %d calls ended so", flow.name, at,
+                       calls, cancelling.cancelled());
     }
   std::printf(
       "%s, %d threads: cancelled at each of %d calls (%d times too late), results apart by"
       " %.1e (bound 1e-12)\n",
       flow.name, threads, calls, late, worst);
-  // The calling thread tells of its own cases; on two threads the other one may have taken them
-  // all.
+  // The calling thread tells of its own cases; on two threads the other one may have taken them all.
   if (threads == 1) {
     verdict.expect(late < calls / 2, "%s: %d of %d times too late", flow.name, late, 2 * calls);
     verdict.expect(calls > 2, "%s: %d progress calls", flow.name, calls);
@@ -96,7 +94,6 @@ int main() {
   Verdict verdict;
   for (const Flow& flow : flows())
     for (const int threads : {1, 2})
-      if (threads == 1 || std::string(flow.name) == "many")
-        cancel_everywhere(flow, threads, verdict);
+      if (threads == 1 || std::string(flow.name) == "many") cancel_everywhere(flow, threads, verdict);
   return verdict.exit_code();
 }

@@ -77,8 +77,7 @@ void roll_sphere(Caller& call, Handles& h, int per_edge) {
   CALL(rollcon_body_set_elastic, h.body, 0, 1e4, 0.3);
   CALL(rollcon_contact_create, h.context, h.body, h.plane, &h.contact);
   CALL(rollcon_contact_set_frame_nodes, h.contact, frame.nodes, frame.x.data(), 3, 1);
-  CALL(rollcon_contact_add_frame_elements, h.contact, ROLLCON_QUAD4, frame.elements,
-       frame.connectivity.data(), 0, 0);
+  CALL(rollcon_contact_add_frame_elements, h.contact, ROLLCON_QUAD4, frame.elements, frame.connectivity.data(), 0, 0);
   CALL(rollcon_contact_set_gap_quadratic, h.contact, 0.01, 0.01, 0);
   CALL(rollcon_contact_set_friction, h.contact, "coulomb", 1, &friction);
   CALL(rollcon_contact_set_rolling, h.contact, 10);
@@ -186,9 +185,8 @@ std::vector<double> many(Caller& call) {
   }
   std::array<std::int32_t, cases> status{};
   const auto all = [&] {
-    const std::int32_t summary =
-        rollcon_contact_solve_many(h.contact, "normal longitudinal", cases, value.data(),
-                                   "force moment", 6, result.data(), nullptr, status.data());
+    const std::int32_t summary = rollcon_contact_solve_many(h.contact, "normal longitudinal", cases, value.data(),
+                                                            "force moment", 6, result.data(), nullptr, status.data());
     if (summary < 0) return summary;
     // A case that found no memory has that status; the flow wants every case.
     const auto failed = std::find_if(status.begin(), status.end(), [](auto s) { return s < 0; });
@@ -208,8 +206,8 @@ void set_bem(Caller& call, Handles& h) {
     CALL(rollcon_body_add_elements, h.body, ROLLCON_QUAD4, cube.face_elements(),
          cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1);
   const std::vector<std::int32_t> bottom = cube.nodes_at(2, 0);
-  CALL(rollcon_body_set_support, h.body, static_cast<std::int64_t>(bottom.size()), bottom.data(), 0,
-       ROLLCON_DOF_XYZ, nullptr);
+  CALL(rollcon_body_set_support, h.body, static_cast<std::int64_t>(bottom.size()), bottom.data(), 0, ROLLCON_DOF_XYZ,
+       nullptr);
 }
 
 void set_fem(Caller& call, Handles& h, std::int64_t factorization) {
@@ -220,13 +218,12 @@ void set_fem(Caller& call, Handles& h, std::int64_t factorization) {
   CALL(rollcon_body_set_elastic, h.body, 0, 200, 0.3);
   CALL(rollcon_body_set_int, h.body, "factorization", factorization);
   CALL(rollcon_body_set_nodes, h.body, box.nodes(), box.x.data(), 3, 1);
-  CALL(rollcon_body_add_elements, h.body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0,
-       0);
+  CALL(rollcon_body_add_elements, h.body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0);
   const std::int32_t *elements = element.data(), *faces = face.data();
   const auto count = static_cast<std::int64_t>(element.size());
   CALL(rollcon_body_tag_faces, h.body, count, elements, faces, 0, 6);
-  CALL(rollcon_body_set_support, h.body, static_cast<std::int64_t>(bottom.size()), bottom.data(), 0,
-       ROLLCON_DOF_XYZ, nullptr);
+  CALL(rollcon_body_set_support, h.body, static_cast<std::int64_t>(bottom.size()), bottom.data(), 0, ROLLCON_DOF_XYZ,
+       nullptr);
 }
 
 /// Prepared, solved, saved, and solved again as loaded.
@@ -277,8 +274,7 @@ constexpr Flow all[] = {{"dense", nullptr, dense},
 void Caller::operator()(const char* name, const std::function<std::int32_t()>& function) {
   const std::int32_t status = make(name, function);
   if (status >= 0) return;
-  throw Unexpected(std::string(name) + ": " + rollcon_status_string(status) + " (" +
-                   rollcon_last_error() + ")");
+  throw Unexpected(std::string(name) + ": " + rollcon_status_string(status) + " (" + rollcon_last_error() + ")");
 }
 
 std::int32_t Caller::make(const char*, const std::function<std::int32_t()>& function) {
@@ -299,8 +295,7 @@ Flow flow(const std::string& name) {
 }
 
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() &&
-         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
@@ -321,9 +316,8 @@ const std::string& folder() {
     Folder() {
       // In memory where there is such a folder: saved bodies wait for the disk.
       const std::filesystem::path memory = "/dev/shm";
-      std::string pattern =
-          (access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path()) /
-          "rollcon-hosts-XXXXXX";
+      std::string pattern = (access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path()) /
+                            "rollcon-hosts-XXXXXX";
       if (!mkdtemp(pattern.data())) throw Unexpected("no temporary folder");
       name = pattern;
     }

@@ -1,7 +1,6 @@
 #pragma once
-/// What a host does with the library, from the first handle to the last: the flows that the
-/// programs of this folder run in unusual surroundings. Each returns its results, to be compared
-/// bit by bit with those of the same flow elsewhere.
+/// What a host does with the library, from the first handle to the last: the flows that the programs of this folder run
+/// in unusual surroundings. Each returns its results, to be compared bit by bit with those of the same flow elsewhere.
 
 #include <cstdint>
 #include <functional>

@@ -1,5 +1,5 @@
-/// A host that has used the library, OpenMP and the BLAS with threads, and forks: the child gets
-/// the results of its parent, twice removed as well.
+/// A host that has used the library, OpenMP and the BLAS with threads, and forks: the child gets the results of its
+/// parent, twice removed as well.
 
 #include <omp.h>
 #include <sys/wait.h>
@@ -60,9 +60,7 @@ int main() {
     ++regions;
     const int child = in_child([&] { return other_results(right, threads); });
     const int grandchild = in_child([&] {
-      return other_results(right, threads) != 0
-                 ? 100
-                 : in_child([&] { return other_results(right, threads); });
+      return other_results(right, threads) != 0 ? 100 : in_child([&] { return other_results(right, threads); });
     });
     std::printf(
         "%d threads, after a region of %d OpenMP threads: %d flows with other results in a "

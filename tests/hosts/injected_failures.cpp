@@ -106,8 +106,7 @@ void spare(const char* library) {
         if (!std::strstr(info->dlpi_name, static_cast<const char*>(wanted))) return 0;
         for (int i = 0; i < info->dlpi_phnum; ++i) {
           const auto& segment = info->dlpi_phdr[i];
-          if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X) || codes == code.size())
-            continue;
+          if (segment.p_type != PT_LOAD || !(segment.p_flags & PF_X) || codes == code.size()) continue;
           const std::uintptr_t begin = info->dlpi_addr + segment.p_vaddr;
           code[codes] = {begin, begin + segment.p_memsz};
           ++codes;
@@ -141,18 +140,15 @@ void* realloc(void* block, std::size_t size) {
 }
 
 void* memalign(std::size_t alignment, std::size_t size) {
-  return may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size))
-                                                  : nullptr;
+  return may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size)) : nullptr;
 }
 
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  return may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size))
-                                                  : nullptr;
+  return may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size)) : nullptr;
 }
 
 int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
-  void* found =
-      may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size)) : nullptr;
+  void* found = may_succeed(__builtin_return_address(0)) ? given(__libc_memalign(alignment, size)) : nullptr;
   if (!found) return ENOMEM;
   *block = found;
   return 0;

@@ -1,5 +1,5 @@
-/// A host that loads the library a hundred times, solves with threads, and unloads it. Neither
-/// memory nor threads nor mappings grow. The first time it loads and solves while it traps.
+/// A host that loads the library a hundred times, solves with threads, and unloads it. Neither memory nor threads nor
+/// mappings grow. The first time it loads and solves while it traps.
 ///
 /// Usage: load_unload LIBRARY.
 
@@ -46,8 +46,7 @@ void require(std::int32_t status, const char* what) {
   ++failures;
 }
 
-#define OF(library, function, ...) \
-  require((library).find(&function, #function)(__VA_ARGS__), #function)
+#define OF(library, function, ...) require((library).find(&function, #function)(__VA_ARGS__), #function)
 
 /// A sphere rolls on a plane: a half-space and, where there are some, boundary elements.
 double solve(const Library& l, std::int32_t threads) {
@@ -103,8 +102,8 @@ struct Process {
       of_library += line.find("librollcon") != std::string::npos;
   }
   void print(const char* when) const {
-    std::printf("%s: %ld kB, %ld threads, %ld mappings, %ld of them of the library\n", when,
-                kilobytes, threads, mappings, of_library);
+    std::printf("%s: %ld kB, %ld threads, %ld mappings, %ld of them of the library\n", when, kilobytes, threads,
+                mappings, of_library);
   }
 };
 
@@ -134,8 +133,7 @@ int main(int argc, char** argv) {
   early.print("after 20 loads");
   late.print("after 100");
   // The runtimes of the libraries below keep their threads; nothing may grow any more.
-  if (late.kilobytes > early.kilobytes + 2000 || late.threads > early.threads ||
-      late.mappings > early.mappings + 4) {
+  if (late.kilobytes > early.kilobytes + 2000 || late.threads > early.threads || late.mappings > early.mappings + 4) {
     std::printf("WRONG: it grows\n");
     ++failures;
   }

@@ -1,5 +1,5 @@
-/// A host whose locale writes 1,5 for 1.5 and groups digits: files and texts of the library stay as
-/// they are, options set by text are read as they are.
+/// A host whose locale writes 1,5 for 1.5 and groups digits: files and texts of the library stay as they are, options
+/// set by text are read as they are.
 
 #include <clocale>
 #include <cstdio>

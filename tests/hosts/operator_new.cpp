@@ -1,5 +1,5 @@
-/// A host that replaced operator new by an allocator of its own, whose blocks free() must never
-/// see: everything that the library takes from it comes back to it.
+/// A host that replaced operator new by an allocator of its own, whose blocks free() must never see: everything that
+/// the library takes from it comes back to it.
 
 #include <atomic>
 #include <cstdint>
@@ -21,8 +21,8 @@ struct Header {
 
 void* take(std::size_t size, std::size_t alignment) noexcept {
   const std::size_t offset = (sizeof(Header) + alignment - 1) / alignment * alignment;
-  auto* memory = static_cast<char*>(
-      std::aligned_alloc(alignment, (offset + size + alignment - 1) / alignment * alignment));
+  auto* memory =
+      static_cast<char*>(std::aligned_alloc(alignment, (offset + size + alignment - 1) / alignment * alignment));
   if (!memory) return nullptr;
   ++live;
   ++made;
@@ -85,9 +85,8 @@ int main() {
       flow.run(call);
     }
     const std::int64_t kept = live - before;
-    std::printf("%s: %lld blocks of the host's allocator, %lld kept (bound 0), %lld foreign (0)\n",
-                flow.name, static_cast<long long>(made - taken), static_cast<long long>(kept),
-                static_cast<long long>(foreign));
+    std::printf("%s: %lld blocks of the host's allocator, %lld kept (bound 0), %lld foreign (0)\n", flow.name,
+                static_cast<long long>(made - taken), static_cast<long long>(kept), static_cast<long long>(foreign));
     verdict.expect(made > taken, "%s: the allocator is not used", flow.name);
     verdict.expect(kept <= 0 && foreign == 0, "%s: blocks are lost or mixed up", flow.name);
   }

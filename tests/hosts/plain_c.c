@@ -20,8 +20,7 @@ static void check(int right, const char* what, int status) {
 static int32_t ROLLCON_CALL progress(const rollcon_event* event, void* user) {
   int64_t iteration = 0;
   int32_t* calls = user;
-  check(rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration) == ROLLCON_OK, "event",
-        0);
+  check(rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration) == ROLLCON_OK, "event", 0);
   check(rollcon_contact_solve(inner) == ROLLCON_ERR_STATE, "solve of an empty contact", 0);
   check(rollcon_contact_set_rolling(inner, NAN) == ROLLCON_ERR_NONFINITE, "speed NaN", 0);
   return ++*calls == 3;
@@ -66,8 +65,7 @@ int main(void) {
   OK(rollcon_contact_create(context, sphere, plane, &contact));
   OK(rollcon_contact_create(context, sphere, plane, &inner));
   OK(rollcon_contact_set_frame_nodes(contact, NODES * NODES, x, 3, 1));
-  OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, (NODES - 1) * (NODES - 1), element,
-                                        0, 0));
+  OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, (NODES - 1) * (NODES - 1), element, 0, 0));
   OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0));
   OK(rollcon_contact_set_friction(contact, "coulomb", 1, &friction));
   OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02));
@@ -86,8 +84,7 @@ int main(void) {
   rollcon_body_release(plane);
   rollcon_body_release(sphere);
   rollcon_context_release(context);
-  printf("%d calls back, %lu characters of log, normal force %g\n", (int)calls,
-         (unsigned long)characters, force[2]);
+  printf("%d calls back, %lu characters of log, normal force %g\n", (int)calls, (unsigned long)characters, force[2]);
   check(calls == 3 && characters > 0, "callbacks", calls);
   return failures > 0;
 }

@@ -1,5 +1,4 @@
-/// Threads with stacks of 256 kB, and a whole process under such a limit: flows end as usual. Says
-/// how deep they went.
+/// Threads with stacks of 256 kB, and a whole process under such a limit: flows end as usual. Says how deep they went.
 ///
 /// Usage: stack [limited].
 
@@ -41,8 +40,7 @@ void* run(void* task) {
 
 /// Bytes of a stack of 256 kB that the flow touches in a thread of its own.
 std::size_t run_on_small_stack(Task& task) {
-  void* memory =
-      mmap(nullptr, limit, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
+  void* memory = mmap(nullptr, limit, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0);
   std::memset(memory, paint, limit);
   pthread_attr_t attributes;
   pthread_t thread;
@@ -70,8 +68,7 @@ int main(int argc, char** argv) {
         run(&here);
         const std::size_t used = run_on_small_stack(there);
         std::printf("%s, %d threads: %zu of %zu bytes of stack\n", flow.name, threads, used, limit);
-        verdict.expect(here.thrown.empty() && there.thrown.empty() &&
-                           difference(there.results, here.results) <= bound,
+        verdict.expect(here.thrown.empty() && there.thrown.empty() && difference(there.results, here.results) <= bound,
                        "%s: other results on a small stack: %s", flow.name, there.thrown.c_str());
         verdict.expect(used < limit, "%s: the stack is used up", flow.name);
       }
@@ -88,10 +85,9 @@ int main(int argc, char** argv) {
     for (const Flow& flow : flows()) {
       Task task{&flow, threads, {}, {}};
       run(&task);
-      verdict.expect(task.thrown.empty() && !task.results.empty(), "%s under the limit: %s",
-                     flow.name, task.thrown.c_str());
+      verdict.expect(task.thrown.empty() && !task.results.empty(), "%s under the limit: %s", flow.name,
+                     task.thrown.c_str());
     }
-  std::printf("a process with stacks of %zu bytes runs all flows\n",
-              static_cast<std::size_t>(now.rlim_cur));
+  std::printf("a process with stacks of %zu bytes runs all flows\n", static_cast<std::size_t>(now.rlim_cur));
   return verdict.exit_code();
 }

@@ -1,6 +1,5 @@
-/// Hosts that changed what a process or a thread can change: floating-point traps, flushed
-/// denormals, rounding, interrupting signals. Flows end with the same bits, and all is as the host
-/// set it.
+/// Hosts that changed what a process or a thread can change: floating-point traps, flushed denormals, rounding,
+/// interrupting signals. Flows end with the same bits, and all is as the host set it.
 
 #include <fenv.h>
 #include <signal.h>
@@ -59,16 +58,14 @@ std::vector<Surrounding> surroundings() {
 #ifdef __SSE2__
   constexpr unsigned flush = 0x8040;  // to zero, and denormals are zero
   all.push_back({"flushed denormals", [] { _mm_setcsr(_mm_getcsr() | flush); },
-                 [] { return (_mm_getcsr() & flush) == flush; },
-                 [] { _mm_setcsr(_mm_getcsr() & ~flush); }});
+                 [] { return (_mm_getcsr() & flush) == flush; }, [] { _mm_setcsr(_mm_getcsr() & ~flush); }});
 #endif
-  all.push_back(
-      {"signals", [] { set_timer(true); }, [] { return true; }, [] { set_timer(false); }});
+  all.push_back({"signals", [] { set_timer(true); }, [] { return true; }, [] { set_timer(false); }});
   return all;
 }
 
-/// Makes each call in the surrounding and looks at it afterwards. The host's own arithmetic is done
-/// outside: it prepares the same inputs.
+/// Makes each call in the surrounding and looks at it afterwards. The host's own arithmetic is done outside: it
+/// prepares the same inputs.
 class Checking final : public Caller {
  public:
   explicit Checking(const Surrounding& s) : surrounding_(s) {}
@@ -127,17 +124,14 @@ int main() {
           thrown = error.what();
         }
         verdict.expect(thrown.empty(), "%s, %s: %s", flow.name, s.name, thrown.c_str());
-        verdict.expect(call.changed_by.empty(), "%s: %s changed by %s", flow.name, s.name,
-                       call.changed_by.c_str());
-        verdict.expect(same_bits(results, right), "%s, %d threads: other results with %s (by %.1e)",
-                       flow.name, threads, s.name, difference(results, right));
+        verdict.expect(call.changed_by.empty(), "%s: %s changed by %s", flow.name, s.name, call.changed_by.c_str());
+        verdict.expect(same_bits(results, right), "%s, %d threads: other results with %s (by %.1e)", flow.name, threads,
+                       s.name, difference(results, right));
       }
-      std::printf("%s, %d threads: same bits in %zu surroundings\n", flow.name, threads,
-                  surroundings().size());
+      std::printf("%s, %d threads: same bits in %zu surroundings\n", flow.name, threads, surroundings().size());
     }
   const Handlers after;
-  for (std::size_t s = 1; s < 32; ++s)
-    verdict.expect(after.same(before, s), "handler of signal %zu has changed", s);
+  for (std::size_t s = 1; s < 32; ++s) verdict.expect(after.same(before, s), "handler of signal %zu has changed", s);
   std::printf("interrupted %d times\n", static_cast<int>(interruptions));
   verdict.expect(interruptions > 0, "no signal came");
   return verdict.exit_code();

@@ -1,6 +1,6 @@
-/// Hosts with threads of their own: contexts in parallel, bodies shared among threads, handles
-/// misused by two at a time, OpenMP around the library, BLAS threads set by the host. Results are
-/// those of the same flows alone, bit by bit.
+/// Hosts with threads of their own: contexts in parallel, bodies shared among threads, handles misused by two at a
+/// time, OpenMP around the library, BLAS threads set by the host. Results are those of the same flows alone, bit by
+/// bit.
 
 #include <omp.h>
 
@@ -65,8 +65,8 @@ void contexts_in_parallel(Verdict& verdict) {
         ++(difference(run(all[f], own_threads), right[f]) <= bound ? equal : different);
       }
     });
-    std::printf("4 contexts at a time, %d threads each: %d flows as alone (to %.0e), %d not\n",
-                own_threads, equal.load(), bound, different.load());
+    std::printf("4 contexts at a time, %d threads each: %d flows as alone (to %.0e), %d not\n", own_threads,
+                equal.load(), bound, different.load());
     verdict.expect(different == 0 && equal > 0, "contexts in parallel disturb each other");
   }
 }
@@ -90,12 +90,11 @@ void openmp_around(Verdict& verdict) {
       ++failed;
     }
   }
-  std::printf("inside OpenMP inside OpenMP: %d flows as alone, %d not, %d failed\n", equal,
-              different, failed);
+  std::printf("inside OpenMP inside OpenMP: %d flows as alone, %d not, %d failed\n", equal, different, failed);
   verdict.expect(different == 0 && failed == 0 && equal > 0, "OpenMP around disturbs");
   verdict.expect(omp_get_max_active_levels() == 3 && omp_get_max_threads() == 3,
-                 "the host's OpenMP settings are changed: levels %d (3), threads %d (3)",
-                 omp_get_max_active_levels(), omp_get_max_threads());
+                 "the host's OpenMP settings are changed: levels %d (3), threads %d (3)", omp_get_max_active_levels(),
+                 omp_get_max_threads());
 }
 
 void blas_of_the_host(Verdict& verdict) {
@@ -106,12 +105,10 @@ void blas_of_the_host(Verdict& verdict) {
   for (const int hosts_threads : {1, 2, 3}) {
     openblas_set_num_threads(hosts_threads);
     for (std::size_t f = 0; f < all.size(); ++f) {
-      verdict.expect(same_bits(run(all[f], 1), right[f]),
-                     "%s: with %d BLAS threads of the host results are others", all[f].name,
-                     hosts_threads);
-      verdict.expect(openblas_get_num_threads() == hosts_threads,
-                     "%s: the host's BLAS threads become %d (%d)", all[f].name,
-                     openblas_get_num_threads(), hosts_threads);
+      verdict.expect(same_bits(run(all[f], 1), right[f]), "%s: with %d BLAS threads of the host results are others",
+                     all[f].name, hosts_threads);
+      verdict.expect(openblas_get_num_threads() == hosts_threads, "%s: the host's BLAS threads become %d (%d)",
+                     all[f].name, openblas_get_num_threads(), hosts_threads);
     }
   }
   openblas_set_num_threads(before);
@@ -185,10 +182,9 @@ void misuse_by_two(Verdict& verdict) {
       for (const auto& [status, count] : call.answers)
         if (status == ROLLCON_ERR_INTERNAL || status == ROLLCON_ERR_MEMORY) wrong += count;
     }
-    std::printf("%s, %d times: the meddler was refused %lld times as busy, the flow %d times\n",
-                flow.name, runs, static_cast<long long>(busy), refused);
-    verdict.expect(wrong == 0, "%s: %lld calls of the meddler failed inside", flow.name,
-                   static_cast<long long>(wrong));
+    std::printf("%s, %d times: the meddler was refused %lld times as busy, the flow %d times\n", flow.name, runs,
+                static_cast<long long>(busy), refused);
+    verdict.expect(wrong == 0, "%s: %lld calls of the meddler failed inside", flow.name, static_cast<long long>(wrong));
     verdict.expect(busy + refused > 0, "%s: the two never met", flow.name);
   }
 }

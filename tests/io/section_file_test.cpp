@@ -66,9 +66,7 @@ class SectionFile : public ::testing::Test {
     all << in.rdbuf();
     return all.str();
   }
-  void overwrite(const std::string& bytes) const {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes;
-  }
+  void overwrite(const std::string& bytes) const { std::ofstream(path, std::ios::binary | std::ios::trunc) << bytes; }
   void expect_refused(Status status, const std::string& word, FileKind as = kind) const {
     std::string text;
     EXPECT_EQ(read(&text, as), status) << text;
@@ -86,9 +84,7 @@ class SectionFile : public ::testing::Test {
     }
   }
   /// Files in the folder.
-  std::ptrdiff_t count() const {
-    return std::distance(fs::directory_iterator(folder), fs::directory_iterator());
-  }
+  std::ptrdiff_t count() const { return std::distance(fs::directory_iterator(folder), fs::directory_iterator()); }
 
   std::vector<double> numbers = std::vector<double>(12, 0.25);
   fs::path folder;
@@ -219,8 +215,7 @@ TEST_F(SectionFile, a_full_disk_keeps_the_older_file) {
   rlimit old{};
   ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &old), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  for (const rlim_t room :
-       {std::size_t{0}, std::size_t{100}, before.size() - 1, std::size_t{600000}}) {
+  for (const rlim_t room : {std::size_t{0}, std::size_t{100}, before.size() - 1, std::size_t{600000}}) {
     if (room > before.size()) numbers.assign(200000, 1);
     const rlimit small{room, old.rlim_max};
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);

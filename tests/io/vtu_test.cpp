@@ -68,8 +68,8 @@ SurfaceMesh all_types() {
   all.offset = {0};
   const std::vector<double> one = {0, 1};
   double shift = 0;
-  for (ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                           ElementType::quad8, ElementType::quad9}) {
+  for (ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     const SurfaceMesh mesh = frames::rectangle(type, one, one);
     const auto first = static_cast<std::int32_t>(all.node.size());
     for (Vec3 x : mesh.node) all.node.push_back({x[0] + shift, x[1], 0.1 * x[0]});
@@ -109,13 +109,11 @@ TEST_F(Vtu, ReadsBackToTheSameBits) {
   const std::string text = read(path("frame.vtu"));
   EXPECT_EQ(array_of(text, "traction"), fields.traction);
   EXPECT_EQ(array_of(text, "pressure"), fields.pressure);
-  EXPECT_EQ(array_of(text, "status"),
-            std::vector<double>(fields.status.begin(), fields.status.end()));
+  EXPECT_EQ(array_of(text, "status"), std::vector<double>(fields.status.begin(), fields.status.end()));
   EXPECT_EQ(array_of(text, "types"), (std::vector<double>{5, 22, 9, 23, 28}));
   EXPECT_EQ(array_of(text, "offsets"), (std::vector<double>{3, 9, 13, 21, 30}));
   EXPECT_EQ(array_of(text, "tag"), (std::vector<double>{7, 8, 9, 10, 11}));
-  EXPECT_EQ(array_of(text, "connectivity"),
-            std::vector<double>(mesh.connectivity.begin(), mesh.connectivity.end()));
+  EXPECT_EQ(array_of(text, "connectivity"), std::vector<double>(mesh.connectivity.begin(), mesh.connectivity.end()));
   const auto points = array_of(text, "points");
   ASSERT_EQ(points.size(), 3 * mesh.node.size());
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
@@ -124,8 +122,7 @@ TEST_F(Vtu, ReadsBackToTheSameBits) {
 
 TEST_F(Vtu, AnotherReaderAgrees) {
   const std::string python = "/usr/bin/python3";
-  if (std::system((python + " -c 'import meshio' >/dev/null 2>&1").c_str()) != 0)
-    GTEST_SKIP() << "no meshio";
+  if (std::system((python + " -c 'import meshio' >/dev/null 2>&1").c_str()) != 0) GTEST_SKIP() << "no meshio";
   const SurfaceMesh mesh = all_types();
   const Fields fields(mesh);
   write_vtu(path("frame.vtu"), mesh, fields.arrays);
@@ -145,8 +142,7 @@ for c in m.cells:
         for i in range(corners):
             assert np.allclose(x[corners + i], (x[i] + x[(i + 1) % corners]) / 2)
 )";
-  EXPECT_EQ(
-      std::system((python + " '" + path("read.py") + "' '" + path("frame.vtu") + "'").c_str()), 0);
+  EXPECT_EQ(std::system((python + " '" + path("read.py") + "' '" + path("frame.vtu") + "'").c_str()), 0);
 }
 
 TEST_F(Vtu, DecimalPointInAnyLocale) {
@@ -178,8 +174,7 @@ TEST_F(Vtu, MissingDirectoryIsNamed) {
   } catch (const Error& error) {
     std::printf("%s\n", error.what());
     EXPECT_EQ(error.status(), Status::err_io);
-    EXPECT_NE(std::string(error.what()).find("nowhere/frame.vtu': No such file"),
-              std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("nowhere/frame.vtu': No such file"), std::string::npos);
   }
   EXPECT_EQ(files(), 0);
 }
@@ -197,14 +192,12 @@ TEST_F(Vtu, LinksAndPermissionsStay) {
   for (const bool there : {false, true}) {
     // First the link leads to nothing, then to a file that nobody else may read.
     if (!there) fs::create_symlink("away/frame.vtu", path("frame.vtu"));
-    if (there)
-      fs::permissions(path("away/frame.vtu"), fs::perms::owner_read | fs::perms::owner_write);
+    if (there) fs::permissions(path("away/frame.vtu"), fs::perms::owner_read | fs::perms::owner_write);
     write_vtu(path("frame.vtu"), mesh, {});
     EXPECT_TRUE(fs::is_symlink(path("frame.vtu")));
     EXPECT_NE(read(path("away/frame.vtu")).find("</VTKFile>"), std::string::npos);
   }
-  EXPECT_EQ(fs::status(path("away/frame.vtu")).permissions(),
-            fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(fs::status(path("away/frame.vtu")).permissions(), fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("round", path("round"));
   EXPECT_THROW(write_vtu(path("round"), mesh, {}), Error);
 }

@@ -133,8 +133,7 @@ TEST(FactoredMatrix, what_has_no_inverse_is_told) {
   Matrix twice = random_matrix(3, 1);
   std::copy_n(twice.begin(), 3, twice.begin() + 3);
   EXPECT_TRUE(!factor(f, twice, 3) || f.condition() > 1e15);
-  for (const double wrong :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Matrix a = random_matrix(7, 1);
     for (const std::size_t k : {std::size_t{0}, std::size_t{24}, std::size_t{48}}) {
       Matrix b = a;
@@ -151,8 +150,7 @@ TEST(FactoredMatrix, nothing_that_is_not_finite_hides_in_a_large_matrix) {
   const std::int64_t n = 520;
   const Matrix a = random_matrix(n, 2);
   ASSERT_TRUE(factor(f, a, n));
-  for (const double wrong :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     for (const std::int64_t k : {n, n + 1, 2 * n - 1, n * n - 3, n * n - 1}) {
       Matrix b = a;
       b[at(k)] = wrong;

@@ -35,8 +35,8 @@ std::vector<std::complex<double>> direct_sum(const std::vector<std::complex<doub
   std::vector<std::complex<double>> out(n);
   for (std::size_t j = 0; j < n; ++j)
     for (std::size_t k = 0; k < n; ++k)
-      out[j] += x[k] * std::polar(1.0, sign * 2 * std::numbers::pi *
-                                           static_cast<double>(j * k % n) / static_cast<double>(n));
+      out[j] +=
+          x[k] * std::polar(1.0, sign * 2 * std::numbers::pi * static_cast<double>(j * k % n) / static_cast<double>(n));
   return out;
 }
 
@@ -45,8 +45,7 @@ void expect_direct_sums(std::int64_t n, double bound) {
   const auto size = static_cast<std::size_t>(n);
   std::vector<std::complex<double>> x(size);
   for (std::size_t k = 0; k < size; ++k)
-    x[k] = {std::sin(1.0 + 37.0 * static_cast<double>(k)),
-            std::cos(2.0 + 11.0 * static_cast<double>(k))};
+    x[k] = {std::sin(1.0 + 37.0 * static_cast<double>(k)), std::cos(2.0 + 11.0 * static_cast<double>(k))};
   double error = 0, largest = 0;
   const auto compare = [&](std::complex<double> value, std::complex<double> expected) {
     error = std::max(error, std::abs(value - expected));
@@ -72,10 +71,8 @@ void expect_direct_sums(std::int64_t n, double bound) {
   for (std::size_t k = 0; k <= size / 2; ++k) compare(half.data()[k], expected[k]);
   for (std::size_t k = 0; k < size; ++k) compare(line.data()[k], x[k]);  // kept
   real.inverse(half.data(), line.data());
-  for (std::size_t k = 0; k < size; ++k)
-    compare(static_cast<double>(line.data()[k]), static_cast<double>(n) * x[k]);
-  std::printf("length %lld: error %.1e, bound %.1e\n", static_cast<long long>(n), error / largest,
-              bound);
+  for (std::size_t k = 0; k < size; ++k) compare(static_cast<double>(line.data()[k]), static_cast<double>(n) * x[k]);
+  std::printf("length %lld: error %.1e, bound %.1e\n", static_cast<long long>(n), error / largest, bound);
   EXPECT_LT(error, bound * largest);
 }
 

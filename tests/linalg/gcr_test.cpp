@@ -76,8 +76,8 @@ TEST(gcr, later_right_sides_use_what_earlier_ones_found) {
     }
     worst = std::max(worst, std::sqrt(error / size));
   }
-  std::printf("residual %.1e (bound 2e-12); iterations %d, then %d, %d, %d (at most 14, then 2)\n",
-              worst, iterations[0], iterations[1], iterations[2], iterations[3]);
+  std::printf("residual %.1e (bound 2e-12); iterations %d, then %d, %d, %d (at most 14, then 2)\n", worst,
+              iterations[0], iterations[1], iterations[2], iterations[3]);
   EXPECT_LE(worst, 2e-12);
   EXPECT_GT(iterations[0], 5);
   EXPECT_LE(iterations[0], static_cast<int>(rank) + 2);

@@ -60,8 +60,7 @@ double lu_error(std::int64_t n) {
 
 TEST(lu, solves_row_major_systems) {
   const double in_double = lu_error<double>(90), in_single = lu_error<float>(90);
-  std::printf("LU of 90: error %.1e (bound 1e-13), single %.1e (bound 1e-5)\n", in_double,
-              in_single);
+  std::printf("LU of 90: error %.1e (bound 1e-13), single %.1e (bound 1e-5)\n", in_double, in_single);
   EXPECT_LT(in_double, 1e-13);
   EXPECT_LT(in_single, 1e-5);
 }

@@ -30,15 +30,13 @@ class sparse_factor : public testing::Test {
 };
 
 using Unknowns = std::vector<std::int64_t>;
-using Factor = std::unique_ptr<SparseFactor> (*)(const SparseMatrix&,
-                                                 std::span<const std::int64_t>);
+using Factor = std::unique_ptr<SparseFactor> (*)(const SparseMatrix&, std::span<const std::int64_t>);
 
 std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-std::unique_ptr<SparseFactor> by_umfpack(const SparseMatrix& a,
-                                         std::span<const std::int64_t> condensed) {
+std::unique_ptr<SparseFactor> by_umfpack(const SparseMatrix& a, std::span<const std::int64_t> condensed) {
   return factor_by_umfpack(a, condensed, 2);
 }
 
@@ -54,8 +52,8 @@ std::vector<Method> methods() {
   return all;
 }
 
-/// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every
-/// point; `ground` holds the points of the lowest layer.
+/// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every point; `ground`
+/// holds the points of the lowest layer.
 SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
   const std::int64_t points = n * n * n;
   std::vector<std::vector<std::pair<std::int64_t, double>>> column(at(points * fields));
@@ -68,8 +66,7 @@ SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, double 
   };
   const auto couple = [&](std::int64_t p, std::int64_t q) {
     for (std::int64_t a = 0; a < fields; ++a)
-      for (std::int64_t b = 0; b < fields; ++b)
-        spring(p * fields + a, q * fields + b, std::pow(stiffest, random()));
+      for (std::int64_t b = 0; b < fields; ++b) spring(p * fields + a, q * fields + b, std::pow(stiffest, random()));
   };
   for (std::int64_t p = 0; p < points; ++p) {
     const std::int64_t x = p % n, y = p / n % n, z = p / (n * n);
@@ -167,8 +164,7 @@ double largest(const std::vector<double>& a) {
 
 double difference(const std::vector<double>& a, const std::vector<double>& b) {
   double value = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k)
-    value = std::max(value, std::abs(a[k] - b[k]));
+  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) value = std::max(value, std::abs(a[k] - b[k]));
   return value / largest(b);
 }
 
@@ -178,8 +174,7 @@ bool report(const char* method, const char* what, double error, double bound) {
 }
 
 // Full solutions, condensed ones before and after the factor is dropped: all against LAPACK.
-void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns& condensed,
-                        double bound) {
+void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns& condensed, double bound) {
   const std::vector<double> exact = dense_columns(a, condensed);
   const auto count = static_cast<std::int64_t>(condensed.size());
   std::vector<double> condensed_exact;
@@ -198,8 +193,7 @@ void compare_with_dense(const char* what, const SparseMatrix& a, const Unknowns&
     factor->keep_condensed();
     std::vector<double> after = identity(condensed.size());
     factor->solve_condensed(after.data(), count);
-    EXPECT_TRUE(
-        report(method.name, "  condensed, alone", difference(after, condensed_exact), bound));
+    EXPECT_TRUE(report(method.name, "  condensed, alone", difference(after, condensed_exact), bound));
   }
 }
 
@@ -217,8 +211,7 @@ TEST_F(sparse_factor, random_pattern_against_dense) {
 SparseMatrix side_by_side(const SparseMatrix& a, const SparseMatrix& b) {
   SparseMatrix both = a;
   both.columns += b.columns;
-  for (std::int64_t j = 1; j <= b.columns; ++j)
-    both.start.push_back(a.start.back() + b.start[at(j)]);
+  for (std::int64_t j = 1; j <= b.columns; ++j) both.start.push_back(a.start.back() + b.start[at(j)]);
   for (const std::int64_t i : b.row) both.row.push_back(a.columns + i);
   both.value.insert(both.value.end(), b.value.begin(), b.value.end());
   return both;
@@ -307,15 +300,13 @@ std::int64_t zero_pivot(Factor factor, const SparseMatrix& a, const Unknowns& co
   return -1;
 }
 
-// A body on the ground and one in the air: rounding may leave the pivots of the latter small and
-// positive.
+// A body on the ground and one in the air: rounding may leave the pivots of the latter small and positive.
 TEST_F(sparse_factor, a_body_in_the_air_is_found) {
   const SparseMatrix held = springs(5, 3, 1);
   for (const std::int64_t n : {2, 3, 5, 8, 12}) {
     const SparseMatrix a = side_by_side(held, springs(n, 3, 0));
     for (const Method& method : methods()) {
-      for (const Unknowns& condensed :
-           {Unknowns{}, Unknowns{0, a.columns - 1}, scattered(a.columns)}) {
+      for (const Unknowns& condensed : {Unknowns{}, Unknowns{0, a.columns - 1}, scattered(a.columns)}) {
         const std::int64_t unknown = zero_pivot(method.factor, a, condensed);
         EXPECT_GE(unknown, held.columns) << method.name << ", " << n;
         EXPECT_LT(unknown, a.columns) << method.name << ", " << n;
@@ -330,8 +321,7 @@ TEST_F(sparse_factor, an_unknown_without_stiffness_is_named) {
   for (std::int64_t j = 0; j < a.columns; ++j)
     for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
       if (j == dead || a.row[at(k)] == dead) a.value[at(k)] = 0;
-  for (const Method& method : methods())
-    EXPECT_EQ(zero_pivot(method.factor, a, {1, 2, 3}), dead) << method.name;
+  for (const Method& method : methods()) EXPECT_EQ(zero_pivot(method.factor, a, {1, 2, 3}), dead) << method.name;
 }
 
 TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
@@ -358,8 +348,8 @@ TEST_F(sparse_factor, indefinite_matrices_are_for_umfpack) {
   }
 }
 
-// Zeros on the diagonal. Of the pair apart, whose second unknown is condensed, the first is the
-// only one left to come last: the end of the factors is not that of the condensed matrix.
+// Zeros on the diagonal. Of the pair apart, whose second unknown is condensed, the first is the only one left to come
+// last: the end of the factors is not that of the condensed matrix.
 TEST_F(sparse_factor, pivots_off_the_diagonal_still_condense) {
   if (!ROLLCON_BUILD_UMFPACK) GTEST_SKIP() << "needs UMFPACK";
   SparseMatrix a = random_matrix(60, 0.3);
@@ -379,8 +369,7 @@ TEST_F(sparse_factor, pivots_off_the_diagonal_still_condense) {
     const auto factor = factor_by_umfpack(b, condensed, 2);
     std::vector<double> x = identity(4);
     factor->solve_condensed(x.data(), 4);
-    EXPECT_TRUE(report("UMFPACK", apart ? "with a pair apart" : "zeros on the diagonal",
-                       difference(x, exact), 1e-12));
+    EXPECT_TRUE(report("UMFPACK", apart ? "with a pair apart" : "zeros on the diagonal", difference(x, exact), 1e-12));
   }
 }
 
@@ -402,8 +391,7 @@ TEST_F(sparse_factor, entries_that_are_not_finite_are_named) {
     a.value[at(entry)] = bad;
     for (const Method& method : methods()) {
       EXPECT_EQ(status_of([&] { method.factor(a, {}); }, &message), Status::err_nonfinite);
-      const std::string where =
-          "(" + std::to_string(a.row[at(entry)]) + ", " + std::to_string(column) + ")";
+      const std::string where = "(" + std::to_string(a.row[at(entry)]) + ", " + std::to_string(column) + ")";
       EXPECT_NE(message.find(where), std::string::npos) << message;
     }
   }
@@ -525,8 +513,7 @@ std::int64_t threads_alive() {
 
 // CHOLMOD's own loops would start as many as it was built for.
 TEST_F(sparse_factor, cholmod_starts_no_threads) {
-  if (!ROLLCON_BUILD_CHOLMOD || !std::filesystem::exists("/proc/self/task"))
-    GTEST_SKIP() << "needs CHOLMOD and /proc";
+  if (!ROLLCON_BUILD_CHOLMOD || !std::filesystem::exists("/proc/self/task")) GTEST_SKIP() << "needs CHOLMOD and /proc";
   const SparseMatrix a = springs(14, 3, 1);
   const std::int64_t before = threads_alive();
   const auto factor = factor_by_cholmod(a, scattered(a.columns));

@@ -21,8 +21,8 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-/// Pattern of a rectangular grid of points with `fields` unknowns each, nine-point neighbourhoods.
-/// Unknown f of point p is f * points + p: members of a group are far apart.
+/// Pattern of a rectangular grid of points with `fields` unknowns each, nine-point neighbourhoods. Unknown f of point p
+/// is f * points + p: members of a group are far apart.
 SparseMatrix grid(std::int64_t nx, std::int64_t ny, std::int64_t fields) {
   const std::int64_t points = nx * ny;
   SparseMatrix a;
@@ -108,8 +108,7 @@ TEST(sparse_groups, postorder_keeps_the_fill_and_brings_families_together) {
   Numbers order(at(groups.count));
   std::iota(order.begin(), order.end(), 0);
   // An order that jumps over the grid: many small subtrees, interleaved.
-  std::stable_sort(order.begin(), order.end(),
-                   [](std::int64_t a, std::int64_t b) { return a * 7 % 10 < b * 7 % 10; });
+  std::stable_sort(order.begin(), order.end(), [](std::int64_t a, std::int64_t b) { return a * 7 % 10 < b * 7 % 10; });
   move_condensed_last(groups, order);
   const std::int64_t before = fill(groups, order);
   postorder_interior(groups, order);
@@ -144,8 +143,7 @@ TEST(sparse_order, is_a_permutation_with_the_condensed_last_and_little_fill) {
 #endif
   for (const auto dissect : all) {
     const SparseOrder order = order_unknowns(a, condensed, dissect);
-    EXPECT_EQ(std::set<std::int64_t>(order.unknown.begin(), order.unknown.end()).size(),
-              at(a.columns));
+    EXPECT_EQ(std::set<std::int64_t>(order.unknown.begin(), order.unknown.end()).size(), at(a.columns));
     const std::set<std::int64_t> last(order.unknown.end() - 4, order.unknown.end());
     EXPECT_EQ(last, std::set<std::int64_t>(condensed.begin(), condensed.end()));
     EXPECT_GT(order.peak_bytes, 0U);

@@ -25,8 +25,8 @@ SparseMatrix grid_matrix(int side, std::uint32_t seed) {
   a.columns = side * side;
   a.start.push_back(0);
   for (std::int64_t j = 0; j < a.columns; ++j) {
-    for (const std::int64_t step : {-std::int64_t{side}, std::int64_t{-1}, std::int64_t{0},
-                                    std::int64_t{1}, std::int64_t{side}}) {
+    for (const std::int64_t step :
+         {-std::int64_t{side}, std::int64_t{-1}, std::int64_t{0}, std::int64_t{1}, std::int64_t{side}}) {
       const std::int64_t i = j + step;
       if (i < 0 || i >= a.columns) continue;
       a.row.push_back(i);
@@ -42,8 +42,7 @@ std::vector<double> dense_solution(const SparseMatrix& a, const std::vector<doub
   double* to = lu.prepare(a.columns);
   std::fill_n(to, a.columns * a.columns, 0.0);
   for (std::int64_t j = 0; j < a.columns; ++j)
-    for (std::int64_t k = a.start[static_cast<std::size_t>(j)];
-         k < a.start[static_cast<std::size_t>(j + 1)]; ++k)
+    for (std::int64_t k = a.start[static_cast<std::size_t>(j)]; k < a.start[static_cast<std::size_t>(j + 1)]; ++k)
       to[a.row[static_cast<std::size_t>(k)] * a.columns + j] = a.value[static_cast<std::size_t>(k)];
   EXPECT_TRUE(lu.factor());
   std::vector<double> x(b);

@@ -25,8 +25,8 @@ std::vector<NamedMesh> meshes() {
   using namespace frames;
   const auto u = uniform_lines(-1, 1, 12);
   std::vector<NamedMesh> all;
-  for (ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                           ElementType::quad8, ElementType::quad9}) {
+  for (ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     const std::string id = std::to_string(static_cast<int>(type));
     all.push_back({"rectangle " + id, rectangle(type, u, u)});
     all.push_back({"random " + id, perturb(rectangle(type, u, u), 0.25, 3)});
@@ -59,10 +59,9 @@ TEST(Coarsen, TrianglesCoverTheFrameWithFewerNodes) {
     }
     // Straight edges between the corner nodes of a curved rim cut nothing off: all of them stay.
     expect_error(m.name + ": area", area / frame.area - 1, 1e-12);
-    const double share =
-        static_cast<double>(coarse.node.size()) / static_cast<double>(frame.nodes());
-    std::printf("%-30s %5zu of %5lld nodes, share %.2f (0.2 to 0.5)\n", m.name.c_str(),
-                coarse.node.size(), static_cast<long long>(frame.nodes()), share);
+    const double share = static_cast<double>(coarse.node.size()) / static_cast<double>(frame.nodes());
+    std::printf("%-30s %5zu of %5lld nodes, share %.2f (0.2 to 0.5)\n", m.name.c_str(), coarse.node.size(),
+                static_cast<long long>(frame.nodes()), share);
     EXPECT_GT(share, 0.2) << m.name;
     EXPECT_LT(share, 0.5) << m.name;
   }
@@ -93,8 +92,7 @@ TEST(CoarseSpace, InterpolatesLinearTractionsExactly) {
     const Frame frame = build_frame(m.mesh, Axes{});
     const TractionSpace space = coarse_space(frame);
     std::vector<double> field;
-    for (std::size_t k = 0; k < frame.x.size(); ++k)
-      field.push_back(2 + frame.x[k] - 3 * frame.y[k]);
+    for (std::size_t k = 0; k < frame.x.size(); ++k) field.push_back(2 + frame.x[k] - 3 * frame.y[k]);
     const std::vector<double> again = spread(space, pick(space, field));
     double worst = 0;
     for (std::size_t k = 0; k < field.size(); ++k)
@@ -114,10 +112,9 @@ TEST(CoarseSpace, InterpolatesLinearTractionsExactly) {
 TEST(CoarseSpace, OfACurvedFrameWithAnAlmostStraightRim) {
   const auto along = frames::uniform_lines(-1, 1, 10), across = frames::uniform_lines(-1, 1, 8);
   for (const ElementType type : {ElementType::tri3, ElementType::quad4}) {
-    const SurfaceMesh mesh =
-        frames::transform(frames::rectangle(type, along, across), [](const Vec3& p) {
-          return Vec3{p[0] * (1 - 1e-3 * p[1] * p[1]), p[1], -0.4 * p[1] * p[1]};
-        });
+    const SurfaceMesh mesh = frames::transform(frames::rectangle(type, along, across), [](const Vec3& p) {
+      return Vec3{p[0] * (1 - 1e-3 * p[1] * p[1]), p[1], -0.4 * p[1] * p[1]};
+    });
     const Frame frame = build_frame(mesh, Axes{});
     const TractionSpace space = coarse_space(frame);
     EXPECT_LT(space.node.size(), 6 * frame.x.size() / 10);

@@ -24,13 +24,12 @@ std::vector<NamedMesh> meshes() {
   using namespace frames;
   const auto u = uniform_lines(-1, 1, 8);
   std::vector<NamedMesh> all;
-  for (ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                           ElementType::quad8, ElementType::quad9}) {
+  for (ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     const std::string id = std::to_string(static_cast<int>(type));
     all.push_back({"rectangle " + id, rectangle(type, u, u)});
     all.push_back({"random " + id, perturb(rectangle(type, u, u), 0.25, 3)});
-    all.push_back(
-        {"stretched 1:100 " + id, stretch(perturb(rectangle(type, u, u), 0.2, 5), 1, 0.01)});
+    all.push_back({"stretched 1:100 " + id, stretch(perturb(rectangle(type, u, u), 0.2, 5), 1, 0.01)});
     all.push_back({"bent midsides " + id, bend_midsides(rectangle(type, u, u), 0.08, 5)});
     if (corner_count(type) == 3)
       all.push_back({"paper's disc " + id, paper_disc(type, 1.3)});
@@ -62,8 +61,7 @@ TEST(DualCells, FacesAndRimClose) {
       add(s.to, nx, ny);
     });
     double error = 0;
-    for (std::size_t k = 0; k < n; ++k)
-      error = std::max(error, std::hypot(sx[k], sy[k]) / girth[k]);
+    for (std::size_t k = 0; k < n; ++k) error = std::max(error, std::hypot(sx[k], sy[k]) / girth[k]);
     expect_error("sum of normals over girth, " + m.name, error, 1e-14);
   }
 }
@@ -90,9 +88,7 @@ TEST(DualCells, SquaresShareTheirAreaEqually) {
 
 TEST(DualCells, QuadraticElementsSplitAsInThePaper) {
   const std::vector<double> one = {0, 1};
-  auto parts = [&](ElementType type) {
-    return split_elements(frames::rectangle(type, one, one)).size();
-  };
+  auto parts = [&](ElementType type) { return split_elements(frames::rectangle(type, one, one)).size(); };
   EXPECT_EQ(parts(ElementType::tri6), 2 * 4);
   EXPECT_EQ(parts(ElementType::quad9), 8);
   EXPECT_EQ(parts(ElementType::quad8), 4 + 1);

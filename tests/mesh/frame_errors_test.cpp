@@ -59,15 +59,13 @@ TEST(FrameErrors, RepeatedNode) {
   SurfaceMesh mesh = grid(ElementType::quad4);
   mesh.connectivity[6] = mesh.connectivity[5];
   mesh.index_base = 1;
-  expect_refused(
-      mesh, "repeated within an element; 1 such in the frame; first: element 2 (quad4), node 3");
+  expect_refused(mesh, "repeated within an element; 1 such in the frame; first: element 2 (quad4), node 3");
 }
 
 TEST(FrameErrors, SameElementTwice) {
   SurfaceMesh mesh = grid(ElementType::tri6);
   repeat_element(mesh, 3);
-  expect_refused(mesh,
-                 "same element is given twice; 1 such in the frame; first: elements 3 and 18");
+  expect_refused(mesh, "same element is given twice; 1 such in the frame; first: elements 3 and 18");
 }
 
 TEST(FrameErrors, EdgeOfThreeElements) {
@@ -78,8 +76,7 @@ TEST(FrameErrors, EdgeOfThreeElements) {
   mesh.type = {ElementType::quad4, ElementType::tri3, ElementType::tri3};
   mesh.tag = {0, 0, 0};
   mesh.offset = {0, 4, 7, 10};
-  expect_refused(mesh,
-                 "more than two elements share an edge; 1 such in the frame; first: edge 2-3");
+  expect_refused(mesh, "more than two elements share an edge; 1 such in the frame; first: edge 2-3");
 }
 
 TEST(FrameErrors, TwoElementsOnTheSameSide) {
@@ -125,8 +122,8 @@ TEST(FrameErrors, ReentrantCorner) {
 }
 
 TEST(FrameErrors, QuadraticElementNearFolding) {
-  // A midside node on an edge of length 1 folds the element when it moves to a quarter; just
-  // before, the element is sound.
+  // A midside node on an edge of length 1 folds the element when it moves to a quarter; just before, the element is
+  // sound.
   for (ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
     for (double at : {0.27, 0.24}) {
       SurfaceMesh mesh = grid(type, 1);
@@ -134,8 +131,7 @@ TEST(FrameErrors, QuadraticElementNearFolding) {
       const auto corners = static_cast<std::size_t>(corner_count(type));
       const Vec3 a = mesh.node[static_cast<std::size_t>(n[0])];
       const Vec3 b = mesh.node[static_cast<std::size_t>(n[1])];
-      mesh.node[static_cast<std::size_t>(n[corners])] = {a[0] + at * (b[0] - a[0]),
-                                                         a[1] + at * (b[1] - a[1]), 0};
+      mesh.node[static_cast<std::size_t>(n[corners])] = {a[0] + at * (b[0] - a[0]), a[1] + at * (b[1] - a[1]), 0};
       if (at > 0.25)
         EXPECT_NO_THROW(build_frame(mesh, Axes{}));
       else
@@ -170,18 +166,14 @@ TEST(FrameErrors, AllElementsFlipped) {
 TEST(FrameErrors, SteepElement) {
   auto tilted = [](double degrees) {
     const double slope = std::tan(degrees * 3.14159265358979 / 180);
-    return frames::transform(grid(ElementType::quad4), [=](const Vec3& p) {
-      return Vec3{p[0], p[1], slope * p[0]};
-    });
+    return frames::transform(grid(ElementType::quad4), [=](const Vec3& p) { return Vec3{p[0], p[1], slope * p[0]}; });
   };
   EXPECT_NO_THROW(build_frame(tilted(59), Axes{}));
   expect_refused(tilted(61), "steeper than 60 degrees");
 }
 
 TEST(FrameErrors, VerticalElement) {
-  SurfaceMesh mesh = frames::transform(grid(ElementType::quad4), [](const Vec3& p) {
-    return Vec3{p[0], 0, p[1]};
-  });
+  SurfaceMesh mesh = frames::transform(grid(ElementType::quad4), [](const Vec3& p) { return Vec3{p[0], 0, p[1]}; });
   expect_refused(mesh, "steeper than 60 degrees");
 }
 
@@ -199,12 +191,11 @@ TEST(FrameErrors, SheetsOverOneAnother) {
 TEST(FrameErrors, SpiralThatReturnsOverItself) {
   // A strip of squares wound by more than a turn: locally sound everywhere.
   const int n = 40;
-  const SurfaceMesh mesh =
-      frames::transform(frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 7, n),
-                                          frames::uniform_lines(1, 2, 2)),
-                        [](const Vec3& p) {
-                          return Vec3{p[1] * std::sin(p[0]), -p[1] * std::cos(p[0]), 0.1 * p[0]};
-                        });
+  const SurfaceMesh mesh = frames::transform(
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 7, n), frames::uniform_lines(1, 2, 2)),
+      [](const Vec3& p) {
+        return Vec3{p[1] * std::sin(p[0]), -p[1] * std::cos(p[0]), 0.1 * p[0]};
+      });
   SurfaceMesh upward = mesh;
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
     std::swap(upward.connectivity[static_cast<std::size_t>(4 * e + 1)],

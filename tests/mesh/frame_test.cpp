@@ -48,8 +48,8 @@ TEST(Frame, SizesOfThePapersThirdExample) {
 TEST(Frame, WeightsIntegrateTheFieldsOfTheirElements) {
   // sum w_i f(x_i) is exact for f linear on all straight elements, quadratic on quadratic ones.
   const auto u = frames::uniform_lines(-1, 2, 5);
-  for (ElementType type : {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                           ElementType::quad8, ElementType::quad9}) {
+  for (ElementType type :
+       {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     const Frame frame = build_frame(frames::rectangle(type, u, u), Axes{});
     double linear = 0, quadratic = 0;
     for (std::size_t k = 0; k < frame.x.size(); ++k) {
@@ -58,8 +58,7 @@ TEST(Frame, WeightsIntegrateTheFieldsOfTheirElements) {
     }
     const std::string id = ", type " + std::to_string(static_cast<int>(type));
     expect_error("integral of a linear field" + id, linear / 13.5 - 1, 1e-14);
-    if (is_quadratic(type))
-      expect_error("integral of a quadratic field" + id, quadratic / (9 + 2.25) - 1, 1e-14);
+    if (is_quadratic(type)) expect_error("integral of a quadratic field" + id, quadratic / (9 + 2.25) - 1, 1e-14);
   }
 }
 
@@ -79,8 +78,8 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
     error[k] = frame.area / pi - 1;
     expect_error("sum of weights on curved elements", sum(frame.weight) / frame.area - 1, 1e-14);
   }
-  validation::expect_order("area of the disc by curved elements",
-                           validation::observed_order(error[0], error[1], 2, 1), 3.8);
+  validation::expect_order("area of the disc by curved elements", validation::observed_order(error[0], error[1], 2, 1),
+                           3.8);
 }
 
 TEST(Frame, ProjectsOnTheAxes) {
@@ -95,15 +94,13 @@ TEST(Frame, ProjectsOnTheAxes) {
   axes.n = {s, -s, 0};
   SurfaceMesh mesh = frames::transform(flat, [&](const Vec3& p) {
     Vec3 r = axes.origin;
-    for (std::size_t i = 0; i < 3; ++i)
-      r[i] += p[0] * axes.t1[i] + p[1] * axes.t2[i] + 0.1 * p[0] * p[0] * axes.n[i];
+    for (std::size_t i = 0; i < 3; ++i) r[i] += p[0] * axes.t1[i] + p[1] * axes.t2[i] + 0.1 * p[0] * p[0] * axes.n[i];
     return r;
   });
   const Frame frame = build_frame(mesh, axes);
   double error = 0;
   for (std::size_t k = 0; k < frame.x.size(); ++k)
-    error = std::max({error, std::abs(frame.x[k] - flat.node[k][0]),
-                      std::abs(frame.y[k] - flat.node[k][1]),
+    error = std::max({error, std::abs(frame.x[k] - flat.node[k][0]), std::abs(frame.y[k] - flat.node[k][1]),
                       std::abs(frame.z[k] - 0.1 * flat.node[k][0] * flat.node[k][0])});
   expect_error("coordinates in turned axes", error, 1e-14);
   expect_error("projected area of a curved frame", frame.area - 4, 1e-13);
@@ -179,12 +176,11 @@ TEST(Frame, GeneratorsAreReproducible) {
 TEST(Frame, RingsGradedToTheContactsEdge) {
   const auto radius = frames::contact_radii(2, 8, 2.6);
   for (int k = 1; k <= 8; ++k)
-    expect_error("ring " + std::to_string(k),
-                 radius[static_cast<std::size_t>(k - 1)] - 2 * std::sin(pi * k / 16), 1e-15);
+    expect_error("ring " + std::to_string(k), radius[static_cast<std::size_t>(k - 1)] - 2 * std::sin(pi * k / 16),
+                 1e-15);
   EXPECT_EQ(radius.back(), 2.6);
   for (std::size_t k = 1; k < radius.size(); ++k) EXPECT_GT(radius[k], radius[k - 1]);
-  const Frame frame = build_frame(
-      frames::ring_disc(ElementType::tri3, radius, frames::ring_counts(radius)), Axes{});
+  const Frame frame = build_frame(frames::ring_disc(ElementType::tri3, radius, frames::ring_counts(radius)), Axes{});
   const int rim = frames::ring_counts(radius).back();
   expect_error("area of the polygon on the outer ring",
                frame.area / (0.5 * rim * 2.6 * 2.6 * std::sin(2 * pi / rim)) - 1, 1e-13);

@@ -24,11 +24,8 @@ Frame frame_of(SurfaceMesh mesh) {
 /// Nodes renumbered, elements in another order, each beginning at another corner.
 SurfaceMesh shuffled(const SurfaceMesh& mesh) {
   SurfaceMesh out = mesh;
-  const auto n = static_cast<std::size_t>(mesh.nodes()),
-             m = static_cast<std::size_t>(mesh.elements());
-  const auto number = [&](std::int32_t k) {
-    return static_cast<std::int32_t>(static_cast<std::size_t>(k) * 7919 % n);
-  };
+  const auto n = static_cast<std::size_t>(mesh.nodes()), m = static_cast<std::size_t>(mesh.elements());
+  const auto number = [&](std::int32_t k) { return static_cast<std::int32_t>(static_cast<std::size_t>(k) * 7919 % n); };
   for (std::size_t k = 0; k < n; ++k)
     out.node[static_cast<std::size_t>(number(static_cast<std::int32_t>(k)))] = mesh.node[k];
   for (std::size_t e = 0; e < m; ++e)
@@ -136,8 +133,7 @@ TEST(Lattice, SinglePrecisionIsALatticeAndStaysAligned) {
     SurfaceMesh mesh = frames::rectangle(ElementType::quad4, frames::uniform_lines(-1.3, 1.3, 64),
                                          frames::uniform_lines(-1.1, 1.1, cells));
     for (Vec3& x : mesh.node)
-      x = {static_cast<double>(static_cast<float>(x[0])),
-           static_cast<double>(static_cast<float>(x[1])), 0};
+      x = {static_cast<double>(static_cast<float>(x[0])), static_cast<double>(static_cast<float>(x[1])), 0};
     const std::optional<Lattice> found = find_lattice(frame_of(std::move(mesh)));
     ASSERT_TRUE(found.has_value()) << cells;
     EXPECT_EQ(found->ey, 0);
@@ -193,24 +189,20 @@ TEST(Lattice, CellsMayLackAndNodesLieLoose) {
 }
 
 TEST(Lattice, RefusesWhatIsNone) {
-  const auto found = [](SurfaceMesh mesh) {
-    return find_lattice(frame_of(std::move(mesh))).has_value();
-  };
+  const auto found = [](SurfaceMesh mesh) { return find_lattice(frame_of(std::move(mesh))).has_value(); };
   // One node off its place; one line off its place; graded; sheared.
   EXPECT_FALSE(found(frames::perturb(grid(6, 6, 1, 1), 0.01, 1)));
   SurfaceMesh corner = grid(6, 6, 1, 1);
   corner.node[0] = {corner.node[0][0] - 1e-3, corner.node[0][1], 0};
   EXPECT_FALSE(found(corner));
-  const std::vector<double> even = frames::uniform_lines(0, 1, 6),
-                            graded = frames::cosine_lines(1, 6);
+  const std::vector<double> even = frames::uniform_lines(0, 1, 6), graded = frames::cosine_lines(1, 6);
   EXPECT_FALSE(found(frames::rectangle(ElementType::quad4, graded, even)));
   EXPECT_FALSE(found(frames::rectangle(ElementType::quad4, even, graded)));
   EXPECT_FALSE(found(frames::transform(grid(6, 6, 1, 1), [](const Vec3& x) {
     return Vec3{x[0] + 1e-3 * x[1], x[1], x[2]};
   })));
   // Other elements.
-  for (const ElementType type :
-       {ElementType::quad8, ElementType::quad9, ElementType::tri3, ElementType::tri6})
+  for (const ElementType type : {ElementType::quad8, ElementType::quad9, ElementType::tri3, ElementType::tri6})
     EXPECT_FALSE(found(frames::rectangle(type, even, even)));
   EXPECT_FALSE(found(frames::o_grid(ElementType::quad4, 4, 2, 1, 1)));
 }

@@ -31,8 +31,7 @@ TEST(Quadrature, GaussLegendreIsNotExactBeyondItsDegree) {
   const LineRule rule = gauss_legendre(3);
   double sum = 0;
   for (std::size_t i = 0; i < 3; ++i) sum += rule.w[i] * std::pow(rule.x[i], 6);
-  expect_error("Gauss-Legendre's known error of x^6", 2.0 / 7 - sum - 128.0 * 1296 / (7 * 518400.0),
-               1e-15);
+  expect_error("Gauss-Legendre's known error of x^6", 2.0 / 7 - sum - 128.0 * 1296 / (7 * 518400.0), 1e-15);
 }
 
 TEST(Quadrature, GaussJacobiIntegratesItsWeight) {

@@ -12,8 +12,8 @@ namespace {
 
 using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 
 std::string named(const char* what, ElementType type) {
   return std::string(what) + ", type " + std::to_string(static_cast<int>(type));
@@ -57,8 +57,7 @@ TEST(Shape, OneAtOwnNodeZeroAtOthers) {
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       Shape s;
       evaluate_shape(type, nodes[j].xi, nodes[j].eta, s);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
+      for (std::size_t i = 0; i < nodes.size(); ++i) error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
     }
     expect_error(named("nodal values", type), error, 1e-15);
   }
@@ -94,8 +93,7 @@ TEST(Shape, QuadraticElementsReproduceQuadratics) {
       Shape s;
       evaluate_shape(type, u, v, s);
       double sum = -f(u, v);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        sum += s.value[i] * f(nodes[i].xi, nodes[i].eta);
+      for (std::size_t i = 0; i < nodes.size(); ++i) sum += s.value[i] * f(nodes[i].xi, nodes[i].eta);
       error = std::max(error, std::abs(sum));
     }
     expect_error(named("quadratic field", type), error, 1e-14);

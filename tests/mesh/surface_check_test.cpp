@@ -1,5 +1,5 @@
-/// Every way in which a body's surface can be wrong, with the words that the caller reads; and
-/// good surfaces, however slender, small or large.
+/// Every way in which a body's surface can be wrong, with the words that the caller reads; and good surfaces, however
+/// slender, small or large.
 
 #include "mesh/surface_check.hpp"
 
@@ -19,11 +19,10 @@
 namespace rollcon {
 namespace {
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 
-void expect_refused(const SurfaceMesh& mesh, const std::string& words,
-                    SurfaceKind kind = SurfaceKind::closed) {
+void expect_refused(const SurfaceMesh& mesh, const std::string& words, SurfaceKind kind = SurfaceKind::closed) {
   try {
     check_surface(mesh, kind);
     ADD_FAILURE() << "accepted; expected: " << words;
@@ -35,8 +34,7 @@ void expect_refused(const SurfaceMesh& mesh, const std::string& words,
   }
 }
 
-void expect_accepted(const SurfaceMesh& mesh, const std::string& what,
-                     SurfaceKind kind = SurfaceKind::closed) {
+void expect_accepted(const SurfaceMesh& mesh, const std::string& what, SurfaceKind kind = SurfaceKind::closed) {
   try {
     check_surface(mesh, kind);
   } catch (const Error& error) {
@@ -109,18 +107,16 @@ SurfaceMesh alone(ElementType type, std::vector<Vec3> nodes) {
 /// A bar bent round to a ring, `turn` of a whole turn; beyond 1 its ends run into each other.
 SurfaceMesh bent_bar(ElementType type, double turn) {
   constexpr double length = 12, radius = 3;
-  return surfaces::transform(
-      surfaces::block(surfaces::brick({2, 2, 24}, {1, 1, length}), type), [turn](const Vec3& x) {
-        const double angle = 2 * std::numbers::pi * turn * x[2] / length;
-        return Vec3{(radius + x[0]) * std::cos(angle), x[1], (radius + x[0]) * std::sin(angle)};
-      });
+  return surfaces::transform(surfaces::block(surfaces::brick({2, 2, 24}, {1, 1, length}), type), [turn](const Vec3& x) {
+    const double angle = 2 * std::numbers::pi * turn * x[2] / length;
+    return Vec3{(radius + x[0]) * std::cos(angle), x[1], (radius + x[0]) * std::sin(angle)};
+  });
 }
 
 TEST(SurfaceCheck, SurfacesThatRunThroughThemselves) {
   for (const ElementType type : all_types) {
     expect_accepted(bent_bar(type, 0.97), "bent bar");
-    expect_refused(bent_bar(type, 1.03),
-                   "runs through itself: elements without a common node cross");
+    expect_refused(bent_bar(type, 1.03), "runs through itself: elements without a common node cross");
   }
   // Facets of a thin ring with few elements come closer to each other than its curved sides.
   surfaces::Ring thin;
@@ -142,27 +138,23 @@ TEST(SurfaceCheck, SoundBodiesPass) {
   for (ElementType type : {ElementType::tri3, ElementType::tri6})
     expect_accepted(surfaces::icosphere(type, 3, 1), "icosphere");
   for (bool quadratic : {false, true})
-    expect_accepted(surfaces::mixed_block(surfaces::brick({3, 4, 5}, {1, 1, 1}), quadratic),
-                    "mixed");
+    expect_accepted(surfaces::mixed_block(surfaces::brick({3, 4, 5}, {1, 1, 1}), quadratic), "mixed");
 }
 
 TEST(SurfaceCheck, CavitiesLookInwards) {
   for (ElementType type : all_types) {
-    SurfaceMesh one =
-        surfaces::with_cavity(cube(type, 3, 4), surfaces::transform(cube(type), [](const Vec3& x) {
-                                return x + Vec3{1, 1, 1};
-                              }));
+    SurfaceMesh one = surfaces::with_cavity(cube(type, 3, 4), surfaces::transform(cube(type), [](const Vec3& x) {
+                                              return x + Vec3{1, 1, 1};
+                                            }));
     expect_accepted(one, "cavity");
     // Two cavities side by side.
-    SurfaceMesh two =
-        surfaces::with_cavity(one, surfaces::transform(cube(type, 1, 0.5), [](const Vec3& x) {
-                                return x + Vec3{3, 3, 3};
-                              }));
+    SurfaceMesh two = surfaces::with_cavity(one, surfaces::transform(cube(type, 1, 0.5), [](const Vec3& x) {
+                                              return x + Vec3{3, 3, 3};
+                                            }));
     expect_accepted(two, "two cavities");
     // Thin wall: a sphere in a sphere, closer than the sagitta of the elements' facets.
     if (is_quadratic(type))
-      expect_accepted(surfaces::with_cavity(surfaces::cube_sphere(type, 3, 1),
-                                            surfaces::cube_sphere(type, 3, 0.99)),
+      expect_accepted(surfaces::with_cavity(surfaces::cube_sphere(type, 3, 1), surfaces::cube_sphere(type, 3, 0.99)),
                       "thin wall");
   }
 }
@@ -170,10 +162,8 @@ TEST(SurfaceCheck, CavitiesLookInwards) {
 TEST(SurfaceCheck, SlenderSmallAndLargeBodiesPass) {
   for (ElementType type : all_types)
     for (double unit : {1e-9, 1e-3, 1.0, 1e3, 1e9}) {
-      for (const Vec3& size :
-           {Vec3{1, 1, 1}, Vec3{1e4, 1, 1}, Vec3{1, 1e4, 1e4}, Vec3{1, 1e2, 1e4}})
-        expect_accepted(surfaces::block(surfaces::brick({2, 2, 2}, unit * size), type),
-                        "slender brick");
+      for (const Vec3& size : {Vec3{1, 1, 1}, Vec3{1e4, 1, 1}, Vec3{1, 1e4, 1e4}, Vec3{1, 1e2, 1e4}})
+        expect_accepted(surfaces::block(surfaces::brick({2, 2, 2}, unit * size), type), "slender brick");
       // A sheared brick: slender in no direction of the axes.
       expect_accepted(surfaces::transform(cube(type),
                                           [unit](const Vec3& x) {
@@ -235,13 +225,12 @@ TEST(SurfaceCheck, NodesOfNoElement) {
 TEST(SurfaceCheck, TwoNodesAtOnePlace) {
   for (double unit : {1e-9, 1.0, 1e9}) {
     // Six faces meshed one by one, not merged: 8 corners with three nodes each.
-    const SurfaceMesh whole = surfaces::transform(cube(ElementType::quad4, 1),
-                                                  [unit](const Vec3& x) { return unit * x; });
+    const SurfaceMesh whole =
+        surfaces::transform(cube(ElementType::quad4, 1), [unit](const Vec3& x) { return unit * x; });
     SurfaceMesh mesh;
     for (std::int64_t e = 0; e < whole.elements(); ++e) {
       const auto n = static_cast<std::int32_t>(mesh.node.size());
-      for (std::int32_t k : whole.element(e))
-        mesh.node.push_back(whole.node[static_cast<std::size_t>(k)]);
+      for (std::int32_t k : whole.element(e)) mesh.node.push_back(whole.node[static_cast<std::size_t>(k)]);
       add(mesh, ElementType::quad4, {n, n + 1, n + 2, n + 3});
     }
     expect_refused(mesh,
@@ -252,8 +241,7 @@ TEST(SurfaceCheck, TwoNodesAtOnePlace) {
     expect_refused(mesh, "two nodes lie at the same place");
   }
   // A thin plate's faces are not one.
-  expect_accepted(surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 1e-4}), ElementType::quad4),
-                  "thin plate");
+  expect_accepted(surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 1e-4}), ElementType::quad4), "thin plate");
 }
 
 TEST(SurfaceCheck, ManyNodesInOnePlaneTakeNoTime) {
@@ -263,37 +251,34 @@ TEST(SurfaceCheck, ManyNodesInOnePlaneTakeNoTime) {
 
 TEST(SurfaceCheck, ElementsWithoutArea) {
   const auto open = SurfaceKind::open;
-  expect_refused(
-      alone(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}),
-      "degenerate element: its Jacobian vanishes (no area, a corner of 180 degrees, or a "
-      "midside node at a quarter of its edge); 1 such in the surface; first: element 0 "
-      "(tri3)",
-      open);
+  expect_refused(alone(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}),
+                 "degenerate element: its Jacobian vanishes (no area, a corner of 180 degrees, or a "
+                 "midside node at a quarter of its edge); 1 such in the surface; first: element 0 "
+                 "(tri3)",
+                 open);
   expect_refused(alone(ElementType::tri3, {{0, 0, 0}, {1, 0, 0}, {1, 1e-15, 0}}),
                  "degenerate element: two of its nodes coincide; 1 such in the surface; first: "
                  "element 0 (tri3), nodes 1 and 2",
                  open);
   // A corner of 180 degrees: a linear element, and a disc's four arcs as one quadratic element.
-  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}),
-                 "element 0 (quad4) at node 1", open);
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {1, 1, 0}}), "element 0 (quad4) at node 1",
+                 open);
   const double c = std::numbers::sqrt2 / 2;
   const std::vector<Vec3> disc = {{-c, -c, 0}, {c, -c, 0}, {c, c, 0},  {-c, c, 0}, {0, -1, 0},
                                   {1, 0, 0},   {0, 1, 0},  {-1, 0, 0}, {0, 0, 0}};
-  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, -1e-9, 0}, {2, 0, 0}, {1, 1, 0}}),
-                 "its Jacobian vanishes", open);
+  expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, -1e-9, 0}, {2, 0, 0}, {1, 1, 0}}), "its Jacobian vanishes",
+                 open);
   expect_accepted(alone(ElementType::quad9, disc), "a disc: corners of 169 degrees", open);
 }
 
 TEST(SurfaceCheck, MidsideNodesStayWithinTheMiddleHalfOfTheirEdge) {
   const auto open = SurfaceKind::open;
   for (double at : {0.0, 0.2, 0.25, 0.26, 0.5, 0.74, 0.75, 0.8}) {
-    const std::vector<Vec3> six = {{0, 0, 0},  {1, 0, 0},     {0, 1, 0},
-                                   {at, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}};
+    const std::vector<Vec3> six = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {at, 0, 0}, {0.5, 0.5, 0}, {0, 0.5, 0}};
     const std::vector<Vec3> eight = {{0, 0, 0},  {1, 0, 0},   {1, 1, 0},   {0, 1, 0},
                                      {at, 0, 0}, {1, 0.5, 0}, {0.5, 1, 0}, {0, 0.5, 0}};
     const std::string node = at < 0.5 ? "at node 0" : "at node 1";
-    for (const auto& [type, points] :
-         {std::pair{ElementType::tri6, six}, std::pair{ElementType::quad8, eight}}) {
+    for (const auto& [type, points] : {std::pair{ElementType::tri6, six}, std::pair{ElementType::quad8, eight}}) {
       for (double narrow : {1.0, 1e-4}) {
         std::vector<Vec3> nodes = points;
         for (Vec3& x : nodes) x = {x[0], 0.6 * narrow * x[1], 0.8 * narrow * x[1]};
@@ -319,8 +304,7 @@ TEST(SurfaceCheck, FoldedElements) {
   expect_refused(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0}, {0.2, 0.2, 0}, {0, 1, 0}}),
                  "first: element 0 (quad4) at node 2", open);
   // A warped element is none of these.
-  expect_accepted(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}}),
-                  "warped", open);
+  expect_accepted(alone(ElementType::quad4, {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}}), "warped", open);
   // One quadratic element half round a cylinder: coarse, but sound.
   std::vector<Vec3> nodes;
   for (const ReferencePoint& r : reference_nodes(ElementType::quad8)) {
@@ -347,8 +331,7 @@ TEST(SurfaceCheck, EdgesShareAllTheirNodes) {
   for (SurfaceKind kind : {SurfaceKind::closed, SurfaceKind::open}) {
     // A second midside node at the place of the first, moved aside a little.
     SurfaceMesh mesh = cube(ElementType::quad8, 1);
-    mesh.node.push_back(mesh.node[static_cast<std::size_t>(mesh.connectivity[4])] +
-                        Vec3{0.01, 0.01, 0.01});
+    mesh.node.push_back(mesh.node[static_cast<std::size_t>(mesh.connectivity[4])] + Vec3{0.01, 0.01, 0.01});
     mesh.connectivity[4] = static_cast<std::int32_t>(mesh.node.size() - 1);
     expect_refused(mesh,
                    "two elements share an edge but not its midside node; 1 such in the "
@@ -356,8 +339,7 @@ TEST(SurfaceCheck, EdgesShareAllTheirNodes) {
                    kind);
     // One face linear: its four edges.
     mesh = cube(ElementType::quad8, 1);
-    const std::vector<std::int32_t> corners(mesh.connectivity.begin(),
-                                            mesh.connectivity.begin() + 4);
+    const std::vector<std::int32_t> corners(mesh.connectivity.begin(), mesh.connectivity.begin() + 4);
     drop(mesh, 0);
     add(mesh, ElementType::quad4, corners);
     expect_refused(mesh,
@@ -369,8 +351,7 @@ TEST(SurfaceCheck, EdgesShareAllTheirNodes) {
     mesh = cube(ElementType::quad9, 1);
     const std::vector<std::int32_t> n(mesh.connectivity.begin(), mesh.connectivity.begin() + 9);
     drop(mesh, 0);
-    for (std::size_t i = 0; i < 4; ++i)
-      add(mesh, ElementType::quad4, {n[i], n[4 + i], n[8], n[4 + (i + 3) % 4]});
+    for (std::size_t i = 0; i < 4; ++i) add(mesh, ElementType::quad4, {n[i], n[4 + i], n[8], n[4 + (i + 3) % 4]});
     expect_refused(mesh,
                    "a quadratic element's edge lies on shorter edges of its neighbours: "
                    "elements on both sides of an edge must share all of its nodes; 4 such",
@@ -415,8 +396,8 @@ TEST(SurfaceCheck, CavitiesThatLookTheWrongWay) {
     const SurfaceMesh outer = surfaces::cube_sphere(type, 2, 1);
     const SurfaceMesh inner = surfaces::cube_sphere(type, 1, 0.5);
     const auto n = std::to_string(inner.elements());
-    expect_refused(join(outer, inner), n + " such in the surface; first: element " +
-                                           std::to_string(outer.elements()) + " (");
+    expect_refused(join(outer, inner),
+                   n + " such in the surface; first: element " + std::to_string(outer.elements()) + " (");
     expect_refused(join(outer, inner), "on the wall of a cavity");
     // The order of the shells does not matter, nor that both are wrong.
     expect_refused(join(inner, outer), n + " such in the surface; first: element 0 (");
@@ -436,9 +417,7 @@ TEST(SurfaceCheck, BodiesHangTogether) {
                    "own body; first: those of elements 1 and " +
                        std::to_string(n + 1));
     // A ball that rattles in a cavity.
-    mesh = join(
-        surfaces::with_cavity(surfaces::cube_sphere(type, 2, 3), surfaces::cube_sphere(type, 2, 2)),
-        ball);
+    mesh = join(surfaces::with_cavity(surfaces::cube_sphere(type, 2, 3), surfaces::cube_sphere(type, 2, 2)), ball);
     expect_refused(mesh, "encloses 2 bodies that do not hang together");
   }
 }
@@ -457,8 +436,7 @@ TEST(SurfaceCheck, PartsThatTouchAtANode) {
     const std::int32_t a = surfaces::node_at(mesh, {1, 1, 1});
     for (std::size_t k = 0; k < mesh.node.size(); ++k)
       if (static_cast<std::int32_t>(k) != a && length(mesh.node[k] - Vec3{1, 1, 1}) < 1e-9) {
-        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(),
-                     static_cast<std::int32_t>(k), a);
+        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(), static_cast<std::int32_t>(k), a);
         std::replace(mesh.connectivity.begin(), mesh.connectivity.end(),
                      static_cast<std::int32_t>(mesh.node.size() - 1), static_cast<std::int32_t>(k));
         mesh.node[k] = mesh.node.back();
@@ -491,11 +469,10 @@ TEST(SurfaceCheck, OneSidedSurfaces) {
   for (int i = 0; i < n; ++i)
     for (double s : {-0.3, 0.3}) {
       const double t = 2 * std::numbers::pi * i / n;
-      mesh.node.push_back({(1 + s * std::cos(t / 2)) * std::cos(t),
-                           (1 + s * std::cos(t / 2)) * std::sin(t), s * std::sin(t / 2)});
+      mesh.node.push_back(
+          {(1 + s * std::cos(t / 2)) * std::cos(t), (1 + s * std::cos(t / 2)) * std::sin(t), s * std::sin(t / 2)});
     }
-  for (std::int32_t i = 0; i + 1 < n; ++i)
-    add(mesh, ElementType::quad4, {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
+  for (std::int32_t i = 0; i + 1 < n; ++i) add(mesh, ElementType::quad4, {2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
   add(mesh, ElementType::quad4, {2 * n - 2, 1, 0, 2 * n - 1});
   expect_refused(mesh,
                  "one-sided surface (a Moebius strip): its elements cannot all look outwards; "

@@ -1,5 +1,5 @@
-/// From tractions on one mesh to loads on another: patch test, force and moment, curved bodies,
-/// layers that match, are finer, coarser or larger than the faces under them.
+/// From tractions on one mesh to loads on another: patch test, force and moment, curved bodies, layers that match, are
+/// finer, coarser or larger than the faces under them.
 
 #include "geometry/surface_coupling.hpp"
 
@@ -43,8 +43,7 @@ std::vector<std::int64_t> all_of(const SurfaceMesh& mesh) {
 }
 
 /// M t, by nodes of the body.
-std::vector<double> loads(const SurfaceCoupling& m, const SurfaceMesh& body,
-                          const std::vector<double>& traction) {
+std::vector<double> loads(const SurfaceCoupling& m, const SurfaceMesh& body, const std::vector<double>& traction) {
   std::vector<double> f(at(body.nodes()), 0.0);
   for (std::size_t r = 0; r < m.node.size(); ++r)
     for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k)
@@ -94,8 +93,8 @@ double column_error(const SurfaceCoupling& m, const SurfaceMesh& layer) {
   return difference(sum, expected) / largest(expected);
 }
 
-/// Force and moment about the origin of the layer's traction, constant along (1, -2, 3), against
-/// those of the loads, over area times size.
+/// Force and moment about the origin of the layer's traction, constant along (1, -2, 3), against those of the loads,
+/// over area times size.
 double moment_error(const SurfaceCoupling& m, const SurfaceMesh& body, const SurfaceMesh& layer) {
   const std::vector<double> f = loads(m, body, nodal(layer, one));
   Vec3 first{0, 0, 0}, expected{0, 0, 0};
@@ -135,8 +134,8 @@ TEST(SurfaceCoupling, PatchTestOnFlatMeshesOfAllTypes) {
           columns = std::max(columns, column_error(m, layer));
           moments = std::max(moments, moment_error(m, body, layer));
         }
-      const std::string name = "all types on all, distorted by " + std::to_string(fraction) +
-                               (turn ? ", turned in space" : "");
+      const std::string name =
+          "all types on all, distorted by " + std::to_string(fraction) + (turn ? ", turned in space" : "");
       expect_error(name + ": loads", faces, 1e-12);
       expect_error(name + ": int N_j", columns, 1e-12);
       expect_error(name + ": moment", moments, 1e-12);
@@ -150,10 +149,10 @@ TEST(SurfaceCoupling, LinearTractionsAreExactWhereTheLayerHoldsThem) {
   for (const ElementType below : all_types)
     for (const ElementType above : all_types)
       for (const double fraction : {0.0, 0.2}) {
-        const SurfaceMesh body = perturb(
-            rectangle(below, uniform_lines(-1, 1, 5), uniform_lines(-1, 1, 6)), fraction, 1);
-        const SurfaceMesh layer = perturb(
-            rectangle(above, uniform_lines(-1, 1, 8), uniform_lines(-1, 1, 7)), fraction, 2);
+        const SurfaceMesh body =
+            perturb(rectangle(below, uniform_lines(-1, 1, 5), uniform_lines(-1, 1, 6)), fraction, 1);
+        const SurfaceMesh layer =
+            perturb(rectangle(above, uniform_lines(-1, 1, 8), uniform_lines(-1, 1, 7)), fraction, 2);
         const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
         const std::vector<double> expected = integrals(body, t);
         const double e = difference(loads(m, body, nodal(layer, t)), expected) / largest(expected);
@@ -176,18 +175,15 @@ TEST(SurfaceCoupling, MatchingMeshesGiveTheFacesOwnMatrix) {
       const auto corners = static_cast<std::ptrdiff_t>(corner_count(type));
       const auto first = layer.connectivity.begin() + layer.offset[at(e)];
       std::rotate(first, first + 1, first + corners);
-      if (is_quadratic(type))
-        std::rotate(first + corners, first + corners + 1, first + 2 * corners);
+      if (is_quadratic(type)) std::rotate(first + corners, first + corners + 1, first + 2 * corners);
     }
-    const SurfaceCoupling own = couple_faces(body, all_of(body)),
-                          m = couple_layer(body, all_of(body), layer);
+    const SurfaceCoupling own = couple_faces(body, all_of(body)), m = couple_layer(body, all_of(body), layer);
     ASSERT_EQ(m.node, own.node);
     ASSERT_EQ(m.start, own.start);
     double worst = 0;
     for (std::size_t r = 0; r < m.node.size(); ++r)
       for (std::int64_t k = m.start[r]; k < m.start[r + 1]; ++k) {
-        const auto first = own.row.begin() + own.start[r],
-                   last = own.row.begin() + own.start[r + 1];
+        const auto first = own.row.begin() + own.start[r], last = own.row.begin() + own.start[r + 1];
         const auto found = std::lower_bound(first, last, n - 1 - m.row[at(k)]);
         ASSERT_TRUE(found != last && *found == n - 1 - m.row[at(k)]);
         worst = std::max(worst, std::abs(m.value[at(k)] - own.value[at(found - own.row.begin())]));
@@ -234,10 +230,8 @@ TEST(SurfaceCoupling, LayersSmallerAndLargerThanAnElement) {
       }
       const SurfaceMesh whole = patch(0, 0, 1);
       const std::vector<double> own = integrals(body, one),
-                                f = loads(couple_layer(body, all_of(body), whole), body,
-                                          nodal(whole, one));
-      EXPECT_LE(difference(f, own) / largest(own), 1e-12)
-          << name_of(below) << " " << name_of(above);
+                                f = loads(couple_layer(body, all_of(body), whole), body, nodal(whole, one));
+      EXPECT_LE(difference(f, own) / largest(own), 1e-12) << name_of(below) << " " << name_of(above);
     }
 }
 
@@ -260,29 +254,25 @@ TEST(SurfaceCoupling, SliversLoseNothing) {
     char name[64];
     std::snprintf(name, sizeof name, "lines %.0e aside", aside);
     expect_error(std::string(name) + ": loads", faces, aside < 1e-9 ? 1e-13 + 10 * aside : 1e-12);
-    expect_error(std::string(name) + ": int N_j", columns,
-                 aside < 1e-9 ? 1e-13 + 10 * aside : 1e-13);
+    expect_error(std::string(name) + ": int N_j", columns, aside < 1e-9 ? 1e-13 + 10 * aside : 1e-13);
   }
 }
 
 TEST(SurfaceCoupling, WhatSticksOutGoesToTheNearestFace) {
-  const SurfaceMesh body =
-      rectangle(ElementType::quad8, uniform_lines(-1, 1, 4), uniform_lines(-1, 1, 4));
+  const SurfaceMesh body = rectangle(ElementType::quad8, uniform_lines(-1, 1, 4), uniform_lines(-1, 1, 4));
   for (const ElementType above : all_types) {
-    const SurfaceMesh layer =
-        rectangle(above, uniform_lines(-0.9, 1.3, 5), uniform_lines(-0.8, 0.7, 4));
+    const SurfaceMesh layer = rectangle(above, uniform_lines(-0.9, 1.3, 5), uniform_lines(-0.8, 0.7, 4));
     const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
     expect_error("beyond the edge, " + name_of(above) + ": int N_j", column_error(m, layer), 1e-13);
-    // The loads' first moment is that of the layer with all that lies beyond moved to the edge:
-    // int min(x, 1), 1.5 wide.
+    // The loads' first moment is that of the layer with all that lies beyond moved to the edge: int min(x, 1), 1.5
+    // wide.
     const std::vector<double> f = loads(m, body, nodal(layer, one));
     double first = 0;
     for (std::size_t k = 0; k < f.size(); ++k) first += f[k] * body.node[k][0];
     expect_error("first moment", first - 1.5 * (0.5 * (1 - 0.81) + 0.3), 1e-12);
   }
   // Wholly beside the body, and with nothing but walls under it.
-  const SurfaceMesh away =
-      rectangle(ElementType::quad4, uniform_lines(3, 4, 2), uniform_lines(-0.5, 0.5, 2));
+  const SurfaceMesh away = rectangle(ElementType::quad4, uniform_lines(3, 4, 2), uniform_lines(-0.5, 0.5, 2));
   const SurfaceCoupling m = couple_layer(body, all_of(body), away);
   expect_error("beside the body: int N_j", column_error(m, away), 1e-13);
   const std::vector<double> f = loads(m, body, nodal(away, one));
@@ -294,11 +284,9 @@ TEST(SurfaceCoupling, WhatSticksOutGoesToTheNearestFace) {
 
 TEST(SurfaceCoupling, FacesThatLookAwayOrLieDeepAreNotCoupled) {
   // A thin plate: its lower side looks away. And a cavity whose floor looks up, far below.
-  const SurfaceMesh plate =
-      surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 0.02}), ElementType::quad4);
+  const SurfaceMesh plate = surfaces::block(surfaces::brick({4, 4, 1}, {1, 1, 0.02}), ElementType::quad4);
   const SurfaceMesh layer = frames::transform(
-      rectangle(ElementType::tri6, uniform_lines(0, 1, 3), uniform_lines(0, 1, 3)),
-      [](const Vec3& p) {
+      rectangle(ElementType::tri6, uniform_lines(0, 1, 3), uniform_lines(0, 1, 3)), [](const Vec3& p) {
         return Vec3{p[0], p[1], 0.02};
       });
   const SurfaceCoupling m = couple_layer(plate, all_of(plate), layer);
@@ -328,9 +316,8 @@ TEST(SurfaceCoupling_long, CurvedBodiesConverge) {
         for (int k = 0; k < 3; ++k) {
           const int n = 1 << k;
           const auto mesh = [&](ElementType type, int nx, int ny) {
-            return frames::transform(
-                rectangle(type, uniform_lines(-w, w, nx * n), uniform_lines(-w, w, ny * n)),
-                [&](const Vec3& p) { return bent(sphere, p); });
+            return frames::transform(rectangle(type, uniform_lines(-w, w, nx * n), uniform_lines(-w, w, ny * n)),
+                                     [&](const Vec3& p) { return bent(sphere, p); });
           };
           const SurfaceMesh body = mesh(below, 5, 4);
           SurfaceMesh layer = mesh(above, 6, 7);
@@ -338,8 +325,7 @@ TEST(SurfaceCoupling_long, CurvedBodiesConverge) {
           for (Vec3& x : layer.node) x = search.nearest(x).x;
           const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
           EXPECT_LE(column_error(m, layer), 1e-12);
-          const std::vector<double> f = loads(m, body, nodal(layer, one)),
-                                    own = integrals(body, one);
+          const std::vector<double> f = loads(m, body, nodal(layer, one)), own = integrals(body, one);
           // Root of the mean square, away from the rim, where both meshes end otherwise.
           double sum = 0, reference = 0;
           for (std::size_t i = 0; i < f.size(); ++i)
@@ -351,15 +337,14 @@ TEST(SurfaceCoupling_long, CurvedBodiesConverge) {
           moments[k] = moment_error(m, body, layer);
         }
         const bool quadratic = is_quadratic(below) && is_quadratic(above);
-        const std::string name = std::string(sphere ? "sphere, " : "cylinder, ") + name_of(above) +
-                                 " on " + name_of(below);
-        // Linear facets lie h^2 off the surface; quadratic ones far less, but what is projected
-        // across their bent sides is of order h^2 too.
+        const std::string name =
+            std::string(sphere ? "sphere, " : "cylinder, ") + name_of(above) + " on " + name_of(below);
+        // Linear facets lie h^2 off the surface; quadratic ones far less, but what is projected across their bent sides
+        // is of order h^2 too.
         expect_error(name + ": loads", faces[2], quadratic ? 3e-5 : 2e-3);
         expect_order(name + ": loads", std::log2(faces[0] / faces[2]) / 2, quadratic ? 1.4 : 1.7);
         expect_error(name + ": moment", moments[2], quadratic ? 1e-6 : 2e-3);
-        expect_order(name + ": moment", std::log2(moments[0] / moments[2]) / 2,
-                     quadratic ? 3.0 : 1.7);
+        expect_order(name + ": moment", std::log2(moments[0] / moments[2]) / 2, quadratic ? 3.0 : 1.7);
       }
 }
 
@@ -387,10 +372,10 @@ TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
   };
   for (const ElementType below : all_types)
     for (const ElementType above : all_types) {
-      const SurfaceMesh body = frames::transform(
-          rectangle(below, uniform_lines(-1.5, 1.5, 12), uniform_lines(-1.5, 1.5, 12)), saddle);
-      SurfaceMesh layer = frames::rotate(
-          rectangle(above, uniform_lines(-0.9, 0.9, 10), uniform_lines(-0.9, 0.9, 10)), 0.5);
+      const SurfaceMesh body =
+          frames::transform(rectangle(below, uniform_lines(-1.5, 1.5, 12), uniform_lines(-1.5, 1.5, 12)), saddle);
+      SurfaceMesh layer =
+          frames::rotate(rectangle(above, uniform_lines(-0.9, 0.9, 10), uniform_lines(-0.9, 0.9, 10)), 0.5);
       const SurfaceSearch search(body, {});
       for (Vec3& x : layer.node) x = search.along(x, {0, 0, 1}, {0, 0, 1})->x;
       const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
@@ -398,10 +383,8 @@ TEST(SurfaceCoupling, SkewLayersOnWarpedFaces) {
       const std::vector<double> f = loads(m, body, nodal(layer, one)), own = integrals(body, one);
       double inside = 0;
       for (std::size_t i = 0; i < f.size(); ++i)
-        if (std::hypot(body.node[i][0], body.node[i][1]) < 0.5)
-          inside = std::max(inside, std::abs(f[i] - own[i]));
-      expect_error("saddle, " + name_of(above) + " on " + name_of(below), inside / largest(own),
-                   4e-3);
+        if (std::hypot(body.node[i][0], body.node[i][1]) < 0.5) inside = std::max(inside, std::abs(f[i] - own[i]));
+      expect_error("saddle, " + name_of(above) + " on " + name_of(below), inside / largest(own), 4e-3);
     }
 }
 
@@ -409,14 +392,13 @@ TEST(SurfaceCoupling_long, ThousandsOfElements) {
   for (const ElementType below : {ElementType::quad4, ElementType::quad8})
     for (const ElementType above : {ElementType::tri3, ElementType::quad8})
       for (const double fraction : {0.0, 0.2}) {
-        const std::vector<double> coarse = uniform_lines(-1, 1, 45),
-                                  fine = uniform_lines(-1, 1, 52);
+        const std::vector<double> coarse = uniform_lines(-1, 1, 45), fine = uniform_lines(-1, 1, 52);
         const SurfaceMesh body = perturb(rectangle(below, coarse, coarse), fraction, 3);
         const SurfaceMesh layer = perturb(rectangle(above, fine, fine), fraction, 5);
         const SurfaceCoupling m = couple_layer(body, all_of(body), layer);
         expect_error(std::to_string(layer.elements()) + " " + name_of(above) + " on " +
-                         std::to_string(body.elements()) + " " + name_of(below) +
-                         (fraction > 0 ? ", distorted" : "") + ": columns",
+                         std::to_string(body.elements()) + " " + name_of(below) + (fraction > 0 ? ", distorted" : "") +
+                         ": columns",
                      column_error(m, layer), 1e-12);
       }
 }
@@ -440,19 +422,15 @@ TEST(SurfaceCoupling, corners_of_quadratic_faces) {
         Shape linear;
         const ReferencePoint there = reference_nodes(type)[i];
         evaluate_shape(linear_type(type), there.xi, there.eta, linear);
-        for (int c = 0; c < corner_count(type); ++c)
-          t += s.value[i] * linear.value[at(c)] * traction[at(nodes[at(c)])];
+        for (int c = 0; c < corner_count(type); ++c) t += s.value[i] * linear.value[at(c)] * traction[at(nodes[at(c)])];
       }
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        expected[at(nodes[i])] += area * s.value[i] * t;
+      for (std::size_t i = 0; i < nodes.size(); ++i) expected[at(nodes[i])] += area * s.value[i] * t;
     });
     std::vector<double> found = loads(m, body, traction);
     for (std::size_t k = 0; k < found.size(); ++k) found[k] -= expected[k];
-    expect_error(name_of(type) + ": loads of linear tractions", largest(found) / largest(expected),
-                 1e-13);
+    expect_error(name_of(type) + ": loads of linear tractions", largest(found) / largest(expected), 1e-13);
     const auto others = uniform_lines(0, 2, 4);
-    EXPECT_FALSE(
-        couple_layer(body, all_of(body), rectangle(ElementType::tri3, others, others)).in_faces);
+    EXPECT_FALSE(couple_layer(body, all_of(body), rectangle(ElementType::tri3, others, others)).in_faces);
   }
 }
 

@@ -17,8 +17,8 @@ namespace {
 using std::numbers::pi;
 using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 
 std::string number(ElementType type) {
   return std::to_string(static_cast<int>(type));
@@ -28,33 +28,30 @@ TEST(SurfaceGeometry, BrickHasItsAreaAndVolumeWhereverItStands) {
   for (ElementType type : all_types) {
     SurfaceMesh mesh = surfaces::block(surfaces::brick({2, 3, 4}, {1, 2, 3}), type);
     for (Vec3& x : mesh.node) x = x + Vec3{1000, -2000, 3000};
-    expect_error("brick far from the origin, area, " + number(type), surface_area(mesh) / 22 - 1,
-                 1e-12);
+    expect_error("brick far from the origin, area, " + number(type), surface_area(mesh) / 22 - 1, 1e-12);
     expect_error("volume", enclosed_volume(mesh) / 6 - 1, 1e-12);
-    expect_error("volume inside out", enclosed_volume(surfaces::turn_inside_out(mesh)) / 6 + 1,
-                 1e-12);
+    expect_error("volume inside out", enclosed_volume(surfaces::turn_inside_out(mesh)) / 6 + 1, 1e-12);
   }
 }
 
 TEST(SurfaceGeometry, VolumeIsThatOfThePolynomialsThemselves) {
-  // A bump xi^2 eta^2 on a quad9 face, and a bulge 4 xi (1 - xi - eta) of one edge of a tri6: cones
-  // from a far apex less those of the flat element are the volume under the bump.
+  // A bump xi^2 eta^2 on a quad9 face, and a bulge 4 xi (1 - xi - eta) of one edge of a tri6: cones from a far apex
+  // less those of the flat element are the volume under the bump.
   SurfaceMesh mesh;
-  mesh.node = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1},  {-1, 1, 1}, {0, -1, 0},
-               {1, 0, 0},   {0, 1, 0},  {-1, 0, 0}, {0, 0, 0}};
+  mesh.node = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}};
   mesh.type = {ElementType::quad9};
   mesh.tag = {0};
   mesh.offset = {0, 9};
   mesh.connectivity = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-  expect_error("quad9 z = x^2 y^2, cone from (0, 0, -5)",
-               cone_volume(mesh, 0, {0, 0, -5}) - (20 - 3 * 4.0 / 9) / 3, 1e-14);
+  expect_error("quad9 z = x^2 y^2, cone from (0, 0, -5)", cone_volume(mesh, 0, {0, 0, -5}) - (20 - 3 * 4.0 / 9) / 3,
+               1e-14);
   mesh.node = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 1}, {0.5, 0.5, 0}, {0, 0.5, 0}};
   mesh.type = {ElementType::tri6};
   mesh.offset = {0, 6};
   mesh.connectivity = {0, 1, 2, 3, 4, 5};
   // z = 4 x (1 - x - y): the cone from (0, 0, -h) has h A/3 + int z = h/6 + 1/6.
-  expect_error("tri6 z = 4 x (1 - x - y), cone from (0, 0, -3)",
-               cone_volume(mesh, 0, {0, 0, -3}) - (3.0 + 1) / 6, 1e-15);
+  expect_error("tri6 z = 4 x (1 - x - y), cone from (0, 0, -3)", cone_volume(mesh, 0, {0, 0, -3}) - (3.0 + 1) / 6,
+               1e-15);
 }
 
 TEST(SurfaceGeometry, SphereConvergesWithTheElementsOrder) {
@@ -67,10 +64,9 @@ TEST(SurfaceGeometry, SphereConvergesWithTheElementsOrder) {
       area[i] = std::abs(surface_area(mesh) / (16 * pi) - 1);
       volume[i] = std::abs(enclosed_volume(mesh) / (32 * pi / 3) - 1);
     }
-    expect_error("sphere, order of the area less the expected, " + number(type),
-                 std::log2(area[0] / area[1]) - low, 0.1);
-    expect_error("order of the volume less the expected", std::log2(volume[0] / volume[1]) - low,
+    expect_error("sphere, order of the area less the expected, " + number(type), std::log2(area[0] / area[1]) - low,
                  0.1);
+    expect_error("order of the volume less the expected", std::log2(volume[0] / volume[1]) - low, 0.1);
     expect_error("area", area[1], is_quadratic(type) ? 1e-5 : 1e-2);
     expect_error("volume", volume[1], is_quadratic(type) ? 1e-5 : 1.1e-2);
   }
@@ -93,13 +89,11 @@ TEST(SurfaceGeometry, NormalsOfASphereConvergeToRadialOnes) {
 
 TEST(SurfaceGeometry, AnglesAroundANodeOfAFlatFaceAreAFullTurn) {
   for (ElementType type : all_types) {
-    const SurfaceMesh mesh =
-        surfaces::distort(surfaces::block(surfaces::brick({3, 3, 3}, {3, 3, 3}), type), 0.2, 7);
+    const SurfaceMesh mesh = surfaces::distort(surfaces::block(surfaces::brick({3, 3, 3}, {3, 3, 3}), type), 0.2, 7);
     std::vector<double> sum(mesh.node.size(), 0);
     for (std::int64_t e = 0; e < mesh.elements(); ++e)
       for (std::size_t i = 0; i < mesh.element(e).size(); ++i)
-        sum[static_cast<std::size_t>(mesh.element(e)[i])] +=
-            angle_at_node(mesh, e, static_cast<int>(i));
+        sum[static_cast<std::size_t>(mesh.element(e)[i])] += angle_at_node(mesh, e, static_cast<int>(i));
     double flat = 0, edge = 0, corner = 0;
     int corners = 0;
     for (std::size_t k = 0; k < sum.size(); ++k) {

@@ -1,5 +1,4 @@
-/// Points on surfaces: against closed forms, against a sweep over all elements, through edges and
-/// nodes, near and far.
+/// Points on surfaces: against closed forms, against a sweep over all elements, through edges and nodes, near and far.
 
 #include "geometry/surface_search.hpp"
 
@@ -25,8 +24,8 @@ namespace {
 using std::numbers::pi;
 using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 constexpr Vec3 any{0, 0, 0};
 
 std::string number(ElementType type) {
@@ -44,10 +43,9 @@ bool within(const SurfaceMesh& mesh, const SurfacePoint& p) {
   return std::abs(p.xi) <= 1 && std::abs(p.eta) <= 1;
 }
 
-/// What every answer must satisfy of itself: point and normal are those of the element there, on
-/// the line at that distance. Returns the largest error over the element's size.
-double own_error(const SurfaceMesh& mesh, const SurfacePoint& p, const Vec3& from,
-                 const Vec3& direction) {
+/// What every answer must satisfy of itself: point and normal are those of the element there, on the line at that
+/// distance. Returns the largest error over the element's size.
+double own_error(const SurfaceMesh& mesh, const SurfacePoint& p, const Vec3& from, const Vec3& direction) {
   EXPECT_TRUE(within(mesh, p));
   const SurfaceFrame f = evaluate_surface(mesh, p.element, p.xi, p.eta);
   const double size = element_diameter(mesh, p.element);
@@ -73,14 +71,12 @@ class Facets {
       const bool triangle = corner_count(mesh.type[static_cast<std::size_t>(e)]) == 3;
       auto point = [&](int i, int j) {
         const double u = static_cast<double>(i) / n, v = static_cast<double>(j) / n;
-        return triangle ? evaluate_surface(mesh, e, u, v).x
-                        : evaluate_surface(mesh, e, 2 * u - 1, 2 * v - 1).x;
+        return triangle ? evaluate_surface(mesh, e, u, v).x : evaluate_surface(mesh, e, 2 * u - 1, 2 * v - 1).x;
       };
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < (triangle ? n - i : n); ++j) {
           facet_.push_back({point(i, j), point(i + 1, j), point(i, j + 1)});
-          if (!triangle || i + j + 1 < n)
-            facet_.push_back({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
+          if (!triangle || i + j + 1 < n) facet_.push_back({point(i + 1, j), point(i + 1, j + 1), point(i, j + 1)});
         }
     }
   }
@@ -147,9 +143,8 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
     }
     EXPECT_GT(hits, 60);
     EXPECT_LT(near_misses, lines / 4);
-    expect_error(
-        "rough ball " + number(type) + ", own error of " + std::to_string(hits) + " hits / element",
-        own, 1e-12);
+    expect_error("rough ball " + number(type) + ", own error of " + std::to_string(hits) + " hits / element", own,
+                 1e-12);
     expect_error("distance against the facets'", sagitta, type == ElementType::tri3 ? 1e-13 : 2e-3);
   }
 }
@@ -173,8 +168,8 @@ TEST(SurfaceSearch, NearestPointIsNoFartherThanAnyOther) {
                         length(normalized(f.normal) - p.normal)});
         // Inside an element the way to the point is along the normal.
         const bool triangle = corner_count(mesh.type[static_cast<std::size_t>(p.element)]) == 3;
-        const double edge = triangle ? std::min({p.xi, p.eta, 1 - p.xi - p.eta})
-                                     : 1 - std::max(std::abs(p.xi), std::abs(p.eta));
+        const double edge =
+            triangle ? std::min({p.xi, p.eta, 1 - p.xi - p.eta}) : 1 - std::max(std::abs(p.xi), std::abs(p.eta));
         if (edge > 1e-3)
           normality = std::max({normality, std::abs(dot(x - p.x, normalized(f.d_xi))) / size,
                                 std::abs(dot(x - p.x, normalized(f.d_eta))) / size});
@@ -184,8 +179,8 @@ TEST(SurfaceSearch, NearestPointIsNoFartherThanAnyOther) {
           for (int u = 0; u <= n; ++u)
             for (int v = 0; v <= (triangle ? n - u : n); ++v) {
               const double a = static_cast<double>(u) / n, b = static_cast<double>(v) / n;
-              const SurfaceFrame g = triangle ? evaluate_surface(mesh, e, a, b)
-                                              : evaluate_surface(mesh, e, 2 * a - 1, 2 * b - 1);
+              const SurfaceFrame g =
+                  triangle ? evaluate_surface(mesh, e, a, b) : evaluate_surface(mesh, e, 2 * a - 1, 2 * b - 1);
               least = std::min(least, length(g.x - x));
             }
         excess = std::max(excess, p.distance - least);
@@ -210,8 +205,7 @@ TEST(SurfaceSearch, PointsOfTheSurfaceFindThemselves) {
       EXPECT_EQ(p.element, e);
       at = std::max({at, p.distance / size, std::abs(p.xi - 0.31), std::abs(p.eta - 0.17)});
       const SurfacePoint q = search.nearest(f.x + 1e-3 * size * n);
-      beside = std::max({beside, std::abs(q.distance / size - 1e-3), std::abs(q.xi - 0.31),
-                         std::abs(q.eta - 0.17)});
+      beside = std::max({beside, std::abs(q.distance / size - 1e-3), std::abs(q.xi - 0.31), std::abs(q.eta - 0.17)});
       const auto hit = search.along(f.x, n, any);
       ASSERT_TRUE(hit);
       at = std::max({at, std::abs(hit->distance) / size, std::abs(hit->xi - 0.31)});
@@ -222,15 +216,13 @@ TEST(SurfaceSearch, PointsOfTheSurfaceFindThemselves) {
 }
 
 TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
-  // Lines from within through every node, and through points of every edge: along the axis exactly
-  // representable, then turned, so that both elements miss by rounding.
+  // Lines from within through every node, and through points of every edge: along the axis exactly representable, then
+  // turned, so that both elements miss by rounding.
   for (ElementType type : all_types)
     for (double turn : {0.0, 0.7}) {
-      SurfaceMesh mesh =
-          surfaces::transform(surfaces::cube_sphere(type, 4, 1), [turn](const Vec3& x) {
-            return Vec3{std::cos(turn) * x[0] - std::sin(turn) * x[1],
-                        std::sin(turn) * x[0] + std::cos(turn) * x[1], x[2]};
-          });
+      SurfaceMesh mesh = surfaces::transform(surfaces::cube_sphere(type, 4, 1), [turn](const Vec3& x) {
+        return Vec3{std::cos(turn) * x[0] - std::sin(turn) * x[1], std::sin(turn) * x[0] + std::cos(turn) * x[1], x[2]};
+      });
       const SurfaceSearch search(mesh, {});
       double error = 0;
       int lines = 0;
@@ -247,18 +239,15 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
       for (std::int64_t e = 0; e < mesh.elements(); ++e) {
         const double size = element_diameter(mesh, e);
         const auto at = reference_nodes(mesh.type[static_cast<std::size_t>(e)]);
-        const auto corners =
-            static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(e)]));
+        const auto corners = static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(e)]));
         for (std::int32_t k : mesh.element(e)) shoot(mesh.node[static_cast<std::size_t>(k)], size);
         for (std::size_t i = 0; i < corners; ++i) {
           const ReferencePoint p = at[i], q = at[(i + 1) % corners];
           const double s = 0.37;
-          shoot(evaluate_surface(mesh, e, p.xi + s * (q.xi - p.xi), p.eta + s * (q.eta - p.eta)).x,
-                size);
+          shoot(evaluate_surface(mesh, e, p.xi + s * (q.xi - p.xi), p.eta + s * (q.eta - p.eta)).x, size);
         }
       }
-      expect_error(std::to_string(lines) + " lines through edges and nodes, " + number(type) +
-                       ", miss / element",
+      expect_error(std::to_string(lines) + " lines through edges and nodes, " + number(type) + ", miss / element",
                    error, 1e-12);
     }
 }
@@ -279,15 +268,13 @@ TEST(SurfaceSearch, ToleranceBeyondAnEdgeIsThatOfTheHeader) {
       const double edge = triangle ? 0 : -1;
       const SurfaceSearch search(mesh, {});
       for (const auto& [beyond, met] : {std::pair{0.0, true}, {5e-10, true}, {1e-8, false}}) {
-        const auto hit =
-            search.along({unit * (edge - beyond), unit * 0.25, unit * 5}, {0, 0, 1}, {0, 0, 1});
+        const auto hit = search.along({unit * (edge - beyond), unit * 0.25, unit * 5}, {0, 0, 1}, {0, 0, 1});
         EXPECT_EQ(hit.has_value(), met) << number(type) << " " << beyond;
         if (!hit) continue;
         EXPECT_NEAR(hit->distance / unit, -5, 1e-9);
         EXPECT_EQ(hit->xi, edge);
       }
-      EXPECT_FALSE(search.along({unit * 0.2, unit * 0.2, unit * 5}, {0, 0, 1}, {0, 0, -1}))
-          << "it looks the other way";
+      EXPECT_FALSE(search.along({unit * 0.2, unit * 0.2, unit * 5}, {0, 0, 1}, {0, 0, -1})) << "it looks the other way";
       EXPECT_FALSE(search.along({unit * 0.2, unit * 0.2, unit * 5}, {0, 0, 1}, {1, 0, 0}))
           << "its normal has no component there";
     }
@@ -324,8 +311,7 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
     EXPECT_NEAR(side->normal[1], -1, 1e-12);
     // Nearest: face, edge, corner.
     expect_error("nearest on a face", search.nearest({0.3, 0.4, 1.5}).distance - 0.5, 1e-15);
-    expect_error("nearest on an edge", length(search.nearest({0.3, 2, 2}).x - Vec3{0.3, 1, 1}),
-                 1e-14);
+    expect_error("nearest on an edge", length(search.nearest({0.3, 2, 2}).x - Vec3{0.3, 1, 1}), 1e-14);
     expect_error("nearest at a corner", length(search.nearest({2, 2, 2}).x - Vec3{1, 1, 1}), 1e-15);
   }
 }
@@ -340,9 +326,7 @@ TEST(SurfaceSearch, CylinderRadiusHasTheElementsError) {
     shape.ring = true;
     shape.line[0].clear();
     for (int i = 0; i <= n; ++i) shape.line[0].push_back(2 * pi * i / n);
-    shape.map = [](const Vec3& x) {
-      return Vec3{(25 + x[2]) * std::sin(x[0]), x[1], (25 + x[2]) * std::cos(x[0])};
-    };
+    shape.map = [](const Vec3& x) { return Vec3{(25 + x[2]) * std::sin(x[0]), x[1], (25 + x[2]) * std::cos(x[0])}; };
     const SurfaceMesh mesh = surfaces::block(shape, type);
     const SurfaceSearch search(mesh, {});
     double error = 0;
@@ -352,11 +336,10 @@ TEST(SurfaceSearch, CylinderRadiusHasTheElementsError) {
       const auto outer = search.along(60.0 * d + Vec3{0, y, 0}, d, d);
       const auto inner = search.along({0, y, 0}, d, -1.0 * d);
       ASSERT_TRUE(outer && inner);
-      error = std::max(
-          {error, std::abs((outer->distance + 60) / 50 - 1), std::abs(inner->distance / 25 - 1)});
+      error = std::max({error, std::abs((outer->distance + 60) / 50 - 1), std::abs(inner->distance / 25 - 1)});
     }
-    expect_error("cylinder, largest error of the radius over the closed form's, " + number(type),
-                 error / expected - 1, 1e-2);
+    expect_error("cylinder, largest error of the radius over the closed form's, " + number(type), error / expected - 1,
+                 1e-2);
   }
 }
 
@@ -418,8 +401,8 @@ TEST(SurfaceSearch, ASaddleIsMetTwice) {
 TEST(SurfaceSearch, FarAwaySmallAndLarge) {
   for (double unit : {1e-9, 1e9})
     for (ElementType type : all_types) {
-      const SurfaceMesh mesh = surfaces::transform(surfaces::cube_sphere(type, 3, 1),
-                                                   [unit](const Vec3& x) { return unit * x; });
+      const SurfaceMesh mesh =
+          surfaces::transform(surfaces::cube_sphere(type, 3, 1), [unit](const Vec3& x) { return unit * x; });
       const SurfaceSearch search(mesh, {});
       std::mt19937 random(3);
       double error = 0;
@@ -431,14 +414,12 @@ TEST(SurfaceSearch, FarAwaySmallAndLarge) {
         ASSERT_TRUE(hit && near);
         error = std::max(error, length(hit->x - near->x) / unit);
       }
-      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + number(type),
-                   error, 1e-11);
+      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + number(type), error, 1e-11);
     }
 }
 
 TEST(SurfaceSearch, OnlyTheGivenElements) {
-  const SurfaceMesh mesh =
-      surfaces::block(surfaces::brick({4, 4, 4}, {1, 1, 1}), ElementType::quad8);
+  const SurfaceMesh mesh = surfaces::block(surfaces::brick({4, 4, 4}, {1, 1, 1}), ElementType::quad8);
   const std::vector<std::int64_t> bottom = surfaces::elements_with_tag(mesh, 5);
   ASSERT_EQ(bottom.size(), 16u);
   SurfaceSearch search(mesh, bottom);
@@ -469,8 +450,7 @@ TEST(SurfaceSearch, ThreadsAgree) {
 }
 
 TEST(SurfaceSearch_long, AHundredThousandElements) {
-  // Time per query grows with the logarithm of the size: a search through all would take a
-  // hundredfold.
+  // Time per query grows with the logarithm of the size: a search through all would take a hundredfold.
   using Clock = std::chrono::steady_clock;
   double per_query[2], nearest_query[2];
   for (int k = 0; k < 2; ++k) {
@@ -496,14 +476,12 @@ TEST(SurfaceSearch_long, AHundredThousandElements) {
     const auto after = Clock::now();
     per_query[k] = std::chrono::duration<double>(between - before).count() / queries;
     nearest_query[k] = std::chrono::duration<double>(after - between).count() / queries;
-    std::printf("%lld elements: tree %.3f s, line %.2f us, nearest %.2f us\n",
-                static_cast<long long>(mesh.elements()), built, 1e6 * per_query[k],
-                1e6 * nearest_query[k]);
+    std::printf("%lld elements: tree %.3f s, line %.2f us, nearest %.2f us\n", static_cast<long long>(mesh.elements()),
+                built, 1e6 * per_query[k], 1e6 * nearest_query[k]);
     expect_error("radius", worst, k == 0 ? 1e-4 : 1e-7);
   }
   expect_error("lines: time for a hundred times the elements", per_query[1] / per_query[0], 40);
-  expect_error("nearest: time for a hundred times the elements",
-               nearest_query[1] / nearest_query[0], 40);
+  expect_error("nearest: time for a hundred times the elements", nearest_query[1] / nearest_query[0], 40);
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ namespace {
 using std::numbers::pi;
 using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                     ElementType::quad8, ElementType::quad9};
+constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                     ElementType::quad9};
 
 std::string number(ElementType type) {
   return std::to_string(static_cast<int>(type));
@@ -63,8 +63,7 @@ TEST(TractionNodes, CubeHasOnePerFaceAtEdgesAndCorners) {
         if (x[c] == 0 || x[c] == 1) ++faces, sum[c] = x[c] == 0 ? -1 : 1;
       EXPECT_EQ(fans(t, k), faces) << x[0] << " " << x[1] << " " << x[2];
       Vec3 normals{0, 0, 0};
-      for (std::int64_t i = t.start[static_cast<std::size_t>(k)];
-           i < t.start[static_cast<std::size_t>(k) + 1]; ++i)
+      for (std::int64_t i = t.start[static_cast<std::size_t>(k)]; i < t.start[static_cast<std::size_t>(k) + 1]; ++i)
         normals = normals + t.normal[static_cast<std::size_t>(i)];
       error = std::max(error, length(normals - sum));
     }
@@ -115,8 +114,8 @@ TEST(TractionNodes, NormalsDoNotDependOnHowAFaceIsCut) {
   const TractionNodes t = split_at_edges(mesh, 100);
   EXPECT_EQ(fans(t, 0), 1);
   const double c = -1 / std::sqrt(3.0);
-  expect_error("normal at a corner of a cube",
-               length(t.normal[static_cast<std::size_t>(t.start[0])] - Vec3{c, c, c}), 1e-14);
+  expect_error("normal at a corner of a cube", length(t.normal[static_cast<std::size_t>(t.start[0])] - Vec3{c, c, c}),
+               1e-14);
 }
 
 TEST(TractionNodes, TagsSplitSmoothSurfaces) {
@@ -141,8 +140,8 @@ TEST(TractionNodes, TagsSplitSmoothSurfaces) {
 }
 
 TEST(TractionNodes, EdgeAngleDecidesOnAPrism) {
-  // A ring's outer and inner cylinders in n pieces: neighbours differ by 360/n degrees when linear,
-  // by the kink between arcs when quadratic.
+  // A ring's outer and inner cylinders in n pieces: neighbours differ by 360/n degrees when linear, by the kink between
+  // arcs when quadratic.
   for (ElementType type : {ElementType::quad4, ElementType::tri3}) {
     surfaces::Block shape = surfaces::brick({12, 1, 1}, {1, 1, 1});
     shape.ring = true;
@@ -162,8 +161,8 @@ TEST(TractionNodes, EdgeAngleDecidesOnAPrism) {
 }
 
 TEST(TractionNodes, ASharpEdgeThatEndsLeavesOneFan) {
-  // A square pyramid's surface without base, flattened on one side: around its apex the fan is
-  // broken only where two sharp edges meet.
+  // A square pyramid's surface without base, flattened on one side: around its apex the fan is broken only where two
+  // sharp edges meet.
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0.0}, {1, 0, 0.0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0.7, 0.7, 1}};
   mesh.offset = {0};

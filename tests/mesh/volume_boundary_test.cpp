@@ -84,17 +84,15 @@ TEST(VolumeBoundary, OfOneElementHasAllItsFacesInOrder) {
 TEST(VolumeBoundary, FacesAscendByElementAndSide) {
   const auto mesh = volumes::mixed_block(surfaces::brick({4, 3, 2}, {1, 1, 1}), true);
   const auto faces = boundary_faces(mesh.volume);
-  EXPECT_TRUE(
-      std::is_sorted(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
-        return std::pair(a.element, a.side) < std::pair(b.element, b.side);
-      }));
+  EXPECT_TRUE(std::is_sorted(faces.begin(), faces.end(), [](const BoundaryFace& a, const BoundaryFace& b) {
+    return std::pair(a.element, a.side) < std::pair(b.element, b.side);
+  }));
   EXPECT_EQ(faces.size(), mesh.surface.type.size());
   // Any choice of faces may be made a surface.
   const std::vector<BoundaryFace> last{faces.back()};
   const SurfaceMesh one = boundary_surface(mesh.volume, last);
   const SurfaceMesh all = boundary_surface(mesh.volume, faces);
-  EXPECT_TRUE(std::equal(one.element(0).begin(), one.element(0).end(),
-                         all.element(all.elements() - 1).begin()));
+  EXPECT_TRUE(std::equal(one.element(0).begin(), one.element(0).end(), all.element(all.elements() - 1).begin()));
 }
 
 TEST(VolumeBoundary, CavitiesBelongToIt) {
@@ -106,8 +104,7 @@ TEST(VolumeBoundary, CavitiesBelongToIt) {
 
 TEST(VolumeBoundary, TractionNodesAndSearchPassOverInnerNodes) {
   // The same surface, with and without the nodes inside the body.
-  for (const VolumeType type :
-       {VolumeType::tet4, VolumeType::tet10, VolumeType::hex8, VolumeType::hex20}) {
+  for (const VolumeType type : {VolumeType::tet4, VolumeType::tet10, VolumeType::hex8, VolumeType::hex20}) {
     const auto mesh = volumes::ball({.n = 2, .layers = 2}, type);
     SurfaceMesh surface = boundary_of(mesh);
     ASSERT_GT(surfaces::facts(surface).unused_nodes, 0);
@@ -115,8 +112,7 @@ TEST(VolumeBoundary, TractionNodesAndSearchPassOverInnerNodes) {
     const TractionNodes a = split_at_edges(surface, 40), b = split_at_edges(alone, 40);
     ASSERT_EQ(a.size(), b.size());
     ASSERT_EQ(a.start.size(), surface.node.size() + 1);
-    for (std::size_t i = 0; i < a.of.size(); ++i)
-      EXPECT_EQ(a.node[at(a.of[i])], surface.connectivity[i]);
+    for (std::size_t i = 0; i < a.of.size(); ++i) EXPECT_EQ(a.node[at(a.of[i])], surface.connectivity[i]);
     double error = 0;
     for (std::size_t i = 0; i < a.of.size(); ++i)
       error = std::max(error, length(a.normal[at(a.of[i])] - b.normal[at(b.of[i])]));

@@ -1,5 +1,5 @@
-/// Every way in which a volume mesh can be wrong, with the words that the caller reads; and good
-/// ones, however slender, small or large.
+/// Every way in which a volume mesh can be wrong, with the words that the caller reads; and good ones, however slender,
+/// small or large.
 
 #include <gtest/gtest.h>
 
@@ -113,8 +113,7 @@ TEST(VolumeCheck, SoundBodiesPass) {
     expect_accepted(volumes::ring({.around = 42}, type), "ring " + name);
     expect_accepted(cube(type, 2, 1e-9), "small cube " + name);
     expect_accepted(cube(type, 2, 1e9), "large cube " + name);
-    expect_accepted(volumes::block(surfaces::brick({3, 3, 3}, {1, 1, 1e-7}), type),
-                    "thin sheet " + name);
+    expect_accepted(volumes::block(surfaces::brick({3, 3, 3}, {1, 1, 1e-7}), type), "thin sheet " + name);
     expect_accepted(volumes::transform(cube(type),
                                        [](const Vec3& x) {
                                          return x + Vec3{1e6, -1e6, 3e5};
@@ -122,8 +121,7 @@ TEST(VolumeCheck, SoundBodiesPass) {
                     "far away " + name);
   }
   for (const bool quadratic : {false, true})
-    expect_accepted(volumes::mixed_block(surfaces::brick({3, 3, 3}, {1, 1, 1}), quadratic),
-                    "mixed block");
+    expect_accepted(volumes::mixed_block(surfaces::brick({3, 3, 3}, {1, 1, 1}), quadratic), "mixed block");
 }
 
 TEST(VolumeCheck, NoElements) {
@@ -139,8 +137,7 @@ TEST(VolumeCheck, Connectivity) {
     expect_refused(mesh,
                    "an element refers to a node that does not exist; 1 such in the volume; "
                    "first: element 2 (" +
-                       name + "), node " + std::to_string(last + 1) + " of 1.." +
-                       std::to_string(last));
+                       name + "), node " + std::to_string(last + 1) + " of 1.." + std::to_string(last));
     mesh.volume.connectivity[at(mesh.volume.offset[1]) + 2] = -1;
     expect_refused(mesh, "element 1 (" + name + "), node -1 of 0.." + std::to_string(last - 1), 0);
 
@@ -163,8 +160,7 @@ TEST(VolumeCheck, Connectivity) {
 
     mesh = cube(type);
     mesh.surface.node.push_back({5, 5, 5});
-    expect_refused(mesh, "a node belongs to no element; 1 such in the volume; first: node " +
-                             std::to_string(last + 1));
+    expect_refused(mesh, "a node belongs to no element; 1 such in the volume; first: node " + std::to_string(last + 1));
   }
 }
 
@@ -211,8 +207,8 @@ TEST(VolumeCheck, CoincidingNodes) {
     const auto nodes = mesh.volume.element(0);
     mesh.surface.node[at(nodes[1])] = mesh.surface.node[at(nodes[3])];
     expect_refused(mesh, "degenerate element: two of its nodes coincide;");
-    expect_refused(mesh, "first: element 1 (" + name_of(type) + "), nodes " +
-                             std::to_string(nodes[1] + 1) + " and " + std::to_string(nodes[3] + 1));
+    expect_refused(mesh, "first: element 1 (" + name_of(type) + "), nodes " + std::to_string(nodes[1] + 1) + " and " +
+                             std::to_string(nodes[3] + 1));
   }
   // Two cubes side by side, each with its own nodes.
   const Mesh one = cube(VolumeType::hex8, 1);
@@ -251,8 +247,7 @@ TEST(VolumeCheck, FoldedElements) {
     for (const double place : {0.2, 0.25, 0.26, 1.0 / 3}) {
       mesh = alone(type);
       auto& node = mesh.surface.node;
-      node[at(corner_count(type))] =
-          node[at(edge[0])] + place * (node[at(edge[1])] - node[at(edge[0])]);
+      node[at(corner_count(type))] = node[at(edge[0])] + place * (node[at(edge[1])] - node[at(edge[0])]);
       if (place <= 0.25)
         expect_refused(mesh, folded + name_of(type) + ") at node 1");
       else
@@ -299,8 +294,7 @@ TEST(VolumeCheck, ElementsThatFoldInside) {
       expect_refused(mesh, folded + "hex8) at xi = ");
   }
   // Found among many: nodes displaced at random.
-  const std::pair<VolumeType, std::uint32_t> found[] = {{VolumeType::hex20, 613},
-                                                        {VolumeType::wedge15, 568}};
+  const std::pair<VolumeType, std::uint32_t> found[] = {{VolumeType::hex20, 613}, {VolumeType::wedge15, 568}};
   for (const auto& [type, seed] : found) {
     Mesh mesh = alone(type);
     frames::Random random(seed);
@@ -327,14 +321,11 @@ TEST(VolumeCheck, FacesOfMoreThanTwoElements) {
 }
 
 TEST(VolumeCheck, FacesThatDoNotMatch) {
-  const auto column = [](VolumeType type) {
-    return volumes::block(surfaces::brick({1, 1, 1}, {1, 1, 1}), type);
-  };
+  const auto column = [](VolumeType type) { return volumes::block(surfaces::brick({1, 1, 1}, {1, 1, 1}), type); };
   // Linear on quadratic: the corners are shared, the midside nodes are not.
-  expect_refused(
-      join(column(VolumeType::hex8), column(VolumeType::hex20), {0, 0, 1}),
-      "two elements share a face but not its midside nodes; 1 such in the volume; first: "
-      "face 5-6-7-8 of elements 1 (hex8) and 2 (hex20)");
+  expect_refused(join(column(VolumeType::hex8), column(VolumeType::hex20), {0, 0, 1}),
+                 "two elements share a face but not its midside nodes; 1 such in the volume; first: "
+                 "face 5-6-7-8 of elements 1 (hex8) and 2 (hex20)");
   expect_refused(join(column(VolumeType::tet10), column(VolumeType::tet4), {0, 0, 1}),
                  "two elements share a face but not its midside nodes; 2 such in the volume");
   // One midside node of a shared face given twice.
@@ -352,11 +343,10 @@ TEST(VolumeCheck, FacesThatDoNotMatch) {
   expect_refused(join(column(VolumeType::hex20), column(VolumeType::wedge15), {0, 0, 1}),
                  "a quadrilateral face lies on triangles of its neighbours");
   // A quadratic face on four linear ones.
-  expect_refused(
-      join(column(VolumeType::hex20),
-           volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), {0, 0, 1}),
-      "a midside node of one element is a corner of another: elements on both sides of "
-      "a face must share all of its nodes; 4 such in the volume; first: node ");
+  expect_refused(join(column(VolumeType::hex20),
+                      volumes::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), VolumeType::hex8), {0, 0, 1}),
+                 "a midside node of one element is a corner of another: elements on both sides of "
+                 "a face must share all of its nodes; 4 such in the volume; first: node ");
 }
 
 TEST(VolumeCheck, TwistedNeighbours) {
@@ -366,10 +356,9 @@ TEST(VolumeCheck, TwistedNeighbours) {
   for (std::size_t i = 4; i < 8; ++i) node[i][2] = i % 2 == 0 ? 0.2 : 1.8;
   for (const std::size_t i : {4u, 6u, 7u, 5u}) node.push_back({5, node[i][1], node[i][2]});
   add(mesh, VolumeType::hex8, {4, 6, 7, 5, 8, 9, 10, 11});
-  expect_refused(
-      mesh,
-      "two elements share the corners of a face but not its edges; 1 such in the volume; "
-      "first: face 5-6-7-8 of elements 1 (hex8) and 2 (hex8)");
+  expect_refused(mesh,
+                 "two elements share the corners of a face but not its edges; 1 such in the volume; "
+                 "first: face 5-6-7-8 of elements 1 (hex8) and 2 (hex8)");
 }
 
 TEST(VolumeCheck, PartsThatShareNoFace) {

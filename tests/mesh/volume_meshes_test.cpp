@@ -59,8 +59,7 @@ void expect_sound(const Mesh& mesh, const std::string& what, std::int64_t euler 
   const volumes::Filling filling = volumes::filling(mesh);
   EXPECT_GT(filling.least, 0.02) << what;
   expect_error("volume within the surface, " + what, filling.volume / facts.volume - 1, 1e-12);
-  expect_error("centroid, " + what,
-               length(filling.centroid - facts.centroid) / std::cbrt(facts.volume), 1e-12);
+  expect_error("centroid, " + what, length(filling.centroid - facts.centroid) / std::cbrt(facts.volume), 1e-12);
 }
 
 std::int64_t tagged(const Mesh& mesh, std::int32_t tag) {
@@ -69,21 +68,17 @@ std::int64_t tagged(const Mesh& mesh, std::int32_t tag) {
 
 double area_with_tag(const Mesh& mesh, std::int32_t tag) {
   std::vector<std::int32_t> node;
-  return surfaces::facts(
-             surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, tag), node))
-      .area;
+  return surfaces::facts(surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, tag), node)).area;
 }
 
-/// Largest distance of a node of the surface's elements with these tags to the nearest node of
-/// those of the other surface.
-double farthest_apart(const SurfaceMesh& a, const SurfaceMesh& b,
-                      std::initializer_list<std::int32_t> tags) {
+/// Largest distance of a node of the surface's elements with these tags to the nearest node of those of the other
+/// surface.
+double farthest_apart(const SurfaceMesh& a, const SurfaceMesh& b, std::initializer_list<std::int32_t> tags) {
   double largest = 0;
   const auto of_b = surfaces::nodes_with_tag(b, {tags.begin(), tags.size()});
   for (const std::int32_t i : surfaces::nodes_with_tag(a, {tags.begin(), tags.size()})) {
     double nearest = 1e9;
-    for (const std::int32_t k : of_b)
-      nearest = std::min(nearest, length(a.node[at(i)] - b.node[at(k)]));
+    for (const std::int32_t k : of_b) nearest = std::min(nearest, length(a.node[at(i)] - b.node[at(k)]));
     largest = std::max(largest, nearest);
   }
   return largest;
@@ -129,8 +124,8 @@ TEST(VolumeMeshes, MixedBricks) {
 }
 
 TEST(VolumeMeshes, Materials) {
-  const Mesh mesh = volumes::with_materials(volumes::beam({}, VolumeType::hex8),
-                                            [](const Vec3& x) { return x[0] < 5 ? 7 : 8; });
+  const Mesh mesh =
+      volumes::with_materials(volumes::beam({}, VolumeType::hex8), [](const Vec3& x) { return x[0] < 5 ? 7 : 8; });
   EXPECT_EQ(std::count(mesh.volume.tag.begin(), mesh.volume.tag.end(), 7), 40);
   EXPECT_EQ(std::count(mesh.volume.tag.begin(), mesh.volume.tag.end(), 8), 40);
   expect_sound(mesh, "beam");
@@ -140,8 +135,7 @@ TEST(VolumeMeshes, Materials) {
 
 TEST(VolumeMeshes, PartsKeepTheirPlaces) {
   const Mesh whole = volumes::block(surfaces::brick({4, 2, 2}, {2, 1, 1}), VolumeType::tet10);
-  const Mesh half = volumes::part_of(
-      whole, [&](std::int64_t e) { return volumes::mean_corner(whole, e)[0] < 1; });
+  const Mesh half = volumes::part_of(whole, [&](std::int64_t e) { return volumes::mean_corner(whole, e)[0] < 1; });
   EXPECT_EQ(2 * half.volume.elements(), whole.volume.elements());
   check_volume(half.surface.node, half.volume, 0);
   expect_error("half the volume", volumes::filling(half).volume - 1, 1e-13);
@@ -193,8 +187,7 @@ TEST(VolumeMeshes, BlocksWithAZone) {
     expect_sound(mesh, name_of(type) + " block with a zone");
     expect_error("zone", area_with_tag(mesh, 2) - 0.01, 1e-15);
     expect_error("top", area_with_tag(mesh, 1) - 0.99, 1e-13);
-    for (std::int32_t tag = 3; tag <= 7; ++tag)
-      expect_error("face", area_with_tag(mesh, tag) - 1, 1e-13);
+    for (std::int32_t tag = 3; tag <= 7; ++tag) expect_error("face", area_with_tag(mesh, tag) - 1, 1e-13);
   }
   const SurfaceMesh a = volumes::zone_block(shape, VolumeType::hex20).surface;
   const SurfaceMesh b = surfaces::zone_block(shape, ElementType::quad8);
@@ -210,11 +203,8 @@ TEST(VolumeMeshes, Cylinders) {
       const std::string what = name_of(type) + (angle > 0 ? " sector of a cylinder" : " cylinder");
       double error[2];
       for (const int level : {1, 2}) {
-        const Mesh mesh = volumes::cylinder({.angle = angle,
-                                             .around = (angle > 0 ? 4 : 16) * level,
-                                             .deep = 2 * level,
-                                             .first = 0.3},
-                                            type);
+        const Mesh mesh = volumes::cylinder(
+            {.angle = angle, .around = (angle > 0 ? 4 : 16) * level, .deep = 2 * level, .first = 0.3}, type);
         expect_sound(mesh, what, angle > 0 ? 2 : 0);
         const double exact = 0.5 * (angle > 0 ? angle : 2 * pi) * 3;
         error[level - 1] = volumes::filling(mesh).volume / exact - 1;
@@ -234,8 +224,7 @@ TEST(VolumeMeshes, Cylinders) {
         EXPECT_EQ(tagged(mesh, 5) > 0, angle > 0);
       }
       expect_error("volume of the " + what, error[1], is_quadratic(type) ? 5e-5 : 1e-2);
-      expect_order("its order", observed_order(error[0], error[1], 2, 1),
-                   is_quadratic(type) ? 3.8 : 1.9);
+      expect_order("its order", observed_order(error[0], error[1], 2, 1), is_quadratic(type) ? 3.8 : 1.9);
     }
 }
 
@@ -248,8 +237,7 @@ TEST(VolumeMeshes, Balls) {
           EXPECT_THROW(volumes::ball(shape, type), std::invalid_argument);
           continue;
         }
-        const std::string what =
-            name_of(type) + (octant ? " octant" : " ball") + (hollow > 0 ? ", hollow" : "");
+        const std::string what = name_of(type) + (octant ? " octant" : " ball") + (hollow > 0 ? ", hollow" : "");
         double error[2];
         for (const int level : {1, 2}) {
           shape.n = (octant ? 2 : 4) * level;
@@ -273,8 +261,7 @@ TEST(VolumeMeshes, Balls) {
           expect_error("nodes in their places, " + what, off, 1e-15);
         }
         expect_error("volume of the " + what, error[1], is_quadratic(type) ? 1e-3 : 5e-2);
-        expect_order("its order", observed_order(error[0], error[1], 2, 1),
-                     is_quadratic(type) ? 3.5 : 1.8);
+        expect_order("its order", observed_order(error[0], error[1], 2, 1), is_quadratic(type) ? 3.5 : 1.8);
       }
 }
 

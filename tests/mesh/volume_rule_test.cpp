@@ -51,8 +51,7 @@ bool promised(VolumeType type, int degree, int i, int j, int k) {
 double integral(const VolumeRule& rule, int i, int j, int k) {
   double sum = 0;
   for (std::size_t p = 0; p < rule.size(); ++p)
-    sum += rule.w[p] * std::pow(rule.point[p][0], i) * std::pow(rule.point[p][1], j) *
-           std::pow(rule.point[p][2], k);
+    sum += rule.w[p] * std::pow(rule.point[p][0], i) * std::pow(rule.point[p][1], j) * std::pow(rule.point[p][2], k);
   return sum;
 }
 
@@ -66,9 +65,9 @@ TEST(VolumeRule, ExactToItsDegree) {
           for (int k = 0; k <= degree; ++k)
             if (promised(type, degree, i, j, k))
               error = std::max(error, std::abs(integral(rule, i, j, k) - exact(type, i, j, k)));
-      expect_error(name_of(type) + ", degree " + std::to_string(degree) + ", " +
-                       std::to_string(rule.size()) + " points",
-                   error / exact(type, 0, 0, 0), 4e-15);
+      expect_error(
+          name_of(type) + ", degree " + std::to_string(degree) + ", " + std::to_string(rule.size()) + " points",
+          error / exact(type, 0, 0, 0), 4e-15);
     }
 }
 
@@ -128,10 +127,8 @@ TEST(VolumeRule, VolumesOfDistortedElements) {
   // Of one element of each type, against the cones over its own faces.
   for (const VolumeType type : volumes::all_types) {
     const auto mesh = volumes::transform(
-        volumes::distort(volumes::block(surfaces::brick({2, 2, 2}, {1, 1.3, 0.8}), type), 0.1, 5),
-        [](const Vec3& x) {
-          return Vec3{x[0] + 0.2 * x[1] * x[2], x[1] - 0.1 * x[0] * x[2],
-                      x[2] + 0.15 * x[0] * x[1]};
+        volumes::distort(volumes::block(surfaces::brick({2, 2, 2}, {1, 1.3, 0.8}), type), 0.1, 5), [](const Vec3& x) {
+          return Vec3{x[0] + 0.2 * x[1] * x[2], x[1] - 0.1 * x[0] * x[2], x[2] + 0.15 * x[0] * x[1]};
         });
     double error = 0;
     for (std::int64_t e = 0; e < mesh.volume.elements(); ++e) {
@@ -145,8 +142,7 @@ TEST(VolumeRule, VolumesOfDistortedElements) {
       one.volume.offset.push_back(static_cast<std::int64_t>(nodes.size()));
       for (const VolumeFace& f : faces_of(type)) {
         for (int i = 0; i < node_count(f.type); ++i)
-          one.surface.connectivity.push_back(
-              nodes[static_cast<std::size_t>(f.node[static_cast<std::size_t>(i)])]);
+          one.surface.connectivity.push_back(nodes[static_cast<std::size_t>(f.node[static_cast<std::size_t>(i)])]);
         one.surface.type.push_back(f.type);
         one.surface.tag.push_back(0);
         one.surface.offset.push_back(static_cast<std::int64_t>(one.surface.connectivity.size()));
@@ -154,8 +150,7 @@ TEST(VolumeRule, VolumesOfDistortedElements) {
       const surfaces::Facts facts = surfaces::facts(one.surface);
       const volumes::Filling filling = volumes::filling(one);
       EXPECT_GT(filling.volume, 0);
-      error = std::max({error, std::abs(filling.volume / facts.volume - 1),
-                        length(filling.centroid - facts.centroid)});
+      error = std::max({error, std::abs(filling.volume / facts.volume - 1), length(filling.centroid - facts.centroid)});
     }
     expect_error("volume and centroid against the faces', " + name_of(type), error, 1e-13);
   }

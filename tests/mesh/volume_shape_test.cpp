@@ -63,8 +63,7 @@ TEST(VolumeShape, OneAtOwnNodeZeroAtOthers) {
     for (std::size_t j = 0; j < nodes.size(); ++j) {
       VolumeShape s;
       evaluate_shape(type, nodes[j], s);
-      for (std::size_t i = 0; i < nodes.size(); ++i)
-        error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
+      for (std::size_t i = 0; i < nodes.size(); ++i) error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
     }
     expect_error("nodal values, " + name_of(type), error, 1e-15);
   }
@@ -95,8 +94,8 @@ TEST(VolumeShape, DerivativesMatchDifferences) {
 TEST(VolumeShape, ReproducePolynomials) {
   const auto linear = [](const Vec3& x) { return 1 - 2 * x[0] + 3 * x[1] + 0.7 * x[2]; };
   const auto quadratic = [&](const Vec3& x) {
-    return linear(x) + x[0] * x[0] - 2 * x[0] * x[1] + 0.5 * x[1] * x[1] + 0.3 * x[1] * x[2] -
-           x[2] * x[2] + 1.5 * x[2] * x[0];
+    return linear(x) + x[0] * x[0] - 2 * x[0] * x[1] + 0.5 * x[1] * x[1] + 0.3 * x[1] * x[2] - x[2] * x[2] +
+           1.5 * x[2] * x[0];
   };
   for (const VolumeType type : all_types) {
     double error = 0;
@@ -109,9 +108,7 @@ TEST(VolumeShape, ReproducePolynomials) {
       for (std::size_t i = 0; i < nodes.size(); ++i) sum += s.value[i] * f(nodes[i]);
       error = std::max(error, std::abs(sum));
     }
-    expect_error(
-        std::string(is_quadratic(type) ? "quadratic" : "linear") + " field, " + name_of(type),
-        error, 3e-14);
+    expect_error(std::string(is_quadratic(type) ? "quadratic" : "linear") + " field, " + name_of(type), error, 3e-14);
   }
 }
 
@@ -121,8 +118,8 @@ TEST(VolumeShape, MidsideNodesLieInTheMiddleOfTheirEdges) {
     const auto edges = edges_of(type);
     double error = 0;
     for (std::size_t k = 0; is_quadratic(type) && k < edges.size(); ++k)
-      error = std::max(error, length(nodes[at(corner_count(type)) + k] -
-                                     0.5 * (nodes[at(edges[k][0])] + nodes[at(edges[k][1])])));
+      error = std::max(
+          error, length(nodes[at(corner_count(type)) + k] - 0.5 * (nodes[at(edges[k][0])] + nodes[at(edges[k][1])])));
     expect_error("midside nodes, " + name_of(type), error, 0);
     const auto corners = at(corner_count(type));
     EXPECT_EQ(edges.size(), corners == 4 ? 6u : corners == 6 ? 9u : 12u);
@@ -134,8 +131,7 @@ TEST(VolumeShape, FacesLookOutwards) {
   for (const VolumeType type : all_types) {
     const auto nodes = reference_nodes(type);
     Vec3 centre{0, 0, 0};
-    for (int i = 0; i < corner_count(type); ++i)
-      centre = centre + (1.0 / corner_count(type)) * nodes[at(i)];
+    for (int i = 0; i < corner_count(type); ++i) centre = centre + (1.0 / corner_count(type)) * nodes[at(i)];
     Vec3 closed{0, 0, 0};
     for (const VolumeFace& f : faces_of(type)) {
       const Vec3 a = nodes[at(f.node[0])], b = nodes[at(f.node[1])], c = nodes[at(f.node[2])];
@@ -147,8 +143,7 @@ TEST(VolumeShape, FacesLookOutwards) {
       std::set<int> own(f.node.begin(), f.node.begin() + node_count(f.type));
       EXPECT_EQ(own.size(), at(node_count(f.type))) << name_of(type);
       for (int i = 0; i < node_count(type); ++i)
-        EXPECT_EQ(std::abs(dot(normal, nodes[at(i)] - a)) < 1e-14, own.contains(i))
-            << name_of(type) << " node " << i;
+        EXPECT_EQ(std::abs(dot(normal, nodes[at(i)] - a)) < 1e-14, own.contains(i)) << name_of(type) << " node " << i;
     }
     expect_error("closed surface, " + name_of(type), length(closed), 0);
   }
@@ -168,8 +163,7 @@ TEST(VolumeShape, OnFacesTheyAreTheSurfaceElements) {
         evaluate_shape(f.type, u, v, s);
         // Reference faces are flat and straight: their nodes interpolate the place.
         Vec3 x{0, 0, 0};
-        for (int i = 0; i < node_count(f.type); ++i)
-          x = x + s.value[at(i)] * nodes[at(f.node[at(i)])];
+        for (int i = 0; i < node_count(f.type); ++i) x = x + s.value[at(i)] * nodes[at(f.node[at(i)])];
         VolumeShape volume;
         evaluate_shape(type, x, volume);
         std::array<double, max_volume_nodes> expected{};
@@ -185,20 +179,17 @@ TEST(VolumeShape, OnFacesTheyAreTheSurfaceElements) {
 TEST(VolumeShape, FacesAreInTheDocumentedOrder) {
   const auto corners = [](VolumeType type) {
     std::vector<std::set<int>> sets;
-    for (const VolumeFace& f : faces_of(type))
-      sets.emplace_back(f.node.begin(), f.node.begin() + corner_count(f.type));
+    for (const VolumeFace& f : faces_of(type)) sets.emplace_back(f.node.begin(), f.node.begin() + corner_count(f.type));
     return sets;
   };
   using Sets = std::vector<std::set<int>>;
   for (const VolumeType type : {VolumeType::tet4, VolumeType::tet10})
     EXPECT_EQ(corners(type), (Sets{{0, 1, 2}, {0, 1, 3}, {1, 2, 3}, {0, 2, 3}}));
   for (const VolumeType type : {VolumeType::wedge6, VolumeType::wedge15})
-    EXPECT_EQ(corners(type),
-              (Sets{{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}));
+    EXPECT_EQ(corners(type), (Sets{{0, 1, 2}, {3, 4, 5}, {0, 1, 3, 4}, {1, 2, 4, 5}, {0, 2, 3, 5}}));
   for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20})
-    EXPECT_EQ(
-        corners(type),
-        (Sets{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {0, 3, 4, 7}}));
+    EXPECT_EQ(corners(type),
+              (Sets{{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {0, 3, 4, 7}}));
 }
 
 }  // namespace

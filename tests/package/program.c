@@ -6,8 +6,7 @@ int main(void) {
   rollcon_context* context = NULL;
   rollcon_body* body = NULL;
   int failures = 0;
-  const int32_t header =
-      ROLLCON_VERSION_MAJOR * 10000 + ROLLCON_VERSION_MINOR * 100 + ROLLCON_VERSION_PATCH;
+  const int32_t header = ROLLCON_VERSION_MAJOR * 10000 + ROLLCON_VERSION_MINOR * 100 + ROLLCON_VERSION_PATCH;
 
   if (rollcon_version() != header) ++failures;
   if (rollcon_abi() != ROLLCON_ABI) ++failures;

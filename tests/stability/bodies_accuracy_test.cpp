@@ -1,5 +1,4 @@
-/// Answers of meshed bodies where they are easily wrong: near limits of the material, in other
-/// units, on thin bodies.
+/// Answers of meshed bodies where they are easily wrong: near limits of the material, in other units, on thin bodies.
 
 #include <gtest/gtest.h>
 
@@ -66,8 +65,7 @@ TEST(stability_bodies, tend_to_incompressible_and_to_rigid_limits) {
       extremes::give_press(s, Press{}, shape.young);
       return solve(s);
     };
-    // The answer is linear in 1 - 2 nu near the limit: a hundredth of it, a hundredth of the
-    // change.
+    // The answer is linear in 1 - 2 nu near the limit: a hundredth of it, a hundredth of the change.
     const Answer far = by_poisson(0.4999), near = by_poisson(0.499999);
     const Answer limit = by_poisson(model == Model::fem ? 0.4999999 : 0.5);
     const std::string name = name_of(model);
@@ -83,8 +81,7 @@ TEST(stability_bodies, tend_to_incompressible_and_to_rigid_limits) {
     extremes::give_press(rigid, Press{}, 1e4);
     const Answer hard = solve(rigid);
     expect_below(name + ", a half-space 1e6 times as stiff", difference(by_ratio(1e6), hard), 1e-5);
-    expect_below(name + ", a half-space 1e12 times as stiff", difference(by_ratio(1e12), hard),
-                 1e-9);
+    expect_below(name + ", a half-space 1e12 times as stiff", difference(by_ratio(1e12), hard), 1e-9);
   }
 }
 
@@ -104,15 +101,14 @@ TEST(stability_bodies_long, units_change_neither_answers_nor_iterations) {
       a.s.approach /= lengths[i];
       for (double& f : a.s.force) f /= lengths[i] * lengths[i] * moduli[i];
       if (!first) first = a;
-      expect_below(std::string(name_of(model)) + ", units " + std::to_string(i),
-                   difference(a, *first), 1e-9);
+      expect_below(std::string(name_of(model)) + ", units " + std::to_string(i), difference(a, *first), 1e-9);
       EXPECT_EQ(a.iterations, first->iterations) << i;
     }
   }
 }
 
-/// A layer of unit half width on a rigid base, thin beside its 16 x 16 elements, under a cylinder;
-/// steady rolling. Tangential over normal force.
+/// A layer of unit half width on a rigid base, thin beside its 16 x 16 elements, under a cylinder; steady rolling.
+/// Tangential over normal force.
 double driven(Model model, int n, int deep, laws::Scheme scheme) {
   constexpr double thickness = 0.02;
   BlockShape shape{.model = model};
@@ -143,9 +139,7 @@ statics::StaticBody cantilever(double thickness, int along, ElementType type) {
 
 double tip(statics::StaticBody& body) {
   const auto top = surfaces::elements_with_tag(body.mesh(), 6);
-  const auto loaded = statics::load_faces(body.body(), top, [](const Vec3&) {
-    return Vec3{0, 0, -1};
-  });
+  const auto loaded = statics::load_faces(body.body(), top, [](const Vec3&) { return Vec3{0, 0, -1}; });
   double lowest = 0;
   for (const Vec3& u : loaded.u) lowest = std::min(lowest, u[2]);
   return -lowest;
@@ -156,38 +150,35 @@ double theory(double thickness) {
   return 1 / (8 * 1000 * std::pow(thickness, 3) / 12) + 1.2 / (2 * 500 * thickness);
 }
 
-// Nothing in the equations of boundary elements keeps the balance of loads and reactions. Where the
-// mesh cannot bend as the body does, displacements are too small by any factor, and the balance
-// shows it.
+// Nothing in the equations of boundary elements keeps the balance of loads and reactions. Where the mesh cannot bend as
+// the body does, displacements are too small by any factor, and the balance shows it.
 TEST(stability_bodies, thin_boundary_elements_bend_rightly_or_are_refused) {
   struct Good {
     ElementType type;
     double bound, imbalance;
   };
   for (const auto& [type, bound, imbalance] :
-       {Good{ElementType::quad8, 0.01, 0.01}, Good{ElementType::tri6, 0.01, 0.01},
-        Good{ElementType::quad4, 0.05, 0.1}, Good{ElementType::tri3, 0.06, 0.2}}) {
+       {Good{ElementType::quad8, 0.01, 0.01}, Good{ElementType::tri6, 0.01, 0.01}, Good{ElementType::quad4, 0.05, 0.1},
+        Good{ElementType::tri3, 0.06, 0.2}}) {
     statics::StaticBody good = cantilever(0.1, 12, type);
     good.solve();
-    expect_below(surfaces::name_of(type) + " as long as the body is thick, tip",
-                 std::abs(tip(good) / theory(0.1) - 1), bound);
-    expect_below("  imbalance of reactions", good.body().response()->statistics().imbalance,
-                 imbalance);
+    expect_below(surfaces::name_of(type) + " as long as the body is thick, tip", std::abs(tip(good) / theory(0.1) - 1),
+                 bound);
+    expect_below("  imbalance of reactions", good.body().response()->statistics().imbalance, imbalance);
   }
   struct Case {
     double thickness;
     ElementType type;
   };
   for (const auto& [thickness, type] :
-       {Case{0.05, ElementType::quad4}, Case{0.01, ElementType::quad8},
-        Case{0.01, ElementType::tri3}, Case{0.001, ElementType::quad8},
-        Case{0.001, ElementType::tri6}}) {
+       {Case{0.05, ElementType::quad4}, Case{0.01, ElementType::quad8}, Case{0.01, ElementType::tri3},
+        Case{0.001, ElementType::quad8}, Case{0.001, ElementType::tri6}}) {
     statics::StaticBody bad = cantilever(thickness, 6, type);
     bad.solve();
     try {
       const double u = tip(bad);
-      ADD_FAILURE() << "thickness " << thickness << ", " << surfaces::name_of(type) << ": tip "
-                    << u / theory(thickness) << " of theory's";
+      ADD_FAILURE() << "thickness " << thickness << ", " << surfaces::name_of(type) << ": tip " << u / theory(thickness)
+                    << " of theory's";
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), Status::err_mesh);
       EXPECT_NE(std::string(error.what()).find("reactions"), std::string::npos) << error.what();

@@ -1,5 +1,5 @@
-/// Laws recomputed on a curved frame must see what is wrong there: the scene is solved, then judged
-/// as if it were another one.
+/// Laws recomputed on a curved frame must see what is wrong there: the scene is solved, then judged as if it were
+/// another one.
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-/// What the library says of bodies that it cannot answer for: refusals with value, range and
-/// remedy, and warnings where digits are lost.
+/// What the library says of bodies that it cannot answer for: refusals with value, range and remedy, and warnings where
+/// digits are lost.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,7 @@ class Told {
         [](std::int32_t, const char* text, void* to) {
           const std::string line = text;
           // Of few nodes is told as well: that is not what these tests are about.
-          if (line.find("too few nodes in contact") == std::string::npos)
-            *static_cast<std::string*>(to) += line + "\n";
+          if (line.find("too few nodes in contact") == std::string::npos) *static_cast<std::string*>(to) += line + "\n";
         },
         &text_);
     body_ = scenes::make_body(context_, body);
@@ -51,8 +50,7 @@ class Told {
     EXPECT_EQ(rollcon_contact_create(context_, body_, ball, &contact), ROLLCON_OK);
     if (frame) {
       rollcon_contact_set_frame_nodes(contact, frame->nodes(), frame->node[0].data(), 3, 1);
-      rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, frame->elements(),
-                                         frame->connectivity.data(), 0, 0);
+      rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, frame->elements(), frame->connectivity.data(), 0, 0);
     } else {
       rollcon_contact_frame_from_body(contact, 1, 6);
     }
@@ -95,10 +93,9 @@ TEST(stability_bodies, limits_of_poisson_are_named_with_the_remedy) {
     EXPECT_EQ(told.prepare(), ROLLCON_ERR_UNSUPPORTED);
     told.expect(words);
   }
-  scenes::MeshedBody shell =
-      scenes::meshed(surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad4, 3, 2, 1),
-                                           surfaces::cube_sphere(ElementType::quad4, 3, 1, 2)),
-                     {.shear = 1, .poisson = 0.4999999});
+  scenes::MeshedBody shell = scenes::meshed(surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad4, 3, 2, 1),
+                                                                  surfaces::cube_sphere(ElementType::quad4, 3, 1, 2)),
+                                            {.shear = 1, .poisson = 0.4999999});
   shell.held_tag = {1};
   Told told(shell);
   EXPECT_EQ(told.prepare(), ROLLCON_ERR_UNSUPPORTED);
@@ -128,8 +125,7 @@ TEST(stability_bodies, lost_digits_are_told) {
   scenes::MeshedBody body = make_block({.model = Model::fem});
   for (std::int64_t e = 0; e < body.volume.elements(); ++e) {
     double height = 0;
-    for (const std::int32_t k : body.volume.element(e))
-      height += body.mesh.node[static_cast<std::size_t>(k)][2] / 8;
+    for (const std::int32_t k : body.volume.element(e)) height += body.mesh.node[static_cast<std::size_t>(k)][2] / 8;
     body.volume.tag[static_cast<std::size_t>(e)] = height > -0.3 ? 2 : 1;
   }
   for (const double ratio : {1e6, 1e12}) {
@@ -147,8 +143,8 @@ TEST(stability_bodies, lost_digits_are_told) {
   }
 }
 
-// A plate held at one edge: its bending is too soft beside its elements' own stiffness, and the
-// softer the nearer Poisson's ratio is to 1/2.
+// A plate held at one edge: its bending is too soft beside its elements' own stiffness, and the softer the nearer
+// Poisson's ratio is to 1/2.
 TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
   BlockShape plate{.model = Model::fem, .cell = VolumeType::hex20};
   plate.half = {1.2, 1.2, 0.0026};
@@ -157,8 +153,8 @@ TEST(stability_bodies, plates_that_bend_beyond_rounding_are_refused) {
   plate.held = {1};
   Told told(make_block(plate));
   EXPECT_EQ(told.prepare(), ROLLCON_ERR_SINGULAR);
-  told.expect({"check its supports", "times as long as thick", "poisson up to 0.4999",
-               "hold it along its length", "thicker", "further from 0.5"});
+  told.expect({"check its supports", "times as long as thick", "poisson up to 0.4999", "hold it along its length",
+               "thicker", "further from 0.5"});
   // What the message says helps.
   BlockShape glued = plate, thick = plate, compressible = plate, ends = plate;
   glued.held = {5};
@@ -224,8 +220,7 @@ TEST(stability_bodies, reactions_that_miss_the_load_are_told) {
   rollcon_body_get_stat(told.body(), "imbalance_z", &along[2]);
   rollcon_body_get_stat(told.body(), "imbalance_pressure", &pressure);
   rollcon_body_get_stat(told.body(), "imbalance_loads", &loads);
-  std::printf("missed: x %.3g, y %.3g, z %.3g, pressure %.3g\n", along[0], along[1], along[2],
-              pressure);
+  std::printf("missed: x %.3g, y %.3g, z %.3g, pressure %.3g\n", along[0], along[1], along[2], pressure);
   EXPECT_EQ(imbalance, std::max(along[0], along[1]));
   EXPECT_GT(std::min(along[0], along[1]), 0.1);
   EXPECT_LT(std::max(along[2], pressure), 0.1);

@@ -1,5 +1,5 @@
-/// Named and random extreme scenes with bodies that have meshes: each is solved with the laws of
-/// contact satisfied, as recomputed without the solver, or ends with the status that is right.
+/// Named and random extreme scenes with bodies that have meshes: each is solved with the laws of contact satisfied, as
+/// recomputed without the solver, or ends with the status that is right.
 
 #include <gtest/gtest.h>
 
@@ -26,9 +26,7 @@ Ending run(const Scene& scene) {
 
 /// Few nodes in contact, as many small frames have, are a caveat and no other answer.
 bool right(const Scene& scene, std::int32_t status) {
-  const auto has = [&](std::int32_t s) {
-    return std::count(scene.right.begin(), scene.right.end(), s) > 0;
-  };
+  const auto has = [&](std::int32_t s) { return std::count(scene.right.begin(), scene.right.end(), s) > 0; };
   return has(status) || (status == ROLLCON_COARSE && has(ROLLCON_OK));
 }
 
@@ -46,8 +44,8 @@ TEST(stability_bodies_long, named_scenes_keep_the_laws) {
     worst = std::max(worst, e.law.worst());
     iterations = std::max(iterations, e.iterations);
   }
-  std::printf("%d scenes solved, worst law %.1e (bound %.0e), most iterations %.0f\n", solved,
-              worst, law_bound, iterations);
+  std::printf("%d scenes solved, worst law %.1e (bound %.0e), most iterations %.0f\n", solved, worst, law_bound,
+              iterations);
   EXPECT_GE(solved, 120);
 }
 

@@ -1,5 +1,5 @@
-/// That the judge of the extreme scenes sees what is wrong: a right solution is held against a
-/// scene that is slightly another one.
+/// That the judge of the extreme scenes sees what is wrong: a right solution is held against a scene that is slightly
+/// another one.
 
 #include <gtest/gtest.h>
 
@@ -53,18 +53,15 @@ TEST(independent_laws, see_a_scene_that_is_another_one) {
       Given other = scene.given;
       defect.make(other);
       const double error = laws::check(pair->handle(), other).*defect.law;
-      std::printf("%s, %s: %.1e (at least %.0e)\n", extremes::name_of(pairing), defect.name, error,
-                  seen);
+      std::printf("%s, %s: %.1e (at least %.0e)\n", extremes::name_of(pairing), defect.name, error, seen);
       EXPECT_GE(error, seen) << extremes::name_of(pairing) << ", " << defect.name;
     }
   }
 }
 
 TEST(independent_laws, schemes_are_exact_for_linear_fields) {
-  const SurfaceMesh mesh =
-      frames::perturb(frames::rectangle(ElementType::tri3, frames::uniform_lines(-1, 1, 8),
-                                        frames::uniform_lines(-1, 1, 8)),
-                      0.2, 5);
+  const SurfaceMesh mesh = frames::perturb(
+      frames::rectangle(ElementType::tri3, frames::uniform_lines(-1, 1, 8), frames::uniform_lines(-1, 1, 8)), 0.2, 5);
   laws::Plane at;
   for (const Vec3& x : mesh.node) at.x.push_back(x[0]), at.y.push_back(x[1]);
   const laws::Rows rows = laws::least_squares_rows(mesh, at);
@@ -81,8 +78,7 @@ TEST(independent_laws, schemes_are_exact_for_linear_fields) {
     worst = std::max(worst, std::abs(sum + 2));
     ++counted;
   }
-  std::printf("least squares of a linear field at %d nodes: error %.1e (bound 1e-12)\n", counted,
-              worst);
+  std::printf("least squares of a linear field at %d nodes: error %.1e (bound 1e-12)\n", counted, worst);
   EXPECT_GT(counted, 20);
   EXPECT_LE(worst, 1e-12);
   double area = 0;

@@ -1,6 +1,5 @@
-/// The named extreme scenes, from nothing and from a wildly different state of the same contact:
-/// solved with the laws of contact satisfied, as recomputed without the solver, or ended with the
-/// status that is right for them.
+/// The named extreme scenes, from nothing and from a wildly different state of the same contact: solved with the laws
+/// of contact satisfied, as recomputed without the solver, or ended with the status that is right for them.
 
 #include <gtest/gtest.h>
 
@@ -27,18 +26,15 @@ std::string full_name(const Scene& scene) {
 
 /// Few nodes in contact, as many small frames have, are a caveat and no other answer.
 bool right(const Scene& scene, std::int32_t status) {
-  const auto has = [&](std::int32_t s) {
-    return std::count(scene.right.begin(), scene.right.end(), s) > 0;
-  };
+  const auto has = [&](std::int32_t s) { return std::count(scene.right.begin(), scene.right.end(), s) > 0; };
   return has(status) || (status == ROLLCON_COARSE && has(ROLLCON_OK));
 }
 
 void expect_right(const Scene& scene, const Ending& e, const char* start) {
-  EXPECT_TRUE(right(scene, e.status))
-      << full_name(scene) << ", " << start << ": status " << e.status << " " << e.message;
+  EXPECT_TRUE(right(scene, e.status)) << full_name(scene) << ", " << start << ": status " << e.status << " "
+                                      << e.message;
   if (!e.solved()) return;
-  EXPECT_LE(e.law.worst(), law_bound)
-      << full_name(scene) << ", " << start << ": " << e.law.worst_name();
+  EXPECT_LE(e.law.worst(), law_bound) << full_name(scene) << ", " << start << ": " << e.law.worst_name();
 }
 
 TEST(stability_long, named_scenes_keep_the_laws) {
@@ -76,11 +72,10 @@ TEST(stability_long, named_scenes_keep_the_laws) {
     row.law = std::max(row.law, warm.law.worst());
     row.difference = std::max(row.difference, difference);
   }
-  std::printf("%-24s %7s %8s %10s %10s %12s\n", "group", "scenes", "refused", "law", "iterations",
-              "warm - cold");
+  std::printf("%-24s %7s %8s %10s %10s %12s\n", "group", "scenes", "refused", "law", "iterations", "warm - cold");
   for (const auto& [group, row] : table)
-    std::printf("%-24s %7d %8d %10.1e %10.0f %12.1e\n", group.c_str(), row.scenes, row.refused,
-                row.law, row.iterations, row.difference);
+    std::printf("%-24s %7d %8d %10.1e %10.0f %12.1e\n", group.c_str(), row.scenes, row.refused, row.law, row.iterations,
+                row.difference);
   std::printf("bounds: laws %.0e, warm against cold %.0e\n", law_bound, warm_bound);
 }
 
@@ -130,13 +125,11 @@ TEST(stability, stiffer_and_stiffer_bodies_approach_the_rigid_one) {
     traction.push_back(e.traction);
   }
   for (int k = 0; k < 13; ++k)
-    difference.push_back(
-        extremes::traction_difference(traction[static_cast<std::size_t>(k)], traction.back()));
+    difference.push_back(extremes::traction_difference(traction[static_cast<std::size_t>(k)], traction.back()));
   constexpr double rounding = 1e-9;
   for (std::size_t k = 1; k < difference.size(); ++k) {
     EXPECT_LT(difference[k], std::max(0.2 * difference[k - 1], rounding)) << "E2/E1 = 1e" << k;
-    std::printf("E2/E1 = 1e%zu: tractions differ from those on a rigid body by %.1e\n", k,
-                difference[k]);
+    std::printf("E2/E1 = 1e%zu: tractions differ from those on a rigid body by %.1e\n", k, difference[k]);
   }
 }
 

@@ -30,8 +30,7 @@ TEST(stability, forces_up_to_the_limit_of_friction) {
             EXPECT_LT(law, bound);
             worst = std::max(worst, law);
           }
-  std::printf("forces of 0 to 0.999999 of the limit: worst law residual %.1e (bound %.0e)\n", worst,
-              bound);
+  std::printf("forces of 0 to 0.999999 of the limit: worst law residual %.1e (bound %.0e)\n", worst, bound);
 }
 
 }  // namespace

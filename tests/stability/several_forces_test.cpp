@@ -1,5 +1,5 @@
-/// Two or three tangential loads given at once, from none to a tenth more than friction carries:
-/// what is called solved keeps all laws and carries all loads, and what is refused is too much.
+/// Two or three tangential loads given at once, from none to a tenth more than friction carries: what is called solved
+/// keeps all laws and carries all loads, and what is refused is too much.
 
 #include <gtest/gtest.h>
 
@@ -26,8 +26,7 @@ TEST(stability, several_loads_are_carried_or_refused) {
     extremes::give_scene(*pair, scene);
     const extremes::Ending e = extremes::solve(*pair, scene, false, 300);
     ++count[e.status];
-    EXPECT_TRUE(std::count(scene.right.begin(), scene.right.end(), e.status) > 0 ||
-                e.status == ROLLCON_NOT_CONVERGED)
+    EXPECT_TRUE(std::count(scene.right.begin(), scene.right.end(), e.status) > 0 || e.status == ROLLCON_NOT_CONVERGED)
         << seed << ": " << e.status << " " << e.message;
     EXPECT_TRUE(e.honest(law_bound)) << seed << ": " << e.law.worst_name() << " " << e.law.worst();
     if (e.solved()) {
@@ -36,8 +35,8 @@ TEST(stability, several_loads_are_carried_or_refused) {
       continue;
     }
     const double share = extremes::loads_over_friction(scene);
-    EXPECT_FALSE(share < least_refused)
-        << seed << ": " << share << " of what friction carries; " << e.status << " " << e.message;
+    EXPECT_FALSE(share < least_refused) << seed << ": " << share << " of what friction carries; " << e.status << " "
+                                        << e.message;
     if (e.status == ROLLCON_ERR_LOAD)
       least = std::min(least, share);
     else

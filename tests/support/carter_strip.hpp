@@ -14,13 +14,12 @@ inline constexpr const char* schemes[] = {"godunov", "least_squares", "character
 
 inline const Elastic roller{.shear = 82000, .poisson = 0.28};
 inline const closed_forms::Carter carter{
-    .hertz = closed_forms::hertz_line_from_width(
-        500, closed_forms::effective_modulus(roller, roller), 1),
+    .hertz = closed_forms::hertz_line_from_width(500, closed_forms::effective_modulus(roller, roller), 1),
     .mu = 0.3,
     .xi = -2.4e-4};
 
-/// `across` equidistant nodes inside |x| < 1 with the contact's edge midway between two nodes
-/// (shift 0.5) or on a node (shift 0 or 1), and a margin of a tenth of the contact on both sides.
+/// `across` equidistant nodes inside |x| < 1 with the contact's edge midway between two nodes (shift 0.5) or on a node
+/// (shift 0 or 1), and a margin of a tenth of the contact on both sides.
 inline std::vector<double> strip_nodes(int across, double shift = 0.5) {
   const double h = 2.0 / across;
   const int margin = std::max(2, across / 10);
@@ -43,8 +42,8 @@ struct CarterErrors {
   double load = 0, force = 0, traction = 0;
 };
 
-/// Middle section against the closed form: normal load, F/(mu P) relative, and the relative L2 norm
-/// of the nodal tractions.
+/// Middle section against the closed form: normal load, F/(mu P) relative, and the relative L2 norm of the nodal
+/// tractions.
 inline CarterErrors compare(const Section& section) {
   CarterErrors error;
   error.load = section.load() / carter.hertz.load - 1;
@@ -60,8 +59,7 @@ inline CarterErrors compare(const Section& section) {
   return error;
 }
 
-/// Sets the strip's gap, approach, creepage and friction for the nodes of a frame given in the
-/// strip's coordinates.
+/// Sets the strip's gap, approach, creepage and friction for the nodes of a frame given in the strip's coordinates.
 inline void load_strip(RollingPair& pair, const Strip& strip, const SurfaceMesh& mesh) {
   std::vector<double> x, y;
   for (const Vec3& node : mesh.node) {

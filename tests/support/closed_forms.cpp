@@ -17,8 +17,8 @@ double positive_root(double x) {
   return std::sqrt(std::max(x, 0.0));
 }
 
-/// A_small / A_large of an ellipse with (short/long axis)^2 = m1: (K-E)/(E/m1 - K), and the two
-/// factors of A_small (with alpha^3 2 pi E*/(3P)) and of the approach.
+/// A_small / A_large of an ellipse with (short/long axis)^2 = m1: (K-E)/(E/m1 - K), and the two factors of A_small
+/// (with alpha^3 2 pi E*/(3P)) and of the approach.
 struct Shape {
   double curvature_ratio, curvature_factor, k;
 };
@@ -139,8 +139,8 @@ double Carter::force_ratio() const {
 
 double Carter::traction(double x) const {
   const double stick = stick_half_length(), centre = hertz.a - stick;
-  const double q = positive_root(hertz.a * hertz.a - x * x) -
-                   positive_root(stick * stick - (x - centre) * (x - centre));
+  const double q =
+      positive_root(hertz.a * hertz.a - x * x) - positive_root(stick * stick - (x - centre) * (x - centre));
   return (xi > 0 ? -1 : 1) * mu * hertz.p0 / hertz.a * q;
 }
 
@@ -179,8 +179,7 @@ double vermeulen_johnson(double x) {
 
 std::vector<CreepPoint> creep_curve() {
   std::vector<CreepPoint> points;
-  for (const auto& row : read_table("creep_curve.csv"))
-    points.push_back({std::stod(row[0]), std::stod(row[1])});
+  for (const auto& row : read_table("creep_curve.csv")) points.push_back({std::stod(row[0]), std::stod(row[1])});
   return points;
 }
 
@@ -191,8 +190,7 @@ std::vector<BentallJohnson> bentall_johnson() {
   return points;
 }
 
-double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a,
-                                 double radius) {
+double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a, double radius) {
   // |x| < x0 carries half the load: (2/pi)(x0 sqrt(1 - x0^2) + asin x0) = 1/2 (x0 in units of a).
   double low = 0, high = 1;
   for (int i = 0; i < 60; ++i) {
@@ -205,8 +203,7 @@ double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, dou
   return -2 * pi * (coupling(body1) - coupling(body2)) * p0 * std::sqrt(1 - low * low);
 }
 
-double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load,
-                            double radius) {
+double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load, double radius) {
   auto coupling = [](const Elastic& e) { return (1 - 2 * e.poisson) / (2 * e.shear); };
   const double e_star = effective_modulus(body1, body2);
   const double beta = 0.5 * e_star * (coupling(body1) - coupling(body2));

@@ -1,6 +1,6 @@
 #pragma once
-/// Closed forms and published numbers of contact mechanics, for tests and benches. Nothing here
-/// uses the library. Half-spaces; a: semi-axis along rolling (x), b: lateral; undeformed gap
+/// Closed forms and published numbers of contact mechanics, for tests and benches. Nothing here uses the library.
+/// Half-spaces; a: semi-axis along rolling (x), b: lateral; undeformed gap
 /// h = A x^2 + B y^2; 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.
 
 #include <string>
@@ -17,8 +17,8 @@ struct Elastic {
 double effective_modulus(const Elastic& body1, const Elastic& body2);  ///< E*
 double effective_modulus(const Elastic& body);                         ///< E*, on a rigid body
 
-/// Complete elliptic integrals of the parameter m = 1 - m1 by the arithmetic-geometric mean, and
-/// (K - E)/K, which keeps its digits as m goes to 0.
+/// Complete elliptic integrals of the parameter m = 1 - m1 by the arithmetic-geometric mean, and (K - E)/K, which keeps
+/// its digits as m goes to 0.
 struct EllipticIntegrals {
   double k = 0, e = 0, k_minus_e_over_k = 0;
 };
@@ -43,8 +43,8 @@ struct HertzLine {
 HertzLine hertz_line_from_load(double radius, double e_star, double load);
 HertzLine hertz_line_from_width(double radius, double e_star, double a);
 
-/// Carter: steady rolling of identical cylinders, xi > 0 or < 0; traction on body 1 opposes the
-/// slip V xi. The stick zone touches the leading edge x = +a.
+/// Carter: steady rolling of identical cylinders, xi > 0 or < 0; traction on body 1 opposes the slip V xi. The stick
+/// zone touches the leading edge x = +a.
 struct Carter {
   HertzLine hertz;
   double mu = 0, xi = 0;
@@ -53,8 +53,8 @@ struct Carter {
   double traction(double x) const;
 };
 
-/// Kalker's creepage coefficients: Fx = -G a b C11 xi, Fy = -G a b C22 eta - G (ab)^1.5 C23 phi,
-/// Mz = G (ab)^1.5 C23 eta - G (ab)^2 C33 phi.
+/// Kalker's creepage coefficients: Fx = -G a b C11 xi, Fy = -G a b C22 eta - G (ab)^1.5 C23 phi, Mz = G (ab)^1.5 C23
+/// eta - G (ab)^2 C33 phi.
 struct Kalker {
   double c11 = 0, c22 = 0, c23 = 0, c33 = 0;
 };
@@ -73,14 +73,12 @@ struct BentallJohnson {
   double mu = 0, force_ratio = 0, xi = 0, p0 = 0;
 };
 std::vector<BentallJohnson> bentall_johnson();  ///< tests/data/bentall_johnson.csv
-/// Free rolling with vanishing friction: xi = 0.457 kappa a/R, recomputed from the condition that
-/// as much load slips forwards as backwards.
-double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a,
-                                 double radius);
-/// Free rolling without slip (Bufler): p + i q is bounded at both edges, where it behaves like a
-/// distance to the power 1/2 +- i eta, eta = ln((1 + beta)/(1 - beta))/(2 pi), beta Dundurs'
-/// constant. Then xi = 2 eta a/R, P = pi E* a^2 (1 + 4 eta^2)/(4 R), and F = 0 of itself. load: per
-/// length.
+/// Free rolling with vanishing friction: xi = 0.457 kappa a/R, recomputed from the condition that as much load slips
+/// forwards as backwards.
+double bentall_johnson_vanishing(const Elastic& body1, const Elastic& body2, double a, double radius);
+/// Free rolling without slip (Bufler): p + i q is bounded at both edges, where it behaves like a distance to the power
+/// 1/2 +- i eta, eta = ln((1 + beta)/(1 - beta))/(2 pi), beta Dundurs' constant. Then xi = 2 eta a/R, P = pi E* a^2 (1
+/// + 4 eta^2)/(4 R), and F = 0 of itself. load: per length.
 double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double load, double radius);
 
 /// An entry of tests/data/steady_rolling_limits.csv; throws when there is none.

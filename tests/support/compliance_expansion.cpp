@@ -73,8 +73,7 @@ double expansion_error(const Frame& frame, const Compliance& compliance) {
   ExpandedCompliance expanded;
   if (!compliance.expand({x, y}, expanded)) return 1e300;
   const std::size_t n = frame.x.size();
-  const RowMatrix<double> u =
-      eliminated(expanded, static_cast<std::int64_t>(x.size()), static_cast<std::int64_t>(n));
+  const RowMatrix<double> u = eliminated(expanded, static_cast<std::int64_t>(x.size()), static_cast<std::int64_t>(n));
   std::vector<double> dense[3][3];
   ComplianceBlock block;
   block.stride = static_cast<std::ptrdiff_t>(n);
@@ -91,8 +90,7 @@ double expansion_error(const Frame& frame, const Compliance& compliance) {
         for (std::size_t k = 0; k < n; ++k) {
           const double value = dense[i][j][p * n + k];
           most = std::max(most, std::abs(value));
-          const double difference =
-              std::abs(u.row(static_cast<std::int64_t>(3 * p + i))[3 * k + j] - value);
+          const double difference = std::abs(u.row(static_cast<std::int64_t>(3 * p + i))[3 * k + j] - value);
           if (!(difference <= error)) error = difference;  // also what is no number
         }
   return error / most;

@@ -108,8 +108,8 @@ class Work {
     }
   }
 
-  /// work[i][j]: of load i on the displacements of load j; between nodes they come from the
-  /// compliance itself, or are those of the nodes by the frame's shape functions.
+  /// work[i][j]: of load i on the displacements of load j; between nodes they come from the compliance itself, or are
+  /// those of the nodes by the frame's shape functions.
   enum class Between { compliance, shape_functions };
   std::vector<std::vector<double>> matrix(const std::vector<std::vector<double>>& loads,
                                           Between between = Between::compliance) const {
@@ -159,8 +159,7 @@ double asymmetry(const std::vector<std::vector<double>>& work) {
   double error = 0;
   for (std::size_t i = 0; i < work.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      error =
-          std::max(error, std::abs(work[i][j] - work[j][i]) / std::sqrt(work[i][i] * work[j][j]));
+      error = std::max(error, std::abs(work[i][j] - work[j][i]) / std::sqrt(work[i][i] * work[j][j]));
   return error;
 }
 
@@ -213,18 +212,14 @@ void check_superposition(const ComplianceCase& c) {
   for (std::size_t q = 0; q < x.size(); ++q)
     for (std::size_t i = 0; i < 3; ++i)
       for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t k = 0; k < n; ++k)
-          by_block[3 * q + i] += dense[i][j][q * n + k] * a[3 * k + j];
-  expect_error(c.name + ": block against apply", difference(direct, by_block) / largest(direct),
-               c.block);
+        for (std::size_t k = 0; k < n; ++k) by_block[3 * q + i] += dense[i][j][q * n + k] * a[3 * k + j];
+  expect_error(c.name + ": block against apply", difference(direct, by_block) / largest(direct), c.block);
 }
 
 void check_expansion(const ComplianceCase& c) {
   const PlacedCompliance here = c.make(0, {}), there = c.make(0, {turned_and_shifted(), 1, 1});
-  expect_error(c.name + ": written out", expansion_error(*here.frame, *here.compliance),
-               c.expansion);
-  expect_error(c.name + ": written out, turned", expansion_error(*there.frame, *there.compliance),
-               c.expansion);
+  expect_error(c.name + ": written out", expansion_error(*here.frame, *here.compliance), c.expansion);
+  expect_error(c.name + ": written out, turned", expansion_error(*there.frame, *there.compliance), c.expansion);
 }
 
 void check_reciprocity(const ComplianceCase& c) {
@@ -234,14 +229,13 @@ void check_reciprocity(const ComplianceCase& c) {
     const auto work = Work(p).matrix(smooth_loads(*p.frame));
     const double error = asymmetry(work);
     errors.push_back(error);
-    expect_error(c.name + ": reciprocity, " + std::to_string(p.frame->nodes()) + " nodes", error,
-                 c.reciprocity[level]);
+    expect_error(c.name + ": reciprocity, " + std::to_string(p.frame->nodes()) + " nodes", error, c.reciprocity[level]);
   }
   if (c.least_order > 0)
-    expect_order(c.name + ": reciprocity",
-                 observed_order(errors.front(), errors.back(),
-                                std::pow(2.0, static_cast<double>(errors.size() - 1)), 1),
-                 c.least_order);
+    expect_order(
+        c.name + ": reciprocity",
+        observed_order(errors.front(), errors.back(), std::pow(2.0, static_cast<double>(errors.size() - 1)), 1),
+        c.least_order);
 }
 
 void check_nodal_reciprocity(const ComplianceCase& c) {
@@ -260,8 +254,8 @@ std::vector<double> work_of_smooth_loads(const PlacedCompliance& p) {
   return own;
 }
 
-// Every load does work: the symmetric part of the work matrix of twelve smooth loads is positive
-// definite, and loads on single nodes do work.
+// Every load does work: the symmetric part of the work matrix of twelve smooth loads is positive definite, and loads on
+// single nodes do work.
 void check_positive_definite(const ComplianceCase& c) {
   const PlacedCompliance p = c.make(0, {});
   auto loads = smooth_loads(*p.frame);
@@ -333,9 +327,7 @@ void check_rigid_motion(const ComplianceCase& c) {
     EXPECT_FALSE(p.compliance->offset({p.frame->x, p.frame->y}, u.data()));
     return;
   }
-  const auto motion = [](const Vec3& x) {
-    return Vec3{0.2, -0.1, 0.3} + cross({0.05, 0.02, -0.04}, x);
-  };
+  const auto motion = [](const Vec3& x) { return Vec3{0.2, -0.1, 0.3} + cross({0.05, 0.02, -0.04}, x); };
   const PlacedCompliance p = c.moved(motion);
   const Frame& f = *p.frame;
   std::vector<double> u(3 * f.x.size());

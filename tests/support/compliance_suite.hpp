@@ -57,8 +57,8 @@ void check_placement(const ComplianceCase& c);
 void check_units(const ComplianceCase& c);
 void check_rigid_motion(const ComplianceCase& c);
 
-/// Largest entry of P K^-1 B + N less block() over that block's largest: at the frame's nodes, at
-/// points upstream of them and between them, and at points around the frame.
+/// Largest entry of P K^-1 B + N less block() over that block's largest: at the frame's nodes, at points upstream of
+/// them and between them, and at points around the frame.
 double expansion_error(const Frame& frame, const Compliance& compliance);
 
 /// t^T M u of smooth loads that vanish at the frame's rim: four each along t1, t2 and n.

@@ -114,15 +114,13 @@ double pressure_error(const SurfaceMesh& mesh, const Solution& s, const Hertz& e
       for (int j = 0; j < cuts; ++j) {
         if (corner_count(type) == 4) {
           for (std::size_t q = 0; q < square.size(); ++q)
-            add(-1 + h * (2 * i + 1 + square.xi[q]), -1 + h * (2 * j + 1 + square.eta[q]),
-                h * h * square.w[q]);
+            add(-1 + h * (2 * i + 1 + square.xi[q]), -1 + h * (2 * j + 1 + square.eta[q]), h * h * square.w[q]);
           continue;
         }
         if (i + j >= cuts) continue;
         for (std::size_t q = 0; q < triangle.size(); ++q) {
           add(h * (i + triangle.xi[q]), h * (j + triangle.eta[q]), h * h * triangle.w[q]);
-          if (i + j + 1 < cuts)
-            add(h * (i + 1 - triangle.xi[q]), h * (j + 1 - triangle.eta[q]), h * h * triangle.w[q]);
+          if (i + j + 1 < cuts) add(h * (i + 1 - triangle.xi[q]), h * (j + 1 - triangle.eta[q]), h * h * triangle.w[q]);
         }
       }
   }
@@ -131,8 +129,8 @@ double pressure_error(const SurfaceMesh& mesh, const Solution& s, const Hertz& e
 
 const double creep_mu = 0.33;
 const Hertz& creep_hertz() {
-  static const Hertz hertz = closed_forms::hertz_from_load(
-      .0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
+  static const Hertz hertz =
+      closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   return hertz;
 }
 
@@ -151,9 +149,7 @@ JudgedFrame judged_grid(double a, double b, int across, bool triangles, bool qua
   const auto y = frames::uniform_lines(-reach * b, reach * b, n);
   const ElementType type = triangles ? (quadratic ? ElementType::tri6 : ElementType::tri3)
                                      : (quadratic ? ElementType::quad8 : ElementType::quad4);
-  const std::string name = triangles   ? (quadratic ? "tri6" : "tri3")
-                           : quadratic ? "quad8"
-                                       : "quad4";
+  const std::string name = triangles ? (quadratic ? "tri6" : "tri3") : quadratic ? "quad8" : "quad4";
   return {name + " grid " + std::to_string(across), frames::rectangle(type, x, y)};
 }
 
@@ -168,8 +164,7 @@ JudgedFrame judged_rings(double a, double b, int rings) {
 }
 
 Judgement judge_hertz(const JudgedFrame& frame) {
-  const Hertz exact =
-      closed_forms::hertz_from_axes(1, 1, 1000, closed_forms::effective_modulus(steel, steel));
+  const Hertz exact = closed_forms::hertz_from_axes(1, 1, 1000, closed_forms::effective_modulus(steel, steel));
   Judge judge("Hertz", "half-spaces", frame.name, "-");
   RollingPair pair(steel, steel);
   pair.frame(frame.mesh).gap_quadratic(exact.A, exact.B).friction(0).approach(exact.approach);
@@ -181,11 +176,9 @@ Judgement judge_hertz(const JudgedFrame& frame) {
 
 Judgement judge_carter(int across, bool graded, const char* scheme) {
   const Strip strip{carter.hertz, 20};
-  const auto mesh =
-      frames::rectangle(ElementType::quad4, graded ? graded_nodes(across) : strip_nodes(across),
-                        strip_lines(strip.half_length));
-  Judge judge("Carter", "half-spaces", (graded ? "graded " : "uniform ") + std::to_string(across),
-              scheme);
+  const auto mesh = frames::rectangle(ElementType::quad4, graded ? graded_nodes(across) : strip_nodes(across),
+                                      strip_lines(strip.half_length));
+  Judge judge("Carter", "half-spaces", (graded ? "graded " : "uniform ") + std::to_string(across), scheme);
   RollingPair pair(roller, roller);
   pair.frame(mesh).option("convection", scheme);
   load_strip(pair, strip, mesh);
@@ -196,8 +189,7 @@ Judgement judge_carter(int across, bool graded, const char* scheme) {
   return judge.result();
 }
 
-Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& frame,
-                               const char* scheme) {
+Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& frame, const char* scheme) {
   namespace sr = scenes::steady_rolling;
   Judge judge("case " + which, "half-spaces", frame.name, scheme);
   RollingPair pair(sr::steel, sr::steel);
@@ -207,9 +199,7 @@ Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& fram
   // The force at the approach found: F goes with its power 3/2.
   judge.normal(1 - std::pow(s.approach / sr::hertz.approach, 1.5), "Hertz's closed form");
   const double unit = sr::mu * sr::hertz.load;
-  const auto limit = [&](const char* what) {
-    return unit * closed_forms::steady_rolling(which, what);
-  };
+  const auto limit = [&](const char* what) { return unit * closed_forms::steady_rolling(which, what); };
   const double across = which == "b" ? s.force[1] - limit("fy") : 0;
   judge.tangential(std::hypot(s.force[0] - limit("fx"), across), "CONTACT extrapolated");
   return judge.result();
@@ -225,8 +215,7 @@ Judgement judge_linear_theory(int direction, int rings, const char* scheme) {
   const char* names[] = {"C11", "C22", "C23"};
   const double c[] = {table.c11, table.c22, table.c23};
   const auto d = static_cast<std::size_t>(direction - 1);
-  Judge judge(std::string("Kalker ") + names[d], "half-spaces", "rings " + std::to_string(rings),
-              scheme);
+  Judge judge(std::string("Kalker ") + names[d], "half-spaces", "rings " + std::to_string(rings), scheme);
   RollingPair pair(body, body);
   pair.frame(graded_disc(h.a, h.b, rings)).gap_quadratic(h.A, h.B).load(h.load).friction(mu);
   pair.option("convection", scheme);
@@ -271,15 +260,13 @@ Judgement judge_example3(int nodes, const char* scheme) {
   }
   const bool rings = nodes < 100;
   const example3::NamedFrame frame =
-      rings ? example3::NamedFrame{"rings " + std::to_string(nodes), graded_disc(a, a, nodes)}
-            : example3::frame(nodes);
+      rings ? example3::NamedFrame{"rings " + std::to_string(nodes), graded_disc(a, a, nodes)} : example3::frame(nodes);
   Judge judge("example 3", "half-space on rigid", frame.name, scheme);
   auto pair = example3::pair(frame.mesh, scheme);
   const Solution s = judge.solve(*pair);
   // The force at the creepage found, from the creepage at the force given.
   double rate[3] = {};
-  rollcon_contact_get_sensitivity(pair->handle(), ROLLCON_LONGITUDINAL, nullptr, nullptr, nullptr,
-                                  rate);
+  rollcon_contact_get_sensitivity(pair->handle(), ROLLCON_LONGITUDINAL, nullptr, nullptr, nullptr, rate);
   judge.tangential((s.creep[0] - reference) / rate[0], "18 graded rings, characteristic");
   return judge.result();
 }
@@ -293,9 +280,8 @@ Judgement judge_block(bool finite_elements, int across, const char* scheme) {
     const int faces = finite_elements ? 12 : 8;
     shape.line = {frames::uniform_lines(-6, 6, faces), frames::uniform_lines(-6, 6, faces),
                   frames::uniform_lines(-6, 0, finite_elements ? 6 : 3)};
-    MeshedBody body = finite_elements
-                          ? meshed(volumes::block(shape, VolumeType::hex8), material)
-                          : meshed(surfaces::block(shape, ElementType::quad8), material);
+    MeshedBody body = finite_elements ? meshed(volumes::block(shape, VolumeType::hex8), material)
+                                      : meshed(surfaces::block(shape, ElementType::quad8), material);
     body.held_tag = {5};
     body.contact_tag = {6};
     return body;
@@ -315,8 +301,7 @@ Judgement judge_block(bool finite_elements, int across, const char* scheme) {
   }
   const auto& exact = reference[finite_elements];
   const std::string against = "the same under 32 x 32, characteristic";
-  Judge judge("ball on block", finite_elements ? "hex8" : "BEM quad8",
-              "quad4 grid " + std::to_string(across), scheme);
+  Judge judge("ball on block", finite_elements ? "hex8" : "BEM quad8", "quad4 grid " + std::to_string(across), scheme);
   RollingPair pair(make(), RigidBody{}, 1);
   prepare(pair, across, scheme);
   const Solution s = judge.solve(pair);

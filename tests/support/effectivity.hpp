@@ -1,6 +1,6 @@
 #pragma once
-/// Error estimates beside true errors, on scenes whose solution is known: closed forms, published
-/// limits, or the same scene on a frame that is much finer.
+/// Error estimates beside true errors, on scenes whose solution is known: closed forms, published limits, or the same
+/// scene on a frame that is much finer.
 
 #include <cstdint>
 #include <string>
@@ -28,8 +28,7 @@ struct JudgedFrame {
   std::string name;
   SurfaceMesh mesh;
 };
-JudgedFrame judged_grid(double a, double b, int across, bool triangles = false,
-                        bool quadratic = false);
+JudgedFrame judged_grid(double a, double b, int across, bool triangles = false, bool quadratic = false);
 JudgedFrame judged_unstructured(double a, double b, int across);  ///< triangles, nodes at random
 JudgedFrame judged_rings(double a, double b,
                          int rings);  ///< triangles fitted to the contact's edge
@@ -39,20 +38,19 @@ Judgement judge_hertz(const JudgedFrame& frame);
 /// Long strip with `across` nodes in contact, equidistant or graded to its edges.
 Judgement judge_carter(int across, bool graded, const char* scheme);
 /// Cases (a) and (b) of tests/data/steady_rolling_limits.csv; N x N nodes, or a frame for radius 5.
-Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& frame,
-                               const char* scheme);
-/// Nearly full adhesion, longitudinal creepage, lateral creepage, or spin (1, 2, 3) on an ellipse
-/// a/b = 2; against Kalker's table.
+Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& frame, const char* scheme);
+/// Nearly full adhesion, longitudinal creepage, lateral creepage, or spin (1, 2, 3) on an ellipse a/b = 2; against
+/// Kalker's table.
 Judgement judge_linear_theory(int direction, int rings, const char* scheme);
 /// A point of the creep curve, creepage over that at full slip; against 18 rings.
 Judgement judge_creep_curve(double xi, const JudgedFrame& frame, const char* scheme);
 /// Semi-axes of that contact.
 std::vector<double> creep_curve_axes();
-/// The paper's sphere on a rigid plane at given tangential force; against 18 rings. nodes: 673,
-/// 703, 1985, 2745, or the number of rings.
+/// The paper's sphere on a rigid plane at given tangential force; against 18 rings. nodes: 673, 703, 1985, 2745, or the
+/// number of rings.
 Judgement judge_example3(int nodes, const char* scheme);
-/// A ball on a block of finite elements (hex8) or boundary elements (quad8), creeping; against the
-/// same bodies under a frame of 32 x 32.
+/// A ball on a block of finite elements (hex8) or boundary elements (quad8), creeping; against the same bodies under a
+/// frame of 32 x 32.
 Judgement judge_block(bool finite_elements, int across, const char* scheme);
 
 }  // namespace rollcon::scenes

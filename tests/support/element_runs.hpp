@@ -1,6 +1,6 @@
 #pragma once
-/// Elements of a mesh in runs of one type and tag: one call of rollcon_body_add_elements each, so
-/// that their order stays.
+/// Elements of a mesh in runs of one type and tag: one call of rollcon_body_add_elements each, so that their order
+/// stays.
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +18,7 @@ void for_runs(const Mesh& mesh, Add add) {
     std::int64_t last = first;
     while (last < mesh.elements() && same(last, first)) ++last;
     const auto i = static_cast<std::size_t>(first);
-    add(static_cast<std::int32_t>(mesh.type[i]), mesh.tag[i], last - first,
-        mesh.element(first).data());
+    add(static_cast<std::int32_t>(mesh.type[i]), mesh.tag[i], last - first, mesh.element(first).data());
     first = last;
   }
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two
-/// equal rings roll on each other. N, mm, MPa, s.
+/// The first example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): two equal rings roll on each
+/// other. N, mm, MPa, s.
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +13,16 @@ namespace rollcon::scenes::example1 {
 
 inline constexpr double radius = 50, width = 8, young = 1e4, poisson = 0.3, mu = 0.1;
 inline constexpr double load = 1233.85, force_ratio = 0.6271, speed = 0.2 * radius;
-inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson)),
-                                            .poisson = poisson};
-/// Two long cylinders under the same load per length (Hertz), and the creepage that Carter's
-/// closed form gives for the same force; body 1 is driven by a force along +t1.
-inline const double hertz_a = std::sqrt(4 * (load / width) * (radius / 2) * 2 *
-                                        (1 - poisson * poisson) / (std::acos(-1.0) * young));
+inline const closed_forms::Elastic material{.shear = young / (2 * (1 + poisson)), .poisson = poisson};
+/// Two long cylinders under the same load per length (Hertz), and the creepage that Carter's closed form gives for the
+/// same force; body 1 is driven by a force along +t1.
+inline const double hertz_a =
+    std::sqrt(4 * (load / width) * (radius / 2) * 2 * (1 - poisson * poisson) / (std::acos(-1.0) * young));
 inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
-/// At mid-plane of these rings, whose sides are free: quadratic boundary elements of 1400 to 1800
-/// nodes (quad9, tri6, quad8) agree on it to 0.05 %.
+/// At mid-plane of these rings, whose sides are free: quadratic boundary elements of 1400 to 1800 nodes (quad9, tri6,
+/// quad8) agree on it to 0.05 %.
 inline constexpr double fine_p0 = 106.7;
-inline const double carter_creepage =
-    -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
+inline const double carter_creepage = -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
 
 /// The paper's ring: 1472 nodes and quadrilaterals, 12 x 12 of them in the zone.
 inline surfaces::Ring paper_ring() {
@@ -41,8 +39,8 @@ inline surfaces::Ring bem_ring(int parts) {
   return shape;
 }
 
-/// Bound of the elements around a ring for which `rest` elements outside the zone grow steadily: a
-/// lower one makes a few of them leap to it.
+/// Bound of the elements around a ring for which `rest` elements outside the zone grow steadily: a lower one makes a
+/// few of them leap to it.
 inline double longest(int rest) {
   return std::max(40.0, 4 * std::acos(-1.0) * radius / rest);
 }
@@ -75,10 +73,10 @@ inline MeshedBody ring_body(const surfaces::Ring& shape, VolumeType type) {
   return body;
 }
 
-/// Rings one above the other, the axle of each along y; the second is turned upside down. The
-/// frame is the first one's zone.
-inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ring2,
-                                         const char* scheme, int threads = 1) {
+/// Rings one above the other, the axle of each along y; the second is turned upside down. The frame is the first one's
+/// zone.
+inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ring2, const char* scheme,
+                                         int threads = 1) {
   auto p = std::make_unique<RollingPair>(ring1, ring2, threads);
   p->pose(2, {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}, {0, 0, 2 * radius});
   p->axes({0, 0, radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
@@ -88,8 +86,8 @@ inline std::unique_ptr<RollingPair> pair(const AnyBody& ring1, const AnyBody& ri
 }
 
 /// Twins of boundary elements.
-inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type,
-                                         const char* scheme, int threads = 1) {
+inline std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, ElementType type, const char* scheme,
+                                         int threads = 1) {
   return pair(ring_body(shape, type), TwinBody{}, scheme, threads);
 }
 

@@ -56,8 +56,7 @@ MeshedBody ring_body(const surfaces::Ring& shape, VolumeType type) {
   return body;
 }
 
-std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, VolumeType type, Ground on,
-                                  int threads) {
+std::unique_ptr<RollingPair> pair(const surfaces::Ring& shape, VolumeType type, Ground on, int threads) {
   AnyBody body2 = HalfspaceBody{ground};
   if (on == Ground::block) {
     MeshedBody block = meshed(ground_block(ElementType::quad4), ground);

@@ -1,6 +1,6 @@
 #pragma once
-/// The third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an
-/// elastic sphere rolls on a rigid plane under a prescribed tangential force. N, mm, MPa, s.
+/// The third example of Rodriguez-Tembleque and Abascal (Int. J. Solids Struct. 47, 2010): an elastic sphere rolls on a
+/// rigid plane under a prescribed tangential force. N, mm, MPa, s.
 
 #include <memory>
 #include <string>
@@ -18,8 +18,7 @@ inline const closed_forms::Elastic sphere{.shear = young / (2 * (1 + poisson)), 
 /// Frictionless: p0 = 140 MPa, a = 1.0063 mm.
 inline closed_forms::Hertz hertz() {
   const double curvature = 1 / (2 * radius);
-  return closed_forms::hertz_from_load(curvature, curvature,
-                                       closed_forms::effective_modulus(sphere), load);
+  return closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(sphere), load);
 }
 
 struct NamedFrame {
@@ -42,8 +41,7 @@ inline NamedFrame frame(int nodes) {
   }
 }
 
-inline std::unique_ptr<RollingPair> pair(const SurfaceMesh& mesh, const char* scheme,
-                                         int threads = 1) {
+inline std::unique_ptr<RollingPair> pair(const SurfaceMesh& mesh, const char* scheme, int threads = 1) {
   auto p = std::make_unique<RollingPair>(sphere, std::nullopt, threads);
   const double curvature = 1 / (2 * radius);
   p->frame(mesh).gap_quadratic(curvature, curvature).friction(mu).load(load).speed(speed);

@@ -24,8 +24,7 @@ SurfaceMesh rail_head(double half_length, double half_width, int n) {
   };
   for (int i = 0; i < side - 1; i += 2)
     for (int j = 0; j < side - 1; j += 2) {
-      for (const auto& [a, b] :
-           {std::pair{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}})
+      for (const auto& [a, b] : {std::pair{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}})
         mesh.connectivity.push_back(node(i + a, j + b));
       mesh.type.push_back(ElementType::quad8);
       mesh.tag.push_back(1);

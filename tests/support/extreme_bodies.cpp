@@ -28,8 +28,7 @@ MeshedBody make_block(const BlockShape& s) {
     if (s.line[c].empty()) {
       block.line[c] = frames::uniform_lines(low, high, s.n[c]);
     } else {
-      for (const double t : s.line[c])
-        block.line[c].push_back(t == 1 ? high : low + 0.5 * (t + 1) * (high - low));
+      for (const double t : s.line[c]) block.line[c].push_back(t == 1 ? high : low + 0.5 * (t + 1) * (high - low));
     }
   }
   const auto map = [shear = s.shear](const Vec3& x) {
@@ -84,8 +83,7 @@ bool equal_cells(const SurfaceMesh& mesh) {
     if (mesh.type[static_cast<std::size_t>(e)] != ElementType::quad4) return false;
     const Vec3 a = edge(e, 0, 1), b = edge(e, 3, 2), c = edge(e, 1, 2), f = edge(e, 0, 3);
     if (length(a - b) + length(c - f) > tolerance * size) return false;
-    const double along = std::min(length(a - u), length(a + u)),
-                 turned = std::min(length(a - v), length(a + v));
+    const double along = std::min(length(a - u), length(a + u)), turned = std::min(length(a - v), length(a + v));
     if (std::min(along, turned) > tolerance * size) return false;
   }
   return true;
@@ -97,13 +95,12 @@ void turn_body_2(scenes::RollingPair& pair) {
 
 void give_press(Scene& scene, const Press& press, double e_star) {
   const double radius = press.size / press.strain, curvature = 1 / (2 * radius);
-  const auto hertz = closed_forms::hertz_from_axes(press.size, press.size,
-                                                   2 / 3.14159265 * e_star * press.strain, e_star);
+  const auto hertz =
+      closed_forms::hertz_from_axes(press.size, press.size, 2 / 3.14159265 * e_star * press.strain, e_star);
   scene.given.quadratic = {curvature, curvature, 0};
   scene.load(hertz.load).friction(press.friction);
   const double saturating = 4 * press.friction * hertz.p0 / e_star;
-  scene.creep(press.creep * saturating, -0.5 * press.creep * saturating,
-              0.2 * press.creep * saturating / press.size);
+  scene.creep(press.creep * saturating, -0.5 * press.creep * saturating, 0.2 * press.creep * saturating / press.size);
 }
 
 }  // namespace rollcon::extremes

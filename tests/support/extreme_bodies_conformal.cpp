@@ -1,5 +1,5 @@
-/// Conformal zones: a pin, roller or ball in a bore of nearly its radius, contact that turns by up
-/// to 60 degrees to both sides of the axes' normal; and a flange. Rolling is along the bore.
+/// Conformal zones: a pin, roller or ball in a bore of nearly its radius, contact that turns by up to 60 degrees to
+/// both sides of the axes' normal; and a flange. Rolling is along the bore.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ using scenes::MeshedBody;
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Along the normal of the bore to the pin in it, which touches it at the origin; from a point of
-/// the pin along its normal to the bore.
+/// Along the normal of the bore to the pin in it, which touches it at the origin; from a point of the pin along its
+/// normal to the bore.
 double gap_of_pin(const ConformalShape& shape, const Vec3& x) {
   const double pin = 1 - shape.clearance;
   const double angle = std::atan2(x[1], (shape.pin ? pin : 1) - x[2]);
@@ -31,8 +31,8 @@ double gap_of_pin(const ConformalShape& shape, const Vec3& x) {
   return reach - c + crown;
 }
 
-/// A pin that is a body too, whose shape the library finds. It is wider, for the normals of the
-/// bore to meet it, and quadratic, for its facets not to stand out further than the clearance.
+/// A pin that is a body too, whose shape the library finds. It is wider, for the normals of the bore to meet it, and
+/// quadratic, for its facets not to stand out further than the clearance.
 Scene with_pin(Scene s, const ConformalShape& bore, double stiffness) {
   ConformalShape pin = bore;
   pin.model = bore.model == Model::fem ? Model::bem : Model::fem;
@@ -74,18 +74,15 @@ MeshedBody make_conformal(const ConformalShape& shape) {
     if (flange && q[1] < 0) return q;
     return Vec3{q[0], r * std::sin(q[1]), turn * (r * std::cos(q[1]) - radius)};
   };
-  const Elastic material{.shear = shape.young / (2 * (1 + shape.poisson)),
-                         .poisson = shape.poisson};
-  MeshedBody body = shape.model == Model::fem
-                        ? scenes::meshed(volumes::block(block, shape.cell), material)
-                        : scenes::meshed(surfaces::block(block, shape.face), material);
+  const Elastic material{.shear = shape.young / (2 * (1 + shape.poisson)), .poisson = shape.poisson};
+  MeshedBody body = shape.model == Model::fem ? scenes::meshed(volumes::block(block, shape.cell), material)
+                                              : scenes::meshed(surfaces::block(block, shape.face), material);
   body.held_tag = {5};
   body.contact_tag = {6};
   return body;
 }
 
-Scene scene_in_bore(const std::string& name, const ConformalShape& shape, double depth,
-                    double reach) {
+Scene scene_in_bore(const std::string& name, const ConformalShape& shape, double depth, double reach) {
   Scene s;
   s.group = "conformal zones";
   s.name = std::string(shape.model == Model::fem ? "finite" : "boundary") + " elements, " + name;
@@ -95,8 +92,7 @@ Scene scene_in_bore(const std::string& name, const ConformalShape& shape, double
   s.frame_body = which;
   s.frame_tag = 6;
   s.given.frame = top_of(body, which);
-  s.given.triad =
-      laws::surface_triads(s.given.frame, laws::axes_of(s.given.rolling, s.given.normal));
+  s.given.triad = laws::surface_triads(s.given.frame, laws::axes_of(s.given.rolling, s.given.normal));
   s.given.rounding = 4096;
   for (const Vec3& x : s.given.frame.node) s.given.gap.push_back(gap_of_pin(shape, x));
   if (shape.pin) {
@@ -132,8 +128,7 @@ std::vector<Scene> conformal_scenes() {
     add(full);
     // Normals fan out: more than mu times the load can be carried along the bore.
     constexpr double load = 150, limit = 0.3 * load;
-    for (const auto& [part, text] :
-         {std::pair{0.99, "0.99"}, std::pair{1.05, "1.05"}, std::pair{1.3, "1.3"}}) {
+    for (const auto& [part, text] : {std::pair{0.99, "0.99"}, std::pair{1.05, "1.05"}, std::pair{1.3, "1.3"}}) {
       Scene& s = add(full);
       s.name += ", force " + std::string(text) + " of friction times load";
       s.load(load).force(ROLLCON_LONGITUDINAL, part * limit);
@@ -165,18 +160,14 @@ std::vector<Scene> conformal_scenes() {
                         o.half_angle = 60;
                       }),
                       3e-3, 55));
-    add(scene_in_bore("nearly incompressible",
-                      like([](Shape& o) { o.poisson = o.model == Model::fem ? 0.4999 : 0.5; }),
+    add(scene_in_bore("nearly incompressible", like([](Shape& o) { o.poisson = o.model == Model::fem ? 0.4999 : 0.5; }),
                       3e-3, 59));
-    add(scene_in_bore("an elastic pin in a rigid bore", like([](Shape& o) { o.pin = true; }), 3e-3,
-                      59))
+    add(scene_in_bore("an elastic pin in a rigid bore", like([](Shape& o) { o.pin = true; }), 3e-3, 59))
         .creep(0, 0, 0.02);
     add(with_pin(scene_in_bore("a pin as stiff as the bore", fit, 3e-3, 59), fit, 1));
     add(with_pin(scene_in_bore("a pin 1e6 times as stiff", fit, 3e-3, 59), fit, 1e6));
-    add(scene_in_bore("a ball", like([](Shape& o) { o.crown = 1, o.half_length = 0.15; }), 3e-3,
-                      59));
-    add(touching_flange(
-        scene_in_bore("tread and flange", like([](Shape& o) { o.flange = true; }), 5e-3, 55)));
+    add(scene_in_bore("a ball", like([](Shape& o) { o.crown = 1, o.half_length = 0.15; }), 3e-3, 59));
+    add(touching_flange(scene_in_bore("tread and flange", like([](Shape& o) { o.flange = true; }), 5e-3, 55)));
   }
   return all;
 }

@@ -37,8 +37,8 @@ std::optional<Elastic> material_of(const AnyBody& body) {
 
 }  // namespace
 
-Scene scene_on_block(const std::string& group, const std::string& name, const BlockShape& shape,
-                     AnyBody second, const Press& press) {
+Scene scene_on_block(const std::string& group, const std::string& name, const BlockShape& shape, AnyBody second,
+                     const Press& press) {
   Scene s;
   s.group = group;
   s.name = name;
@@ -53,9 +53,7 @@ Scene scene_on_block(const std::string& group, const std::string& name, const Bl
   s.body1 = std::move(block);
   if (std::holds_alternative<scenes::MeshedBody>(second)) s.pose = turn_body_2;
   s.body2 = std::move(second);
-  give_press(s, press,
-             other ? closed_forms::effective_modulus(first, *other)
-                   : closed_forms::effective_modulus(first));
+  give_press(s, press, other ? closed_forms::effective_modulus(first, *other) : closed_forms::effective_modulus(first));
   s.right = {ROLLCON_OK};
   return s;
 }
@@ -67,8 +65,8 @@ void add_poisson(std::vector<Scene>& all) {
     for (const double nu : {-0.9, 0.0, 0.3, 0.49, 0.4999, 0.499999, 0.5}) {
       BlockShape shape{.model = model};
       shape.poisson = nu;
-      Scene s = scene_on_block("Poisson's ratio", std::string(name_of(model)) + ", " + number(nu),
-                               shape, scenes::HalfspaceBody{elastic(young, 0.3)});
+      Scene s = scene_on_block("Poisson's ratio", std::string(name_of(model)) + ", " + number(nu), shape,
+                               scenes::HalfspaceBody{elastic(young, 0.3)});
       if (model == Model::fem && nu == 0.5) s.right = {ROLLCON_ERR_UNSUPPORTED};
       all.push_back(std::move(s));
     }
@@ -78,21 +76,20 @@ void add_stiffness(std::vector<Scene>& all) {
   for (const Model model : {Model::fem, Model::bem}) {
     for (const double ratio : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
       BlockShape shape{.model = model};
-      all.push_back(scene_on_block(
-          "stiffness ratio", std::string(name_of(model)) + " on a half-space, " + number(ratio),
-          shape, scenes::HalfspaceBody{elastic(ratio * young, 0.3)}));
+      all.push_back(scene_on_block("stiffness ratio",
+                                   std::string(name_of(model)) + " on a half-space, " + number(ratio), shape,
+                                   scenes::HalfspaceBody{elastic(ratio * young, 0.3)}));
       BlockShape other{.model = model == Model::fem ? Model::bem : Model::fem};
       other.half = {1.25, 1.25, 1};
       other.young = ratio * young;
-      all.push_back(scene_on_block(
-          "stiffness ratio", std::string(name_of(model)) + " on another mesh, " + number(ratio),
-          shape, make_block(other)));
+      all.push_back(scene_on_block("stiffness ratio",
+                                   std::string(name_of(model)) + " on another mesh, " + number(ratio), shape,
+                                   make_block(other)));
     }
     for (const double modulus : {1e-6, 1e4, 1e15}) {
       BlockShape shape{.model = model};
       shape.young = modulus;
-      all.push_back(scene_on_block("stiffness",
-                                   std::string(name_of(model)) + ", " + number(modulus), shape,
+      all.push_back(scene_on_block("stiffness", std::string(name_of(model)) + ", " + number(modulus), shape,
                                    scenes::HalfspaceBody{elastic(modulus, 0.3)}));
     }
   }
@@ -102,8 +99,8 @@ void add_meshes(std::vector<Scene>& all) {
   const auto add = [&](const std::string& name, BlockShape shape, Press press = {}) {
     for (const Model model : {Model::fem, Model::bem}) {
       shape.model = model;
-      all.push_back(scene_on_block("meshes", std::string(name_of(model)) + ", " + name, shape,
-                                   scenes::RigidBody{}, press));
+      all.push_back(
+          scene_on_block("meshes", std::string(name_of(model)) + ", " + name, shape, scenes::RigidBody{}, press));
     }
   };
   BlockShape long_elements;
@@ -141,8 +138,8 @@ void add_contacts(std::vector<Scene>& all) {
   for (const Model model : {Model::fem, Model::bem}) {
     const BlockShape shape{.model = model};
     const auto add = [&](const std::string& name, const Press& press) -> Scene& {
-      all.push_back(scene_on_block("contacts on bodies", std::string(name_of(model)) + ", " + name,
-                                   shape, scenes::RigidBody{}, press));
+      all.push_back(scene_on_block("contacts on bodies", std::string(name_of(model)) + ", " + name, shape,
+                                   scenes::RigidBody{}, press));
       return all.back();
     };
     const auto by_array = [](Scene& s, auto gap) {
@@ -152,14 +149,11 @@ void add_contacts(std::vector<Scene>& all) {
     by_array(add("flat on flat", {}), [](const Vec3&) { return 0.0; });
     by_array(add("at the body's rim", {}),
              [](const Vec3& x) { return 0.02 * ((x[0] - 1) * (x[0] - 1) + x[1] * x[1]); });
-    by_array(add("at a corner", {}), [](const Vec3& x) {
-      return 0.02 * ((x[0] - 1) * (x[0] - 1) + (x[1] - 1) * (x[1] - 1));
-    });
-    by_array(add("two patches", {}), [](const Vec3& x) {
-      return 0.08 * (std::pow(std::abs(x[0]) - 0.66, 2) + x[1] * x[1]);
-    });
-    for (const double factor : {1e-12, 1e-3, 1e3})
-      add("creepage times " + number(factor), {.creep = factor});
+    by_array(add("at a corner", {}),
+             [](const Vec3& x) { return 0.02 * ((x[0] - 1) * (x[0] - 1) + (x[1] - 1) * (x[1] - 1)); });
+    by_array(add("two patches", {}),
+             [](const Vec3& x) { return 0.08 * (std::pow(std::abs(x[0]) - 0.66, 2) + x[1] * x[1]); });
+    for (const double factor : {1e-12, 1e-3, 1e3}) add("creepage times " + number(factor), {.creep = factor});
     add("spin alone", {}).creep(0, 0, 1e3);
     for (const double mu : {0.0, 1e-12, 1.0, 10.0}) add("friction " + number(mu), {.friction = mu});
     add("hardly touching", {.size = 1e-3}).right = {ROLLCON_OK, ROLLCON_COARSE};

@@ -46,9 +46,8 @@ BlockShape draw_block(Draw& d, Kind kind, std::uint32_t seed, double size, bool 
   s.model = kind == Kind::fem ? Model::fem : Model::bem;
   constexpr ElementType faces[] = {ElementType::quad4, ElementType::quad4, ElementType::tri3,
                                    ElementType::quad8, ElementType::tri6,  ElementType::quad9};
-  constexpr VolumeType cells[] = {VolumeType::hex8,   VolumeType::hex8,  VolumeType::tet4,
-                                  VolumeType::tet10,  VolumeType::hex20, VolumeType::wedge6,
-                                  VolumeType::wedge15};
+  constexpr VolumeType cells[] = {VolumeType::hex8,  VolumeType::hex8,   VolumeType::tet4,   VolumeType::tet10,
+                                  VolumeType::hex20, VolumeType::wedge6, VolumeType::wedge15};
   s.face = d.of(faces);
   s.cell = d.of(cells);
   const bool quadratic = s.model == Model::fem ? is_quadratic(s.cell) : is_quadratic(s.face);
@@ -61,8 +60,7 @@ BlockShape draw_block(Draw& d, Kind kind, std::uint32_t seed, double size, bool 
       if (d.chance(0.5)) s.line[c] = draw_lines(d, s.n[c]);
   if (d.chance(0.3)) s.distort = d.between(0.02, quadratic ? 0.1 : 0.25);
   // Walls stay steep: beyond, the top's normals would lean at its edges.
-  if (frame && d.chance(0.15))
-    s.shear = {d.between(-0.8, 0.8), d.between(-0.8, 0.8), d.between(-2, 2)};
+  if (frame && d.chance(0.15)) s.shear = {d.between(-0.8, 0.8), d.between(-0.8, 0.8), d.between(-2, 2)};
   if (frame && d.chance(0.03)) s.shear[2] = d.chance(0.5) ? -30 : 30;
   if (d.chance(0.15)) s.held = {1, 2};
   if (d.chance(0.05)) s.held = {1};
@@ -80,10 +78,9 @@ bool rigid(const AnyBody& body) {
   return std::holds_alternative<scenes::RigidBody>(body);
 }
 
-/// Whether a block held at its ends alone bends so easily beside its own elements that its
-/// equations are singular to rounding. Their condition goes with (length/thickness)^4/(1 - 2 nu)
-/// over the factor of the first bending mode of a beam, clamped at one end or at both; 1500 times
-/// that for hex20, less for the others.
+/// Whether a block held at its ends alone bends so easily beside its own elements that its equations are singular to
+/// rounding. Their condition goes with (length/thickness)^4/(1 - 2 nu) over the factor of the first bending mode of a
+/// beam, clamped at one end or at both; 1500 times that for hex20, less for the others.
 bool bends_beyond_rounding(const BlockShape& s) {
   constexpr double singular = 1e15;  // no digit is left
   if (s.model != Model::fem || std::count(s.held.begin(), s.held.end(), 5) > 0) return false;
@@ -92,8 +89,7 @@ bool bends_beyond_rounding(const BlockShape& s) {
   return 1500 / beam * std::pow(slender, 4) / (1 - 2 * s.poisson) >= singular;
 }
 
-AnyBody draw_body(Draw& d, Kind kind, std::uint32_t seed, double size, double young, bool frame,
-                  Scene& scene) {
+AnyBody draw_body(Draw& d, Kind kind, std::uint32_t seed, double size, double young, bool frame, Scene& scene) {
   if (kind == Kind::rigid) return scenes::RigidBody{};
   if (kind == Kind::halfspace) {
     const double nu = draw_poisson(d, kind, VolumeType::hex8);
@@ -156,8 +152,7 @@ void draw_loads(Draw& d, Scene& scene, const closed_forms::Hertz& hertz, double 
   else
     scene.load(hertz.load * std::pow(press, 1.5));
   const double saturating = 4 * std::max(mu, 1e-3) * hertz.p0 / e_star;
-  const double amount =
-      d.chance(0.7) ? saturating * d.log_between(0.01, 10) : d.log_between(1e-15, 1e3);
+  const double amount = d.chance(0.7) ? saturating * d.log_between(0.01, 10) : d.log_between(1e-15, 1e3);
   const auto part = [&] { return d.chance(0.4) ? 0 : amount * d.between(-1, 1); };
   scene.creep(part(), part(), d.chance(0.4) ? part() / hertz.a : 0);
   if (d.chance(0.8)) return;
@@ -174,12 +169,10 @@ Scene random_body_scene(std::uint32_t seed) {
   scene.group = "random bodies";
   scene.given.rounding = 4096;
   scene.name = std::to_string(seed);
-  constexpr Kind kinds[] = {Kind::fem,       Kind::fem,   Kind::bem,  Kind::bem,
-                            Kind::halfspace, Kind::rigid, Kind::rigid};
+  constexpr Kind kinds[] = {Kind::fem, Kind::fem, Kind::bem, Kind::bem, Kind::halfspace, Kind::rigid, Kind::rigid};
   Kind first = d.of(kinds), second = d.of(kinds);
   const auto meshed = [](Kind kind) { return kind == Kind::fem || kind == Kind::bem; };
-  if (!meshed(first) && !meshed(second))
-    (d.chance(0.5) ? first : second) = d.chance(0.5) ? Kind::fem : Kind::bem;
+  if (!meshed(first) && !meshed(second)) (d.chance(0.5) ? first : second) = d.chance(0.5) ? Kind::fem : Kind::bem;
   const double unit = d.chance(0.3) ? d.log_between(1e-6, 1e3) : 1;
   const double young = d.chance(0.3) ? d.log_between(1e-6, 1e15) : 1e4;
   const double ratio = d.chance(0.3) ? d.log_between(1e-12, 1e12) : d.log_between(0.1, 10);
@@ -190,14 +183,12 @@ Scene random_body_scene(std::uint32_t seed) {
   if (meshed(first) && meshed(second) && d.chance(0.5)) whose = 2;
   const double room = laid ? 1 : 1.2;
   scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_NO_CONTACT};
-  scene.body1 =
-      draw_body(d, first, seed, unit * (whose == 1 ? 1 : room), young, !laid && whose == 1, scene);
-  scene.body2 = draw_body(d, second, seed + 1, unit * (whose == 2 ? 1 : room), young * ratio,
-                          !laid && whose == 2, scene);
+  scene.body1 = draw_body(d, first, seed, unit * (whose == 1 ? 1 : room), young, !laid && whose == 1, scene);
+  scene.body2 =
+      draw_body(d, second, seed + 1, unit * (whose == 2 ? 1 : room), young * ratio, !laid && whose == 2, scene);
   double e_star = 0;
   if (rigid(scene.body1) || rigid(scene.body2))
-    e_star = closed_forms::effective_modulus(
-        material_of(rigid(scene.body1) ? scene.body2 : scene.body1));
+    e_star = closed_forms::effective_modulus(material_of(rigid(scene.body1) ? scene.body2 : scene.body1));
   else
     e_star = closed_forms::effective_modulus(material_of(scene.body1), material_of(scene.body2));
   if (meshed(second)) scene.pose = turn_body_2;
@@ -205,8 +196,8 @@ Scene random_body_scene(std::uint32_t seed) {
   laws::Given& g = scene.given;
   const auto* owner = std::get_if<MeshedBody>(whose == 1 ? &scene.body1 : &scene.body2);
   const ElementType type = owner->mesh.type.front();
-  // Contacts of a few nodes with vertices whose shape functions have no mean may have no answer,
-  // and nodes on held edges cannot be pressed.
+  // Contacts of a few nodes with vertices whose shape functions have no mean may have no answer, and nodes on held
+  // edges cannot be pressed.
   if (laid || type == ElementType::tri6 || type == ElementType::quad8 || owner->held_tag[0] != 5) {
     g.frame = draw_laid_frame(d, seed, unit * d.between(0.2, 0.45));
   } else {
@@ -218,13 +209,11 @@ Scene random_body_scene(std::uint32_t seed) {
   const double half = scene.frame_body == 0 ? std::abs(g.frame.node.front()[0]) : unit;
   const double size = half * d.between(0.3, 0.9);
   const double strain = d.chance(0.5) ? 0.01 : d.log_between(1e-5, 0.1);
-  const auto hertz =
-      closed_forms::hertz_from_axes(size, size, 2 / 3.14159265 * e_star * strain, e_star);
+  const auto hertz = closed_forms::hertz_from_axes(size, size, 2 / 3.14159265 * e_star * strain, e_star);
   draw_gap(d, scene, size, hertz.A, hertz.approach);
   draw_loads(d, scene, hertz, e_star);
   g.speed = d.chance(0.2) ? d.log_between(1e-6, 1e6) : 1;
-  constexpr laws::Scheme schemes[] = {laws::Scheme::characteristic, laws::Scheme::least_squares,
-                                      laws::Scheme::godunov};
+  constexpr laws::Scheme schemes[] = {laws::Scheme::characteristic, laws::Scheme::least_squares, laws::Scheme::godunov};
   scene.scheme(d.of(schemes));
   if (g.by_force[0] || g.by_force[1]) scene.right.push_back(ROLLCON_ERR_LOAD);
   // Folded elements, frames beyond a sheared body, thin bodies of boundary elements.

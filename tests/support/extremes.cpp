@@ -20,9 +20,7 @@ Scene& Scene::force(std::int32_t direction, double value) {
 }
 
 Scene& Scene::creep(double longitudinal, double lateral, double spin) {
-  return motion(ROLLCON_LONGITUDINAL, longitudinal)
-      .motion(ROLLCON_LATERAL, lateral)
-      .motion(ROLLCON_SPIN, spin);
+  return motion(ROLLCON_LONGITUDINAL, longitudinal).motion(ROLLCON_LATERAL, lateral).motion(ROLLCON_SPIN, spin);
 }
 
 Scene& Scene::friction(double mu) {
@@ -58,8 +56,7 @@ std::unique_ptr<scenes::RollingPair> make_pair(const Scene& scene, int threads) 
 void give_loads(scenes::RollingPair& pair, const Scene& scene) {
   const laws::Given& g = scene.given;
   const auto must = [](std::int32_t status, const char* what) {
-    if (status < 0)
-      throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status));
+    if (status < 0) throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status));
   };
   pair.axes(g.origin, g.rolling, g.normal).speed(g.speed);
   if (g.quadratic)
@@ -75,8 +72,7 @@ void give_loads(scenes::RollingPair& pair, const Scene& scene) {
   pair.creep_field(g.creep_field);
   const bool field = g.friction.size() != 1;
   if (!field) pair.friction(g.friction[0]);
-  must(rollcon_contact_set_friction_field(pair.handle(),
-                                          field ? static_cast<std::int64_t>(g.friction.size()) : 0,
+  must(rollcon_contact_set_friction_field(pair.handle(), field ? static_cast<std::int64_t>(g.friction.size()) : 0,
                                           g.friction.data()),
        "set_friction_field");
   pair.option("convection", name_of(g.scheme)).option("characteristic_step", g.step);
@@ -105,8 +101,7 @@ bool Ending::solved() const {
          status == ROLLCON_NO_CONTACT;
 }
 
-Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition,
-             std::size_t most_nodes) {
+Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition, std::size_t most_nodes) {
   Ending e;
   e.nodes = static_cast<double>(scene.given.frame.nodes());
   const auto began = std::chrono::steady_clock::now();
@@ -127,8 +122,7 @@ Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition,
   e.law = laws::check(pair.handle(), scene.given, most_nodes);
   if (condition) (void)rollcon_contact_get_stat(pair.handle(), "condition", &e.condition);
   e.traction.resize(static_cast<std::size_t>(3 * scene.given.frame.nodes()));
-  (void)rollcon_contact_get_tractions(pair.handle(), ROLLCON_LOCAL, scene.given.frame.nodes(),
-                                      e.traction.data());
+  (void)rollcon_contact_get_tractions(pair.handle(), ROLLCON_LOCAL, scene.given.frame.nodes(), e.traction.data());
   return e;
 }
 
@@ -138,8 +132,7 @@ Scene disturbed(const Scene& scene, int way) {
   laws::Given& g = other.given;
   double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
   for (const Vec3& x : g.frame.node)
-    for (std::size_t c = 0; c < 2; ++c)
-      low[c] = std::min(low[c], x[c]), high[c] = std::max(high[c], x[c]);
+    for (std::size_t c = 0; c < 2; ++c) low[c] = std::min(low[c], x[c]), high[c] = std::max(high[c], x[c]);
   const double width = std::max(high[0] - low[0], high[1] - low[1]);
   const auto away = [](double value, double factor, double else_this) {
     return value != 0 && std::abs(value) < 1 ? factor * value : else_this;
@@ -194,8 +187,7 @@ double traction_difference(const std::vector<double>& a, const std::vector<doubl
   if (scale[1] == 0) scale[1] = scale[0];
   double difference = 0;
   for (std::size_t i = 0; i < 2; ++i)
-    if (worst[i] > 0)
-      difference = std::max(difference, scale[i] > 0 ? worst[i] / scale[i] : INFINITY);
+    if (worst[i] > 0) difference = std::max(difference, scale[i] > 0 ? worst[i] / scale[i] : INFINITY);
   return difference;
 }
 
@@ -211,9 +203,7 @@ double load_over_friction(const Scene& scene) {
   for (const Vec3& x : g.frame.node) low = std::min(low, x[0]), high = std::max(high, x[0]);
   constexpr double fast = 1e6;  // every node slides that way
   Scene sliding = scene;
-  if (force > 0)
-    sliding.motion(ROLLCON_LONGITUDINAL, -fast * f1 / force)
-        .motion(ROLLCON_LATERAL, -fast * f2 / force);
+  if (force > 0) sliding.motion(ROLLCON_LONGITUDINAL, -fast * f1 / force).motion(ROLLCON_LATERAL, -fast * f2 / force);
   if (g.by_force[ROLLCON_SPIN - 1])
     sliding.motion(ROLLCON_SPIN, moment == 0 || force > 0 ? 0
                                  : moment > 0             ? -fast / (high - low)
@@ -223,9 +213,7 @@ double load_over_friction(const Scene& scene) {
   const std::int32_t status = rollcon_contact_solve(pair->handle());
   if (status < 0 || status == ROLLCON_NOT_CONVERGED) return NAN;
   const scenes::Solution s = pair->solution();
-  const auto over = [](double value, double limit) {
-    return value == 0 ? 0 : limit > 0 ? value / limit : INFINITY;
-  };
+  const auto over = [](double value, double limit) { return value == 0 ? 0 : limit > 0 ? value / limit : INFINITY; };
   if (force > 0) return over(force, (s.force[0] * f1 + s.force[1] * f2) / force);
   return over(std::abs(moment), moment > 0 ? s.moment[2] : -s.moment[2]);
 }
@@ -234,8 +222,7 @@ std::string describe(const Scene& scene) {
   const auto body = [](const scenes::AnyBody& any) -> std::string {
     char text[64];
     if (const auto* half = std::get_if<scenes::HalfspaceBody>(&any)) {
-      std::snprintf(text, sizeof text, "E %.3g nu %.7g", half->material.young(),
-                    half->material.poisson);
+      std::snprintf(text, sizeof text, "E %.3g nu %.7g", half->material.young(), half->material.poisson);
       return text;
     }
     if (std::holds_alternative<scenes::RigidBody>(any)) return "rigid";
@@ -247,20 +234,17 @@ std::string describe(const Scene& scene) {
   char text[400];
   std::snprintf(text, sizeof text, " | %lld nodes, %lld elements (%d) | mu %.3g..%.3g | %s",
                 static_cast<long long>(g.frame.nodes()), static_cast<long long>(g.frame.elements()),
-                g.frame.type.empty() ? 0 : static_cast<int>(g.frame.type[0]), *low, *high,
-                name_of(g.scheme));
+                g.frame.type.empty() ? 0 : static_cast<int>(g.frame.type[0]), *low, *high, name_of(g.scheme));
   s += text;
   constexpr const char* names[] = {"longitudinal", "lateral", "normal", "spin"};
   for (std::size_t d = 0; d < 4; ++d) {
-    std::snprintf(text, sizeof text, " | %s%s %.4g", names[d], g.by_force[d] ? " force" : "",
-                  g.value[d]);
+    std::snprintf(text, sizeof text, " | %s%s %.4g", names[d], g.by_force[d] ? " force" : "", g.value[d]);
     s += text;
   }
   for (const auto& [name, value] : scene.option) {
     s += " | " + name + " ";
     if (const auto* word = std::get_if<std::string>(&value)) s += *word;
-    if (const auto* real = std::get_if<double>(&value))
-      std::snprintf(text, sizeof text, "%.3g", *real), s += text;
+    if (const auto* real = std::get_if<double>(&value)) std::snprintf(text, sizeof text, "%.3g", *real), s += text;
     if (const auto* integer = std::get_if<std::int64_t>(&value)) s += std::to_string(*integer);
   }
   return s;

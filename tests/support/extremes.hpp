@@ -1,6 +1,6 @@
 #pragma once
-/// Stiff and extreme scenes, each solved and judged by laws of contact recomputed without the
-/// solver (independent_laws.hpp). For the tests and the bench; the public C API alone is used.
+/// Stiff and extreme scenes, each solved and judged by laws of contact recomputed without the solver
+/// (independent_laws.hpp). For the tests and the bench; the public C API alone is used.
 
 #include <cstdint>
 #include <functional>
@@ -21,8 +21,8 @@ struct Scene {
   std::string group;  ///< what is stressed: a row of the tables
   std::string name;   ///< within the group; of random scenes the seed
   scenes::AnyBody body1 = scenes::HalfspaceBody{}, body2 = scenes::RigidBody{};
-  /// Of frames taken from a body (frame_body 1 or 2, faces with frame_tag) `given.frame` must hold
-  /// the same faces, nodes and elements in the library's order.
+  /// Of frames taken from a body (frame_body 1 or 2, faces with frame_tag) `given.frame` must hold the same faces,
+  /// nodes and elements in the library's order.
   laws::Given given;
   int frame_body = 0;
   std::int32_t frame_tag = 0;
@@ -66,20 +66,19 @@ struct Ending {
 };
 
 /// Solves what was given and judges it. most_nodes: of independent_laws.hpp.
-Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition = false,
-             std::size_t most_nodes = 600);
+Ending solve(scenes::RollingPair& pair, const Scene& scene, bool condition = false, std::size_t most_nodes = 600);
 
-/// The same bodies and frame with everything else wildly different, in way 0, 1 or 2: pressed
-/// harder and dragged the other way; hardly touching, spinning and with little friction; pressed
-/// on one side, with a load by force. For warm starts from afar.
+/// The same bodies and frame with everything else wildly different, in way 0, 1 or 2: pressed harder and dragged the
+/// other way; hardly touching, spinning and with little friction; pressed on one side, with a load by force. For warm
+/// starts from afar.
 Scene disturbed(const Scene& scene, int way);
 
-/// Tangential force (or else spin moment) prescribed, over that of the same scene with every node
-/// sliding against it: near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
+/// Tangential force (or else spin moment) prescribed, over that of the same scene with every node sliding against it:
+/// near 1 or above it, ROLLCON_ERR_LOAD is right. NaN: that was not solved.
 double load_over_friction(const Scene& scene);
 
-/// Likewise of several loads together: the greatest share of them in any direction of motion over
-/// what sliding in that direction carries. Above 1 friction cannot carry them.
+/// Likewise of several loads together: the greatest share of them in any direction of motion over what sliding in that
+/// direction carries. Above 1 friction cannot carry them.
 double loads_over_friction(const Scene& scene);
 
 /// Largest difference of tractions, each over the greatest of its kind (normal, tangential) in b.
@@ -89,8 +88,8 @@ double traction_difference(const std::vector<double>& a, const std::vector<doubl
 std::vector<Scene> named_scenes();
 /// Scene of a seed, likewise.
 Scene random_scene(std::uint32_t seed);
-/// Scene of a seed with two or three tangential loads given (forces, spin moment), of shares from 0
-/// to 1.1 of what friction carries; half of them of equal half-spaces.
+/// Scene of a seed with two or three tangential loads given (forces, spin moment), of shares from 0 to 1.1 of what
+/// friction carries; half of them of equal half-spaces.
 Scene forces_scene(std::uint32_t seed);
 
 /// A single-line description: materials, frame, loads.

@@ -14,11 +14,10 @@ const char* name_of(Pairing pairing);
 
 scenes::Elastic elastic(double young, double poisson);
 
-/// E = 1e4, nu = 0.3 (unlike: nu = 0.2 against it), radius 50, approach 0.02, mu = 0.3, creepages
-/// and spin at which half of the contact sticks; 12 x 12 quad4 on a square of half-width 1.3.
+/// E = 1e4, nu = 0.3 (unlike: nu = 0.2 against it), radius 50, approach 0.02, mu = 0.3, creepages and spin at which
+/// half of the contact sticks; 12 x 12 quad4 on a square of half-width 1.3.
 Scene base(const std::string& group, const std::string& name, Pairing pairing = Pairing::on_rigid);
-/// A regular frame of n x m quad4 over half-widths a, b. Integrals as exact as the tables that
-/// the library has for it.
+/// A regular frame of n x m quad4 over half-widths a, b. Integrals as exact as the tables that the library has for it.
 void set_regular_frame(Scene& scene, int n, int m, double a = 1.3, double b = 1.3);
 void set_frame(Scene& scene, SurfaceMesh mesh);
 /// Load of the base scene's circle.

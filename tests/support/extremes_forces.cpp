@@ -1,5 +1,4 @@
-// Scenes whose tangential loads are given, several at a time, from none to a tenth more than
-// friction carries.
+// Scenes whose tangential loads are given, several at a time, from none to a tenth more than friction carries.
 
 #include <algorithm>
 #include <array>
@@ -15,8 +14,7 @@ namespace {
 
 using laws::Scheme;
 
-constexpr std::array<std::int32_t, 3> tangential{ROLLCON_LONGITUDINAL, ROLLCON_LATERAL,
-                                                 ROLLCON_SPIN};
+constexpr std::array<std::int32_t, 3> tangential{ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_SPIN};
 
 SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, bool& regular) {
   constexpr double half = 1.3;
@@ -25,14 +23,11 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, bool& regular) {
   regular = false;
   switch (d.pick(6)) {
     case 0:
-      return frames::perturb(frames::rectangle(ElementType::quad4, lines, lines),
-                             d.between(0.05, 0.2), seed);
+      return frames::perturb(frames::rectangle(ElementType::quad4, lines, lines), d.between(0.05, 0.2), seed);
     case 1:
-      return frames::perturb(frames::rectangle(ElementType::tri3, lines, lines),
-                             d.between(0.05, 0.2), seed);
+      return frames::perturb(frames::rectangle(ElementType::tri3, lines, lines), d.between(0.05, 0.2), seed);
     case 2: {
-      constexpr ElementType quadratic[] = {ElementType::quad8, ElementType::quad9,
-                                           ElementType::tri6};
+      constexpr ElementType quadratic[] = {ElementType::quad8, ElementType::quad9, ElementType::tri6};
       const auto few = frames::uniform_lines(-half, half, std::max(4, n / 2));
       return frames::rectangle(d.of(quadratic), few, few);
     }
@@ -44,8 +39,7 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, bool& regular) {
 
 double size_of(const Scene& scene) {
   double low = INFINITY, high = -INFINITY;
-  for (const Vec3& x : scene.given.frame.node)
-    low = std::min(low, x[0]), high = std::max(high, x[0]);
+  for (const Vec3& x : scene.given.frame.node) low = std::min(low, x[0]), high = std::max(high, x[0]);
   return 0.5 * (high - low);
 }
 
@@ -62,8 +56,7 @@ Scene forces_scene(std::uint32_t seed) {
   if (pairing == 0) {
     scene.body2 = scenes::RigidBody{};
   } else if (pairing == 1) {
-    const scenes::Elastic second =
-        elastic(first.young() * d.log_between(0.1, 10), d.between(0.1, 0.49));
+    const scenes::Elastic second = elastic(first.young() * d.log_between(0.1, 10), d.between(0.1, 0.49));
     scene.body2 = scenes::HalfspaceBody{second};
     e_star = closed_forms::effective_modulus(first, second);
   } else {
@@ -97,16 +90,14 @@ Scene forces_scene(std::uint32_t seed) {
   for (std::size_t i = 0; i < 3; ++i)
     if (combination != static_cast<int>(i))
       scene.force(tangential[i], length > 0 ? share * part[i] / length * unit[i] : 0.0);
-  constexpr Scheme schemes[] = {Scheme::characteristic, Scheme::characteristic,
-                                Scheme::least_squares, Scheme::godunov};
+  constexpr Scheme schemes[] = {Scheme::characteristic, Scheme::characteristic, Scheme::least_squares, Scheme::godunov};
   scene.scheme(d.of(schemes));
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "dense", "fft"};
     scene.set("operators", std::string(d.of(operators)));
     scene.set("accuracy", 1e-10);  // as the tables have it
   }
-  scene.group =
-      std::string("random: several loads, ") + (pairing < 2 ? "unlike bodies" : "like bodies");
+  scene.group = std::string("random: several loads, ") + (pairing < 2 ? "unlike bodies" : "like bodies");
   scene.right = {ROLLCON_OK, ROLLCON_COARSE, ROLLCON_RIM_CONTACT, ROLLCON_ERR_LOAD};
   return scene;
 }

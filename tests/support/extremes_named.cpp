@@ -43,8 +43,8 @@ void set_frame(Scene& scene, SurfaceMesh mesh) {
 }
 
 void set_regular_frame(Scene& scene, int n, int m, double a, double b) {
-  set_frame(scene, frames::rectangle(ElementType::quad4, frames::uniform_lines(-a, a, n),
-                                     frames::uniform_lines(-b, b, m)));
+  set_frame(scene,
+            frames::rectangle(ElementType::quad4, frames::uniform_lines(-a, a, n), frames::uniform_lines(-b, b, m)));
   scene.given.regular = true;
   scene.set("accuracy", 1e-10);
 }
@@ -64,8 +64,8 @@ Scene base(const std::string& group, const std::string& name, Pairing pairing) {
 double base_load(const Scene& scene) {
   const auto& first = std::get<scenes::HalfspaceBody>(scene.body1).material;
   const auto* second = std::get_if<scenes::HalfspaceBody>(&scene.body2);
-  const double e_star = second ? closed_forms::effective_modulus(first, second->material)
-                               : closed_forms::effective_modulus(first);
+  const double e_star =
+      second ? closed_forms::effective_modulus(first, second->material) : closed_forms::effective_modulus(first);
   return closed_forms::hertz_from_approach(0.01, 0.01, e_star, 0.02).load;
 }
 
@@ -95,12 +95,12 @@ std::vector<Scene> material_scenes() {
     const char* name;
     double length, pressure;  // in m and Pa
   };
-  for (const Units& u : {Units{"m, Pa", 1, 1}, Units{"mm, MPa", 1e-3, 1e6},
-                         Units{"um, GPa", 1e-6, 1e9}, Units{"inch, psi", 0.0254, 6894.757}})
+  for (const Units& u : {Units{"m, Pa", 1, 1}, Units{"mm, MPa", 1e-3, 1e6}, Units{"um, GPa", 1e-6, 1e9},
+                         Units{"inch, psi", 0.0254, 6894.757}})
     for (const Pairing pairing : pairings) {
       // A sphere of 50 mm and 10 GPa, in the unit's numbers.
-      Scene scene = in_units(base("units", std::string(u.name) + ", " + name_of(pairing), pairing),
-                             1e-3 / u.length, 1e6 / u.pressure);
+      Scene scene = in_units(base("units", std::string(u.name) + ", " + name_of(pairing), pairing), 1e-3 / u.length,
+                             1e6 / u.pressure);
       scenes.push_back(scene);
     }
   return scenes;
@@ -132,8 +132,7 @@ std::vector<Scene> motion_scenes() {
   std::vector<Scene> scenes;
   for (const double creep : {0.0, 1e-15, 1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e3})
     for (const Pairing pairing : pairings)
-      scenes.push_back(base("creepage", label("creepage", creep, pairing), pairing)
-                           .creep(creep, -0.5 * creep, 0));
+      scenes.push_back(base("creepage", label("creepage", creep, pairing), pairing).creep(creep, -0.5 * creep, 0));
   for (const double spin : {1e-15, 1e-9, 1e-4, 0.01, 0.1, 1.0, 1e3})
     for (const Pairing pairing : pairings)
       scenes.push_back(base("spin alone", label("spin", spin, pairing), pairing).creep(0, 0, spin));
@@ -152,25 +151,21 @@ std::vector<Scene> load_scenes() {
         scene.load(load).creep(0, 0, 0);
         if (way == 0) scene.force(ROLLCON_LONGITUDINAL, force);
         if (way == 1) scene.force(ROLLCON_LATERAL, -force);
-        if (way == 2)
-          scene.force(ROLLCON_LONGITUDINAL, 0.6 * force).force(ROLLCON_LATERAL, 0.8 * force);
+        if (way == 2) scene.force(ROLLCON_LONGITUDINAL, 0.6 * force).force(ROLLCON_LATERAL, 0.8 * force);
         if (part >= 1) scene.right = {ROLLCON_ERR_LOAD};
         scenes.push_back(scene);
       }
   for (const double part : {0.1, 0.5, 0.9})
     for (const Pairing pairing : pairings) {
       // All of friction turning about the middle is 3 pi / 16 mu Fn a.
-      Scene scene = base("tangential force",
-                         label("spin moment over that of sliding", part, pairing), pairing);
+      Scene scene = base("tangential force", label("spin moment over that of sliding", part, pairing), pairing);
       const double load = base_load(scene);
-      scenes.push_back(
-          scene.load(load).creep(0, 0, 0).force(ROLLCON_SPIN, part * 0.589 * 0.3 * load));
+      scenes.push_back(scene.load(load).creep(0, 0, 0).force(ROLLCON_SPIN, part * 0.589 * 0.3 * load));
     }
   for (int k = -12; k <= 12; k += 3)
     for (const Pairing pairing : pairings) {
       const double factor = std::pow(10, k), size = std::cbrt(factor);
-      Scene scene =
-          base("load", label("frame of the contact's size, load", factor, pairing), pairing);
+      Scene scene = base("load", label("frame of the contact's size, load", factor, pairing), pairing);
       const double load = base_load(scene) * factor;
       set_regular_frame(scene, 12, 12, 1.3 * size, 1.3 * size);
       scenes.push_back(scene.load(load).creep(0.006 * size, -0.003 * size, 0.002));
@@ -206,8 +201,7 @@ Scene in_units(Scene scene, double length, double pressure) {
 
 std::vector<Scene> named_scenes() {
   std::vector<Scene> all;
-  for (const auto family :
-       {material_scenes, friction_scenes, motion_scenes, load_scenes, contact_scenes, frame_scenes})
+  for (const auto family : {material_scenes, friction_scenes, motion_scenes, load_scenes, contact_scenes, frame_scenes})
     for (Scene& scene : family()) all.push_back(std::move(scene));
   return all;
 }

@@ -55,8 +55,7 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, double a, double b, bool& re
     case 3:
       return frames::perturb(frames::rectangle(d.of(linear), x, y), d.between(0.05, 0.3), seed);
     case 4:
-      return frames::rectangle(d.of(linear), frames::cosine_lines(room * a, n),
-                               frames::cosine_lines(room * b, m));
+      return frames::rectangle(d.of(linear), frames::cosine_lines(room * a, n), frames::cosine_lines(room * b, m));
     case 5: {
       const auto half = frames::uniform_lines(-room * a, room * a, std::max(3, n / 2));
       const auto side = frames::uniform_lines(-room * b, room * b, std::max(3, m / 2));
@@ -68,13 +67,11 @@ SurfaceMesh draw_frame(Draw& d, std::uint32_t seed, double a, double b, bool& re
       const double narrow = d.log_between(1e-4, 0.3);
       for (std::size_t k = 2; k + 1 < lines.size(); k += 2)
         lines[k] = lines[k - 1] + narrow * (lines[k] - lines[k - 1]);
-      return d.chance(0.5) ? frames::rectangle(d.of(linear), lines, y)
-                           : frames::rectangle(d.of(linear), y, lines);
+      return d.chance(0.5) ? frames::rectangle(d.of(linear), lines, y) : frames::rectangle(d.of(linear), y, lines);
     }
     default: {
       const auto radii = frames::contact_radii(1, 3 + d.pick(6), room);
-      return frames::stretch(
-          frames::ring_disc(ElementType::tri3, radii, frames::ring_counts(radii)), a, b);
+      return frames::stretch(frames::ring_disc(ElementType::tri3, radii, frames::ring_counts(radii)), a, b);
     }
   }
 }
@@ -98,8 +95,7 @@ void draw_gap(Draw& d, Scene& scene, double a, double b, double depth) {
       value = INFINITY;
       for (int k = 0; k < bumps; ++k) {
         const double angle = turn + 6.283185307179586 * k / bumps;
-        value = std::min(value, std::pow(x - 0.65 * std::cos(angle), 2) +
-                                    std::pow(y - 0.65 * std::sin(angle), 2));
+        value = std::min(value, std::pow(x - 0.65 * std::cos(angle), 2) + std::pow(y - 0.65 * std::sin(angle), 2));
       }
       value *= 8;
     }
@@ -117,15 +113,14 @@ void draw_friction(Draw& d, Scene& scene) {
   const bool jumps = d.chance(0.5);
   scene.given.friction.clear();
   for (std::int64_t k = 0; k < scene.given.frame.nodes(); ++k)
-    scene.given.friction.push_back(jumps ? (d.chance(0.5) ? mu : 0.01 * mu)
-                                         : mu * d.between(0.5, 1.5));
+    scene.given.friction.push_back(jumps ? (d.chance(0.5) ? mu : 0.01 * mu) : mu * d.between(0.5, 1.5));
 }
 
 /// scale: creepage that would saturate a contact of friction 1; load: about what will be carried.
 void draw_motion(Draw& d, Scene& scene, double scale, double size, double load) {
   const double mu = *std::max_element(scene.given.friction.begin(), scene.given.friction.end());
-  const double amount = d.chance(0.6) ? scale * std::max(mu, 1e-3) * d.log_between(0.01, 10)
-                                      : d.log_between(1e-15, 1e3);
+  const double amount =
+      d.chance(0.6) ? scale * std::max(mu, 1e-3) * d.log_between(0.01, 10) : d.log_between(1e-15, 1e3);
   const auto part = [&] { return d.chance(0.4) ? 0 : amount * d.between(-1, 1); };
   scene.creep(part(), part(), d.chance(0.5) ? part() / size : 0);
   if (d.chance(0.05)) scene.creep(0, 0, amount / size);
@@ -141,8 +136,7 @@ void draw_motion(Draw& d, Scene& scene, double scale, double size, double load) 
       scene.force(ROLLCON_LATERAL, -force);
       break;
     case 2:
-      scene.force(ROLLCON_LONGITUDINAL, force * std::cos(angle))
-          .force(ROLLCON_LATERAL, force * std::sin(angle));
+      scene.force(ROLLCON_LONGITUDINAL, force * std::cos(angle)).force(ROLLCON_LATERAL, force * std::sin(angle));
       break;
     default:
       scene.force(ROLLCON_SPIN, 0.3 * force * size * d.between(-1, 1));
@@ -169,8 +163,7 @@ Scene random_scene(std::uint32_t seed) {
   if (turned == 0)
     g.quadratic = {hertz.A, hertz.B, 0};
   else
-    for (const Vec3& x : g.frame.node)
-      g.gap.push_back(hertz.A * x[0] * x[0] + hertz.B * x[1] * x[1]);
+    for (const Vec3& x : g.frame.node) g.gap.push_back(hertz.A * x[0] * x[0] + hertz.B * x[1] * x[1]);
   draw_gap(d, scene, a, b, hertz.approach);
   g.speed = d.chance(0.3) ? d.log_between(1e-6, 1e6) : 1;
   double press = d.between(0.3, 1.1);
@@ -183,22 +176,20 @@ Scene random_scene(std::uint32_t seed) {
   else
     scene.load(hertz.load * std::pow(press, 1.5));
   draw_friction(d, scene);
-  draw_motion(d, scene, 4 * hertz.p0 / e_star, std::sqrt(a * b),
-              hertz.load * std::pow(std::abs(press), 1.5));
-  constexpr Scheme schemes[] = {Scheme::characteristic, Scheme::characteristic,
-                                Scheme::least_squares, Scheme::godunov};
+  draw_motion(d, scene, 4 * hertz.p0 / e_star, std::sqrt(a * b), hertz.load * std::pow(std::abs(press), 1.5));
+  constexpr Scheme schemes[] = {Scheme::characteristic, Scheme::characteristic, Scheme::least_squares, Scheme::godunov};
   scene.scheme(d.of(schemes));
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "auto", "dense", "table", "fft"};
     scene.set("operators", std::string(d.of(operators)));
     scene.set("accuracy", 1e-10);  // as the tables have it
   }
-  const bool twins = scene.body1.index() == scene.body2.index() &&
-                     std::get<scenes::HalfspaceBody>(scene.body1).material.shear ==
-                         std::get<scenes::HalfspaceBody>(scene.body2).material.shear;
+  const bool twins =
+      scene.body1.index() == scene.body2.index() && std::get<scenes::HalfspaceBody>(scene.body1).material.shear ==
+                                                        std::get<scenes::HalfspaceBody>(scene.body2).material.shear;
   const double mu = *std::max_element(g.friction.begin(), g.friction.end());
-  scene.group = std::string("random: ") + (twins ? "like bodies" : "unlike bodies") +
-                (mu < 0.8 ? ", mu < 0.8" : ", mu 1 to 10");
+  scene.group =
+      std::string("random: ") + (twins ? "like bodies" : "unlike bodies") + (mu < 0.8 ? ", mu < 0.8" : ", mu 1 to 10");
   scene.right = {ROLLCON_OK, ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_NO_CONTACT};
   if (g.by_force[0] || g.by_force[1] || g.by_force[3]) scene.right.push_back(ROLLCON_ERR_LOAD);
   return scene;

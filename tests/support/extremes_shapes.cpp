@@ -30,8 +30,7 @@ double patches(int count, double x, double y) {
   double h = INFINITY;
   for (int k = 0; k < count; ++k) {
     const double angle = 0.4 + 6.283185307179586 * k / count;
-    h = std::min(h,
-                 std::pow(x - 0.8 * std::cos(angle), 2) + std::pow(y - 0.8 * std::sin(angle), 2));
+    h = std::min(h, std::pow(x - 0.8 * std::cos(angle), 2) + std::pow(y - 0.8 * std::sin(angle), 2));
   }
   return 0.1 * h;
 }
@@ -52,8 +51,7 @@ std::vector<double> graded_lines(double reach, double smallest, int n) {
 /// Every second line drawn towards its neighbour to this part of the spacing.
 std::vector<double> paired_lines(double reach, int n, double part) {
   std::vector<double> lines = frames::uniform_lines(-reach, reach, n);
-  for (std::size_t k = 2; k + 1 < lines.size(); k += 2)
-    lines[k] = lines[k - 1] + part * (lines[k] - lines[k - 1]);
+  for (std::size_t k = 2; k + 1 < lines.size(); k += 2) lines[k] = lines[k - 1] + part * (lines[k] - lines[k - 1]);
   return lines;
 }
 
@@ -111,10 +109,9 @@ std::vector<Scene> contact_scenes() {
     set_gap(tilted, [](double x, double y) { return 0.004 * (x + 1.3) + 0.002 * (y + 1.3); });
     scenes.push_back(tilted.scheme(Scheme::characteristic));
     for (const double slender : {100.0, 0.01}) {
-      Scene scene = base("slender",
-                         slender > 1 ? with("100 : 1 along rolling", pairing)
-                                     : with("100 : 1 across rolling", pairing),
-                         pairing);
+      Scene scene =
+          base("slender",
+               slender > 1 ? with("100 : 1 along rolling", pairing) : with("100 : 1 across rolling", pairing), pairing);
       const double a = slender > 1 ? 100 : 1, b = slender > 1 ? 1 : 100;
       const auto hertz = closed_forms::hertz_from_axes(a, b, 0.01, 1.0);
       set_regular_frame(scene, 14, 14, 1.3 * a, 1.3 * b);
@@ -127,12 +124,10 @@ std::vector<Scene> contact_scenes() {
 
 std::vector<Scene> frame_scenes() {
   std::vector<Scene> scenes;
-  const auto add = [&](const std::string& name, const SurfaceMesh& mesh, double a = 1,
-                       double b = 1) {
+  const auto add = [&](const std::string& name, const SurfaceMesh& mesh, double a = 1, double b = 1) {
     for (const Pairing pairing : {Pairing::on_rigid, Pairing::twins})
       for (const Scheme scheme : schemes) {
-        Scene scene =
-            base("frames", name + ", " + name_of(pairing) + ", " + name_of(scheme), pairing);
+        Scene scene = base("frames", name + ", " + name_of(pairing) + ", " + name_of(scheme), pairing);
         set_frame(scene, mesh);
         if (a != 1 || b != 1) {
           const auto hertz = closed_forms::hertz_from_axes(a, b, 0.01, 1.0);
@@ -154,17 +149,13 @@ std::vector<Scene> frame_scenes() {
     add(kind + " 1 : 1000 across", frames::stretch(few, 1, 1000), 1, 1000);
     add(kind + ", slivers along", frames::rectangle(type, lines, paired_lines(1.3, 10, 1e-3)));
     add(kind + ", slivers across", frames::rectangle(type, paired_lines(1.3, 10, 1e-3), lines));
-    add(kind + ", sizes over 1e4",
-        frames::rectangle(type, graded_lines(1.3, 1.3e-4, 7), graded_lines(1.3, 1.3e-4, 7)));
-    add(kind + ", nodes 1e-9 apart",
-        frames::rectangle(type, paired_lines(1.3, 10, 1e-8), paired_lines(1.3, 10, 1e-8)));
+    add(kind + ", sizes over 1e4", frames::rectangle(type, graded_lines(1.3, 1.3e-4, 7), graded_lines(1.3, 1.3e-4, 7)));
+    add(kind + ", nodes 1e-9 apart", frames::rectangle(type, paired_lines(1.3, 10, 1e-8), paired_lines(1.3, 10, 1e-8)));
   }
   const auto radii = frames::contact_radii(1, 5, 1.3);
-  add("rings of triangles",
-      frames::ring_disc(ElementType::tri3, radii, frames::ring_counts(radii)));
-  for (const auto& [type, kind] :
-       {std::pair{ElementType::quad8, "quad8"}, std::pair{ElementType::quad9, "quad9"},
-        std::pair{ElementType::tri6, "tri6"}}) {
+  add("rings of triangles", frames::ring_disc(ElementType::tri3, radii, frames::ring_counts(radii)));
+  for (const auto& [type, kind] : {std::pair{ElementType::quad8, "quad8"}, std::pair{ElementType::quad9, "quad9"},
+                                   std::pair{ElementType::tri6, "tri6"}}) {
     const SurfaceMesh mesh = frames::rectangle(type, coarse, coarse);
     add(kind, mesh);
     add(std::string(kind) + ", midsides displaced by 0.1", frames::bend_midsides(mesh, 0.1, 3));
@@ -172,8 +163,7 @@ std::vector<Scene> frame_scenes() {
   for (const int n : {2, 3, 5, 24, 40, 100})
     for (const Pairing pairing : {Pairing::on_rigid, Pairing::twins}) {
       char text[80];
-      std::snprintf(text, sizeof text, "regular, %d nodes, %s", (n + 1) * (n + 1),
-                    name_of(pairing));
+      std::snprintf(text, sizeof text, "regular, %d nodes, %s", (n + 1) * (n + 1), name_of(pairing));
       Scene scene = base("frames", text, pairing);
       set_regular_frame(scene, n, n);
       scene.given.regular = n > 1;

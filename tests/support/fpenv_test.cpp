@@ -1,5 +1,5 @@
-// Whatever floating-point environment a host has, calls compute in the ordinary one and leave its
-// own behind, flags included.
+// Whatever floating-point environment a host has, calls compute in the ordinary one and leave its own behind, flags
+// included.
 
 #include "support/fpenv.hpp"
 
@@ -101,9 +101,9 @@ TEST(QuietFloatingPoint, computes_in_the_ordinary_environment_and_leaves_the_hos
     }
     const Seen after;
     fesetenv(&mine);
-    EXPECT_TRUE(after == before) << host.name << ": rounding " << before.round << " " << after.round
-                                 << ", flags " << before.flags << " " << after.flags << ", traps "
-                                 << before.traps << " " << after.traps;
+    EXPECT_TRUE(after == before) << host.name << ": rounding " << before.round << " " << after.round << ", flags "
+                                 << before.flags << " " << after.flags << ", traps " << before.traps << " "
+                                 << after.traps;
   }
 }
 
@@ -127,9 +127,8 @@ TEST(HostFloatingPoint, has_what_the_host_had_and_forgets_what_it_does_there) {
     }
     const Seen after;
     fesetenv(&mine);
-    EXPECT_TRUE(within == before) << host.name << ": rounding " << before.round << " "
-                                  << within.round << ", flags " << before.flags << " "
-                                  << within.flags;
+    EXPECT_TRUE(within == before) << host.name << ": rounding " << before.round << " " << within.round << ", flags "
+                                  << before.flags << " " << within.flags;
     EXPECT_TRUE(after == before) << host.name;
   }
 }

@@ -70,16 +70,15 @@ void recentre(SurfaceMesh& mesh) {
     const auto nodes = mesh.element(e);
     const auto corners = corner_number(type);
     auto at = [&](std::size_t i) -> Vec3& { return mesh.node[static_cast<std::size_t>(nodes[i])]; };
-    for (std::size_t i = 0; i < corners; ++i)
-      at(corners + i) = middle(at(i), at((i + 1) % corners));
+    for (std::size_t i = 0; i < corners; ++i) at(corners + i) = middle(at(i), at((i + 1) % corners));
     if (type == ElementType::quad9) at(8) = middle(middle(at(0), at(2)), middle(at(1), at(3)));
   }
 }
 
-/// Triangles between two rings of nodes, both counter-clockwise; phases are the angles of their
-/// first nodes in turns. Advances on the ring whose next node comes first.
-void stitch(SurfaceMesh& mesh, std::int32_t inner, int inner_count, double inner_phase,
-            std::int32_t outer, int outer_count, double outer_phase) {
+/// Triangles between two rings of nodes, both counter-clockwise; phases are the angles of their first nodes in turns.
+/// Advances on the ring whose next node comes first.
+void stitch(SurfaceMesh& mesh, std::int32_t inner, int inner_count, double inner_phase, std::int32_t outer,
+            int outer_count, double outer_phase) {
   int i = 0, o = 0;
   auto in = [&](int k) { return inner + k % inner_count; };
   auto out = [&](int k) { return outer + k % outer_count; };
@@ -137,8 +136,7 @@ SurfaceMesh rectangle(ElementType type, std::span<const double> x, std::span<con
   return as_type(std::move(mesh), type);
 }
 
-SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
-                   double core_fraction) {
+SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay, double core_fraction) {
   if (is_triangle(type)) throw std::invalid_argument("o_grid: quadrilaterals only");
   SurfaceMesh mesh;
   // Half way between a square and a disc: no corner of the core is flat, no element skewed.
@@ -170,8 +168,7 @@ SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
       const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(count) - 0.75 * pi;
       const double s = static_cast<double>(k) / rings;
       next[i] = static_cast<std::int32_t>(mesh.node.size());
-      add_node(mesh, (1 - s) * inner[0] + s * std::cos(angle),
-               (1 - s) * inner[1] + s * std::sin(angle));
+      add_node(mesh, (1 - s) * inner[0] + s * std::cos(angle), (1 - s) * inner[1] + s * std::sin(angle));
     }
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t j = (i + 1) % count;
@@ -182,8 +179,7 @@ SurfaceMesh o_grid(ElementType type, int core, int rings, double ax, double ay,
   return stretch(as_type(std::move(mesh), type), ax, ay);
 }
 
-SurfaceMesh ring_disc(ElementType type, std::span<const double> radius,
-                      std::span<const int> count) {
+SurfaceMesh ring_disc(ElementType type, std::span<const double> radius, std::span<const int> count) {
   if (!is_triangle(type) || radius.size() != count.size() || radius.empty())
     throw std::invalid_argument("ring_disc: triangles, one count per radius");
   SurfaceMesh mesh;
@@ -233,11 +229,9 @@ std::vector<double> contact_radii(double a, int n, double outer) {
 
 std::vector<int> ring_counts(std::span<const double> radius) {
   double widest = radius[0];
-  for (std::size_t k = 1; k < radius.size(); ++k)
-    widest = std::max(widest, radius[k] - radius[k - 1]);
+  for (std::size_t k = 1; k < radius.size(); ++k) widest = std::max(widest, radius[k] - radius[k - 1]);
   std::vector<int> count;
-  for (double r : radius)
-    count.push_back(std::max(6, static_cast<int>(std::lround(2 * pi * r / widest))));
+  for (double r : radius) count.push_back(std::max(6, static_cast<int>(std::lround(2 * pi * r / widest))));
   return count;
 }
 
@@ -257,9 +251,8 @@ SurfaceMesh to_quadratic(const SurfaceMesh& linear, ElementType type) {
     mesh.tag.push_back(linear.tag[static_cast<std::size_t>(e)]);
     mesh.connectivity.insert(mesh.connectivity.end(), corner.begin(), corner.end());
     for (std::size_t i = 0; i < corners; ++i) {
-      const auto [place, is_new] =
-          midside.try_emplace(edge_key(corner[i], corner[(i + 1) % corners]),
-                              static_cast<std::int32_t>(mesh.node.size()));
+      const auto [place, is_new] = midside.try_emplace(edge_key(corner[i], corner[(i + 1) % corners]),
+                                                       static_cast<std::int32_t>(mesh.node.size()));
       if (is_new) add_node(mesh, 0, 0);
       mesh.connectivity.push_back(place->second);
     }
@@ -280,20 +273,16 @@ SurfaceMesh perturb(SurfaceMesh mesh, double fraction, std::uint32_t seed) {
   for (const auto& [edge, n] : count)
     for (std::int32_t k : {edge.first, edge.second}) {
       const auto i = static_cast<std::size_t>(k);
-      shortest[i] =
-          std::min(shortest[i], distance(mesh.node[static_cast<std::size_t>(edge.first)],
-                                         mesh.node[static_cast<std::size_t>(edge.second)]));
+      shortest[i] = std::min(shortest[i], distance(mesh.node[static_cast<std::size_t>(edge.first)],
+                                                   mesh.node[static_cast<std::size_t>(edge.second)]));
       fixed[i] = 0;
     }
   for (const auto& [edge, n] : count)
-    if (n == 1)
-      fixed[static_cast<std::size_t>(edge.first)] = fixed[static_cast<std::size_t>(edge.second)] =
-          1;
+    if (n == 1) fixed[static_cast<std::size_t>(edge.first)] = fixed[static_cast<std::size_t>(edge.second)] = 1;
   Random random(seed);
   for (std::size_t k = 0; k < mesh.node.size(); ++k)
     if (!fixed[k])
-      for (int i = 0; i < 2; ++i)
-        mesh.node[k][static_cast<std::size_t>(i)] += fraction * shortest[k] * random();
+      for (int i = 0; i < 2; ++i) mesh.node[k][static_cast<std::size_t>(i)] += fraction * shortest[k] * random();
   recentre(mesh);
   return mesh;
 }
@@ -311,8 +300,7 @@ SurfaceMesh bend_midsides(SurfaceMesh mesh, double fraction, std::uint32_t seed)
       const std::int32_t a = nodes[i], b = nodes[(i + 1) % corners];
       const auto mid = static_cast<std::size_t>(nodes[corners + i]);
       if (count.at(edge_key(a, b)) == 1 || done[mid]++) continue;
-      const double length =
-          distance(mesh.node[static_cast<std::size_t>(a)], mesh.node[static_cast<std::size_t>(b)]);
+      const double length = distance(mesh.node[static_cast<std::size_t>(a)], mesh.node[static_cast<std::size_t>(b)]);
       mesh.node[mid][0] += fraction * length * random();
       mesh.node[mid][1] += fraction * length * random();
     }
@@ -326,9 +314,7 @@ SurfaceMesh transform(SurfaceMesh mesh, const std::function<Vec3(const Vec3&)>& 
 }
 
 SurfaceMesh stretch(SurfaceMesh mesh, double sx, double sy) {
-  return transform(std::move(mesh), [=](const Vec3& x) {
-    return Vec3{sx * x[0], sy * x[1], x[2]};
-  });
+  return transform(std::move(mesh), [=](const Vec3& x) { return Vec3{sx * x[0], sy * x[1], x[2]}; });
 }
 
 SurfaceMesh rotate(SurfaceMesh mesh, double angle) {

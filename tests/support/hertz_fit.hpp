@@ -1,7 +1,7 @@
 #pragma once
-/// How peak pressure and semi-axes are read off a discrete pressure: Hertz's form says that p^2 is
-/// the linear function p0^2 (1 - x^2/a^2 - y^2/b^2) of x^2 and y^2, so a least-squares fit over the
-/// loaded nodes, each weighted by its p (which leaves the ragged edge little say), gives p0, a, b.
+/// How peak pressure and semi-axes are read off a discrete pressure: Hertz's form says that p^2 is the linear function
+/// p0^2 (1 - x^2/a^2 - y^2/b^2) of x^2 and y^2, so a least-squares fit over the loaded nodes, each weighted by its p
+/// (which leaves the ragged edge little say), gives p0, a, b.
 
 #include <array>
 #include <cmath>

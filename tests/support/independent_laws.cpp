@@ -22,8 +22,7 @@ class Checker {
     if (given.scheme == Scheme::characteristic) {
       upstream_ = steps(given.frame, at_, given.step, given.regular);
     } else {
-      rows_ = given.scheme == Scheme::godunov ? godunov_rows(given.frame, at_)
-                                              : least_squares_rows(given.frame, at_);
+      rows_ = given.scheme == Scheme::godunov ? godunov_rows(given.frame, at_) : least_squares_rows(given.frame, at_);
     }
     choose_nodes(most_nodes);
     find_displacements();
@@ -62,11 +61,8 @@ class Checker {
       if (used_[k]) (in_contact(k) ? touching : open).push_back(k);
     if (touching.size() + open.size() > most) {
       // Those nearest to touching, and every so many of those in contact.
-      const auto rigid = [&](std::size_t k) {
-        return gap_given() ? undeformed_gap(k) : result_.gap[k];
-      };
-      std::sort(open.begin(), open.end(),
-                [&](std::size_t a, std::size_t b) { return rigid(a) < rigid(b); });
+      const auto rigid = [&](std::size_t k) { return gap_given() ? undeformed_gap(k) : result_.gap[k]; };
+      std::sort(open.begin(), open.end(), [&](std::size_t a, std::size_t b) { return rigid(a) < rigid(b); });
       open.resize(std::min(open.size(), most / 3));
       const std::size_t keep = most - open.size(), every = 1 + touching.size() / keep;
       std::vector<std::size_t> some;
@@ -100,10 +96,8 @@ class Checker {
     const auto points = static_cast<std::int64_t>(xy.size() / 2);
     u_.resize(static_cast<std::size_t>(3 * points));
     std::vector<double> u2(u_.size());
-    must(rollcon_contact_get_displacements_at(contact_, 1, points, xy.data(), u_.data()),
-         "get_displacements_at");
-    must(rollcon_contact_get_displacements_at(contact_, 2, points, xy.data(), u2.data()),
-         "get_displacements_at");
+    must(rollcon_contact_get_displacements_at(contact_, 1, points, xy.data(), u_.data()), "get_displacements_at");
+    must(rollcon_contact_get_displacements_at(contact_, 2, points, xy.data(), u2.data()), "get_displacements_at");
     for (std::size_t k = 0; k < u_.size(); ++k) {
       laws_.finite = laws_.finite && std::isfinite(u_[k]) && std::isfinite(u2[k]);
       largest_u_ = std::max({largest_u_, std::abs(u_[k]), std::abs(u2[k])});
@@ -111,9 +105,7 @@ class Checker {
     }
   }
 
-  double u(std::int64_t place, std::size_t c) const {
-    return u_[3 * static_cast<std::size_t>(place) + c];
-  }
+  double u(std::int64_t place, std::size_t c) const { return u_[3 * static_cast<std::size_t>(place) + c]; }
 
   void normal_laws() {
     double p0 = 0, u0 = 0, overlap = 0, room = 0;
@@ -140,8 +132,7 @@ class Checker {
       const double moved = gap_given() ? result_.approach * closing(k) : 0;
       const double gap = rigid - moved - u(place_[k], 2);
       laws_.gap_field = std::max(laws_.gap_field, std::abs(gap - result_.gap[k]) / u0);
-      const double rest = std::max(
-          0.0, std::abs(gap) - rounding() * (std::abs(rigid) + std::abs(moved) + largest_u_));
+      const double rest = std::max(0.0, std::abs(gap) - rounding() * (std::abs(rigid) + std::abs(moved) + largest_u_));
       if (gap < 0) laws_.penetration = std::max(laws_.penetration, rest / u0);
       if (gap > 0 && in_contact(k))
         laws_.separation = std::max(laws_.separation, std::min(pressure(k) / p0, rest / u0));
@@ -162,8 +153,7 @@ class Checker {
     double cosine = 1;
     if (!given_.triad.empty()) {
       const auto& t = given_.triad[k];
-      s.rigid = {t[0][0] * s.rigid[0] + t[0][1] * s.rigid[1],
-                 t[1][0] * s.rigid[0] + t[1][1] * s.rigid[1]};
+      s.rigid = {t[0][0] * s.rigid[0] + t[0][1] * s.rigid[1], t[1][0] * s.rigid[0] + t[1][1] * s.rigid[1]};
       cosine = t[0][0];
     }
     double size = 0;
@@ -174,8 +164,7 @@ class Checker {
     } else {
       for (const Difference& d : rows_[k]) {
         const std::int64_t j = place_[static_cast<std::size_t>(d.node)];
-        for (std::size_t c = 0; c < 2; ++c)
-          s.elastic[c] += cosine * d.c * (u(j, c) - u(place_[k], c));
+        for (std::size_t c = 0; c < 2; ++c) s.elastic[c] += cosine * d.c * (u(j, c) - u(place_[k], c));
         size += std::abs(d.c);
       }
     }
@@ -186,21 +175,19 @@ class Checker {
 
   /// Given at nodes; where slip is taken half a step upstream it is carried there.
   void add_creep_field(std::size_t k, Slip& s) const {
-    if (!upstream_.empty() && field_rows_.empty())
-      field_rows_ = least_squares_rows(given_.frame, at_);
+    if (!upstream_.empty() && field_rows_.empty()) field_rows_ = least_squares_rows(given_.frame, at_);
     for (std::size_t c = 0; c < 2; ++c) {
       double value = given_.creep_field[2 * k + c], derivative = 0;
       if (!upstream_.empty())
         for (const Difference& d : field_rows_[k])
-          derivative +=
-              d.c * (given_.creep_field[2 * static_cast<std::size_t>(d.node) + c] - value);
+          derivative += d.c * (given_.creep_field[2 * static_cast<std::size_t>(d.node) + c] - value);
       if (!upstream_.empty()) value -= 0.5 * upstream_[k] * derivative;
       s.rigid[c] += value / given_.speed;
     }
   }
 
-  /// Slip over V that tractions of the size found cause: u0 / p0 per traction, over the radius of a
-  /// circle of the contact's area. Where all sticks, elastic slip itself is the creepage's or none.
+  /// Slip over V that tractions of the size found cause: u0 / p0 per traction, over the radius of a circle of the
+  /// contact's area. Where all sticks, elastic slip itself is the creepage's or none.
   double elastic_slip() const {
     double q = 0, area = 0;
     for (std::size_t k = 0; k < nodes_; ++k) {
@@ -222,8 +209,7 @@ class Checker {
     for (const std::size_t k : touching) {
       slips.push_back(slip(k));
       const Slip& s = slips.back();
-      s0 = std::max(
-          {s0, std::hypot(s.rigid[0], s.rigid[1]), std::hypot(s.elastic[0], s.elastic[1])});
+      s0 = std::max({s0, std::hypot(s.rigid[0], s.rigid[1]), std::hypot(s.elastic[0], s.elastic[1])});
     }
     for (std::size_t k = 0; k < nodes_; ++k) {
       const double q = std::hypot(result_.traction[3 * k], result_.traction[3 * k + 1]);
@@ -240,27 +226,23 @@ class Checker {
       const Slip& s = slips[i];
       const double s1 = s.rigid[0] + s.elastic[0], s2 = s.rigid[1] + s.elastic[1];
       if (s0 > 0)
-        laws_.slip_field =
-            std::max(laws_.slip_field, (std::hypot(given_.speed * s1 - result_.slip[2 * k],
-                                                   given_.speed * s2 - result_.slip[2 * k + 1])) /
-                                           (given_.speed * s0));
+        laws_.slip_field = std::max(laws_.slip_field, (std::hypot(given_.speed * s1 - result_.slip[2 * k],
+                                                                  given_.speed * s2 - result_.slip[2 * k + 1])) /
+                                                          (given_.speed * s0));
       if (!(mu(k) > 0) || !(s0 > 0)) continue;
       const double q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
       const double q = std::hypot(q1, q2), speed = std::hypot(s1, s2);
       // Off the law by what slip would have to change, or what traction would: the lesser.
       const double limit = mu(k) * pressure(k);
-      const double by_traction =
-          speed > 0 ? std::hypot(q1 + limit * s1 / speed, q2 + limit * s2 / speed) / q0 : 0;
-      const auto relative = [&](double part) {
-        return std::min(by_traction, std::max(0.0, part - s.uncertain) / s0);
-      };
+      const double by_traction = speed > 0 ? std::hypot(q1 + limit * s1 / speed, q2 + limit * s2 / speed) / q0 : 0;
+      const auto relative = [&](double part) { return std::min(by_traction, std::max(0.0, part - s.uncertain) / s0); };
       if (result_.state[k] == ROLLCON_STICK)
         laws_.stick = std::max(laws_.stick, relative(speed));
       else if (result_.state[k] != ROLLCON_SLIP)
         laws_.stick = 1;  // in contact, and said to be open
       else if (q > 0)
-        laws_.direction = std::max({laws_.direction, relative(std::abs(s1 * q2 - s2 * q1) / q),
-                                    relative((s1 * q1 + s2 * q2) / q)});
+        laws_.direction =
+            std::max({laws_.direction, relative(std::abs(s1 * q2 - s2 * q1) / q), relative((s1 * q1 + s2 * q2) / q)});
       else
         laws_.direction = std::max(laws_.direction, relative(speed));
     }
@@ -269,16 +251,14 @@ class Checker {
   void loads() {
     const bool flat = given_.triad.empty();
     const auto integral = flat ? shape_integrals(given_.frame, at_)
-                               : surface_integrals(given_.frame, given_.origin,
-                                                   axes_of(given_.rolling, given_.normal));
+                               : surface_integrals(given_.frame, given_.origin, axes_of(given_.rolling, given_.normal));
     double sum[4] = {}, size[4] = {};
     for (std::size_t k = 0; k < nodes_; ++k) {
       const double* t = &result_.traction[3 * k];
       std::array<double, 3> force{t[0], t[1], t[2]};
       if (!flat)
         for (std::size_t j = 0; j < 3; ++j)
-          force[j] = t[0] * given_.triad[k][0][j] + t[1] * given_.triad[k][1][j] +
-                     t[2] * given_.triad[k][2][j];
+          force[j] = t[0] * given_.triad[k][0][j] + t[1] * given_.triad[k][1][j] + t[2] * given_.triad[k][2][j];
       const double w = integral[k][0];
       // Terms count with the node's cell: shape functions and arms may cancel.
       const double cell = std::max(result_.area[k], std::abs(w));
@@ -290,10 +270,8 @@ class Checker {
       const double arm = std::abs(at_.x[k]) + std::abs(at_.y[k]) + std::sqrt(cell);
       size[3] += cell * arm * std::hypot(force[0], force[1]);
     }
-    const double found[4] = {result_.force[0], result_.force[1], result_.force[2],
-                             result_.moment[2]};
-    const double motion[4] = {result_.creep[0], result_.creep[1], result_.approach,
-                              result_.creep[2]};
+    const double found[4] = {result_.force[0], result_.force[1], result_.force[2], result_.moment[2]};
+    const double motion[4] = {result_.creep[0], result_.creep[1], result_.approach, result_.creep[2]};
     for (std::size_t d = 0; d < 4; ++d) {
       const double value = given_.value[d];
       const auto compare = [&](double a, double b) {
@@ -302,8 +280,7 @@ class Checker {
       };
       compare(sum[d], found[d]);
       if (!given_.by_force[d]) {
-        if (motion[d] != value)
-          laws_.motion = std::max(laws_.motion, std::abs(motion[d] - value) / std::abs(value));
+        if (motion[d] != value) laws_.motion = std::max(laws_.motion, std::abs(motion[d] - value) / std::abs(value));
       } else if (p0_ > 0) {  // without contact nothing can be carried
         compare(d == 2 ? -sum[d] : sum[d], value);
       }

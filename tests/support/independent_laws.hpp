@@ -1,9 +1,8 @@
 #pragma once
-/// The laws of contact recomputed from what a caller gave and what the public functions return:
-/// tractions, motions, states, and displacements at points by rollcon_contact_get_displacements_at,
-/// which evaluates them from the tractions and not from the matrices of the solver. Gap and slip
-/// fields of the library are not used (but see Given::gap); slip comes from the displacements by
-/// the schemes of independent_schemes.hpp, signs of docs/theory.md, section 1.
+/// The laws of contact recomputed from what a caller gave and what the public functions return: tractions, motions,
+/// states, and displacements at points by rollcon_contact_get_displacements_at, which evaluates them from the tractions
+/// and not from the matrices of the solver. Gap and slip fields of the library are not used (but see Given::gap); slip
+/// comes from the displacements by the schemes of independent_schemes.hpp, signs of docs/theory.md, section 1.
 
 #include <array>
 #include <optional>
@@ -19,8 +18,8 @@ namespace rollcon::laws {
 struct Given {
   SurfaceMesh frame;
   Vec3 origin{0, 0, 0}, rolling{1, 0, 0}, normal{0, 0, 1};  ///< of the axes
-  std::vector<double> gap;                         ///< of the undeformed bodies at each node
-  std::optional<std::array<double, 3>> quadratic;  ///< a, b, c of the gap instead
+  std::vector<double> gap;                                  ///< of the undeformed bodies at each node
+  std::optional<std::array<double, 3>> quadratic;           ///< a, b, c of the gap instead
   double speed = 1;
   std::array<bool, 4> by_force{};
   std::array<double, 4> value{};
@@ -30,17 +29,15 @@ struct Given {
   double step = 0.6;     ///< option characteristic_step
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of
-  /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows (surface_triads).
-  /// Neither gap nor quadratic: the bodies have meshes, and the undeformed gap is concluded from
-  /// the field GAP (no check of its own then).
+  /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows (surface_triads). Neither gap nor quadratic:
+  /// the bodies have meshes, and the undeformed gap is concluded from the field GAP (no check of its own then).
   std::vector<std::array<Vec3, 3>> triad;
 };
 
-/// Greatest errors, all relative. With p0 the largest pressure, q0 the largest mu p, u0 the largest
-/// normal displacement of the bodies (not less than the largest overlap), s0 the largest slip
-/// velocity in contact: rigid, elastic, or what tractions of the size found would cause, whichever
-/// is greatest. All come from the same solution, so they keep their sense at any creepage, friction
-/// and stiffness.
+/// Greatest errors, all relative. With p0 the largest pressure, q0 the largest mu p, u0 the largest normal displacement
+/// of the bodies (not less than the largest overlap), s0 the largest slip velocity in contact: rigid, elastic, or what
+/// tractions of the size found would cause, whichever is greatest. All come from the same solution, so they keep their
+/// sense at any creepage, friction and stiffness.
 struct Laws {
   double tension = 0;      ///< -p / p0
   double penetration = 0;  ///< -gap / u0
@@ -61,9 +58,8 @@ struct Laws {
   const char* worst_name() const;
 };
 
-/// Of the last solve, whose status is not negative. Frames of more nodes than most_nodes are
-/// sampled: so many nodes in contact and around. Throws std::runtime_error if a call fails.
-/// Rounding is allowed for, see Given::rounding.
+/// Of the last solve, whose status is not negative. Frames of more nodes than most_nodes are sampled: so many nodes in
+/// contact and around. Throws std::runtime_error if a call fails. Rounding is allowed for, see Given::rounding.
 Laws check(const rollcon_contact* contact, const Given& given, std::size_t most_nodes = 600);
 
 }  // namespace rollcon::laws

@@ -1,6 +1,5 @@
 #pragma once
-/// What the public functions return of a solve, and where the nodes lie: the raw material of
-/// independent_laws.
+/// What the public functions return of a solve, and where the nodes lie: the raw material of independent_laws.
 
 #include <cmath>
 #include <cstdint>
@@ -14,8 +13,7 @@
 namespace rollcon::laws {
 
 inline void must(std::int32_t status, const char* what) {
-  if (status < 0)
-    throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status));
+  if (status < 0) throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status));
 }
 
 /// Results as the public functions return them, local axes.
@@ -29,17 +27,14 @@ struct Results {
     must(rollcon_contact_get_size(contact, &n, nullptr), "get_size");
     traction.resize(static_cast<std::size_t>(3 * n));
     state.resize(static_cast<std::size_t>(n));
-    must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, n, traction.data()),
-         "get_tractions");
+    must(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, n, traction.data()), "get_tractions");
     must(rollcon_contact_get_status(contact, n, state.data()), "get_status");
     must(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment), "get_resultant");
     must(rollcon_contact_get_motion(contact, &approach, creep), "get_motion");
     const auto field = [&](std::int32_t which, std::int64_t components) {
       std::vector<double> v(static_cast<std::size_t>(components * n));
       std::int64_t count = 0;
-      must(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL, components * n, v.data(),
-                                     &count),
-           "get_field");
+      must(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL, components * n, v.data(), &count), "get_field");
       return v;
     };
     gap = field(ROLLCON_FIELD_GAP, 1);
@@ -55,8 +50,7 @@ struct Results {
     const auto look = [&](const double* v, std::size_t n) {
       for (std::size_t k = 0; k < n; ++k) all = all && std::isfinite(v[k]);
     };
-    for (const auto* v : {&traction, &gap, &slip, &weight, &area, &friction, &power})
-      look(v->data(), v->size());
+    for (const auto* v : {&traction, &gap, &slip, &weight, &area, &friction, &power}) look(v->data(), v->size());
     look(force, 3), look(moment, 3), look(creep, 3);
     return all;
   }

@@ -43,8 +43,8 @@ Stencil judged(const std::vector<Seen>& from, const std::vector<double>& c) {
   return stencil;
 }
 
-/// Minus the upstream component of the gradient that fits the differences best, each weighted by
-/// cos / d with cos^2 >= 1e-6.
+/// Minus the upstream component of the gradient that fits the differences best, each weighted by cos / d with cos^2 >=
+/// 1e-6.
 std::optional<Stencil> fitted(const std::vector<Seen>& upwind) {
   double ss = 0, st = 0, tt = 0;
   const auto weight = [](const Seen& j) { return std::max(j.s * j.s / (j.d * j.d), 1e-6); };
@@ -190,8 +190,7 @@ Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at) {
       continue;
     }
     std::set<std::int32_t> two = near[i];
-    for (const std::int32_t k : near[i])
-      two.insert(near[at_index(k)].begin(), near[at_index(k)].end());
+    for (const std::int32_t k : near[i]) two.insert(near[at_index(k)].begin(), near[at_index(k)].end());
     const std::vector<Seen> wide = looking_upstream(look(i, two));
     std::optional<Stencil> chosen = shorter(own, pair_around_path(wide), 1.5);
     if (!chosen) chosen = pair_around_path(ring);
@@ -267,8 +266,7 @@ std::vector<bool> on_the_rim(const SurfaceMesh& mesh) {
 
 }  // namespace
 
-std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing,
-                          bool regular) {
+std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing, bool regular) {
   const std::size_t nodes = mesh.node.size();
   std::vector<double> low = at.y, high = at.y, area(nodes, 0.0), spacing(nodes, 0.0);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -314,8 +312,8 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
     }
     for (std::size_t i = 0; i < n.size(); ++i) {
       const std::size_t a = at_index(n[i]), b = at_index(n[(i + 1) % n.size()]);
-      const double quarter = 0.25 * ((at.x[b] - at.x[a]) * (gy + y0 - at.y[a]) -
-                                     (at.y[b] - at.y[a]) * (gx + x0 - at.x[a]));
+      const double quarter =
+          0.25 * ((at.x[b] - at.x[a]) * (gy + y0 - at.y[a]) - (at.y[b] - at.y[a]) * (gx + x0 - at.x[a]));
       area[a] += quarter;
       area[b] += quarter;
     }
@@ -335,8 +333,7 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
     if (area[i] == 0) continue;
     const double mean = reach[i].first / reach[i].all, mean_square = reach[i].second / reach[i].all;
     const double past = (rim[i] ? 0.8 : 0.3) * part_of_spacing * std::sqrt(10 * mean_square);
-    spacing[i] =
-        std::max(part_of_spacing * spacing[i], mean + std::sqrt(mean * mean + past * past));
+    spacing[i] = std::max(part_of_spacing * spacing[i], mean + std::sqrt(mean * mean + past * past));
   }
   return spacing;
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The discrete schemes of docs/theory.md, section 5, and the integrals of a frame once more,
-/// written from their description for the tests alone.
+/// The discrete schemes of docs/theory.md, section 5, and the integrals of a frame once more, written from their
+/// description for the tests alone.
 
 #include <array>
 #include <cstdint>
@@ -24,18 +24,16 @@ struct Plane {
   std::vector<double> x, y;
 };
 
-/// Straight triangles and quadrilaterals on the frame's nodes: elements, or parts of quadratic
-/// ones.
+/// Straight triangles and quadrilaterals on the frame's nodes: elements, or parts of quadratic ones.
 std::vector<std::vector<std::int32_t>> linear_cells(const SurfaceMesh& mesh);
 
 Rows godunov_rows(const SurfaceMesh& mesh, const Plane& at);
 Rows least_squares_rows(const SurfaceMesh& mesh, const Plane& at);
 
-/// Steps upstream of the characteristic scheme: a part of the distance of neighbours along the
-/// flow, or past the place where the node's traction acts if that is further (theory.md, section
-/// 5); `regular`: a full grid of equal cells, where nodes on the rim have the step of the others.
-std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing,
-                          bool regular);
+/// Steps upstream of the characteristic scheme: a part of the distance of neighbours along the flow, or past the place
+/// where the node's traction acts if that is further (theory.md, section 5); `regular`: a full grid of equal cells,
+/// where nodes on the rim have the step of the others.
+std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_of_spacing, bool regular);
 
 /// Integrals of every shape function N over the flat frame, of N x and of N y.
 std::vector<std::array<double, 3>> shape_integrals(const SurfaceMesh& mesh, const Plane& at);

@@ -38,11 +38,9 @@ std::vector<std::array<double, 2>> places(ElementType type) {
   return {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}, {0, -1}, {1, 0}, {0, 1}, {-1, 0}, {0, 0}};
 }
 
-/// Angle that the element fills at its node i: at a corner that of the edges, along an edge half a
-/// turn.
+/// Angle that the element fills at its node i: at a corner that of the edges, along an edge half a turn.
 double angle_at(const SurfaceMesh& mesh, std::int64_t e, std::size_t i, const Tangents& t) {
-  const std::size_t corners =
-      static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(e)]));
+  const std::size_t corners = static_cast<std::size_t>(corner_count(mesh.type[static_cast<std::size_t>(e)]));
   if (i >= corners) return i < 2 * corners ? std::acos(-1.0) : 2 * std::acos(-1.0);
   Vec3 a = t.xi, b = t.eta;  // of a triangle its corners 1 and 2 look back along an edge
   if (corners == 3 && i == 1) a = -1.0 * t.xi, b = t.eta - t.xi;
@@ -82,8 +80,7 @@ std::vector<Axes3> surface_triads(const SurfaceMesh& mesh, const Axes3& axes) {
   return triad;
 }
 
-std::vector<std::array<double, 3>> surface_integrals(const SurfaceMesh& mesh, const Vec3& origin,
-                                                     const Axes3& axes) {
+std::vector<std::array<double, 3>> surface_integrals(const SurfaceMesh& mesh, const Vec3& origin, const Axes3& axes) {
   constexpr int degree = 15;
   static const PlaneRule triangle = triangle_rule(degree), square = square_rule(degree);
   std::vector<std::array<double, 3>> sum(mesh.node.size());

@@ -20,16 +20,10 @@ struct Row {
   std::array<double, 7> value;
 };
 constexpr Row rows[] = {
-    {Load::normal,
-     0.3,
-     'n',
-     {.0474826, .0394575, .0283727, .0480571, .0517939, .0522833, .0462414}},
+    {Load::normal, 0.3, 'n', {.0474826, .0394575, .0283727, .0480571, .0517939, .0522833, .0462414}},
     {Load::normal, 0.3, 's', {none, -.0049983, -.0048333, none, none, none, none}},
     {Load::normal, 0.3, 'y', {none, none, none, .0045073, .0124102, .0129436, none}},
-    {Load::tangential,
-     0.3,
-     's',
-     {.0754808, .0673031, .0558447, .0755530, .0733572, .0726928, .0729445}},
+    {Load::tangential, 0.3, 's', {.0754808, .0673031, .0558447, .0755530, .0733572, .0726928, .0729445}},
     {Load::tangential, 0.3, 'n', {none, .0045039, .0040242, none, none, none, none}},
     {Load::normal, 0.49, 'n', {.0440806, .0372047, .0275117, .0453897, none, .0541693, .0443127}},
     {Load::axial, 0.3, 'y', {.6098606, .5963578, .5748597, .6144048, .6305889, .6316913, .6120320}},
@@ -46,8 +40,7 @@ LoadFacts facts_of(Load kind) {
   if (kind == Load::tangential) return {"tangential", 's', .0754808};
   return {"axial", 'y', .6098606};
 }
-constexpr const char* point_names[] = {"(0,0)",   "(1,0)", "(2,0)", "(0,2)",
-                                       "(0,3.9)", "(0,4)", "mean"};
+constexpr const char* point_names[] = {"(0,0)", "(1,0)", "(2,0)", "(0,2)", "(0,3.9)", "(0,4)", "mean"};
 constexpr std::pair<double, double> points[] = {{0, 0}, {1, 0}, {2, 0}, {0, 2}, {0, 3.9}, {0, 4}};
 
 Vec3 outward(const Vec3& x) {
@@ -89,8 +82,7 @@ std::vector<std::int64_t> patch_of(const SurfaceMesh& mesh) {
   std::vector<std::int64_t> patch;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     bool inside = true;
-    for (const std::int32_t k : mesh.element(e))
-      inside = inside && near_top(mesh.node[static_cast<std::size_t>(k)], 1);
+    for (const std::int32_t k : mesh.element(e)) inside = inside && near_top(mesh.node[static_cast<std::size_t>(k)], 1);
     if (inside) patch.push_back(e);
   }
   return patch;
@@ -111,9 +103,8 @@ Vec3 Answer::local(std::size_t k) const {
 }
 
 bool Answer::has_line(double s) const {
-  return std::any_of(node.begin(), node.end(), [&](std::int32_t k) {
-    return on_line(mesh->node[static_cast<std::size_t>(k)], s);
-  });
+  return std::any_of(node.begin(), node.end(),
+                     [&](std::int32_t k) { return on_line(mesh->node[static_cast<std::size_t>(k)], s); });
 }
 
 Vec3 Answer::at(double s, double y) const {
@@ -162,12 +153,10 @@ std::vector<ListedError> listed_errors(const Answer& a, Load kind, double poisso
     if (row.load != kind || row.poisson != poisson) continue;
     for (std::size_t p = 0; p < 7; ++p) {
       if (row.value[p] == none || (p < 6 && !a.has_line(points[p].first))) continue;
-      const double value =
-          component(p < 6 ? a.at(points[p].first, points[p].second) : a.mean, row.component);
+      const double value = component(p < 6 ? a.at(points[p].first, points[p].second) : a.mean, row.component);
       const double scale = row.component == facts.component ? row.value[p] : facts.scale;
-      errors.push_back({facts.name + std::string(" load, nu ") +
-                            std::to_string(poisson).substr(0, 4) + ": u_" + row.component + " at " +
-                            point_names[p],
+      errors.push_back({facts.name + std::string(" load, nu ") + std::to_string(poisson).substr(0, 4) + ": u_" +
+                            row.component + " at " + point_names[p],
                         (value - row.value[p]) / scale});
     }
   }

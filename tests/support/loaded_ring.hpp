@@ -1,6 +1,6 @@
 #pragma once
-/// The ring of the paper's first example under loads on a patch of its outer surface, against
-/// Fourier series with high-order elements in the section (relative accuracy 1e-5).
+/// The ring of the paper's first example under loads on a patch of its outer surface, against Fourier series with
+/// high-order elements in the section (relative accuracy 1e-5).
 
 #include <cstdint>
 #include <string>
@@ -14,11 +14,9 @@ inline constexpr double young = 1e4, inner = 25, outer = 50, side = 4, load = 10
 
 enum class Load { normal, tangential, axial };
 
-/// Half of the circumference and half of the width, between planes of (anti)symmetry; the hub is
-/// tag 5.
+/// Half of the circumference and half of the width, between planes of (anti)symmetry; the hub is tag 5.
 struct Quarter {
-  /// Elements: half of the zone |s| <= 2, half of the rest, half of the width, from the hub
-  /// outwards.
+  /// Elements: half of the zone |s| <= 2, half of the rest, half of the width, from the hub outwards.
   int zone, far, across, deep;
 };
 surfaces::Block quarter(const Quarter& q);
@@ -44,9 +42,8 @@ struct Answer {
   void find_mean();
 };
 
-/// Errors of every listed value: against the largest displacement of the row's load for the small
-/// components, against the value itself for the component of the load. Points on no line of nodes
-/// are left out.
+/// Errors of every listed value: against the largest displacement of the row's load for the small components, against
+/// the value itself for the component of the load. Points on no line of nodes are left out.
 struct ListedError {
   std::string what;
   double error = 0;

@@ -24,10 +24,8 @@ Answer loaded(StaticBody& body, Load kind) {
     t.insert(t.end(), value.begin(), value.end());
   }
   std::vector<double> u(3 * a.node.size());
-  multiply(rows_of_layer->u.data(), rows_of_layer->u.rows(), rows_of_layer->u.columns(), t.data(),
-           0, u.data());
-  for (std::size_t k = 0; k < a.node.size(); ++k)
-    a.u.push_back({u[3 * k], u[3 * k + 1], u[3 * k + 2]});
+  multiply(rows_of_layer->u.data(), rows_of_layer->u.rows(), rows_of_layer->u.columns(), t.data(), 0, u.data());
+  for (std::size_t k = 0; k < a.node.size(); ++k) a.u.push_back({u[3 * k], u[3 * k + 1], u[3 * k + 2]});
   a.find_mean();
   return a;
 }

@@ -101,8 +101,7 @@ TEST_F(Groups, a_limit_above_the_machine_is_none) {
 
 TEST(MemoryLimit, of_this_process_is_that_of_the_machine_or_less) {
   const MemorySources sources = memory_sources();
-  const double machine =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   EXPECT_EQ(sources.machine, machine);
   EXPECT_LE(memory_limit(sources).bytes, machine);
   EXPECT_GT(memory_limit(sources).bytes, 1e8);
@@ -142,8 +141,7 @@ int in_child(F&& body) {
 
 TEST(MemoryLimit, limits_of_the_process_count_with_what_is_in_use) {
   for (const auto resource : {RLIMIT_AS, RLIMIT_DATA}) {
-    const double before =
-        resource == RLIMIT_AS ? memory_sources().address_space : memory_sources().data;
+    const double before = resource == RLIMIT_AS ? memory_sources().address_space : memory_sources().data;
     EXPECT_GT(before, 2 * GiB);
     // 1: nothing is in use, 2: the limit is not seen, 3, 4: a wrong refusal or none, 5: its text.
     EXPECT_EQ(in_child([&] {
@@ -165,8 +163,8 @@ TEST(MemoryLimit, limits_of_the_process_count_with_what_is_in_use) {
                   require_memory({0x1p47, 2e7}, "none", "a matrix needs");
                 } catch (const Error& error) {
                   const std::string text = error.what();
-                  const char* what = resource == RLIMIT_AS ? "the limit on address space leaves"
-                                                           : "the limit on data leaves";
+                  const char* what =
+                      resource == RLIMIT_AS ? "the limit on address space leaves" : "the limit on data leaves";
                   return text.find(what) == std::string::npos ? 5 : 0;
                 }
                 return 4;

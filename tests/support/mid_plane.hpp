@@ -21,10 +21,8 @@ inline MidPlane mid_plane(const Solution& s, double zone, double width) {
   double xx = 0, pp = 0, x2 = 0, x4 = 0, count = 0;  // fit of p^2 = p0^2 (1 - x^2/a^2)
   for (std::size_t k = 0; k < s.nodes(); ++k) {
     // Godunov's cells end at the outflow rim and double the slip there, well outside the contact.
-    if (std::abs(s.x[k]) < 0.45 * zone)
-      m.slip = std::max(m.slip, std::hypot(s.slip[k][0], s.slip[k][1]));
-    if (std::abs(std::abs(s.y[k]) - width / 2) < 1e-6)
-      m.side_pressure = std::max(m.side_pressure, s.pressure[k]);
+    if (std::abs(s.x[k]) < 0.45 * zone) m.slip = std::max(m.slip, std::hypot(s.slip[k][0], s.slip[k][1]));
+    if (std::abs(std::abs(s.y[k]) - width / 2) < 1e-6) m.side_pressure = std::max(m.side_pressure, s.pressure[k]);
     if (std::abs(s.y[k]) > 1e-6) continue;
     m.gap = std::max(m.gap, s.gap[k]);
     if (!(s.pressure[k] > 0)) continue;

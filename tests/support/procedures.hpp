@@ -1,6 +1,5 @@
 #pragma once
-/// Solution procedures by the options of a contact, for tests of the public interface, validation
-/// and benches.
+/// Solution procedures by the options of a contact, for tests of the public interface, validation and benches.
 
 #include <cstdint>
 #include <string>
@@ -16,8 +15,7 @@ struct Procedure {
 
   /// The names in this order, blanks between them.
   std::string name() const {
-    return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " +
-           preconditioner;
+    return system + " " + jacobian + " " + slip_estimate + " " + linear_solver + " " + preconditioner;
   }
   /// set(option, name) of each.
   template <class Set>

@@ -60,16 +60,14 @@ namespace {
 /// Throws with the library's message when status < 0.
 std::int32_t check(rollcon_context*, std::int32_t status, const char* what) {
   if (status >= 0) return status;
-  throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status) + ": " +
-                           rollcon_last_error());
+  throw std::runtime_error(std::string(what) + ": " + rollcon_status_string(status) + ": " + rollcon_last_error());
 }
 
 void give_mesh(rollcon_context* context, rollcon_body* made, const MeshedBody& body) {
   const auto must = [&](std::int32_t status, const char* what) { check(context, status, what); };
   const SurfaceMesh& mesh = body.mesh;
   must(rollcon_body_set_nodes(made, mesh.nodes(), mesh.node[0].data(), 3, 1), "body_set_nodes");
-  const auto add = [&](std::int32_t type, std::int32_t tag, std::int64_t count,
-                       const std::int32_t* connectivity) {
+  const auto add = [&](std::int32_t type, std::int32_t tag, std::int64_t count, const std::int32_t* connectivity) {
     must(rollcon_body_add_elements(made, type, count, connectivity, 0, tag), "body_add_elements");
   };
   for_runs(body.volume, add);
@@ -78,18 +76,15 @@ void give_mesh(rollcon_context* context, rollcon_body* made, const MeshedBody& b
   for (const std::int32_t tag : body.held_tag) support.push_back({tag, 7});
   for (const auto& [tag, dof_mask] : support) {
     const std::vector<std::int32_t> held = nodes_of_tag(mesh, tag);
-    must(rollcon_body_set_support(made, static_cast<std::int64_t>(held.size()), held.data(), 0,
-                                  dof_mask, nullptr),
+    must(rollcon_body_set_support(made, static_cast<std::int64_t>(held.size()), held.data(), 0, dof_mask, nullptr),
          "body_set_support");
   }
   if (!body.contact_tag.empty())
     must(rollcon_body_set_contact_faces(made, static_cast<std::int64_t>(body.contact_tag.size()),
                                         body.contact_tag.data()),
          "body_set_contact_faces");
-  for (const auto& [name, value] : body.option)
-    must(rollcon_body_set_real(made, name.c_str(), value), name.c_str());
-  for (const auto& [name, value] : body.int_option)
-    must(rollcon_body_set_int(made, name.c_str(), value), name.c_str());
+  for (const auto& [name, value] : body.option) must(rollcon_body_set_real(made, name.c_str(), value), name.c_str());
+  for (const auto& [name, value] : body.int_option) must(rollcon_body_set_int(made, name.c_str(), value), name.c_str());
 }
 
 std::int32_t kind_of(const AnyBody& body) {
@@ -109,8 +104,7 @@ rollcon_body* make_body(rollcon_context* context, const AnyBody& body) {
   if (meshed) material = meshed->material;
   if (const auto* half = std::get_if<HalfspaceBody>(&body)) material = half->material;
   if (material)
-    check(context, rollcon_body_set_elastic(made, 0, material->young(), material->poisson),
-          "body_set_elastic");
+    check(context, rollcon_body_set_elastic(made, 0, material->young(), material->poisson), "body_set_elastic");
   if (meshed) give_mesh(context, made, *meshed);
   return made;
 }
@@ -119,8 +113,7 @@ RollingPair::RollingPair(std::optional<Elastic> body1, std::optional<Elastic> bo
     : RollingPair(half_space_or_rigid(body1), half_space_or_rigid(body2), threads) {}
 
 RollingPair::RollingPair(const AnyBody& body1, const AnyBody& body2, int threads) {
-  if (rollcon_context_create(rollcon_abi(), &context_) != 0)
-    throw std::runtime_error("rollcon_context_create failed");
+  if (rollcon_context_create(rollcon_abi(), &context_) != 0) throw std::runtime_error("rollcon_context_create failed");
   check(rollcon_context_set_threads(context_, threads), "set_threads");
   body_[0] = make_body(context_, body1);
   if (std::holds_alternative<TwinBody>(body2)) {
@@ -144,12 +137,9 @@ std::int32_t RollingPair::check(std::int32_t status, const char* what) const {
 }
 
 RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
-  check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1),
-        "set_frame_nodes");
-  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count,
-                     const std::int32_t* connectivity) {
-    check(rollcon_contact_add_frame_elements(contact_, type, count, connectivity, 0, tag),
-          "add_frame_elements");
+  check(rollcon_contact_set_frame_nodes(contact_, mesh.nodes(), mesh.node[0].data(), 3, 1), "set_frame_nodes");
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count, const std::int32_t* connectivity) {
+    check(rollcon_contact_add_frame_elements(contact_, type, count, connectivity, 0, tag), "add_frame_elements");
   });
   return *this;
 }
@@ -159,16 +149,13 @@ RollingPair& RollingPair::frame_from_body(int which, std::int32_t tag) {
   return *this;
 }
 
-RollingPair& RollingPair::pose(int which, const std::array<Vec3, 3>& rotation,
-                               const Vec3& translation) {
-  check(rollcon_contact_set_pose(contact_, which, rotation[0].data(), translation.data()),
-        "set_pose");
+RollingPair& RollingPair::pose(int which, const std::array<Vec3, 3>& rotation, const Vec3& translation) {
+  check(rollcon_contact_set_pose(contact_, which, rotation[0].data(), translation.data()), "set_pose");
   return *this;
 }
 
 RollingPair& RollingPair::axes(const Vec3& origin, const Vec3& rolling, const Vec3& normal) {
-  check(rollcon_contact_set_axes(contact_, origin.data(), rolling.data(), normal.data()),
-        "set_axes");
+  check(rollcon_contact_set_axes(contact_, origin.data(), rolling.data(), normal.data()), "set_axes");
   return *this;
 }
 
@@ -177,8 +164,7 @@ RollingPair& RollingPair::rolling_at(double angle) {
 }
 
 RollingPair& RollingPair::gap(const std::vector<double>& h) {
-  check(rollcon_contact_set_gap(contact_, static_cast<std::int64_t>(h.size()), h.data()),
-        "set_gap");
+  check(rollcon_contact_set_gap(contact_, static_cast<std::int64_t>(h.size()), h.data()), "set_gap");
   return *this;
 }
 
@@ -249,8 +235,8 @@ std::vector<double> RollingPair::field(std::int32_t which, std::size_t component
   std::int64_t nodes = 0, count = 0;
   check(rollcon_contact_get_size(contact_, &nodes, nullptr), "get_size");
   std::vector<double> values(components * static_cast<std::size_t>(nodes));
-  check(rollcon_contact_get_field(contact_, which, ROLLCON_LOCAL,
-                                  static_cast<std::int64_t>(values.size()), values.data(), &count),
+  check(rollcon_contact_get_field(contact_, which, ROLLCON_LOCAL, static_cast<std::int64_t>(values.size()),
+                                  values.data(), &count),
         "get_field");
   return values;
 }
@@ -263,11 +249,9 @@ Solution RollingPair::solution() const {
   s.traction.resize(nodes);
   s.slip.resize(nodes);
   s.state.resize(nodes);
-  check(rollcon_contact_get_tractions(contact_, ROLLCON_LOCAL, n, s.traction[0].data()),
-        "get_tractions");
+  check(rollcon_contact_get_tractions(contact_, ROLLCON_LOCAL, n, s.traction[0].data()), "get_tractions");
   check(rollcon_contact_get_status(contact_, n, s.state.data()), "get_status");
-  check(rollcon_contact_get_resultant(contact_, ROLLCON_LOCAL, s.force.data(), s.moment.data()),
-        "get_resultant");
+  check(rollcon_contact_get_resultant(contact_, ROLLCON_LOCAL, s.force.data(), s.moment.data()), "get_resultant");
   check(rollcon_contact_get_motion(contact_, &s.approach, s.creep.data()), "get_motion");
   const std::vector<double> point = field(ROLLCON_FIELD_POINT, 3);
   const std::vector<double> slip = field(ROLLCON_FIELD_SLIP, 2);
@@ -285,8 +269,8 @@ Solution RollingPair::solution() const {
 
 std::vector<double> RollingPair::displacements_at(int body, const std::vector<double>& xy) const {
   std::vector<double> u(xy.size() / 2 * 3);
-  check(rollcon_contact_get_displacements_at(
-            contact_, body, static_cast<std::int64_t>(xy.size() / 2), xy.data(), u.data()),
+  check(rollcon_contact_get_displacements_at(contact_, body, static_cast<std::int64_t>(xy.size() / 2), xy.data(),
+                                             u.data()),
         "get_displacements_at");
   return u;
 }
@@ -306,9 +290,7 @@ double RollingPair::body_stat(int which, const char* name) const {
 std::string RollingPair::plan() const {
   std::string text(4000, '\0');
   std::int64_t needed = 0;
-  check(rollcon_contact_get_plan(contact_, static_cast<std::int64_t>(text.size()), text.data(),
-                                 &needed),
-        "get_plan");
+  check(rollcon_contact_get_plan(contact_, static_cast<std::int64_t>(text.size()), text.data(), &needed), "get_plan");
   return text.c_str();
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// A pair of bodies in rolling contact, for tests and benches: RAII over the public C API and
-/// nothing else. Failures (status < 0) throw std::runtime_error with the library's message.
+/// A pair of bodies in rolling contact, for tests and benches: RAII over the public C API and nothing else. Failures
+/// (status < 0) throw std::runtime_error with the library's message.
 
 #include <array>
 #include <cstdint>
@@ -34,8 +34,8 @@ struct Solution {
   std::size_t nodes() const { return x.size(); }
 };
 
-/// Largest difference of pressures over the largest one, or of frictional tractions over theirs.
-/// NaN: not the same frame.
+/// Largest difference of pressures over the largest one, or of frictional tractions over theirs. NaN: not the same
+/// frame.
 double traction_difference(const Solution& s, const Solution& reference);
 
 /// Faces whose nodes are held in some directions: bits 1 x, 2 y, 4 z.
@@ -43,8 +43,7 @@ struct Slide {
   std::int32_t tag = 0, dof_mask = 7;
 };
 
-/// A body of finite elements if it has any, else of boundary elements; without material a rigid
-/// surface.
+/// A body of finite elements if it has any, else of boundary elements; without material a rigid surface.
 struct MeshedBody {
   SurfaceMesh mesh;  ///< the surface, with the volume's nodes and its faces' tags
   VolumeElements volume;

@@ -17,8 +17,7 @@ Vec3 face_normal(std::int32_t tag) {
 }
 
 void give_tractions(StaticBody& body, const Tensor& stress, std::int32_t first_tag) {
-  for (std::int32_t tag = first_tag; tag <= 6; ++tag)
-    body.traction(tag, times(stress, face_normal(tag)));
+  for (std::int32_t tag = first_tag; tag <= 6; ++tag) body.traction(tag, times(stress, face_normal(tag)));
 }
 
 }  // namespace
@@ -76,8 +75,7 @@ double error(StaticBody& body) {
   });
   double worst = 0, size = 0;
   for (std::size_t k = 0; k < loaded.node.size(); ++k) {
-    const Vec3 exact =
-        exact_displacement(body.mesh().node[static_cast<std::size_t>(loaded.node[k])]);
+    const Vec3 exact = exact_displacement(body.mesh().node[static_cast<std::size_t>(loaded.node[k])]);
     worst = std::max(worst, length(loaded.u[k] + body.displacement(loaded.node[k]) - exact));
     size = std::max(size, length(exact));
   }
@@ -97,15 +95,13 @@ namespace walls {
 
 Vec3 sphere_displacement(const Vec3& x, double poisson) {
   const double r = length(x), a3 = inner * inner * inner, b3 = outer * outer * outer;
-  const double u = pressure * a3 / (young * (b3 - a3)) *
-                   ((1 - 2 * poisson) * r + (1 + poisson) * b3 / (2 * r * r));
+  const double u = pressure * a3 / (young * (b3 - a3)) * ((1 - 2 * poisson) * r + (1 + poisson) * b3 / (2 * r * r));
   return (u / r) * x;
 }
 
 Vec3 cylinder_displacement(const Vec3& x, double poisson) {
   const double r = std::hypot(x[0], x[2]), a2 = inner * inner, b2 = outer * outer;
-  const double u =
-      pressure * a2 * (1 + poisson) / (young * (b2 - a2)) * ((1 - 2 * poisson) * r + b2 / r);
+  const double u = pressure * a2 * (1 + poisson) / (young * (b2 - a2)) * ((1 - 2 * poisson) * r + b2 / r);
   return (u / r) * Vec3{x[0], 0, x[2]};
 }
 
@@ -125,8 +121,7 @@ surfaces::Block part_of_sphere(int n) {
   surfaces::Block part = surfaces::brick({2 * n, n, n}, {pi / 2, pi / 4, outer - inner});
   part.map = [](const Vec3& q) {
     const double r = inner + q[2];
-    return Vec3{r * std::cos(q[1]) * std::cos(q[0]), r * std::cos(q[1]) * std::sin(q[0]),
-                r * std::sin(q[1])};
+    return Vec3{r * std::cos(q[1]) * std::cos(q[0]), r * std::cos(q[1]) * std::sin(q[0]), r * std::sin(q[1])};
   };
   return part;
 }

@@ -1,7 +1,6 @@
 #pragma once
-/// Bodies whose displacements are known: bricks under uniform stress, a cantilever with an end
-/// load, thick walls under pressure from inside. Their shapes are blocks, to be meshed with any
-/// elements.
+/// Bodies whose displacements are known: bricks under uniform stress, a cantilever with an end load, thick walls under
+/// pressure from inside. Their shapes are blocks, to be meshed with any elements.
 
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
@@ -29,15 +28,14 @@ inline constexpr NamedStress uniform_stresses[] = {
 
 /// What of the field is given on a brick's faces (tags 1 to 6).
 enum class Given { tractions, displacements, clamped_face, symmetry_planes };
-inline constexpr std::pair<Given, const char*> givens[] = {
-    {Given::tractions, "tractions"},
-    {Given::displacements, "displacements"},
-    {Given::clamped_face, "one face and a slide"},
-    {Given::symmetry_planes, "three slides"}};
+inline constexpr std::pair<Given, const char*> givens[] = {{Given::tractions, "tractions"},
+                                                           {Given::displacements, "displacements"},
+                                                           {Given::clamped_face, "one face and a slide"},
+                                                           {Given::symmetry_planes, "three slides"}};
 void give(StaticBody& body, Given given, const UniformStress& exact);
 
-/// Cantilever of square section along x, loaded along z at its end, nu = 0: bending with a parabola
-/// of shear solves the equations in three dimensions, with sigma_x = -F (L - x) z / I and
+/// Cantilever of square section along x, loaded along z at its end, nu = 0: bending with a parabola of shear solves the
+/// equations in three dimensions, with sigma_x = -F (L - x) z / I and
 /// tau = F / 2I (h^2 / 4 - z^2); cubic displacements, sections warp.
 namespace beam {
 inline constexpr double young = 1000, width = 1, height = 1, force = 1, span = 4;

@@ -18,8 +18,7 @@ std::size_t at(std::int64_t i) {
 
 template <class Mesh>
 void add_runs(Body& body, const Mesh& mesh) {
-  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count,
-                     const std::int32_t* connectivity) {
+  for_runs(mesh, [&](std::int32_t type, std::int32_t tag, std::int64_t count, const std::int32_t* connectivity) {
     body.add_elements(type, count, connectivity, 0, tag);
   });
 }
@@ -37,8 +36,7 @@ Tensor strain_of(const Tensor& stress, double young, double poisson) {
 }
 
 StaticBody::StaticBody(BodyKind kind, double young, double poisson, const std::vector<Vec3>& node)
-    : context_(std::make_shared<Context>()),
-      body_(std::make_unique<Body>(context_, static_cast<std::int32_t>(kind))) {
+    : context_(std::make_shared<Context>()), body_(std::make_unique<Body>(context_, static_cast<std::int32_t>(kind))) {
   body_->set_elastic(0, young, poisson);
   body_->set_nodes(static_cast<std::int64_t>(node.size()), node.front().data(), 3, 1);
 }
@@ -81,13 +79,11 @@ StaticBody& StaticBody::hold_statically(const std::function<Vec3(const Vec3&)>& 
   const auto by_x = [](const Vec3& a, const Vec3& b) { return a[0] < b[0]; };
   const auto [low, high] = std::minmax_element(mesh_.node.begin(), mesh_.node.end(), by_x);
   const Vec3 axis = *high - *low;
-  const auto off = std::max_element(
-      mesh_.node.begin(), mesh_.node.end(), [&, from = *low](const Vec3& a, const Vec3& b) {
+  const auto off =
+      std::max_element(mesh_.node.begin(), mesh_.node.end(), [&, from = *low](const Vec3& a, const Vec3& b) {
         return std::abs(cross(axis, a - from)[2]) < std::abs(cross(axis, b - from)[2]);
       });
-  const auto number = [&](auto node) {
-    return static_cast<std::int32_t>(node - mesh_.node.begin());
-  };
+  const auto number = [&](auto node) { return static_cast<std::int32_t>(node - mesh_.node.begin()); };
   const std::int32_t first[] = {number(low)}, second[] = {number(high)}, third[] = {number(off)};
   return hold(first, 7, value).hold(second, 6, value).hold(third, 4, value);
 }
@@ -177,8 +173,8 @@ Vec3 Loaded::at(std::int32_t node_of_body) const {
   return u[static_cast<std::size_t>(place - node.begin())];
 }
 
-Loaded load_faces(Body& body, std::span<const std::int64_t> faces,
-                  const std::function<Vec3(const Vec3&)>& traction, int threads) {
+Loaded load_faces(Body& body, std::span<const std::int64_t> faces, const std::function<Vec3(const Vec3&)>& traction,
+                  int threads) {
   const auto rows = body.response()->rows({{faces.begin(), faces.end()}, {}, {}}, threads);
   std::vector<double> t;
   for (const std::int32_t k : rows->column) {
@@ -189,8 +185,7 @@ Loaded load_faces(Body& body, std::span<const std::int64_t> faces,
   multiply(rows->u.data(), rows->u.rows(), rows->u.columns(), t.data(), 0, u.data());
   Loaded loaded;
   loaded.node = rows->row;
-  for (std::size_t r = 0; r < rows->row.size(); ++r)
-    loaded.u.push_back({u[3 * r], u[3 * r + 1], u[3 * r + 2]});
+  for (std::size_t r = 0; r < rows->row.size(); ++r) loaded.u.push_back({u[3 * r], u[3 * r + 1], u[3 * r + 2]});
   return loaded;
 }
 

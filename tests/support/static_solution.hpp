@@ -1,6 +1,6 @@
 #pragma once
-/// A body under loads and given displacements, without contact: set up from a mesh in a few lines,
-/// of boundary elements or of finite ones, solved, and asked for displacements and tractions.
+/// A body under loads and given displacements, without contact: set up from a mesh in a few lines, of boundary elements
+/// or of finite ones, solved, and asked for displacements and tractions.
 
 #include <functional>
 #include <memory>
@@ -36,8 +36,7 @@ class StaticBody {
                    const std::function<Vec3(const Vec3&)>& value = {});
   StaticBody& hold_tags(std::initializer_list<std::int32_t> tags, std::int32_t dof_mask = 7,
                         const std::function<Vec3(const Vec3&)>& value = {});
-  /// Six components at three nodes that are no neighbours, which take no load when the load is
-  /// balanced.
+  /// Six components at three nodes that are no neighbours, which take no load when the load is balanced.
   StaticBody& hold_statically(const std::function<Vec3(const Vec3&)>& value = {});
   StaticBody& traction(std::int32_t tag, const Vec3& t);
   StaticBody& pressure(std::int32_t tag, double p);
@@ -55,8 +54,7 @@ class StaticBody {
 
   /// Largest difference from a field over all nodes, over the field's largest length.
   double displacement_error(const std::function<Vec3(const Vec3&)>& exact) const;
-  /// The same for tractions sigma(x) n, over all traction nodes of faces with flat normals
-  /// (boundary elements).
+  /// The same for tractions sigma(x) n, over all traction nodes of faces with flat normals (boundary elements).
   double traction_error(const std::function<Tensor(const Vec3&)>& stress) const;
 
  private:
@@ -73,7 +71,7 @@ struct Loaded {
   std::vector<Vec3> u;
   Vec3 at(std::int32_t node_of_body) const;
 };
-Loaded load_faces(Body& body, std::span<const std::int64_t> faces,
-                  const std::function<Vec3(const Vec3&)>& traction, int threads = 1);
+Loaded load_faces(Body& body, std::span<const std::int64_t> faces, const std::function<Vec3(const Vec3&)>& traction,
+                  int threads = 1);
 
 }  // namespace rollcon::statics

@@ -1,6 +1,6 @@
 #pragma once
-/// Cases (a) and (b): a circular contact of identical steel bodies in steady rolling, with
-/// longitudinal creepage, and with spin as well (tests/data/steady_rolling_limits.csv).
+/// Cases (a) and (b): a circular contact of identical steel bodies in steady rolling, with longitudinal creepage, and
+/// with spin as well (tests/data/steady_rolling_limits.csv).
 
 #include <string>
 
@@ -12,8 +12,8 @@ namespace rollcon::scenes::steady_rolling {
 inline const Elastic steel{.shear = 82000, .poisson = 0.28};
 inline constexpr double mu = 0.3, radius = 5, creepage = -1.13e-3, spin = 3e-4;
 
-inline const closed_forms::Hertz hertz = closed_forms::hertz_from_axes(
-    radius, radius, 1000, closed_forms::effective_modulus(steel, steel));
+inline const closed_forms::Hertz hertz =
+    closed_forms::hertz_from_axes(radius, radius, 1000, closed_forms::effective_modulus(steel, steel));
 
 /// which: "a" or "b".
 inline void prepare(RollingPair& pair, const SurfaceMesh& mesh, const std::string& which) {

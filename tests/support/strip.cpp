@@ -52,21 +52,18 @@ double Strip::displacement(double x, double y) const {
 std::vector<double> Strip::gap(const std::vector<double>& x, const std::vector<double>& y) const {
   const double centre = approach();
   std::vector<double> h(x.size());
-  for (std::size_t k = 0; k < x.size(); ++k)
-    h[k] = centre - displacement(x[k], y[k]) + hertz.gap(x[k]);
+  for (std::size_t k = 0; k < x.size(); ++k) h[k] = centre - displacement(x[k], y[k]) + hertz.gap(x[k]);
   return h;
 }
 
-std::vector<double> Strip::end_slip(const std::vector<double>& x, const std::vector<double>& y,
-                                    double coupling) const {
+std::vector<double> Strip::end_slip(const std::vector<double>& x, const std::vector<double>& y, double coupling) const {
   std::vector<double> c(2 * x.size());
   for (std::size_t k = 0; k < x.size(); ++k) {
     const double above = half_length - y[k], below = half_length + y[k];
     double along = 0;
     for (double l : {above, below})
-      along += l <= 0 ? pi * hertz.pressure(x[k]) : integrate_pressure(hertz, [&](double s) {
-        return l / (l * l + (x[k] - s) * (x[k] - s));
-      });
+      along += l <= 0 ? pi * hertz.pressure(x[k])
+                      : integrate_pressure(hertz, [&](double s) { return l / (l * l + (x[k] - s) * (x[k] - s)); });
     double across = 0;
     if (above > 0 && below > 0)
       across = integrate_pressure(hertz, [&](double s) {

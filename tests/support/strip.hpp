@@ -1,8 +1,7 @@
 #pragma once
-/// Plane-strain rolling on a half-space frame of finite length: a strip |y| <= half_length with
-/// rolling along x. The undeformed gap is shaped so that the exact pressure is Hertz's line
-/// pressure on the whole strip, ends included; the middle section then obeys the plane theory up to
-/// tangential end effects of order (a / half_length)^2.
+/// Plane-strain rolling on a half-space frame of finite length: a strip |y| <= half_length with rolling along x. The
+/// undeformed gap is shaped so that the exact pressure is Hertz's line pressure on the whole strip, ends included; the
+/// middle section then obeys the plane theory up to tangential end effects of order (a / half_length)^2.
 
 #include <vector>
 
@@ -21,15 +20,13 @@ struct Strip {
   double approach() const { return displacement(0, 0); }
   /// Undeformed gap at the nodes, to be used with approach() or total_load().
   std::vector<double> gap(const std::vector<double>& x, const std::vector<double>& y) const;
-  /// Rigid slip (pairs, for speed 1) that makes up for what the pressure on the missing parts
-  /// beyond the ends would add to the slip of dissimilar bodies. coupling: sum of +-(1 - 2 nu)/(4
-  /// pi G).
-  std::vector<double> end_slip(const std::vector<double>& x, const std::vector<double>& y,
-                               double coupling) const;
+  /// Rigid slip (pairs, for speed 1) that makes up for what the pressure on the missing parts beyond the ends would add
+  /// to the slip of dissimilar bodies. coupling: sum of +-(1 - 2 nu)/(4 pi G).
+  std::vector<double> end_slip(const std::vector<double>& x, const std::vector<double>& y, double coupling) const;
 };
 
-/// Lines of nodes y = const of a strip of contact half-width a: the middle, where nothing varies
-/// along y, and the ends, whose three-dimensional zone is about a wide. half_length >= 5 a.
+/// Lines of nodes y = const of a strip of contact half-width a: the middle, where nothing varies along y, and the ends,
+/// whose three-dimensional zone is about a wide. half_length >= 5 a.
 std::vector<double> strip_lines(double half_length, double a = 1);
 
 /// Values on the line y = 0 ordered by x.

@@ -26,8 +26,7 @@ std::size_t at(std::int64_t i) {
   return static_cast<std::size_t>(i);
 }
 
-void add_element(SurfaceMesh& mesh, ElementType type, std::int32_t tag,
-                 std::initializer_list<std::int32_t> nodes) {
+void add_element(SurfaceMesh& mesh, ElementType type, std::int32_t tag, std::initializer_list<std::int32_t> nodes) {
   if (mesh.offset.empty()) mesh.offset.push_back(0);
   mesh.type.push_back(type);
   mesh.tag.push_back(tag);
@@ -149,8 +148,7 @@ void append(SurfaceMesh& mesh, const SurfaceMesh& other) {
   for (const std::int32_t k : other.connectivity) mesh.connectivity.push_back(first + k);
   mesh.type.insert(mesh.type.end(), other.type.begin(), other.type.end());
   mesh.tag.insert(mesh.tag.end(), other.tag.begin(), other.tag.end());
-  for (std::size_t e = 1; e < other.offset.size(); ++e)
-    mesh.offset.push_back(start + other.offset[e]);
+  for (std::size_t e = 1; e < other.offset.size(); ++e) mesh.offset.push_back(start + other.offset[e]);
 }
 
 /// Midside nodes and centres to the middle of their corners.
@@ -255,21 +253,18 @@ SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag
 SurfaceMesh icosphere(ElementType type, int n, double radius, std::int32_t tag) {
   if (corner_count(type) != 3) throw std::invalid_argument("icosphere: triangles only");
   const double g = (1 + std::sqrt(5.0)) / 2;
-  const Vec3 corner[12] = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
-                           {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
-                           {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  constexpr int face[20][3] = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                               {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                               {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                               {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  const Vec3 corner[12] = {{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                           {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
+  constexpr int face[20][3] = {{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+                               {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+                               {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   const int cuts = is_quadratic(type) ? 2 * n : n;  // steps between nodes along an edge
   SurfaceMesh mesh;
   std::map<std::array<std::int64_t, 3>, std::int32_t> known;
   const auto node = [&](const int* f, int i, int j) {
-    const Vec3 x = (1.0 / cuts) * (double(cuts - i - j) * corner[f[0]] + double(i) * corner[f[1]] +
-                                   double(j) * corner[f[2]]);
-    const std::array<std::int64_t, 3> key{std::llround(1e6 * x[0]), std::llround(1e6 * x[1]),
-                                          std::llround(1e6 * x[2])};
+    const Vec3 x =
+        (1.0 / cuts) * (double(cuts - i - j) * corner[f[0]] + double(i) * corner[f[1]] + double(j) * corner[f[2]]);
+    const std::array<std::int64_t, 3> key{std::llround(1e6 * x[0]), std::llround(1e6 * x[1]), std::llround(1e6 * x[2])};
     const auto [place, fresh] = known.try_emplace(key, static_cast<std::int32_t>(mesh.nodes()));
     if (fresh) mesh.node.push_back(radius / length(x) * x);
     return place->second;
@@ -298,9 +293,8 @@ SurfaceMesh with_cavity(SurfaceMesh outer, SurfaceMesh inner) {
 }
 
 SurfaceMesh ring(const Ring& shape, ElementType type) {
-  const ring_shape r{shape.inner, shape.outer,   shape.width,       shape.sector,
-                     shape.zone,  shape.around,  shape.zone_around, shape.across,
-                     shape.deep,  shape.largest, shape.top_layer,   shape.side_grading};
+  const ring_shape r{shape.inner,       shape.outer,  shape.width, shape.sector,  shape.zone,      shape.around,
+                     shape.zone_around, shape.across, shape.deep,  shape.largest, shape.top_layer, shape.side_grading};
   body_mesh m;
   require_made(make_ring_mesh(&m, &r, ROLLCON_QUAD9));
   return as_type(taken_over(m), type);

@@ -1,6 +1,6 @@
 #pragma once
-/// Closed surface meshes of bodies for tests and benches: bricks, spheres, rings, wheels, blocks
-/// with a fine zone; every element type, nodes 0-based, normals outwards. Reproducible.
+/// Closed surface meshes of bodies for tests and benches: bricks, spheres, rings, wheels, blocks with a fine zone;
+/// every element type, nodes 0-based, normals outwards. Reproducible.
 
 #include <array>
 #include <cstdint>
@@ -13,15 +13,14 @@
 
 namespace rollcon::surfaces {
 
-inline constexpr std::array<ElementType, 5> all_types{ElementType::tri3, ElementType::tri6,
-                                                      ElementType::quad4, ElementType::quad8,
-                                                      ElementType::quad9};
+inline constexpr std::array<ElementType, 5> all_types{ElementType::tri3, ElementType::tri6, ElementType::quad4,
+                                                      ElementType::quad8, ElementType::quad9};
 std::string name_of(ElementType type);
 
 using Map = std::function<Vec3(const Vec3&)>;
 
-/// n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but
-/// not beyond `largest` (0: no bound).
+/// n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but not beyond `largest`
+/// (0: no bound).
 std::vector<double> graded(int n, double a, double b, double first, double largest = 0);
 /// The same from b to a, listed ascending from a: fine at b.
 std::vector<double> graded_to(int n, double a, double b, double last, double largest = 0);
@@ -43,9 +42,8 @@ SurfaceMesh mixed_block(const Block& shape, bool quadratic);
 
 /// [0, size] in n elements; tags 1 to 6: x = 0, x = size, y = 0, ...
 Block brick(const std::array<int, 3>& n, const Vec3& size);
-/// Moves every node of a brick at random within the plane or line that it lies in, by up to
-/// `fraction` of its shortest edge: corner nodes first, other nodes follow, then those too by a
-/// fifth of it. Faces stay flat.
+/// Moves every node of a brick at random within the plane or line that it lies in, by up to `fraction` of its shortest
+/// edge: corner nodes first, other nodes follow, then those too by a fifth of it. Faces stay flat.
 SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed);
 
 /// Cubes bent to a sphere around the origin, 6 n^2 quadrilaterals or twice as many triangles.
@@ -66,9 +64,9 @@ SurfaceMesh ring(const Ring& shape, ElementType type);
 /// The wheel of examples/wheel_mesh.h with its standard shape and counts.
 SurfaceMesh wheel(double crown, ElementType type);
 
-/// Block [-side/2, side/2]^2 x [-depth, 0] with a fine zone of n x n elements, [-zone/2, zone/2]^2,
-/// in the middle of its top; `grade` elements from there to each side, `deep` downwards. Tags: 1
-/// top outside the zone, 2 zone, 3 bottom, 4 to 7 the sides at least x, most x, least y, most y.
+/// Block [-side/2, side/2]^2 x [-depth, 0] with a fine zone of n x n elements, [-zone/2, zone/2]^2, in the middle of
+/// its top; `grade` elements from there to each side, `deep` downwards. Tags: 1 top outside the zone, 2 zone, 3 bottom,
+/// 4 to 7 the sides at least x, most x, least y, most y.
 struct ZoneBlock {
   double side = 1, depth = 1, zone = 0.1;
   int n = 8, grade = 4, deep = 4;
@@ -81,17 +79,14 @@ SurfaceMesh transform(SurfaceMesh mesh, const Map& map);
 SurfaceMesh turn_inside_out(SurfaceMesh mesh);
 
 /// Nodes of the elements with one of these tags, ascending.
-std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh,
-                                         std::span<const std::int32_t> tags);
-std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh,
-                                      const std::function<bool(const Vec3&)>& wanted);
+std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh, std::span<const std::int32_t> tags);
+std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh, const std::function<bool(const Vec3&)>& wanted);
 /// The node nearest to a point.
 std::int32_t node_at(const SurfaceMesh& mesh, const Vec3& x);
 std::vector<std::int64_t> elements_with_tag(const SurfaceMesh& mesh, std::int32_t tag);
 
 /// Some elements as a mesh of their own; node: their nodes' numbers in the whole.
-SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements,
-                    std::vector<std::int32_t>& node);
+SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements, std::vector<std::int32_t>& node);
 
 /// Integrals of the shape functions over the surface, by node.
 std::vector<double> nodal_areas(const SurfaceMesh& mesh);

@@ -18,8 +18,7 @@ std::size_t at(std::int64_t i) {
 
 }  // namespace
 
-std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh,
-                                         std::span<const std::int32_t> tags) {
+std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh, std::span<const std::int32_t> tags) {
   std::vector<std::int32_t> nodes;
   for (std::int64_t e = 0; e < mesh.elements(); ++e)
     if (std::find(tags.begin(), tags.end(), mesh.tag[at(e)]) != tags.end())
@@ -29,8 +28,7 @@ std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh,
   return nodes;
 }
 
-std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh,
-                                      const std::function<bool(const Vec3&)>& wanted) {
+std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh, const std::function<bool(const Vec3&)>& wanted) {
   std::vector<std::int32_t> nodes;
   for (std::int64_t k = 0; k < mesh.nodes(); ++k)
     if (wanted(mesh.node[at(k)])) nodes.push_back(static_cast<std::int32_t>(k));
@@ -38,9 +36,8 @@ std::vector<std::int32_t> nodes_where(const SurfaceMesh& mesh,
 }
 
 std::int32_t node_at(const SurfaceMesh& mesh, const Vec3& x) {
-  const auto nearest =
-      std::min_element(mesh.node.begin(), mesh.node.end(),
-                       [&](const Vec3& a, const Vec3& b) { return length(a - x) < length(b - x); });
+  const auto nearest = std::min_element(mesh.node.begin(), mesh.node.end(),
+                                        [&](const Vec3& a, const Vec3& b) { return length(a - x) < length(b - x); });
   return static_cast<std::int32_t>(nearest - mesh.node.begin());
 }
 
@@ -51,8 +48,7 @@ std::vector<std::int64_t> elements_with_tag(const SurfaceMesh& mesh, std::int32_
   return elements;
 }
 
-SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements,
-                    std::vector<std::int32_t>& node) {
+SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements, std::vector<std::int32_t>& node) {
   SurfaceMesh part;
   part.offset.push_back(0);
   node.clear();
@@ -88,8 +84,7 @@ std::vector<double> nodal_areas(const SurfaceMesh& mesh) {
         u = u + s.d_xi[a] * mesh.node[at(n[a])];
         v = v + s.d_eta[a] * mesh.node[at(n[a])];
       }
-      for (std::size_t a = 0; a < n.size(); ++a)
-        area[at(n[a])] += rule.w[p] * s.value[a] * length(cross(u, v));
+      for (std::size_t a = 0; a < n.size(); ++a) area[at(n[a])] += rule.w[p] * s.value[a] * length(cross(u, v));
     }
   }
   return area;

@@ -39,8 +39,7 @@ std::vector<std::vector<Local>> filling_of_cell(VolumeType type, bool other) {
   std::vector<std::vector<Local>> elements;
   switch (corner_count(type)) {
     case 8:
-      elements.push_back(
-          {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}});
+      elements.push_back({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2}, {0, 2, 2}});
       break;
     case 6: {
       const Local square[4] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
@@ -58,8 +57,7 @@ std::vector<std::vector<Local>> filling_of_cell(VolumeType type, bool other) {
     }
     default: {
       // One for each order in which the coordinates go from least to most.
-      constexpr int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
-                                   {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+      constexpr int order[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
       for (int k = 0; k < 6; ++k) {
         std::vector<Local> corner{{0, 0, 0}};
         for (const int axis : order[k]) {
@@ -81,8 +79,8 @@ class Builder {
   using Key = std::array<int, 4>;
   std::function<Vec3(const Key&)> position;
 
-  /// key: of a lattice point of the cell; side_tag: of its sides (first coordinate least, most,
-  /// second ...), -1 inside the body.
+  /// key: of a lattice point of the cell; side_tag: of its sides (first coordinate least, most, second ...), -1 inside
+  /// the body.
   void add_cell(VolumeType type, bool other, const std::function<Key(const Local&)>& key,
                 const std::array<std::int32_t, 6>& side_tag) {
     for (const auto& element : filling_of_cell(type, other)) {
@@ -108,8 +106,7 @@ class Builder {
   }
 
   std::int32_t node(const Key& key) {
-    const auto [place, fresh] =
-        known_.try_emplace(key, static_cast<std::int32_t>(mesh_.surface.node.size()));
+    const auto [place, fresh] = known_.try_emplace(key, static_cast<std::int32_t>(mesh_.surface.node.size()));
     if (fresh) mesh_.surface.node.push_back(position(key));
     return place->second;
   }
@@ -148,9 +145,7 @@ Mesh fill(const Block& shape, const std::function<VolumeType(int, int)>& want) {
           side[2 * c + 1] = cell[c] == n[c] - 1 ? shape.tag[2 * c + 1] : -1;
         }
         if (shape.ring) side[0] = side[1] = -1;
-        const auto in_zone = [&](std::size_t c) {
-          return cell[c] >= shape.zone_from[c] && cell[c] < shape.zone_to[c];
-        };
+        const auto in_zone = [&](std::size_t c) { return cell[c] >= shape.zone_from[c] && cell[c] < shape.zone_to[c]; };
         if (side[5] >= 0 && in_zone(0) && in_zone(1)) side[5] = shape.zone_tag;
         builder.add_cell(
             want(cell[0], cell[1]), (cell[0] + cell[1]) % 2 == 1,
@@ -192,8 +187,7 @@ Vec3 mean_corner(const Mesh& mesh, std::int64_t element) {
 }
 
 Mesh with_materials(Mesh mesh, const std::function<std::int32_t(const Vec3&)>& tag) {
-  for (std::int64_t e = 0; e < mesh.volume.elements(); ++e)
-    mesh.volume.tag[at(e)] = tag(mean_corner(mesh, e));
+  for (std::int64_t e = 0; e < mesh.volume.elements(); ++e) mesh.volume.tag[at(e)] = tag(mean_corner(mesh, e));
   return mesh;
 }
 
@@ -234,8 +228,7 @@ Mesh distort(Mesh mesh, double fraction, std::uint32_t seed) {
       const auto n = mesh.volume.element(e);
       const auto edges = edges_of(type);
       for (std::size_t k = 0; k < edges.size(); ++k)
-        visit(at(n[at(edges[k][0])]), at(n[at(edges[k][1])]),
-              is_quadratic(type) ? n[at(corner_count(type)) + k] : -1);
+        visit(at(n[at(edges[k][0])]), at(n[at(edges[k][1])]), is_quadratic(type) ? n[at(corner_count(type)) + k] : -1);
     }
   };
   for_each_edge([&](std::size_t a, std::size_t b, std::int32_t mid) {
@@ -295,34 +288,32 @@ Mesh ball(const Ball& shape, VolumeType type) {
     for (cell[2] = 0; cell[2] < n; ++cell[2])
       for (cell[1] = 0; cell[1] < n; ++cell[1])
         for (cell[0] = 0; cell[0] < n; ++cell[0])
-          builder.add_cell(
-              type, false,
-              [&](const Local& p) {
-                return Builder::Key{2 * cell[0] + p[0], 2 * cell[1] + p[1], 2 * cell[2] + p[2], 0};
-              },
-              {cut(0, cell[0]), -1, cut(1, cell[1]), -1, cut(2, cell[2]), -1});
+          builder.add_cell(type, false,
+                           [&](const Local& p) {
+                             return Builder::Key{2 * cell[0] + p[0], 2 * cell[1] + p[1], 2 * cell[2] + p[2], 0};
+                           },
+                           {cut(0, cell[0]), -1, cut(1, cell[1]), -1, cut(2, cell[2]), -1});
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (const bool most : {false, true}) {
       if (shape.octant && !most) continue;
-      // Right-handed with the outward direction; both ascending, so that tetrahedra of
-      // neighbouring blocks match.
+      // Right-handed with the outward direction; both ascending, so that tetrahedra of neighbouring blocks match.
       std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
       if (!most) std::swap(p, q);
       for (int l = 0; l < layers; ++l)
         for (int j = 0; j < n; ++j)
           for (int i = 0; i < n; ++i)
-            builder.add_cell(type, false,
-                             [&](const Local& x) {
-                               Builder::Key key{};
-                               key[axis] = most ? 2 * n : 0;
-                               key[p] = 2 * i + x[0];
-                               key[q] = 2 * j + x[1];
-                               key[3] = 2 * l + x[2];
-                               return key;
-                             },
-                             {cut(p, i), -1, cut(q, j), -1, shape.hollow > 0 && l == 0 ? 2 : -1,
-                              l == layers - 1 ? 1 : -1});
+            builder.add_cell(
+                type, false,
+                [&](const Local& x) {
+                  Builder::Key key{};
+                  key[axis] = most ? 2 * n : 0;
+                  key[p] = 2 * i + x[0];
+                  key[q] = 2 * j + x[1];
+                  key[3] = 2 * l + x[2];
+                  return key;
+                },
+                {cut(p, i), -1, cut(q, j), -1, shape.hollow > 0 && l == 0 ? 2 : -1, l == layers - 1 ? 1 : -1});
     }
   return builder.take();
 }

@@ -1,7 +1,7 @@
 #pragma once
-/// Volume meshes of bodies for tests and benches: bricks, rings, cylinders, blocks with a fine
-/// zone, balls; every element type, nodes 0-based, midside nodes on the true shape. Reproducible.
-/// Grids, tags and nodes on the surface are those of surface_meshes.hpp.
+/// Volume meshes of bodies for tests and benches: bricks, rings, cylinders, blocks with a fine zone, balls; every
+/// element type, nodes 0-based, midside nodes on the true shape. Reproducible. Grids, tags and nodes on the surface are
+/// those of surface_meshes.hpp.
 
 #include <array>
 #include <cstdint>
@@ -15,13 +15,12 @@
 
 namespace rollcon::volumes {
 
-inline constexpr std::array<VolumeType, 6> all_types{VolumeType::tet4,   VolumeType::tet10,
-                                                     VolumeType::wedge6, VolumeType::wedge15,
-                                                     VolumeType::hex8,   VolumeType::hex20};
+inline constexpr std::array<VolumeType, 6> all_types{VolumeType::tet4,    VolumeType::tet10, VolumeType::wedge6,
+                                                     VolumeType::wedge15, VolumeType::hex8,  VolumeType::hex20};
 std::string name_of(VolumeType type);
 
-/// surface: all nodes, and the boundary with its tags as surface elements; nodes inside the body
-/// belong to none of them.
+/// surface: all nodes, and the boundary with its tags as surface elements; nodes inside the body belong to none of
+/// them.
 struct Mesh {
   SurfaceMesh surface;
   VolumeElements volume;
@@ -30,11 +29,10 @@ struct Mesh {
 using surfaces::Block;
 using surfaces::Map;
 
-/// Hexahedra; wedges halve each in the plane of the first two coordinates, along diagonals that
-/// take turns; six tetrahedra around the diagonal from the least to the most corner.
+/// Hexahedra; wedges halve each in the plane of the first two coordinates, along diagonals that take turns; six
+/// tetrahedra around the diagonal from the least to the most corner.
 Mesh block(const Block& shape, VolumeType type);
-/// Hexahedra and wedges by turns in the first two coordinates: hex8 and wedge6, or hex20 and
-/// wedge15.
+/// Hexahedra and wedges by turns in the first two coordinates: hex8 and wedge6, or hex20 and wedge15.
 Mesh mixed_block(const Block& shape, bool quadratic);
 
 Vec3 mean_corner(const Mesh& mesh, std::int64_t element);
@@ -45,23 +43,22 @@ Mesh with_materials(Mesh mesh, const std::function<std::int32_t(const Vec3&)>& t
 /// Some elements on their own nodes, in the order of the whole; its surface has nodes only.
 Mesh part_of(const Mesh& mesh, const std::function<bool(std::int64_t)>& wanted);
 
-/// Moves nodes of a brick at random, those on its surface within the plane or line they lie in, by
-/// up to `fraction` of their shortest edge: corner nodes first, midside nodes follow to the middle
-/// of their edge, then those too by a fifth of it. Faces stay flat.
+/// Moves nodes of a brick at random, those on its surface within the plane or line they lie in, by up to `fraction` of
+/// their shortest edge: corner nodes first, midside nodes follow to the middle of their edge, then those too by a fifth
+/// of it. Faces stay flat.
 Mesh distort(Mesh mesh, double fraction, std::uint32_t seed);
 
 /// Every node x -> map(x); the map must keep handedness.
 Mesh transform(Mesh mesh, const Map& map);
 
-/// Nodes and tags of surfaces::ring; its quad8, quad4 or tri6 nodes coincide with those of hex20,
-/// hex8 and, on the inner and outer surface, wedge15. {.around = 42, .across = 12, .deep = 4} has
-/// 2016 hexahedra.
+/// Nodes and tags of surfaces::ring; its quad8, quad4 or tri6 nodes coincide with those of hex20, hex8 and, on the
+/// inner and outer surface, wedge15. {.around = 42, .across = 12, .deep = 4} has 2016 hexahedra.
 Mesh ring(const surfaces::Ring& shape, VolumeType type);
 /// Tags and surface nodes of surfaces::zone_block.
 Mesh zone_block(const surfaces::ZoneBlock& shape, VolumeType type);
 
-/// Thick cylinder around the z axis, from 0 to `height`; full, or the sector [0, angle] from the x
-/// axis. Tags: 1 outer, 2 inner surface, 3 bottom, 4 top, 5 the cut at angle 0, 6 the other one.
+/// Thick cylinder around the z axis, from 0 to `height`; full, or the sector [0, angle] from the x axis. Tags: 1 outer,
+/// 2 inner surface, 3 bottom, 4 top, 5 the cut at angle 0, 6 the other one.
 struct Cylinder {
   double inner = 1, outer = 2, height = 1;
   double angle = 0;  ///< 0: full
@@ -70,11 +67,10 @@ struct Cylinder {
 };
 Mesh cylinder(const Cylinder& shape, VolumeType type);
 
-/// Ball around the origin: a cube of n^3 elements, then `layers` to the sphere on each of its
-/// sides; or with `hollow` > 0 the shell from there to `radius`, without the cube. An octant has
-/// x, y, z >= 0 and n elements along each of its edges (else n along each edge of the whole cube).
-/// Tags: 1 outer sphere, 2 inner sphere, octant: 3, 4, 5 the planes x = 0, y = 0, z = 0. Hexahedra
-/// and tetrahedra only.
+/// Ball around the origin: a cube of n^3 elements, then `layers` to the sphere on each of its sides; or with `hollow` >
+/// 0 the shell from there to `radius`, without the cube. An octant has x, y, z >= 0 and n elements along each of its
+/// edges (else n along each edge of the whole cube). Tags: 1 outer sphere, 2 inner sphere, octant: 3, 4, 5 the planes x
+/// = 0, y = 0, z = 0. Hexahedra and tetrahedra only.
 struct Ball {
   double radius = 1;
   double core = 0.5;  ///< half diagonal of the cube over the radius
@@ -92,8 +88,8 @@ struct Beam {
 };
 Mesh beam(const Beam& shape, VolumeType type);
 
-/// Integral of the Jacobian over all elements; `least`: the smallest one at a point of the rule,
-/// over its element's mean.
+/// Integral of the Jacobian over all elements; `least`: the smallest one at a point of the rule, over its element's
+/// mean.
 struct Filling {
   double volume = 0, least = 0;
   Vec3 centroid{0, 0, 0};

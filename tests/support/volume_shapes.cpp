@@ -26,14 +26,13 @@ std::size_t at(std::int64_t i) {
 Mesh ring(const surfaces::Ring& shape, VolumeType type) {
   Block b;
   std::vector<double> angle(at(shape.around) + 1), y(at(shape.across) + 1);
-  lines_with_zone(angle.data(), shape.around, shape.sector > 0 ? shape.sector / 2 : pi,
-                  shape.zone_around, shape.zone / 2 / shape.outer, shape.largest / shape.outer);
+  lines_with_zone(angle.data(), shape.around, shape.sector > 0 ? shape.sector / 2 : pi, shape.zone_around,
+                  shape.zone / 2 / shape.outer, shape.largest / shape.outer);
   for (int k = 0; k <= shape.across; ++k) {
     const double t = 2.0 * k / shape.across - 1;
     y[at(k)] = shape.width / 2 * (t + shape.side_grading * (std::sin(pi / 2 * t) - t));
   }
-  const double layer =
-      shape.top_layer > 0 ? shape.top_layer : (shape.outer - shape.inner) / shape.deep;
+  const double layer = shape.top_layer > 0 ? shape.top_layer : (shape.outer - shape.inner) / shape.deep;
   b.line = {angle, y, surfaces::graded_to(shape.deep, shape.inner, shape.outer, layer)};
   b.ring = shape.sector <= 0;
   b.tag = {6, 7, 4, 5, 3, 1};
@@ -63,8 +62,7 @@ Mesh cylinder(const Cylinder& shape, VolumeType type) {
   b.ring = shape.angle <= 0;
   const double angle = b.ring ? 2 * pi : shape.angle;
   const double first = shape.first > 0 ? shape.first : (shape.outer - shape.inner) / shape.deep;
-  b.line = {frames::uniform_lines(0, angle, shape.around),
-            frames::uniform_lines(0, shape.height, shape.along),
+  b.line = {frames::uniform_lines(0, angle, shape.around), frames::uniform_lines(0, shape.height, shape.along),
             surfaces::graded(shape.deep, shape.inner, shape.outer, first)};
   b.map = [](const Vec3& q) { return Vec3{q[2] * std::cos(q[0]), q[2] * std::sin(q[0]), q[1]}; };
   b.tag = {5, 6, 3, 4, 2, 1};

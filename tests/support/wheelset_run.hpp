@@ -1,6 +1,6 @@
 #pragma once
-/// A wheelset's oscillation in the track as one of its contacts sees it: wheel load, creepages and
-/// spin that change a little from step to step. Header only, through rollcon.h.
+/// A wheelset's oscillation in the track as one of its contacts sees it: wheel load, creepages and spin that change a
+/// little from step to step. Header only, through rollcon.h.
 
 #include <rollcon.h>
 
@@ -29,17 +29,16 @@ struct Step {
   double load, longitudinal, lateral, spin;
 };
 
-/// 500 steps to a period of the lateral oscillation: a wave of 15 m, 30 m/s, steps of 1 ms. Load
-/// and traction have periods of their own, so that no state returns.
+/// 500 steps to a period of the lateral oscillation: a wave of 15 m, 30 m/s, steps of 1 ms. Load and traction have
+/// periods of their own, so that no state returns.
 inline Step step(std::int64_t i, Drive drive) {
   const double turn = 2 * std::numbers::pi * static_cast<double>(i) / 500;
   Step s{};
   s.load = load * (1 + 0.3 * std::sin(turn / 3.7));
   s.lateral = 2.5e-3 * std::sin(turn);
   s.spin = 1e-4 + 1.5e-4 * std::cos(turn);
-  s.longitudinal = drive == Drive::creepage
-                       ? 1.5e-3 * std::cos(turn * 1.3)
-                       : 0.6 * friction * load * (1 - 0.3) * std::sin(turn / 2.3);
+  s.longitudinal = drive == Drive::creepage ? 1.5e-3 * std::cos(turn * 1.3)
+                                            : 0.6 * friction * load * (1 - 0.3) * std::sin(turn / 2.3);
   return s;
 }
 
@@ -65,11 +64,9 @@ inline std::int32_t set_scene(rollcon_contact* contact, int n) {
       connectivity.insert(connectivity.end(), {k, k + 1, k + n + 2, k + n + 1});
     }
   return rollcon_contact_set_frame_nodes(contact, std::int64_t{n + 1} * (n + 1), x.data(), 3, 1) +
-         rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, std::int64_t{n} * n,
-                                            connectivity.data(), 0, 0) +
+         rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, std::int64_t{n} * n, connectivity.data(), 0, 0) +
          rollcon_contact_set_gap_quadratic(contact, curvature_along, curvature_across, 0) +
-         rollcon_contact_set_friction(contact, "coulomb", 1, &friction) +
-         rollcon_contact_set_rolling(contact, 30000);
+         rollcon_contact_set_friction(contact, "coulomb", 1, &friction) + rollcon_contact_set_rolling(contact, 30000);
 }
 
 }  // namespace rollcon::wheelset_run

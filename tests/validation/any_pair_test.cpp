@@ -1,6 +1,5 @@
-// Any body on any body: blocks of finite and of boundary elements, half-spaces and rigid bodies,
-// as body 1 or 2, in their own poses. All of them are large beside the contact: against half-spaces
-// of the same materials.
+// Any body on any body: blocks of finite and of boundary elements, half-spaces and rigid bodies, as body 1 or 2, in
+// their own poses. All of them are large beside the contact: against half-spaces of the same materials.
 
 #include <string>
 #include <vector>
@@ -15,8 +14,7 @@ namespace {
 using scenes::AnyBody;
 
 // nu near 1/2: little of the pressure becomes slip, whose error would hide that of the rest.
-const closed_forms::Elastic one{.shear = 3400, .poisson = 0.47},
-    other{.shear = 5000, .poisson = 0.45};
+const closed_forms::Elastic one{.shear = 3400, .poisson = 0.47}, other{.shear = 5000, .poisson = 0.45};
 constexpr double radius = 50, zone = 2.5, mu = 0.1, load = 220;
 
 AnyBody make(const std::string& kind, const closed_forms::Elastic& material) {
@@ -25,8 +23,7 @@ AnyBody make(const std::string& kind, const closed_forms::Elastic& material) {
   if (kind == "rigid") return scenes::RigidBody{};
   if (kind == "half-space") return scenes::HalfspaceBody{material};
   if (kind == "BEM")
-    body =
-        scenes::meshed(surfaces::zone_block({30, 15, zone, 8, 3, 4}, ElementType::quad4), material);
+    body = scenes::meshed(surfaces::zone_block({30, 15, zone, 8, 3, 4}, ElementType::quad4), material);
   else
     body = scenes::meshed(volumes::zone_block(shape, VolumeType::hex8), material);
   body.held_tag = {3};
@@ -42,9 +39,7 @@ bool meshed(const std::string& kind) {
 struct Turned {
   std::array<Vec3, 3> rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Vec3 shift{0, 0, 0};
-  Vec3 turn(const Vec3& x) const {
-    return {dot(rotation[0], x), dot(rotation[1], x), dot(rotation[2], x)};
-  }
+  Vec3 turn(const Vec3& x) const { return {dot(rotation[0], x), dot(rotation[1], x), dot(rotation[2], x)}; }
   /// Rows of rotation times r.
   std::array<Vec3, 3> after(const std::array<Vec3, 3>& r) const {
     std::array<Vec3, 3> product;
@@ -87,9 +82,7 @@ class AnyPair : public ::testing::TestWithParam<Kinds> {};
 TEST_P(AnyPair, rolls_like_half_spaces_and_in_any_pose) {
   const auto [kind1, kind2] = GetParam();
   const std::string name = std::string(kind1) + " on " + kind2 + ": ";
-  const auto flat = [](const std::string& kind) {
-    return meshed(kind) ? std::string("half-space") : kind;
-  };
+  const auto flat = [](const std::string& kind) { return meshed(kind) ? std::string("half-space") : kind; };
   const scenes::Solution s = roll(kind1, kind2, {});
   const scenes::Solution half = roll(flat(kind1), flat(kind2), {});
   const scenes::FittedEllipse fit = scenes::fit_hertz(s, 1, 1);
@@ -102,16 +95,14 @@ TEST_P(AnyPair, rolls_like_half_spaces_and_in_any_pose) {
 
   const double a = 0.7, b = -0.4;
   const double ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b);
-  const Turned turned{{{{ca, -sa * cb, sa * sb}, {sa, ca * cb, -ca * sb}, {0, sb, cb}}},
-                      {30, -20, 50}};
+  const Turned turned{{{{ca, -sa * cb, sa * sb}, {sa, ca * cb, -ca * sb}, {0, sb, cb}}}, {30, -20, 50}};
   const scenes::Solution t = roll(kind1, kind2, turned);
   ASSERT_EQ(t.nodes(), s.nodes());
   double pressure = 0, traction = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
     pressure = std::max(pressure, std::abs(t.pressure[k] - s.pressure[k]) / reference.p0);
     for (std::size_t c = 0; c < 2; ++c)
-      traction =
-          std::max(traction, std::abs(t.traction[k][c] - s.traction[k][c]) / (mu * reference.p0));
+      traction = std::max(traction, std::abs(t.traction[k][c] - s.traction[k][c]) / (mu * reference.p0));
   }
   expect_error(name + "turned and shifted, pressure", pressure, 1e-8);
   expect_error(name + "turned and shifted, traction", traction, 1e-7);
@@ -124,12 +115,11 @@ constexpr auto kinds_name = [](const auto& param) {
   return name;
 };
 
-INSTANTIATE_TEST_SUITE_P(Bodies, AnyPair,
-                         ::testing::Values(Kinds{"FEM", "rigid"}, Kinds{"BEM", "FEM"}), kinds_name);
+INSTANTIATE_TEST_SUITE_P(Bodies, AnyPair, ::testing::Values(Kinds{"FEM", "rigid"}, Kinds{"BEM", "FEM"}), kinds_name);
 INSTANTIATE_TEST_SUITE_P(Bodies_long, AnyPair,
-                         ::testing::Values(Kinds{"FEM", "half-space"}, Kinds{"FEM", "BEM"},
-                                           Kinds{"FEM", "FEM"}, Kinds{"BEM", "half-space"},
-                                           Kinds{"half-space", "FEM"}, Kinds{"rigid", "FEM"}),
+                         ::testing::Values(Kinds{"FEM", "half-space"}, Kinds{"FEM", "BEM"}, Kinds{"FEM", "FEM"},
+                                           Kinds{"BEM", "half-space"}, Kinds{"half-space", "FEM"},
+                                           Kinds{"rigid", "FEM"}),
                          kinds_name);
 
 }  // namespace

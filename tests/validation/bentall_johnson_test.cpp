@@ -1,6 +1,5 @@
-// Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at
-// vanishing, usual and unlimited friction, and of tractive rolling
-// (tests/data/bentall_johnson.csv).
+// Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at vanishing, usual and
+// unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
 
 #include "report.hpp"
 #include "support/carter_strip.hpp"
@@ -19,15 +18,14 @@ DissimilarStrip rollers(const std::vector<double>& lines, const char* scheme) {
 }
 
 /// Creepage at a given force F/(mu P), by force. Godunov's difference needs equal spacing.
-void expect_creepage(double mu, double force_ratio, const std::string& scheme, double expected,
-                     double p0, const std::string& source, double bound = 2e-2) {
+void expect_creepage(double mu, double force_ratio, const std::string& scheme, double expected, double p0,
+                     const std::string& source, double bound = 2e-2) {
   const Solution s =
-      rollers(scheme == "godunov" ? strip_nodes(60) : graded_nodes(50), scheme.c_str())
-          .roll(mu, force_ratio);
+      rollers(scheme == "godunov" ? strip_nodes(60) : graded_nodes(50), scheme.c_str()).roll(mu, force_ratio);
   const Section middle = middle_section(s);
   char name[140];
-  std::snprintf(name, sizeof name, "%s, mu = %g, F/(mu P) = %+.2f: xi = %.4e (%s %.4e)",
-                scheme.c_str(), mu, force_ratio, s.creep[0], source.c_str(), expected);
+  std::snprintf(name, sizeof name, "%s, mu = %g, F/(mu P) = %+.2f: xi = %.4e (%s %.4e)", scheme.c_str(), mu,
+                force_ratio, s.creep[0], source.c_str(), expected);
   expect_error(name, relative(s.creep[0], expected), bound);
   const double highest = *std::max_element(middle.pressure.begin(), middle.pressure.end());
   if (p0 > 0) expect_error("  largest pressure", relative(highest, p0), 2e-2);
@@ -36,8 +34,7 @@ void expect_creepage(double mu, double force_ratio, const std::string& scheme, d
 class BentallJohnson : public testing::TestWithParam<std::string> {};
 
 TEST_P(BentallJohnson, creepage_at_given_force) {
-  const double no_slip =
-      closed_forms::no_slip_free_rolling(steel, aluminium, line_load, combined_radius);
+  const double no_slip = closed_forms::no_slip_free_rolling(steel, aluminium, line_load, combined_radius);
   for (const auto& row : closed_forms::bentall_johnson()) {
     if (row.mu < 1e-3) continue;  // below
     if (row.mu >= 10) {
@@ -55,10 +52,8 @@ INSTANTIATE_TEST_SUITE_P(Schemes, BentallJohnson, testing::Values("characteristi
 INSTANTIATE_TEST_SUITE_P(Schemes_long, BentallJohnson, testing::Values("godunov", "least_squares"));
 
 TEST(BentallJohnsonFreeRolling, vanishing_friction_by_creepage) {
-  const double theory =
-      closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
-  expect_error("closed form against the published 0.457 kappa a/R", relative(theory, 5.2586e-4),
-               2e-3);
+  const double theory = closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
+  expect_error("closed form against the published 0.457 kappa a/R", relative(theory, 5.2586e-4), 2e-3);
   // The force changes sign within 2 % of the theory's creepage.
   DissimilarStrip strip = rollers(graded_nodes(50), "least_squares");
   strip.pair.friction(1e-6);
@@ -76,8 +71,7 @@ TEST(BentallJohnsonFreeRolling, vanishing_friction_by_creepage) {
 }
 
 TEST(BentallJohnsonFreeRolling, small_friction_by_force) {
-  const double theory =
-      closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
+  const double theory = closed_forms::bentall_johnson_vanishing(steel, aluminium, 0.1, combined_radius);
   // At zero creepage nearly every node slips: the solver has to find its way from there.
   expect_creepage(1e-3, 0, "least_squares", theory, 0, "theory of vanishing friction");
 }

@@ -1,5 +1,5 @@
-// A block of boundary elements, held at its bottom, against the half-space that it becomes as it
-// grows: a rigid sphere pressed on it, and rolling.
+// A block of boundary elements, held at its bottom, against the half-space that it becomes as it grows: a rigid sphere
+// pressed on it, and rolling.
 
 #include "support/example3.hpp"
 #include "support/hertz_fit.hpp"
@@ -63,12 +63,11 @@ TEST(Block, becomes_a_half_space_as_it_grows) {
     expect_error(name + "p0", error.p0, 0.02);
     expect_error(name + "radius", error.radius, 0.03);
     // A point load moves the half-space below it, at the depth side/2 of the held bottom, by
-    // F (1 + nu)(3 - 2 nu)/(pi E side): 1.46 a/side of Hertz's approach. The free sides give back
-    // a part of it.
+    // F (1 + nu)(3 - 2 nu)/(pi E side): 1.46 a/side of Hertz's approach. The free sides give back a part of it.
     expect_error(name + "approach", error.approach, 1.5 * example3::hertz().a / side);
     if (last > 0)
-      expect_order(name + "approach against the block's size",
-                   observed_order(last, error.approach, side, last_side), 0.8);
+      expect_order(name + "approach against the block's size", observed_order(last, error.approach, side, last_side),
+                   0.8);
     last = error.approach;
     last_side = side;
   }

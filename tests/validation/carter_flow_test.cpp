@@ -1,7 +1,6 @@
-// Carter's problem where the mesh does not follow the flow: flow along the mesh's y axis, at 30
-// degrees to a grid, and over unstructured triangles. First-order upwinding smears there; the
-// errors are reported and bounded by what a first-order scheme of that mesh size may cost, not by a
-// wish.
+// Carter's problem where the mesh does not follow the flow: flow along the mesh's y axis, at 30 degrees to a grid, and
+// over unstructured triangles. First-order upwinding smears there; the errors are reported and bounded by what a
+// first-order scheme of that mesh size may cost, not by a wish.
 
 #include "report.hpp"
 #include "support/carter_strip.hpp"
@@ -15,8 +14,8 @@ using namespace scenes;
 constexpr double half_length = 3;  // of the short strips with near-isotropic meshes
 constexpr double pi = 3.14159265358979323846;
 
-/// F/(mu P) of the strip's middle half by the nodes' weights, and the relative L2 error of its
-/// tractions against a function of x.
+/// F/(mu P) of the strip's middle half by the nodes' weights, and the relative L2 error of its tractions against a
+/// function of x.
 double middle_force(const Solution& s) {
   double force = 0, load = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
@@ -38,8 +37,7 @@ double middle_traction_error(const Solution& s) {
   return std::sqrt(difference / norm);
 }
 
-Solution roll(const SurfaceMesh& mesh, const std::vector<double>& gap, const char* scheme,
-              double angle = 0) {
+Solution roll(const SurfaceMesh& mesh, const std::vector<double>& gap, const char* scheme, double angle = 0) {
   const Strip strip{carter.hertz, half_length};
   RollingPair pair(roller, roller);
   pair.frame(mesh).gap(gap).friction(carter.mu).rolling_at(angle);
@@ -55,16 +53,15 @@ std::vector<double> strip_gap(const SurfaceMesh& mesh) {
   const Strip strip{carter.hertz, half_length};
   std::vector<double> h;
   for (const Vec3& node : mesh.node)
-    h.push_back(std::abs(node[1]) > half_length + 1e-9 ? 100 * strip.approach()
-                                                       : strip.gap({node[0]}, {node[1]})[0]);
+    h.push_back(std::abs(node[1]) > half_length + 1e-9 ? 100 * strip.approach() : strip.gap({node[0]}, {node[1]})[0]);
   return h;
 }
 
 /// What the short strip's middle half gives on a fine aligned frame.
 double reference_force() {
   static const double value = [] {
-    const auto mesh = frames::rectangle(ElementType::quad4, graded_nodes(32),
-                                        frames::uniform_lines(-half_length, half_length, 16));
+    const auto mesh =
+        frames::rectangle(ElementType::quad4, graded_nodes(32), frames::uniform_lines(-half_length, half_length, 16));
     return middle_force(roll(mesh, strip_gap(mesh), "characteristic"));
   }();
   return value;
@@ -74,8 +71,7 @@ double reference_force() {
 SurfaceMesh turned_grid(double h, double angle) {
   const int n = static_cast<int>(std::ceil((half_length + 2) / h));
   const auto lines = frames::uniform_lines(-n * h, n * h, 2 * n);
-  const SurfaceMesh whole =
-      frames::rotate(frames::rectangle(ElementType::quad4, lines, lines), angle);
+  const SurfaceMesh whole = frames::rotate(frames::rectangle(ElementType::quad4, lines, lines), angle);
   SurfaceMesh part;
   part.offset.push_back(0);
   std::vector<std::int32_t> number(whole.node.size(), -1);
@@ -109,8 +105,8 @@ SurfaceMesh random_triangles(int across) {
 }
 
 TEST(CarterFlow, along_the_y_axis_of_the_mesh) {
-  const auto mesh = frames::rectangle(ElementType::quad4, strip_nodes(30),
-                                      frames::uniform_lines(-half_length, half_length, 12));
+  const auto mesh =
+      frames::rectangle(ElementType::quad4, strip_nodes(30), frames::uniform_lines(-half_length, half_length, 12));
   const auto gap = strip_gap(mesh);
   for (const char* scheme : schemes) {
     const Solution along_x = roll(mesh, gap, scheme);
@@ -118,11 +114,10 @@ TEST(CarterFlow, along_the_y_axis_of_the_mesh) {
     double difference = 0;
     for (std::size_t k = 0; k < along_x.nodes(); ++k)
       for (std::size_t i = 0; i < 3; ++i)
-        difference =
-            std::max(difference, std::abs(along_x.traction[k][i] - along_y.traction[k][i]));
+        difference = std::max(difference, std::abs(along_x.traction[k][i] - along_y.traction[k][i]));
     // The same discrete problem turned by 90 degrees: round-off and the integrals' tolerance.
-    expect_error(std::string(scheme) + ": tractions, flow along y against flow along x",
-                 difference / carter.hertz.p0, 1e-5);
+    expect_error(std::string(scheme) + ": tractions, flow along y against flow along x", difference / carter.hertz.p0,
+                 1e-5);
   }
 }
 
@@ -134,14 +129,12 @@ TEST(CarterFlow_long, at_30_degrees_to_a_grid) {
       const SurfaceMesh mesh = turned_grid(h[i], pi / 6);
       const Solution s = roll(mesh, strip_gap(mesh), scheme);
       error[i] = middle_force(s) / reference_force() - 1;
-      const std::string name =
-          std::string(scheme) + ", " + std::to_string(std::lround(2 / h[i])) + " nodes across: ";
+      const std::string name = std::string(scheme) + ", " + std::to_string(std::lround(2 / h[i])) + " nodes across: ";
       report(name + "traction, relative L2 (plane theory)", middle_traction_error(s));
       // First order with the constant of Godunov's smearing: about h/a of the force.
       expect_error(name + "F/(mu P)", error[i], 0.6 * h[i]);
     }
-    report(std::string(scheme) + ": observed order of F/(mu P)",
-           observed_order(error[0], error[1], h[0], h[1]));
+    report(std::string(scheme) + ": observed order of F/(mu P)", observed_order(error[0], error[1], h[0], h[1]));
   }
 }
 
@@ -153,13 +146,11 @@ TEST(CarterFlow_long, on_unstructured_triangles) {
       const SurfaceMesh mesh = random_triangles(across[i]);
       const Solution s = roll(mesh, strip_gap(mesh), scheme);
       error[i] = middle_force(s) / reference_force() - 1;
-      const std::string name =
-          std::string(scheme) + ", " + std::to_string(across[i]) + " triangles across: ";
+      const std::string name = std::string(scheme) + ", " + std::to_string(across[i]) + " triangles across: ";
       report(name + "traction, relative L2 (plane theory)", middle_traction_error(s));
       expect_error(name + "F/(mu P)", error[i], 1.2 / across[i]);
     }
-    report(std::string(scheme) + ": observed order of F/(mu P)",
-           observed_order(error[0], error[1], 2, 1));
+    report(std::string(scheme) + ": observed order of F/(mu P)", observed_order(error[0], error[1], 2, 1));
   }
 }
 

@@ -56,10 +56,8 @@ TEST(Carter_long, uniform_nodes_converge_with_first_order) {
     report(name + ": F/(mu P), 20 nodes across", coarse.errors[i].force);
     report(name + ": F/(mu P), 80 nodes across", fine.errors[i].force);
     // First order in the force; the square roots at the edges leave 1/2 to 1 in the L2 norm.
-    expect_order(name + ": F/(mu P)",
-                 observed_order(coarse.errors[i].force, fine.errors[i].force, 4, 1), 0.75);
-    expect_order(name + ": traction",
-                 observed_order(coarse.errors[i].traction, fine.errors[i].traction, 4, 1), 0.6);
+    expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 4, 1), 0.75);
+    expect_order(name + ": traction", observed_order(coarse.errors[i].traction, fine.errors[i].traction, 4, 1), 0.6);
   }
 }
 
@@ -70,18 +68,16 @@ TEST(Carter_long, nodes_graded_to_the_edge_converge_faster) {
     report(name + ": F/(mu P), 20 graded elements", coarse.errors[i].force);
     report(name + ": traction, 20 graded elements", coarse.errors[i].traction);
     if (i == 0) {
-      // The flux difference over a median-dual cell, (w_J - w_I)/Omega_I, is not consistent where
-      // the spacing changes: Godunov's force still converges, slowly.
+      // The flux difference over a median-dual cell, (w_J - w_I)/Omega_I, is not consistent where the spacing changes:
+      // Godunov's force still converges, slowly.
       report(name + ": traction, 40 graded elements", fine.errors[i].traction);
       expect_error(name + ": F/(mu P), 40 graded elements", fine.errors[i].force, 1e-1);
-      expect_order(name + ": F/(mu P)",
-                   observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 0.5);
+      expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 0.5);
       continue;
     }
     expect_error(name + ": F/(mu P), 40 graded elements", fine.errors[i].force, 3e-3);
     expect_error(name + ": traction, 40 graded elements", fine.errors[i].traction, 1.5e-2);
-    expect_order(name + ": F/(mu P)",
-                 observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 1.5);
+    expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 1.5);
   }
 }
 
@@ -110,8 +106,7 @@ TEST(Carter, more_creepage_more_slip_until_all_slides) {
     Carter exact = carter;
     exact.xi = -xi;
     char name[60];
-    std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.4f, in mu P", xi,
-                  exact.force_ratio());
+    std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.4f, in mu P", xi, exact.force_ratio());
     expect_error(name, s.force() / (carter.mu * s.load()) - exact.force_ratio(), 1e-2);
   }
 }

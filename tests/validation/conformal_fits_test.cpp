@@ -1,6 +1,6 @@
-// Contact that turns by up to 60 degrees, against closed forms without friction: a bore lined with
-// a thin layer, where every point yields by its own pressure, and an elastic pin in an elastic
-// plate (Persson 1964; Ciavarella and Decuzzi, Int. J. Solids Struct. 38 (2001) 4507-4523).
+// Contact that turns by up to 60 degrees, against closed forms without friction: a bore lined with a thin layer, where
+// every point yields by its own pressure, and an elastic pin in an elastic plate (Persson 1964; Ciavarella and Decuzzi,
+// Int. J. Solids Struct. 38 (2001) 4507-4523).
 
 #include <cmath>
 #include <numbers>
@@ -26,8 +26,8 @@ double reach_of(const scenes::Solution& s, const SurfaceMesh& frame) {
   return reach;
 }
 
-/// A rigid pin, sunk by `depth`, reaches where depth cos - clearance (1 - cos) is zero; there is
-/// (depth cos - clearance (1 - cos)) M / wall of pressure.
+/// A rigid pin, sunk by `depth`, reaches where depth cos - clearance (1 - cos) is zero; there is (depth cos - clearance
+/// (1 - cos)) M / wall of pressure.
 void press_into_a_layer(extremes::Model model, double wall) {
   constexpr double angle = 54 * degree;
   extremes::ConformalShape shape{.model = model};
@@ -45,11 +45,11 @@ void press_into_a_layer(extremes::Model model, double wall) {
   pair.frame_from_body(1, 6).gap(gap).approach(depth).friction(0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   const double modulus = young * (1 - poisson) / ((1 + poisson) * (1 - 2 * poisson));
-  const double force = 2 * shape.half_length * modulus / wall *
-                       ((depth + clearance) * (angle + std::sin(angle) * std::cos(angle)) -
-                        2 * clearance * std::sin(angle));
-  const std::string name = std::string(model == extremes::Model::fem ? "FEM" : "BEM") + ", layer " +
-                           std::to_string(wall) + ": ";
+  const double force =
+      2 * shape.half_length * modulus / wall *
+      ((depth + clearance) * (angle + std::sin(angle) * std::cos(angle)) - 2 * clearance * std::sin(angle));
+  const std::string name =
+      std::string(model == extremes::Model::fem ? "FEM" : "BEM") + ", layer " + std::to_string(wall) + ": ";
   const scenes::Solution s = pair.solution();
   expect_error(name + "reach (radian)", reach_of(s, frame) - angle, 120 * degree / 48);
   expect_error(name + "force", relative(-s.force[2], force), 2 * wall);
@@ -80,8 +80,8 @@ struct Persson {
 
 constexpr double half_length = 0.02;
 
-/// A plate with a hole of radius 1 about the axis at height 1, held far away; tag 7 spans 60
-/// degrees to both sides of the hole's lowest line. Plane strain.
+/// A plate with a hole of radius 1 about the axis at height 1, held far away; tag 7 spans 60 degrees to both sides of
+/// the hole's lowest line. Plane strain.
 scenes::MeshedBody plate(int around, int deep) {
   constexpr double outer = 40;
   surfaces::Block block;
@@ -97,8 +97,8 @@ scenes::MeshedBody plate(int around, int deep) {
     const double r = std::exp(-q[2]);
     return Vec3{q[1], -r * std::sin(q[0]), 1 - r * std::cos(q[0])};
   };
-  scenes::MeshedBody body = scenes::meshed(volumes::block(block, VolumeType::hex8),
-                                           {.shear = young / 2.6, .poisson = poisson});
+  scenes::MeshedBody body =
+      scenes::meshed(volumes::block(block, VolumeType::hex8), {.shear = young / 2.6, .poisson = poisson});
   body.held_tag = {5};
   body.slide = {{3, 1}, {4, 1}};
   body.contact_tag = {7};
@@ -115,11 +115,9 @@ scenes::MeshedBody pin(int around, int deep) {
   shape.along = 1;
   shape.deep = deep;
   volumes::Mesh mesh = volumes::cylinder(shape, VolumeType::hex8);
-  const auto turn = [](const Vec3& x) {
-    return Vec3{x[2] - half_length, x[0], x[1] + 1 - clearance};
-  };
-  scenes::MeshedBody body = scenes::meshed(volumes::transform(std::move(mesh), turn),
-                                           {.shear = young / 2.6, .poisson = poisson});
+  const auto turn = [](const Vec3& x) { return Vec3{x[2] - half_length, x[0], x[1] + 1 - clearance}; };
+  scenes::MeshedBody body =
+      scenes::meshed(volumes::transform(std::move(mesh), turn), {.shear = young / 2.6, .poisson = poisson});
   body.held_tag = {2};
   body.slide = {{3, 1}, {4, 1}};
   body.contact_tag = {1};
@@ -130,8 +128,7 @@ TEST(ConformalFits_long, a_pin_in_a_plate) {
   // Hertz's p0 under the same load is 5, 15 and 30 % less.
   for (const double angle : {20 * degree, 35 * degree, 50 * degree}) {
     const Persson persson(angle);
-    const double load =
-        2 * half_length * clearance * young / (1 - poisson * poisson) / persson.clearance();
+    const double load = 2 * half_length * clearance * young / (1 - poisson * poisson) / persson.clearance();
     for (const int n : {48, 96}) {
       const scenes::MeshedBody body = plate(n, n / 4);
       scenes::RollingPair pair(body, pin(n, n / 3), 1);
@@ -149,8 +146,8 @@ TEST(ConformalFits_long, a_pin_in_a_plate) {
         const double p = load / (2 * half_length) * persson.pressure(std::atan2(x[1], 1 - x[2]));
         error = std::max(error, std::abs(s.pressure[k] - p) / p0);
       }
-      const std::string name = "pin, " + std::to_string(static_cast<int>(angle / degree + 0.5)) +
-                               " degrees, " + std::to_string(n) + " elements around: ";
+      const std::string name = "pin, " + std::to_string(static_cast<int>(angle / degree + 0.5)) + " degrees, " +
+                               std::to_string(n) + " elements around: ";
       expect_error(name + "reach (radian)", reach_of(s, frame) - angle, 360 * degree / n);
       expect_error(name + "p0", relative(pair.stat("max_pressure"), p0), 0.02 * 48 / n * 48 / n);
       // At the node beside the edge, where pressures rise as a root.

@@ -1,6 +1,5 @@
-// A rigid cylinder in a groove of nearly its radius: contact that turns by 40 degrees to both
-// sides, where pressures have directions of their own. Linear and quadratic meshes must tend to one
-// answer.
+// A rigid cylinder in a groove of nearly its radius: contact that turns by 40 degrees to both sides, where pressures
+// have directions of their own. Linear and quadratic meshes must tend to one answer.
 
 #include <cmath>
 #include <vector>
@@ -21,15 +20,13 @@ SurfaceMesh groove(ElementType type, int n) {
   for (int i = 0; i <= 2 * n; ++i) shape.line[0].push_back(half_angle * (i - n) / n);
   for (int i = 0; i <= n; ++i) shape.line[1].push_back(length_along * (1.0 * i / n - 0.5));
   for (int i = 0; i <= n / 2; ++i) shape.line[2].push_back(-radius - thickness * (1 - 2.0 * i / n));
-  shape.map = [](const Vec3& q) {
-    return Vec3{q[1], -q[2] * std::sin(q[0]), q[2] * std::cos(q[0])};
-  };
+  shape.map = [](const Vec3& q) { return Vec3{q[1], -q[2] * std::sin(q[0]), q[2] * std::cos(q[0])}; };
   return surfaces::turn_inside_out(surfaces::block(shape, type));
 }
 
 SurfaceMesh cylinder() {
-  SurfaceMesh mesh = frames::rectangle(ElementType::quad8, frames::uniform_lines(-4, 4, 4),
-                                       frames::uniform_lines(-1.3, 1.3, 24));
+  SurfaceMesh mesh =
+      frames::rectangle(ElementType::quad8, frames::uniform_lines(-4, 4, 4), frames::uniform_lines(-1.3, 1.3, 24));
   for (Vec3& x : mesh.node)
     x = {x[0], cylinder_radius * std::sin(x[1]), cylinder_radius * (1 - std::cos(x[1])) - radius};
   return surfaces::turn_inside_out(mesh);

@@ -1,5 +1,4 @@
-// The contact patch test: two blocks with different meshes are pressed on each other; a uniform
-// pressure must pass.
+// The contact patch test: two blocks with different meshes are pressed on each other; a uniform pressure must pass.
 
 #include <string>
 #include <vector>
@@ -38,11 +37,8 @@ SurfaceMesh straighten(SurfaceMesh mesh) {
     if (!is_quadratic(type)) continue;
     const auto nodes = mesh.element(e);
     const auto corners = static_cast<std::size_t>(corner_count(type));
-    const auto at = [&](std::size_t i) -> Vec3& {
-      return mesh.node[static_cast<std::size_t>(nodes[i])];
-    };
-    for (std::size_t i = 0; i < corners; ++i)
-      at(corners + i) = 0.5 * (at(i) + at((i + 1) % corners));
+    const auto at = [&](std::size_t i) -> Vec3& { return mesh.node[static_cast<std::size_t>(nodes[i])]; };
+    for (std::size_t i = 0; i < corners; ++i) at(corners + i) = 0.5 * (at(i) + at((i + 1) % corners));
   }
   return mesh;
 }
@@ -50,15 +46,13 @@ SurfaceMesh straighten(SurfaceMesh mesh) {
 /// edges: of the faces; curved ones stay within the planes of the block.
 enum class Edges { straight, curved };
 
-MeshedBody half(VolumeType type, const Half& h, const closed_forms::Elastic& material,
-                Edges edges) {
+MeshedBody half(VolumeType type, const Half& h, const closed_forms::Elastic& material, Edges edges) {
   volumes::Mesh mesh = volumes::distort(volumes::block(h.shape(), type), 0.15, 5);
   if (edges == Edges::straight) mesh.surface = straighten(std::move(mesh.surface));
   return scenes::meshed(std::move(mesh), material);
 }
 
-MeshedBody half(ElementType type, const Half& h, const closed_forms::Elastic& material,
-                Edges edges) {
+MeshedBody half(ElementType type, const Half& h, const closed_forms::Elastic& material, Edges edges) {
   SurfaceMesh mesh = surfaces::distort(surfaces::block(h.shape(), type), 0.15, 5);
   if (edges == Edges::straight) mesh = straighten(std::move(mesh));
   return scenes::meshed(std::move(mesh), material);
@@ -74,14 +68,12 @@ struct Case {
 std::vector<Case> cases() {
   const Half coarse{{2, 3, 2}}, fine{{5, 4, 3}, 0.7};
   std::vector<Case> all;
-  const auto add = [&](auto lower, auto upper, const std::string& name,
-                       Edges edges = Edges::straight) {
+  const auto add = [&](auto lower, auto upper, const std::string& name, Edges edges = Edges::straight) {
     all.push_back({name, half(lower, coarse, soft, edges), half(upper, fine, stiff, edges)});
     if (edges == Edges::curved) all.back().bound = 1e-3;
   };
   const auto add_with_frame = [&](auto lower, auto upper, const std::string& name) {
-    all.push_back({name, half(lower, fine, soft, Edges::straight),
-                   half(upper, fine, stiff, Edges::straight), true});
+    all.push_back({name, half(lower, fine, soft, Edges::straight), half(upper, fine, stiff, Edges::straight), true});
   };
   add(VolumeType::hex8, VolumeType::hex8, "hex8 on hex8");
   add(VolumeType::hex20, VolumeType::hex20, "hex20 on hex20");
@@ -94,23 +86,19 @@ std::vector<Case> cases() {
   add(VolumeType::hex20, VolumeType::hex20, "hex20 on hex20, curved edges", Edges::curved);
   add(VolumeType::tet10, VolumeType::tet10, "tet10 on tet10, curved edges", Edges::curved);
   add_with_frame(VolumeType::hex8, VolumeType::hex20, "hex8 on hex20, frame of its own");
-  add_with_frame(VolumeType::hex20, ElementType::quad8,
-                 "hex20 on quad8 (boundary elements), frame of its own");
+  add_with_frame(VolumeType::hex20, ElementType::quad8, "hex20 on quad8 (boundary elements), frame of its own");
   return all;
 }
 
 /// Largest deviation of the nodal pressures from the uniform one, relative.
 double deviation(const Case& c, std::int64_t between_nodes) {
-  scenes::RollingPair pair(between_planes(c.lower, between_nodes),
-                           between_planes(c.upper, between_nodes), 1);
+  scenes::RollingPair pair(between_planes(c.lower, between_nodes), between_planes(c.upper, between_nodes), 1);
   // The upper block stands on its head: x -> y keeps the planes of symmetry where they are.
   pair.pose(2, {{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}}, {0, 0, 1.7});
   pair.axes({0.5, 0.5, 1}, {1, 0, 0}, {0, 0, 1}).friction(0).load(pressure);
   if (c.own_frame) {
-    SurfaceMesh frame =
-        frames::perturb(frames::rectangle(ElementType::tri3, frames::uniform_lines(0, 1, 3),
-                                          frames::uniform_lines(0, 1, 4)),
-                        0.1, 7);
+    SurfaceMesh frame = frames::perturb(
+        frames::rectangle(ElementType::tri3, frames::uniform_lines(0, 1, 3), frames::uniform_lines(0, 1, 4)), 0.1, 7);
     for (Vec3& x : frame.node) x[2] = 1;
     pair.frame(frame);
   } else {
@@ -118,8 +106,7 @@ double deviation(const Case& c, std::int64_t between_nodes) {
   }
   EXPECT_GE(pair.solve(), 0);
   double worst = 0;
-  for (const double p : pair.solution().pressure)
-    worst = std::max(worst, std::abs(p / pressure - 1));
+  for (const double p : pair.solution().pressure) worst = std::max(worst, std::abs(p / pressure - 1));
   return worst;
 }
 
@@ -131,15 +118,13 @@ TEST_P(ContactPatch, a_uniform_pressure_passes) {
   report(c.name + ": pressure, by a half-space between nodes", deviation(c, 0));
 }
 
-INSTANTIATE_TEST_SUITE_P(Pairs, ContactPatch, ::testing::Range(std::size_t{0}, cases().size()),
-                         [](const auto& param) {
-                           std::string name = cases()[param.param].name;
-                           std::erase_if(name,
-                                         [](char c) { return c == ',' || c == '(' || c == ')'; });
-                           for (char& c : name)
-                             if (c == ' ') c = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Pairs, ContactPatch, ::testing::Range(std::size_t{0}, cases().size()), [](const auto& param) {
+  std::string name = cases()[param.param].name;
+  std::erase_if(name, [](char c) { return c == ',' || c == '(' || c == ')'; });
+  for (char& c : name)
+    if (c == ' ') c = '_';
+  return name;
+});
 
 }  // namespace
 }  // namespace rollcon::validation

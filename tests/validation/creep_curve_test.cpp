@@ -1,5 +1,5 @@
-// Force against longitudinal creepage from full stick to full slip, against tabulated output of the
-// half-space program CONTACT (tests/data/creep_curve.csv) within 1.5 % of mu P.
+// Force against longitudinal creepage from full stick to full slip, against tabulated output of the half-space program
+// CONTACT (tests/data/creep_curve.csv) within 1.5 % of mu P.
 
 #include "laws.hpp"
 #include "support/graded_disc.hpp"
@@ -16,8 +16,8 @@ using scenes::Solution;
 TEST(CreepCurve, ellipse_from_stick_to_slip) {
   const Elastic steel{.shear = 82000, .poisson = 0.28};
   const double mu = 0.33;
-  const Hertz hertz = closed_forms::hertz_from_load(
-      .0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
+  const Hertz hertz =
+      closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
   RollingPair pair(steel, steel);
   pair.frame(graded_disc(hertz.a, hertz.b, 12))
       .gap_quadratic(hertz.A, hertz.B)
@@ -31,8 +31,8 @@ TEST(CreepCurve, ellipse_from_stick_to_slip) {
     const Solution s = pair.solution();
     const double ratio = s.force[0] / (mu * hertz.load);
     char name[160];
-    std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.5f, CONTACT %.5f, in mu P", point.xi,
-                  ratio, point.force_ratio);
+    std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.5f, CONTACT %.5f, in mu P", point.xi, ratio,
+                  point.force_ratio);
     expect_error(name, ratio - point.force_ratio, 1.5e-2);
     EXPECT_GT(ratio, last);  // the curve rises
     EXPECT_LE(ratio, 1 + 1e-9);
@@ -42,8 +42,7 @@ TEST(CreepCurve, ellipse_from_stick_to_slip) {
   // Linear range: 243.30 N at 1e-5 by Kalker's theory.
   pair.creep(-1e-5, 0, 0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
-  expect_error("force at xi = 1e-5 against linear theory",
-               relative(pair.solution().force[0], 243.30), 2e-2);
+  expect_error("force at xi = 1e-5 against linear theory", relative(pair.solution().force[0], 243.30), 2e-2);
 }
 
 }  // namespace

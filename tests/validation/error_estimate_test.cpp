@@ -1,5 +1,5 @@
-// Error estimates beside true errors: effectivity (estimate over error) on scenes with known
-// solutions, several meshes each. Printed: both, and the bounds of their ratio.
+// Error estimates beside true errors: effectivity (estimate over error) on scenes with known solutions, several meshes
+// each. Printed: both, and the bounds of their ratio.
 
 #include <algorithm>
 #include <cmath>
@@ -21,17 +21,16 @@ constexpr const char* tangential = "tangential force";
 constexpr const char* tractions = "tractions";
 
 /// Effectivities of one quantity, each in [least, most].
-std::vector<Judged> expect_effectivity(const std::vector<Judgement>& scenes, const char* quantity,
-                                       double least, double most) {
+std::vector<Judged> expect_effectivity(const std::vector<Judgement>& scenes, const char* quantity, double least,
+                                       double most) {
   std::vector<Judged> found;
   for (const Judgement& scene : scenes)
     for (const Judged& j : scene) {
       if (j.quantity != quantity) continue;
       const double e = j.effectivity();
       const std::string what = j.scene + ", " + j.mesh + ", " + j.scheme + ": " + quantity;
-      std::printf("%-66s estimate %8.1e  error %8.1e  effectivity %5.2f  bounds %.2f to %.2f%s\n",
-                  what.c_str(), j.estimate, j.error, e, least, most,
-                  e >= least && e <= most ? "" : "  FAILS");
+      std::printf("%-66s estimate %8.1e  error %8.1e  effectivity %5.2f  bounds %.2f to %.2f%s\n", what.c_str(),
+                  j.estimate, j.error, e, least, most, e >= least && e <= most ? "" : "  FAILS");
       EXPECT_GE(e, least) << what;
       EXPECT_LE(e, most) << what;
       found.push_back(j);
@@ -40,15 +39,13 @@ std::vector<Judged> expect_effectivity(const std::vector<Judgement>& scenes, con
   return found;
 }
 
-/// Estimates fall from the first mesh to the last as the errors do: orders that differ by no more
-/// than `slack`.
+/// Estimates fall from the first mesh to the last as the errors do: orders that differ by no more than `slack`.
 void expect_rate(const std::vector<Judged>& meshes, double refinement, double slack) {
   const Judged &coarse = meshes.front(), &fine = meshes.back();
   const double estimated = observed_order(coarse.estimate, fine.estimate, refinement, 1);
   const double true_order = observed_order(coarse.error, fine.error, refinement, 1);
-  std::printf(
-      "%-66s order %.2f of the estimates, %.2f of the errors (bound of the difference %.1f)\n",
-      (coarse.scene + ": " + coarse.quantity).c_str(), estimated, true_order, slack);
+  std::printf("%-66s order %.2f of the estimates, %.2f of the errors (bound of the difference %.1f)\n",
+              (coarse.scene + ": " + coarse.quantity).c_str(), estimated, true_order, slack);
   EXPECT_GT(estimated, 0.5);
   EXPECT_LE(std::abs(estimated - true_order), slack);
 }
@@ -68,8 +65,7 @@ TEST(ErrorEstimate_long, normal_force_and_pressures_on_grids) {
 
 TEST(ErrorEstimate, normal_force_and_pressures_on_fitted_rings) {
   std::vector<Judgement> scenes;
-  for (const int rings : {5, 6, 8, 12, 16})
-    scenes.push_back(judge_hertz(judged_rings(1, 1, rings)));
+  for (const int rings : {5, 6, 8, 12, 16}) scenes.push_back(judge_hertz(judged_rings(1, 1, rings)));
   expect_rate(expect_effectivity(scenes, normal, 0.9, 1.1), 16.0 / 5, 0.2);
   expect_effectivity(scenes, tractions, 0.4, 2.5);
 }
@@ -99,13 +95,12 @@ TEST_P(ErrorEstimateOfRolling, on_grids) {
 
 TEST_P(ErrorEstimateOfRolling, on_a_strip) {
   std::vector<Judgement> scenes;
-  for (const int across : {12, 16, 24, 36})
-    scenes.push_back(judge_carter(across, false, GetParam()));
+  for (const int across : {12, 16, 24, 36}) scenes.push_back(judge_carter(across, false, GetParam()));
   expect_rate(expect_effectivity(scenes, tangential, 0.4, 4), 3, 0.8);
 }
 
-/// Where unlike bodies touch, the error of the characteristic scheme changes its sign near the
-/// standard step: it is less there than estimates can tell.
+/// Where unlike bodies touch, the error of the characteristic scheme changes its sign near the standard step: it is
+/// less there than estimates can tell.
 bool errs_little(const std::string& scheme) {
   return scheme == "characteristic";
 }
@@ -119,8 +114,7 @@ TEST_P(ErrorEstimateOfRolling, of_the_sphere_on_rings) {
 TEST_P(ErrorEstimateOfRolling, of_a_ball_on_a_block) {
   for (const bool finite_elements : {true, false}) {
     std::vector<Judgement> scenes;
-    for (const int across : {10, 16})
-      scenes.push_back(judge_block(finite_elements, across, GetParam()));
+    for (const int across : {10, 16}) scenes.push_back(judge_block(finite_elements, across, GetParam()));
     expect_effectivity(scenes, normal, 0.3, 3);
     expect_effectivity(scenes, tangential, 0.3, errs_little(GetParam()) ? 40 : 7);
   }
@@ -128,8 +122,7 @@ TEST_P(ErrorEstimateOfRolling, of_a_ball_on_a_block) {
 
 INSTANTIATE_TEST_SUITE_P(Schemes, ErrorEstimateOfRolling, testing::Values("characteristic"),
                          [](const auto& info) { return std::string(info.param); });
-INSTANTIATE_TEST_SUITE_P(Schemes_long, ErrorEstimateOfRolling,
-                         testing::Values("godunov", "least_squares"),
+INSTANTIATE_TEST_SUITE_P(Schemes_long, ErrorEstimateOfRolling, testing::Values("godunov", "least_squares"),
                          [](const auto& info) { return std::string(info.param); });
 
 TEST(ErrorEstimate_long, from_stick_to_slip) {
@@ -137,8 +130,7 @@ TEST(ErrorEstimate_long, from_stick_to_slip) {
   for (const double xi : {8e-4, 1.6e-3, 2.4e-3}) {
     std::vector<Judgement> scenes;
     for (const int rings : {6, 8})
-      scenes.push_back(
-          judge_creep_curve(xi, judged_rings(axes[0], axes[1], rings), "characteristic"));
+      scenes.push_back(judge_creep_curve(xi, judged_rings(axes[0], axes[1], rings), "characteristic"));
     expect_effectivity(scenes, tangential, 0.4, 4);
   }
 }
@@ -146,8 +138,7 @@ TEST(ErrorEstimate_long, from_stick_to_slip) {
 TEST(ErrorEstimate_long, of_linear_theory) {
   for (const int direction : {1, 2, 3}) {
     std::vector<Judgement> scenes;
-    for (const int rings : {5, 6, 8})
-      scenes.push_back(judge_linear_theory(direction, rings, "characteristic"));
+    for (const int rings : {5, 6, 8}) scenes.push_back(judge_linear_theory(direction, rings, "characteristic"));
     expect_effectivity(scenes, tangential, 0.3, 6);
   }
 }
@@ -155,12 +146,10 @@ TEST(ErrorEstimate_long, of_linear_theory) {
 // No solution is known here; the finer ring's estimates must be numbers, and less.
 TEST(ErrorEstimate_long, on_the_curved_frame_of_a_ring) {
   namespace example2 = scenes::example2;
-  const char* names[] = {"error_estimate_normal", "error_estimate_tangential",
-                         "error_estimate_tractions"};
+  const char* names[] = {"error_estimate_normal", "error_estimate_tangential", "error_estimate_tractions"};
   double last[] = {0.02, 0.2, 0.5};
   for (const int parts : {8, 12}) {
-    const auto pair =
-        example2::pair(example2::ring_of(parts), VolumeType::hex8, example2::Ground::half_space);
+    const auto pair = example2::pair(example2::ring_of(parts), VolumeType::hex8, example2::Ground::half_space);
     ASSERT_EQ(pair->solve(), ROLLCON_OK);
     for (std::size_t i = 0; i < 3; ++i) {
       const double value = pair->stat(names[i]);

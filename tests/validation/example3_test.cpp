@@ -1,5 +1,5 @@
-// The paper's example 3 on its frames: the same creepage on all within their errors, the peak
-// pressure near Hertz's, and every law of contact recomputed from the results.
+// The paper's example 3 on its frames: the same creepage on all within their errors, the peak pressure near Hertz's,
+// and every law of contact recomputed from the results.
 
 #include "support/example3.hpp"
 
@@ -60,8 +60,7 @@ double gap_error(const RollingPair& pair, const Solution& s) {
   return error / s.approach;
 }
 
-/// Largest error of the published slip in contact against c + V D u with the tests' own Godunov
-/// operator.
+/// Largest error of the published slip in contact against c + V D u with the tests' own Godunov operator.
 double slip_error(const RollingPair& pair, const Solution& s, const SurfaceMesh& mesh) {
   const auto u = displacement(pair, s, 0);
   std::vector<std::array<double, 2>> w(s.nodes());
@@ -77,8 +76,8 @@ double slip_error(const RollingPair& pair, const Solution& s, const SurfaceMesh&
   return error / (example3::speed * std::abs(s.creep[0]));
 }
 
-/// Root mean square difference, over nodes in contact, of the published slip and the exact
-/// derivative of the displacements along the path; in units of V |xi|. It holds the scheme's error.
+/// Root mean square difference, over nodes in contact, of the published slip and the exact derivative of the
+/// displacements along the path; in units of V |xi|. It holds the scheme's error.
 double slip_consistency(const RollingPair& pair, const Solution& s) {
   const double step = 1e-3 * example3::hertz().a;
   const auto here = displacement(pair, s, -step), ahead = displacement(pair, s, step);
@@ -101,24 +100,21 @@ void roll(int nodes, const char* scheme, double bound) {
   const Solution s = pair->solution();
   const std::string name = frame.name + ", " + scheme + ": ";
   report(name + "Newton iterations", pair->stat("iterations"));
-  expect_error(name + "force found, Ft/(mu Fn)",
-               s.force[0] / (example3::mu * example3::load) - example3::force_ratio, 1e-7);
+  expect_error(name + "force found, Ft/(mu Fn)", s.force[0] / (example3::mu * example3::load) - example3::force_ratio,
+               1e-7);
   expect_error(name + "creepage", s.creep[0] / reference().creepage - 1, bound);
-  expect_error(name + "peak pressure against the fine frame", relative(peak(s), reference().p0),
-               1e-2);
+  expect_error(name + "peak pressure against the fine frame", relative(peak(s), reference().p0), 1e-2);
   // 140 MPa is Hertz's 140.8 without friction; the coupling of this pair raises it by 1.8 %.
   expect_error(name + "peak pressure against 140 MPa", relative(peak(s), 140), 3e-2);
-  expect_laws(frame.name + ", " + scheme,
-              check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
+  expect_laws(frame.name + ", " + scheme, check_laws(s, example3::mu, example3::speed * std::abs(s.creep[0])));
   expect_error(name + "gap from displacements", gap_error(*pair, s), 1e-5);
   if (std::string(scheme) == "godunov" && (nodes == 673 || nodes == 703))
-    expect_error(name + "slip from displacements, own operator", slip_error(*pair, s, frame.mesh),
-                 1e-4);
+    expect_error(name + "slip from displacements, own operator", slip_error(*pair, s, frame.mesh), 1e-4);
   report(name + "slip against the exact derivative, rms", slip_consistency(*pair, s));
 }
 
-/// bound: of the creepage; up to twice the scheme's measured error, and never below that of the
-/// reference itself (14 rings differ from 18 by 0.13 %).
+/// bound: of the creepage; up to twice the scheme's measured error, and never below that of the reference itself (14
+/// rings differ from 18 by 0.13 %).
 struct Rolling {
   int nodes;
   const char* scheme;
@@ -132,34 +128,30 @@ TEST_P(Example3Frames, creepage_pressure_and_laws) {
 }
 
 // Cells of triangles and above all of the split quad8 are irregular, and Godunov pays for it.
-INSTANTIATE_TEST_SUITE_P(
-    Validation, Example3Frames,
-    testing::Values(Rolling{673, "godunov", 0.006}, Rolling{673, "least_squares", 0.008},
-                    Rolling{673, "characteristic", 0.004}, Rolling{703, "godunov", 0.05},
-                    Rolling{703, "least_squares", 0.008}, Rolling{703, "characteristic", 0.004}),
-    [](const auto& test) {
-      return std::to_string(test.param.nodes) + "_" + std::string(test.param.scheme);
-    });
-INSTANTIATE_TEST_SUITE_P(
-    Validation_long, Example3Frames,
-    testing::Values(Rolling{1985, "godunov", 0.15}, Rolling{1985, "least_squares", 0.008},
-                    Rolling{1985, "characteristic", 0.004}, Rolling{2745, "godunov", 0.03},
-                    Rolling{2745, "least_squares", 0.006}, Rolling{2745, "characteristic", 0.004}),
-    [](const auto& test) {
-      return std::to_string(test.param.nodes) + "_" + std::string(test.param.scheme);
-    });
+INSTANTIATE_TEST_SUITE_P(Validation, Example3Frames,
+                         testing::Values(Rolling{673, "godunov", 0.006}, Rolling{673, "least_squares", 0.008},
+                                         Rolling{673, "characteristic", 0.004}, Rolling{703, "godunov", 0.05},
+                                         Rolling{703, "least_squares", 0.008}, Rolling{703, "characteristic", 0.004}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.nodes) + "_" + std::string(test.param.scheme);
+                         });
+INSTANTIATE_TEST_SUITE_P(Validation_long, Example3Frames,
+                         testing::Values(Rolling{1985, "godunov", 0.15}, Rolling{1985, "least_squares", 0.008},
+                                         Rolling{1985, "characteristic", 0.004}, Rolling{2745, "godunov", 0.03},
+                                         Rolling{2745, "least_squares", 0.006}, Rolling{2745, "characteristic", 0.004}),
+                         [](const auto& test) {
+                           return std::to_string(test.param.nodes) + "_" + std::string(test.param.scheme);
+                         });
 
-// Carrying tractions along a half-space changes no elastic energy: friction loses what the force
-// and the rolling moment put in, -int lt.s = V (M2/R - F1 xi1).
+// Carrying tractions along a half-space changes no elastic energy: friction loses what the force and the rolling moment
+// put in, -int lt.s = V (M2/R - F1 xi1).
 TEST(Example3, friction_loses_what_force_and_moment_put_in) {
   const double a = example3::hertz().a;
-  for (const auto& [scheme, bound] :
-       {std::pair{"characteristic", 0.07}, std::pair{"least_squares", 0.15}}) {
+  for (const auto& [scheme, bound] : {std::pair{"characteristic", 0.07}, std::pair{"least_squares", 0.15}}) {
     auto pair = example3::pair(scenes::graded_disc(a, a, 12), scheme);
     ASSERT_EQ(pair->solve(), ROLLCON_OK);
     const Solution s = pair->solution();
-    const double put_in =
-        example3::speed * (s.moment[1] / example3::radius - s.force[0] * s.creep[0]);
+    const double put_in = example3::speed * (s.moment[1] / example3::radius - s.force[0] * s.creep[0]);
     expect_error(std::string(scheme) + ": power of friction against the work put in",
                  relative(pair->stat("friction_power"), put_in), bound);
   }

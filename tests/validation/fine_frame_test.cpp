@@ -1,6 +1,5 @@
-// Frames of their own laid on blocks of finite elements as they come: finer than the body's faces,
-// from edge to edge of the top, over an insert of another material, in a steep groove; with and
-// without contact faces named.
+// Frames of their own laid on blocks of finite elements as they come: finer than the body's faces, from edge to edge of
+// the top, over an insert of another material, in a steep groove; with and without contact faces named.
 
 #include <algorithm>
 #include <array>
@@ -28,8 +27,7 @@ using scenes::RollingPair;
 /// [-half, half]^2 x [-depth, 0] in n x n x layers hexahedra.
 surfaces::Block slab(int n, int layers, double half, double depth) {
   surfaces::Block shape;
-  shape.line = {uniform_lines(-half, half, n), uniform_lines(-half, half, n),
-                uniform_lines(-depth, 0, layers)};
+  shape.line = {uniform_lines(-half, half, n), uniform_lines(-half, half, n), uniform_lines(-depth, 0, layers)};
   return shape;
 }
 
@@ -58,8 +56,8 @@ class FineFrame : public ::testing::TestWithParam<Fine> {
  protected:
   static constexpr double curvature = 0.005, load = 300;
   const closed_forms::Elastic material{.shear = 2e3 / 2.6, .poisson = 0.3};
-  const closed_forms::Hertz hertz = closed_forms::hertz_from_load(
-      curvature, curvature, closed_forms::effective_modulus(material), load);
+  const closed_forms::Hertz hertz =
+      closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(material), load);
 
   /// Frame of n x n elements, middle at (shift, shift); a node of the body is at the origin.
   std::unique_ptr<RollingPair> ball(double shift, int n) const {
@@ -110,15 +108,13 @@ TEST_P(FineFrame, refining_it_keeps_the_force) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, FineFrame,
-                         ::testing::Values(Fine{"hex8", VolumeType::hex8, 0.25, 0.12}),
+INSTANTIATE_TEST_SUITE_P(Types, FineFrame, ::testing::Values(Fine{"hex8", VolumeType::hex8, 0.25, 0.12}),
                          [](const auto& param) { return std::string(param.param.name); });
-INSTANTIATE_TEST_SUITE_P(Types_long, FineFrame,
-                         ::testing::Values(Fine{"hex20", VolumeType::hex20, 0.1, 0.1}),
+INSTANTIATE_TEST_SUITE_P(Types_long, FineFrame, ::testing::Values(Fine{"hex20", VolumeType::hex20, 0.1, 0.1}),
                          [](const auto& param) { return std::string(param.param.name); });
 
-// The half-space under the frame is of the insert's material, however soft most of the faces are
-// that may come into contact.
+// The half-space under the frame is of the insert's material, however soft most of the faces are that may come into
+// contact.
 class Insert : public ::testing::TestWithParam<double> {
  protected:
   enum class Contact { unnamed, named, shape_functions };
@@ -131,9 +127,8 @@ class Insert : public ::testing::TestWithParam<double> {
     shape.zone_tag = 9;
     const closed_forms::Elastic soft{.shear = 1 / 2.6, .poisson = 0.3};
     MeshedBody body = held(
-        volumes::with_materials(
-            volumes::block(shape, VolumeType::hex8),
-            [](const Vec3& x) { return std::abs(x[0]) < 0.5 && std::abs(x[1]) < 0.5 ? 1 : 0; }),
+        volumes::with_materials(volumes::block(shape, VolumeType::hex8),
+                                [](const Vec3& x) { return std::abs(x[0]) < 0.5 && std::abs(x[1]) < 0.5 ? 1 : 0; }),
         soft);
     if (choice == Contact::named) body.contact_tag = {9};
     if (choice == Contact::shape_functions) body.int_option = {{"between_nodes", 1}};
@@ -174,8 +169,7 @@ void expect_walls_without_part(const std::string& name, MeshedBody body, const S
   }
   EXPECT_LT(force[1][2], 0) << name;
   for (std::size_t c = 0; c < 3; ++c)
-    expect_error(name + ", F" + std::to_string(c + 1),
-                 (force[0][c] - force[1][c]) / std::abs(force[1][2]), 1e-6);
+    expect_error(name + ", F" + std::to_string(c + 1), (force[0][c] - force[1][c]) / std::abs(force[1][2]), 1e-6);
 }
 
 std::vector<double> paraboloid(const SurfaceMesh& frame, double along, double across) {
@@ -197,11 +191,9 @@ TEST_P(Edges, of_a_slab_do_not_feel_the_frame) {
   for (const auto& [n, layers, elements, half] : cases) {
     const SurfaceMesh frame = square({0, 0, 0}, half, elements);
     char name[80];
-    std::snprintf(name, sizeof name, "%d^2 faces, %d layers, frame %d^2, +-%g", n, layers, elements,
-                  half);
-    expect_walls_without_part(name,
-                              held(volumes::block(slab(n, layers, 1, 0.5), GetParam()), material),
-                              frame, paraboloid(frame, 0.05, 0.05), 0.15);
+    std::snprintf(name, sizeof name, "%d^2 faces, %d layers, frame %d^2, +-%g", n, layers, elements, half);
+    expect_walls_without_part(name, held(volumes::block(slab(n, layers, 1, 0.5), GetParam()), material), frame,
+                              paraboloid(frame, 0.05, 0.05), 0.15);
   }
 }
 
@@ -216,15 +208,13 @@ TEST_P(Edges, of_a_roller_do_not_feel_the_frame) {
         return {r * std::sin(q[0]), q[1], r * std::cos(q[0]) - 10};
       };
       const SurfaceMesh frame = frames::transform(
-          frames::rectangle(ElementType::quad4, uniform_lines(-0.05, 0.05, elements),
-                            uniform_lines(-1, 1, elements)),
+          frames::rectangle(ElementType::quad4, uniform_lines(-0.05, 0.05, elements), uniform_lines(-1, 1, elements)),
           [&](const Vec3& q) {
             return shape.map({q[0], q[1], 10});
           });
-      expect_walls_without_part(
-          "crown " + std::to_string(crown) + ", frame " + std::to_string(elements) + "^2",
-          held(volumes::block(shape, GetParam()), material), frame, paraboloid(frame, 0.06, 0.002),
-          0.01);
+      expect_walls_without_part("crown " + std::to_string(crown) + ", frame " + std::to_string(elements) + "^2",
+                                held(volumes::block(shape, GetParam()), material), frame,
+                                paraboloid(frame, 0.06, 0.002), 0.01);
     }
 }
 
@@ -239,19 +229,15 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
   std::array<double, 3> force[2];
   for (const int finer : {0, 1}) {
     surfaces::Block shape;
-    shape.line = {uniform_lines(-1, 1, 6), uniform_lines(-1.4, 1.4, finer ? 20 : 10),
-                  uniform_lines(-2, -1, 3)};
-    shape.map = [](const Vec3& q) -> Vec3 {
-      return {q[0], -q[2] * std::sin(q[1]), q[2] * std::cos(q[1])};
-    };
+    shape.line = {uniform_lines(-1, 1, 6), uniform_lines(-1.4, 1.4, finer ? 20 : 10), uniform_lines(-2, -1, 3)};
+    shape.map = [](const Vec3& q) -> Vec3 { return {q[0], -q[2] * std::sin(q[1]), q[2] * std::cos(q[1])}; };
     MeshedBody body = held(volumes::block(shape, VolumeType::hex20), {.shear = 1, .poisson = 0.3});
     body.contact_tag = {6};
-    const SurfaceMesh frame =
-        frames::transform(frames::rectangle(ElementType::quad4, uniform_lines(-0.6, 0.6, 8),
-                                            uniform_lines(-steepest, steepest, 14)),
-                          [&](const Vec3& q) {
-                            return shape.map({q[0], q[1], -1});
-                          });
+    const SurfaceMesh frame = frames::transform(
+        frames::rectangle(ElementType::quad4, uniform_lines(-0.6, 0.6, 8), uniform_lines(-steepest, steepest, 14)),
+        [&](const Vec3& q) {
+          return shape.map({q[0], q[1], -1});
+        });
     std::vector<double> gap;
     for (const Vec3& x : frame.node) gap.push_back(0.05 * x[0] * x[0] + 0.01 * (1 + x[2]));
     RollingPair pair(body, scenes::RigidBody{}, 1);
@@ -260,11 +246,9 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
     force[finer] = pair.solution().force;
     const scenes::Solution s = pair.solution();
     bool wall = false;  // in contact, and steep
-    for (std::size_t k = 0; k < s.nodes(); ++k)
-      wall = wall || (s.pressure[k] > 0 && std::abs(s.y[k]) > std::sin(0.8));
+    for (std::size_t k = 0; k < s.nodes(); ++k) wall = wall || (s.pressure[k] > 0 && std::abs(s.y[k]) > std::sin(0.8));
     EXPECT_TRUE(wall);
-    for (const char* law : {"law_normal", "law_friction", "law_slip"})
-      expect_error(law, pair.stat(law), 1e-7);
+    for (const char* law : {"law_normal", "law_friction", "law_slip"}) expect_error(law, pair.stat(law), 1e-7);
   }
   EXPECT_LT(force[1][2], 0);
   for (const std::size_t c : {std::size_t{0}, std::size_t{2}})

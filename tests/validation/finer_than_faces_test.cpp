@@ -1,5 +1,5 @@
-// Frames finer than a body's linear faces: the pressure has no ripples from the facets, whether the
-// gap was measured or given.
+// Frames finer than a body's linear faces: the pressure has no ripples from the facets, whether the gap was measured or
+// given.
 
 #include <cmath>
 #include <string>
@@ -27,8 +27,7 @@ struct Pressed {
   double middle = 0, ripple = 0;
 };
 
-/// Around mid-plane, beside the ellipse of a line contact with the pressure and half-width of
-/// quad8.
+/// Around mid-plane, beside the ellipse of a line contact with the pressure and half-width of quad8.
 Pressed press(const scenes::MeshedBody& ring, double zone, bool given) {
   constexpr double p0 = 106.8, a = 0.966;
   scenes::RollingPair pair(ring, scenes::RigidBody{}, 1);

@@ -1,5 +1,4 @@
-// A plane of symmetry along the rolling direction: half of the body, held across the plane, carries
-// half of the forces.
+// A plane of symmetry along the rolling direction: half of the body, held across the plane, carries half of the forces.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +11,8 @@ namespace {
 
 using scenes::RollingPair;
 
-/// Part y >= least of a block [-1, 1]^2 x [-1, 0] held at its bottom, under a rigid paraboloid; the
-/// frame is the faces in the middle of its top.
+/// Part y >= least of a block [-1, 1]^2 x [-1, 0] held at its bottom, under a rigid paraboloid; the frame is the faces
+/// in the middle of its top.
 std::unique_ptr<RollingPair> block(double least, double mu, double creep) {
   const int n = 16, across = least < 0 ? n : n / 2;
   surfaces::Block shape;
@@ -23,8 +22,7 @@ std::unique_ptr<RollingPair> block(double least, double mu, double creep) {
   shape.zone_from = {n / 4, least < 0 ? n / 4 : 0};
   shape.zone_to = {n - n / 4, across - n / 4};
   shape.zone_tag = 9;
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::block(shape, VolumeType::hex8), {.shear = 1 / 2.6, .poisson = 0.3});
+  scenes::MeshedBody body = scenes::meshed(volumes::block(shape, VolumeType::hex8), {.shear = 1 / 2.6, .poisson = 0.3});
   body.held_tag = {5};
   if (least == 0) body.slide.push_back({.tag = 3, .dof_mask = ROLLCON_DOF_Y});
   body.contact_tag = {9};
@@ -42,8 +40,7 @@ TEST_P(HalfModels, carries_half_of_the_forces) {
   half->solve();
   const auto w = whole->solution(), h = half->solution();
   for (const std::size_t c : {std::size_t{0}, std::size_t{2}})
-    validation::expect_error("force " + std::to_string(c + 1),
-                             std::abs(2 * h.force[c] / w.force[c] - 1), 1e-6);
+    validation::expect_error("force " + std::to_string(c + 1), std::abs(2 * h.force[c] / w.force[c] - 1), 1e-6);
 }
 
 TEST(HalfModel, is_for_the_condensed_form) {
@@ -53,8 +50,7 @@ TEST(HalfModel, is_for_the_condensed_form) {
     half->solve();
     FAIL() << "a half model was solved in monolithic form";
   } catch (const std::runtime_error& error) {
-    EXPECT_NE(std::string(error.what()).find("plane of symmetry"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("plane of symmetry"), std::string::npos) << error.what();
   }
   half->option("system", "condensed");
   EXPECT_EQ(half->solve(), ROLLCON_COARSE) << "few nodes touch";

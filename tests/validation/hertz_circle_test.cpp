@@ -17,8 +17,7 @@ using scenes::Solution;
 
 const closed_forms::Elastic sphere{.shear = 1e4 / 2.6, .poisson = 0.3};
 constexpr double curvature = 1.0 / (2 * 50);
-const Hertz exact = closed_forms::hertz_from_load(curvature, curvature,
-                                                  closed_forms::effective_modulus(sphere), 298.6);
+const Hertz exact = closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(sphere), 298.6);
 
 Solution press(const SurfaceMesh& mesh, bool by_force) {
   RollingPair pair(sphere, std::nullopt);
@@ -66,10 +65,8 @@ TEST(HertzCircle, tri6_grid_24_nodes_across) {
 }
 
 TEST(HertzCircle_long, frames_of_the_paper) {
-  expect_hertz("673 quad4",
-               frames::o_grid(ElementType::quad4, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
-  expect_hertz("1985 quad8",
-               frames::o_grid(ElementType::quad8, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
+  expect_hertz("673 quad4", frames::o_grid(ElementType::quad4, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
+  expect_hertz("1985 quad8", frames::o_grid(ElementType::quad8, 16, 6, 1.3 * exact.a, 1.3 * exact.a));
   expect_hertz("703 tri3", frames::paper_disc(ElementType::tri3, 1.3 * exact.a));
 }
 

@@ -1,5 +1,5 @@
-// Frictionless elliptic contacts, semi-axes a/b from 0.1 to 10 and a slender 50:1, on one grid with
-// 24 elements across both axes, stretched with the ellipse.
+// Frictionless elliptic contacts, semi-axes a/b from 0.1 to 10 and a slender 50:1, on one grid with 24 elements across
+// both axes, stretched with the ellipse.
 
 #include "report.hpp"
 #include "support/frames.hpp"
@@ -41,19 +41,17 @@ TEST_P(HertzEllipse, peak_pressure_axes_and_force) {
 }
 
 INSTANTIATE_TEST_SUITE_P(AxisRatio, HertzEllipse, testing::Values(0.02, 0.5, 10.0));
-INSTANTIATE_TEST_SUITE_P(AxisRatio_long, HertzEllipse,
-                         testing::Values(0.1, 0.2, 1.0, 2.0, 5.0, 50.0));
+INSTANTIATE_TEST_SUITE_P(AxisRatio_long, HertzEllipse, testing::Values(0.1, 0.2, 1.0, 2.0, 5.0, 50.0));
 
 TEST(HertzClosedForm, matches_published_vectors) {
   struct Row {
     double A, B, load, e_star, a, b, p0, approach;
   };
   // Recomputed from the closed form by an independent program; identical bodies, mm, N, MPa.
-  const Row rows[] = {
-      {.0008, .0002814173138, 106700, 113888.8889, 6.303597, 12.607194, 641.0603, .0765171},
-      {.01, .01, 9.1954, 344.827586, .99999992, .99999992, 4.3904808, .019999997},
-      {.001, .005, 10000, 113888.8889, 4.02895850, 1.39401596, 850.1212, .025948909},
-      {.0005, .025, 10000, 113888.8889, 6.23462653, .51648999, 1482.7537, .026104332}};
+  const Row rows[] = {{.0008, .0002814173138, 106700, 113888.8889, 6.303597, 12.607194, 641.0603, .0765171},
+                      {.01, .01, 9.1954, 344.827586, .99999992, .99999992, 4.3904808, .019999997},
+                      {.001, .005, 10000, 113888.8889, 4.02895850, 1.39401596, 850.1212, .025948909},
+                      {.0005, .025, 10000, 113888.8889, 6.23462653, .51648999, 1482.7537, .026104332}};
   for (const Row& r : rows) {
     const Hertz h = closed_forms::hertz_from_load(r.A, r.B, r.e_star, r.load);
     expect_error("a", relative(h.a, r.a), 2e-7);

@@ -22,9 +22,7 @@ struct Problem {
   double xi = -8e-4, eta = 4e-4, spin = 2e-4;
   int rings = 6;
 
-  Hertz hertz() const {
-    return closed_forms::hertz_from_axes(a, a, p0, closed_forms::effective_modulus(body1, body2));
-  }
+  Hertz hertz() const { return closed_forms::hertz_from_axes(a, a, p0, closed_forms::effective_modulus(body1, body2)); }
 
   Solution solve(const char* scheme = "least_squares", double* iterations = nullptr) const {
     RollingPair pair(body1, body2);
@@ -55,8 +53,7 @@ TEST(Invariance, units) {
   m.a *= 1e-3;
   m.speed *= 1e-3;
   m.spin *= 1e3;
-  expect_error("tractions in mm, N, MPa and in m, N, Pa",
-               difference(mm.solve(), m.solve(), 1e-6, mm.p0), 1e-8);
+  expect_error("tractions in mm, N, MPa and in m, N, Pa", difference(mm.solve(), m.solve(), 1e-6, mm.p0), 1e-8);
 }
 
 TEST(Invariance, stiffness) {
@@ -91,8 +88,7 @@ TEST(Invariance, identical_bodies_answer_reversed_creepage_with_reversed_force) 
   const Solution f = forward.solve(), b = backward.solve();
   double largest = 0;
   for (std::size_t k = 0; k < f.nodes(); ++k)
-    for (std::size_t i = 0; i < 2; ++i)
-      largest = std::max(largest, std::abs(f.traction[k][i] + b.traction[k][i]));
+    for (std::size_t i = 0; i < 2; ++i) largest = std::max(largest, std::abs(f.traction[k][i] + b.traction[k][i]));
   expect_error("sum of tractions", largest / (forward.mu * forward.p0), 1e-8);
 }
 
@@ -116,8 +112,7 @@ TEST(Limits, friction_of_ten_sticks) {
   expect_laws("mu = 10", check_laws(s, rough.mu, rough.speed * 8e-4));
   const auto sticking = std::count(s.state.begin(), s.state.end(), ROLLCON_STICK);
   const auto slipping = std::count(s.state.begin(), s.state.end(), ROLLCON_SLIP);
-  report("share of slipping nodes",
-         static_cast<double>(slipping) / static_cast<double>(slipping + sticking));
+  report("share of slipping nodes", static_cast<double>(slipping) / static_cast<double>(slipping + sticking));
   EXPECT_GT(sticking, 3 * slipping);
 }
 
@@ -131,10 +126,8 @@ TEST(Limits, huge_creepage_slides_everywhere_along_the_rigid_slip) {
     const double creepage = std::hypot(sliding.xi, sliding.eta);
     const double full = sliding.mu * sliding.hertz().load / creepage;
     // The elastic slip, about p/G, is 1e-4 of the creepage here, and sine of the angle it adds.
-    expect_error(std::string(scheme) + ": Fx at full slip",
-                 relative(s.force[0], -full * sliding.xi), 1e-3);
-    expect_error(std::string(scheme) + ": Fy at full slip",
-                 relative(s.force[1], -full * sliding.eta), 1e-3);
+    expect_error(std::string(scheme) + ": Fx at full slip", relative(s.force[0], -full * sliding.xi), 1e-3);
+    expect_error(std::string(scheme) + ": Fy at full slip", relative(s.force[1], -full * sliding.eta), 1e-3);
     expect_laws(scheme, check_laws(s, sliding.mu, sliding.speed * creepage));
   }
 }
@@ -170,12 +163,10 @@ TEST(Limits, no_creepage_between_dissimilar_bodies_obeys_the_laws) {
   still.xi = still.eta = still.spin = 0;
   const Solution s = still.solve();
   // The pressure alone drags the soft body's surface along: slip of about p0/E* at zero creepage.
-  const double scale =
-      still.speed * still.p0 / closed_forms::effective_modulus(still.body1, still.body2);
+  const double scale = still.speed * still.p0 / closed_forms::effective_modulus(still.body1, still.body2);
   expect_laws("zero creepage", check_laws(s, still.mu, scale));
   EXPECT_GT(std::abs(s.force[0]), 0.01 * still.mu * still.hertz().load);
-  expect_error("lateral force, zero by symmetry of the scene",
-               s.force[1] / (still.mu * still.hertz().load), 5e-3);
+  expect_error("lateral force, zero by symmetry of the scene", s.force[1] / (still.mu * still.hertz().load), 5e-3);
 }
 
 TEST(Limits, nearly_incompressible_bodies) {

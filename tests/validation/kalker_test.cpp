@@ -1,6 +1,6 @@
-// Kalker's creepage coefficients: forces of vanishing creepage and spin on elliptic contacts of
-// identical half-spaces. Creepages are so small that 0.6 % of the friction bound is used. Quadratic
-// triangles in nine rings: the spin moment of a long ellipse needs them (linear ones: 20 rings).
+// Kalker's creepage coefficients: forces of vanishing creepage and spin on elliptic contacts of identical half-spaces.
+// Creepages are so small that 0.6 % of the friction bound is used. Quadratic triangles in nine rings: the spin moment
+// of a long ellipse needs them (linear ones: 20 rings).
 
 #include <tuple>
 
@@ -54,8 +54,7 @@ TEST_P(KalkerCoefficients, within_two_percent) {
   const double c33 = -spin.moment[2] / (body.shear * phi);
   char name[160];
   auto check = [&](const char* which, double value, double expected) {
-    std::snprintf(name, sizeof name, "a/b = %g, nu = %g: %s = %.4g, table %.4g", ratio, nu, which,
-                  value, expected);
+    std::snprintf(name, sizeof name, "a/b = %g, nu = %g: %s = %.4g, table %.4g", ratio, nu, which, value, expected);
     expect_error(name, relative(value, expected), 2e-2);
   };
   check("C11", c11, table.c11);
@@ -68,8 +67,7 @@ TEST_P(KalkerCoefficients, within_two_percent) {
 INSTANTIATE_TEST_SUITE_P(Ellipses, KalkerCoefficients,
                          testing::Combine(testing::Values(0.5, 2.0), testing::Values(0.25)));
 INSTANTIATE_TEST_SUITE_P(Ellipses_long, KalkerCoefficients,
-                         testing::Combine(testing::Values(0.2, 0.5, 1.0, 2.0, 5.0),
-                                          testing::Values(0.0, 0.25, 0.5)));
+                         testing::Combine(testing::Values(0.2, 0.5, 1.0, 2.0, 5.0), testing::Values(0.0, 0.25, 0.5)));
 
 }  // namespace
 }  // namespace rollcon::validation

@@ -1,6 +1,5 @@
 #pragma once
-/// The contact laws, recomputed from the published results alone: nothing of the solver's own
-/// residuals is used.
+/// The contact laws, recomputed from the published results alone: nothing of the solver's own residuals is used.
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,9 @@ struct LawErrors {
   double penetration = 0;      ///< largest -gap over the approach
   double complementarity = 0;  ///< largest p gap over p0 approach
   double bound = 0;            ///< largest |q| - mu p over mu p0
-  double direction =
-      0;             ///< slip nodes: largest |q + mu p s/|s|| over mu p0, times |s| over its scale
-  double stick = 0;  ///< stick nodes: largest |s| over the scale of slip
-  double equilibrium = 0;  ///< sum of weight times traction against the resultant, over the load
+  double direction = 0;        ///< slip nodes: largest |q + mu p s/|s|| over mu p0, times |s| over its scale
+  double stick = 0;            ///< stick nodes: largest |s| over the scale of slip
+  double equilibrium = 0;      ///< sum of weight times traction against the resultant, over the load
 };
 
 /// slip_scale: a typical slip velocity, as V |creepage|.
@@ -37,13 +35,10 @@ inline LawErrors check_laws(const scenes::Solution& s, double mu, double slip_sc
     e.penetration = std::max(e.penetration, -g / length);
     e.complementarity = std::max(e.complementarity, std::abs(p * g) / (p0 * length));
     if (mu > 0) e.bound = std::max(e.bound, (std::hypot(qx, qy) - mu * p) / (mu * p0));
-    // The direction of a slip known to some absolute accuracy is the less certain the smaller it
-    // is.
+    // The direction of a slip known to some absolute accuracy is the less certain the smaller it is.
     if (s.state[k] == ROLLCON_SLIP && slip > 0)
-      e.direction =
-          std::max(e.direction, std::min(1.0, slip / slip_scale) *
-                                    std::hypot(qx + mu * p * sx / slip, qy + mu * p * sy / slip) /
-                                    (mu * p0));
+      e.direction = std::max(e.direction, std::min(1.0, slip / slip_scale) *
+                                              std::hypot(qx + mu * p * sx / slip, qy + mu * p * sy / slip) / (mu * p0));
     if (s.state[k] == ROLLCON_STICK) e.stick = std::max(e.stick, slip / slip_scale);
   }
   for (std::size_t i = 0; i < 3; ++i)

@@ -1,5 +1,5 @@
-// A finite-element block under a rigid sphere as nu tends to 1/2: pressure, radius and approach of
-// Hertz and of a half-space on the same frame; no locking.
+// A finite-element block under a rigid sphere as nu tends to 1/2: pressure, radius and approach of Hertz and of a
+// half-space on the same frame; no locking.
 
 #include <string>
 #include <vector>
@@ -57,8 +57,7 @@ TEST_P(NearIncompressible, pressed_as_hertz_says) {
   const VolumeType type = GetParam();
   const volumes::Mesh mesh = block(type);
   std::vector<std::int32_t> unused;
-  SurfaceMesh frame =
-      surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, 2), unused);
+  SurfaceMesh frame = surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, 2), unused);
   if (type == VolumeType::tet10) {
     const auto lines = frames::uniform_lines(-zone / 2, zone / 2, 8);
     frame = frames::rectangle(ElementType::quad4, lines, lines);
@@ -81,8 +80,7 @@ TEST_P(NearIncompressible, pressed_as_hertz_says) {
 TEST(NearIncompressibleTet10, pressed_on_its_own_faces) {
   const volumes::Mesh mesh = block(VolumeType::tet10);
   std::vector<std::int32_t> unused;
-  const SurfaceMesh own =
-      surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, 2), unused);
+  const SurfaceMesh own = surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, 2), unused);
   for (const double poisson : {0.3, 0.49, 0.4999}) {
     scenes::RollingPair pair(held_block(mesh, material(poisson)), scenes::RigidBody{}, 1);
     scenes::RollingPair flat(material(poisson), std::nullopt);
@@ -98,8 +96,7 @@ TEST(NearIncompressibleTet10, pressed_on_its_own_faces) {
 INSTANTIATE_TEST_SUITE_P(Bodies, NearIncompressible, ::testing::Values(VolumeType::hex8),
                          [](const auto& param) { return volumes::name_of(param.param); });
 INSTANTIATE_TEST_SUITE_P(Bodies_long, NearIncompressible,
-                         ::testing::Values(VolumeType::hex20, VolumeType::tet10,
-                                           VolumeType::wedge15),
+                         ::testing::Values(VolumeType::hex20, VolumeType::tet10, VolumeType::wedge15),
                          [](const auto& param) { return volumes::name_of(param.param); });
 
 }  // namespace

@@ -1,5 +1,4 @@
-// One contact through changes of its scene, solved by published procedures: the same as a fresh
-// one.
+// One contact through changes of its scene, solved by published procedures: the same as a fresh one.
 
 #include <gtest/gtest.h>
 
@@ -27,9 +26,9 @@ double difference(const RollingPair& a, const RollingPair& b) {
 
 std::array<double, 3> rate_of_creep(const RollingPair& pair) {
   std::array<double, 3> rate{};
-  EXPECT_EQ(rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_LONGITUDINAL, nullptr, nullptr,
-                                            nullptr, rate.data()),
-            ROLLCON_OK);
+  EXPECT_EQ(
+      rollcon_contact_get_sensitivity(pair.handle(), ROLLCON_LONGITUDINAL, nullptr, nullptr, nullptr, rate.data()),
+      ROLLCON_OK);
   return rate;
 }
 

@@ -1,5 +1,5 @@
-// Where published solution procedures do not converge, or hardly: recorded with the status they end
-// with, beside those that do.
+// Where published solution procedures do not converge, or hardly: recorded with the status they end with, beside those
+// that do.
 
 #include "procedure_runs.hpp"
 #include "support/example1.hpp"
@@ -49,15 +49,14 @@ TEST(ProceduresLimits, long_steps_of_the_estimate) {
   compare_procedures("1.8 transits", *pair, by_lu());
 }
 
-/// Rings on each other; without a given lateral force, one that estimates of slip leave behind dies
-/// out, sweep by sweep, over the length that a tyre of the rings' lateral stiffness would roll.
+/// Rings on each other; without a given lateral force, one that estimates of slip leave behind dies out, sweep by
+/// sweep, over the length that a tyre of the rings' lateral stiffness would roll.
 TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {
   surfaces::Ring shape = example1::paper_ring();
   shape.zone_around = 6, shape.across = 2, shape.around = 12, shape.deep = 1;
   shape.largest = example1::longest(shape.around - shape.zone_around);
   auto pair = example1::pair(shape, ElementType::quad4, "godunov");
-  compare_procedures("rings, lateral creepage 0", *pair, by_lu(),
-                     std::vector<Failing>{{.jacobian = "reduced"}});
+  compare_procedures("rings, lateral creepage 0", *pair, by_lu(), std::vector<Failing>{{.jacobian = "reduced"}});
   Procedure{}.apply(*pair);
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
   const scenes::Solution reference = pair->solution();
@@ -67,8 +66,8 @@ TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {
     pair->reset();
     ASSERT_EQ(pair->solve(), ROLLCON_OK) << estimate;
     report(std::string("iterations in the end, ") + estimate, pair->stat("iterations"));
-    expect_error(std::string("tractions in the end, ") + estimate,
-                 traction_difference(pair->solution(), reference), 1e-6);
+    expect_error(std::string("tractions in the end, ") + estimate, traction_difference(pair->solution(), reference),
+                 1e-6);
   }
 }
 

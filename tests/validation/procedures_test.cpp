@@ -1,5 +1,4 @@
-// Every solution procedure finds the tractions of the standard one: on the paper's examples,
-// coarsely meshed.
+// Every solution procedure finds the tractions of the standard one: on the paper's examples, coarsely meshed.
 
 #include "procedure_runs.hpp"
 #include "support/example1.hpp"
@@ -33,8 +32,7 @@ scenes::MeshedBody unprepared(scenes::MeshedBody body) {
 }
 
 scenes::MeshedBody bem_ring() {
-  return unprepared(
-      example1::ring_body(coarse(example1::paper_ring(), 6, 2, 1), ElementType::quad4));
+  return unprepared(example1::ring_body(coarse(example1::paper_ring(), 6, 2, 1), ElementType::quad4));
 }
 
 scenes::MeshedBody fem_ring() {
@@ -43,8 +41,8 @@ scenes::MeshedBody fem_ring() {
   return unprepared(example1::ring_body(shape, VolumeType::hex8));
 }
 
-/// No force across: at a given creepage of 0, a lateral force that the reduced unknowns leave
-/// behind would die out, sweep by sweep, as slowly as a tyre's does along its way.
+/// No force across: at a given creepage of 0, a lateral force that the reduced unknowns leave behind would die out,
+/// sweep by sweep, as slowly as a tyre's does along its way.
 Pair rings(const scenes::AnyBody& one, const scenes::AnyBody& two) {
   auto pair = example1::pair(one, two, "godunov");
   pair->tangential_force(ROLLCON_LATERAL, 0);
@@ -53,13 +51,11 @@ Pair rings(const scenes::AnyBody& one, const scenes::AnyBody& two) {
 
 Pair ring_on_ground() {
   surfaces::Ring shape = coarse(example2::ring_of(8), 8, 2, 4);
-  auto pair = std::make_unique<scenes::RollingPair>(
-      unprepared(example2::ring_body(shape, VolumeType::hex8)),
-      scenes::HalfspaceBody{example2::ground}, 1);
+  auto pair = std::make_unique<scenes::RollingPair>(unprepared(example2::ring_body(shape, VolumeType::hex8)),
+                                                    scenes::HalfspaceBody{example2::ground}, 1);
   pair->axes({0, 0, example2::radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
   pair->friction(example2::mu).load(example2::load).speed(example2::speed);
-  pair->tangential_force(ROLLCON_LONGITUDINAL,
-                         example2::force_ratio * example2::mu * example2::load);
+  pair->tangential_force(ROLLCON_LONGITUDINAL, example2::force_ratio * example2::mu * example2::load);
   pair->option("convection", "godunov");
   return pair;
 }
@@ -119,8 +115,7 @@ const Example others[] = {
      Plain::all,
      true,
      {{"", "reduced", "pseudo_temporal"}}},
-    {"example_3_quad4_characteristic", [] { return sphere(quads(), "characteristic"); }, Plain::all,
-     false},
+    {"example_3_quad4_characteristic", [] { return sphere(quads(), "characteristic"); }, Plain::all, false},
     {"example_4_BEM_on_rigid", wheel}};
 
 INSTANTIATE_TEST_SUITE_P(Example2, Procedures, ::testing::Values(on_half_space), example_name);

@@ -26,14 +26,12 @@ inline void report(const std::string& what, double value) {
 }
 
 /// Observed order of convergence from errors at two mesh sizes.
-inline double observed_order(double error_coarse, double error_fine, double h_coarse,
-                             double h_fine) {
+inline double observed_order(double error_coarse, double error_fine, double h_coarse, double h_fine) {
   return std::log(std::abs(error_coarse / error_fine)) / std::log(h_coarse / h_fine);
 }
 
 inline void expect_order(const std::string& what, double order, double least) {
-  std::printf("%-66s order %9.2f  least %8.1f%s\n", what.c_str(), order, least,
-              order >= least ? "" : "  FAILS");
+  std::printf("%-66s order %9.2f  least %8.1f%s\n", what.c_str(), order, least, order >= least ? "" : "  FAILS");
   EXPECT_GE(order, least) << what;
 }
 

@@ -1,6 +1,5 @@
-// The first example of Rodriguez-Tembleque and Abascal: two equal boundary-element rings roll on
-// each other. Against the plane problem (Hertz, Carter), the paper's numbers, and itself on finer
-// meshes.
+// The first example of Rodriguez-Tembleque and Abascal: two equal boundary-element rings roll on each other. Against
+// the plane problem (Hertz, Carter), the paper's numbers, and itself on finer meshes.
 
 #include <map>
 #include <string>
@@ -35,26 +34,21 @@ TEST(Rings, roll_as_the_paper_and_the_plane_problem_say) {
     const std::string name = std::string("1472 quad4, ") + scheme + ": ";
     expect_error(name + "p0 at mid-plane, fine meshes", relative(m.p0, example1::fine_p0), 0.002);
     expect_error(name + "half-width [elements of 0.2 mm]", (m.half_width - hertz.a) / 0.2, 1);
-    expect_error(name + "creepage, Carter at the same force",
-                 relative(s.creep[0], example1::carter_creepage), 0.05);
-    expect_error(name + "greatest slip velocity, the paper's 0.0428 mm/s", relative(m.slip, 0.0428),
-                 0.05);
-    expect_error(name + "pressure at the free side over that at mid-plane, 0.70",
-                 m.side_pressure / m.p0 - 0.70, 0.05);
+    expect_error(name + "creepage, Carter at the same force", relative(s.creep[0], example1::carter_creepage), 0.05);
+    expect_error(name + "greatest slip velocity, the paper's 0.0428 mm/s", relative(m.slip, 0.0428), 0.05);
+    expect_error(name + "pressure at the free side over that at mid-plane, 0.70", m.side_pressure / m.p0 - 0.70, 0.05);
     for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
       expect_error(name + law, pair->stat(law), 1e-8);
     EXPECT_EQ(pair->body_stat(1, "assemblies"), 1);
     EXPECT_EQ(pair->body_stat(1, "factorizations"), 1);
     EXPECT_EQ(pair->body_stat(1, "condensations"), 1) << "the equal body shares them";
   }
-  expect_error("Godunov beside least squares: p0",
-               relative(found["godunov"].p0, found["least_squares"].p0), 1e-3);
+  expect_error("Godunov beside least squares: p0", relative(found["godunov"].p0, found["least_squares"].p0), 1e-3);
   expect_error("Godunov beside least squares: slip velocity",
                relative(found["godunov"].slip, found["least_squares"].slip), 1e-3);
 }
 
-// The greatest gap and slip velocity of the paper are those of a zone of 3 mm, which it does not
-// state.
+// The greatest gap and slip velocity of the paper are those of a zone of 3 mm, which it does not state.
 TEST(Rings, gap_of_the_paper) {
   surfaces::Ring shape = example1::paper_ring();
   shape.zone = 3;
@@ -62,36 +56,31 @@ TEST(Rings, gap_of_the_paper) {
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
   const scenes::MidPlane m = scenes::mid_plane(pair->solution(), shape.zone, example1::width);
   expect_error("zone of 3 mm: greatest gap, the paper's 0.0156 mm", relative(m.gap, 0.0156), 0.02);
-  expect_error("zone of 3 mm: greatest slip velocity, the paper's 0.0428 mm/s",
-               relative(m.slip, 0.0428), 0.02);
+  expect_error("zone of 3 mm: greatest slip velocity, the paper's 0.0428 mm/s", relative(m.slip, 0.0428), 0.02);
 }
 
-// Twins cancel what pressure does to the slip; finite on boundary elements leave the difference of
-// their errors, a few per cent of strains three times as large as the creepage.
+// Twins cancel what pressure does to the slip; finite on boundary elements leave the difference of their errors, a few
+// per cent of strains three times as large as the creepage.
 TEST(Rings_long, by_finite_and_by_boundary_elements) {
   for (const int parts : {8, 12}) {
     const auto fem = example1::ring_body(example1::fem_ring(parts), VolumeType::hex8);
     const auto bem = example1::ring_body(example1::bem_ring(parts), ElementType::quad4);
     std::map<std::string, std::pair<double, double>> found;
-    for (const auto& [name, second] :
-         {std::pair<std::string, scenes::AnyBody>{"FEM on FEM", scenes::TwinBody{}},
-          {"FEM on BEM", bem},
-          {"BEM on BEM", scenes::TwinBody{}}}) {
+    for (const auto& [name, second] : {std::pair<std::string, scenes::AnyBody>{"FEM on FEM", scenes::TwinBody{}},
+                                       {"FEM on BEM", bem},
+                                       {"BEM on BEM", scenes::TwinBody{}}}) {
       auto pair = example1::pair(name[0] == 'F' ? fem : bem, second, "least_squares");
       ASSERT_EQ(pair->solve(), ROLLCON_OK) << name;
       const scenes::Solution s = pair->solution();
       found[name] = {mid_plane(s).p0, s.creep[0]};
-      const std::string what =
-          name + ", zone " + std::to_string(parts) + " x " + std::to_string(parts) + ": ";
+      const std::string what = name + ", zone " + std::to_string(parts) + " x " + std::to_string(parts) + ": ";
       expect_error(what + "p0, fine meshes", relative(found[name].first, example1::fine_p0),
                    parts < 12 ? 0.022 : 0.005);
-      expect_error(what + "creepage, Carter",
-                   relative(found[name].second, example1::carter_creepage),
+      expect_error(what + "creepage, Carter", relative(found[name].second, example1::carter_creepage),
                    parts < 12 ? 0.25 : 0.1);
     }
     for (const char* name : {"FEM on FEM", "FEM on BEM"})
-      expect_error(std::string(name) + ": p0 beside BEM on BEM",
-                   relative(found[name].first, found["BEM on BEM"].first),
+      expect_error(std::string(name) + ": p0 beside BEM on BEM", relative(found[name].first, found["BEM on BEM"].first),
                    parts < 12 ? 0.04 : 0.02);
   }
 }
@@ -103,12 +92,9 @@ TEST(Rings_long, quadratic_elements_agree) {
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
   const scenes::Solution s = pair->solution();
   const scenes::MidPlane m = mid_plane(s);
-  expect_error("quad8, 6 x 6: p0 at mid-plane, fine meshes", relative(m.p0, example1::fine_p0),
-               0.002);
-  expect_error("quad8, 6 x 6: half-width [elements of 0.4 mm]",
-               (m.half_width - example1::hertz_a) / 0.4, 1);
-  expect_error("quad8, 6 x 6: creepage, Carter", relative(s.creep[0], example1::carter_creepage),
-               0.05);
+  expect_error("quad8, 6 x 6: p0 at mid-plane, fine meshes", relative(m.p0, example1::fine_p0), 0.002);
+  expect_error("quad8, 6 x 6: half-width [elements of 0.4 mm]", (m.half_width - example1::hertz_a) / 0.4, 1);
+  expect_error("quad8, 6 x 6: creepage, Carter", relative(s.creep[0], example1::carter_creepage), 0.05);
 }
 
 TEST(Rings, two_equal_rings_cost_as_much_as_one_used_twice) {

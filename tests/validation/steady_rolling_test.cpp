@@ -1,6 +1,5 @@
-// Cases (a) and (b), a circular contact of identical bodies in steady rolling: error of the forces
-// against the extrapolated limits, beside what the half-space program CONTACT reaches on grids of
-// the same number of nodes.
+// Cases (a) and (b), a circular contact of identical bodies in steady rolling: error of the forces against the
+// extrapolated limits, beside what the half-space program CONTACT reaches on grids of the same number of nodes.
 
 #include "support/steady_rolling.hpp"
 
@@ -27,11 +26,9 @@ TEST_P(SteadyRollingOnGrids, beside_contact) {
       ASSERT_EQ(pair.solve(), ROLLCON_OK);
       const double error = steady_rolling::force_error(pair.solution(), which);
       char name[120];
-      std::snprintf(name, sizeof name, "case %s, N = %d, %s: Fx (CONTACT %.2f %%, ratio %.2f)",
-                    which.c_str(), n, scheme, 100 * contact_error(which, n),
-                    std::abs(error) / contact_error(which, n));
-      // First-order upwinding on a grid: no worse than half as much again as CONTACT, whose limit
-      // is known to 0.001.
+      std::snprintf(name, sizeof name, "case %s, N = %d, %s: Fx (CONTACT %.2f %%, ratio %.2f)", which.c_str(), n,
+                    scheme, 100 * contact_error(which, n), std::abs(error) / contact_error(which, n));
+      // First-order upwinding on a grid: no worse than half as much again as CONTACT, whose limit is known to 0.001.
       expect_error(name, error, 1.5 * contact_error(which, n) + 0.001);
     }
   }
@@ -46,8 +43,7 @@ TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_conta
   const int n = GetParam();
   for (const std::string which : {"a", "b"}) {
     RollingPair pair(steady_rolling::steel, steady_rolling::steel);
-    steady_rolling::prepare(
-        pair, scenes::graded_disc(steady_rolling::radius, steady_rolling::radius, n), which);
+    steady_rolling::prepare(pair, scenes::graded_disc(steady_rolling::radius, steady_rolling::radius, n), which);
     pair.option("convection", "characteristic");
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const Solution s = pair.solution();
@@ -58,12 +54,9 @@ TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_conta
     const double h2 = 64.0 / (n * n);
     expect_error(name + "Fx", steady_rolling::force_error(s, which), 1.2e-2 * h2 + 8e-4);
     if (which == "a") continue;
-    expect_error(name + "Fy, in mu Fn",
-                 s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 8e-3 * h2 + 2e-4);
-    expect_error(
-        name + "Mz, in mu Fn a",
-        s.moment[2] / (scale * steady_rolling::radius) - closed_forms::steady_rolling("b", "mz"),
-        2e-3);
+    expect_error(name + "Fy, in mu Fn", s.force[1] / scale - closed_forms::steady_rolling("b", "fy"), 8e-3 * h2 + 2e-4);
+    expect_error(name + "Mz, in mu Fn a",
+                 s.moment[2] / (scale * steady_rolling::radius) - closed_forms::steady_rolling("b", "mz"), 2e-3);
   }
 }
 

@@ -20,8 +20,7 @@ struct Pressed {
 Pressed press(VolumeType type, double poisson) {
   const surfaces::Ring shape = example1::fem_ring(8);
   scenes::MeshedBody ring =
-      scenes::meshed(volumes::ring(shape, type),
-                     {.shear = example1::young / (2 * (1 + poisson)), .poisson = poisson});
+      scenes::meshed(volumes::ring(shape, type), {.shear = example1::young / (2 * (1 + poisson)), .poisson = poisson});
   example1::hold(ring, shape);
   scenes::RollingPair pair(ring, scenes::RigidBody{}, 1);
   pair.axes({0, 0, example1::radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
@@ -35,8 +34,8 @@ Pressed press(VolumeType type, double poisson) {
   return found;
 }
 
-// With tractions at midside nodes too the pressure in the middle was 6.4 and 11 % low. The bound at
-// 0.49 is wider since hex20 of this size is 1 % off there itself.
+// With tractions at midside nodes too the pressure in the middle was 6.4 and 11 % low. The bound at 0.49 is wider since
+// hex20 of this size is 1 % off there itself.
 TEST(Tet10Faces, carry_the_pressure_of_hex20) {
   for (const auto& [poisson, bound] : {std::pair{0.3, 0.01}, {0.49, 0.015}}) {
     const Pressed tet = press(VolumeType::tet10, poisson), hex = press(VolumeType::hex20, poisson);

@@ -10,12 +10,11 @@
 namespace rollcon {
 namespace {
 
-/// Force of a frictionless rigid paraboloid pressed into a plate [-2, 2]^2 x [-0.1, 0], held at its
-/// bottom, of n x n hex20 on top.
+/// Force of a frictionless rigid paraboloid pressed into a plate [-2, 2]^2 x [-0.1, 0], held at its bottom, of n x n
+/// hex20 on top.
 double force(int n) {
   surfaces::Block shape;
-  shape.line = {frames::uniform_lines(-2, 2, n), frames::uniform_lines(-2, 2, n),
-                frames::uniform_lines(-0.1, 0, 3)};
+  shape.line = {frames::uniform_lines(-2, 2, n), frames::uniform_lines(-2, 2, n), frames::uniform_lines(-0.1, 0, 3)};
   scenes::MeshedBody body =
       scenes::meshed(volumes::block(shape, VolumeType::hex20), {.shear = 1 / 2.6, .poisson = 0.3});
   body.held_tag = {5};
@@ -30,8 +29,7 @@ double force(int n) {
 
 TEST(ThinBody, coarse_faces_under_a_finer_frame) {
   const double fine = force(32);
-  validation::expect_error("faces five times as wide as the plate is thick",
-                           std::abs(force(8) / fine - 1), 0.04);
+  validation::expect_error("faces five times as wide as the plate is thick", std::abs(force(8) / fine - 1), 0.04);
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-/// The convective derivative of equations (41)-(42) of the source paper once more, written for
-/// these tests alone: inflow through the faces of median-dual cells of linear elements.
+/// The convective derivative of equations (41)-(42) of the source paper once more, written for these tests alone:
+/// inflow through the faces of median-dual cells of linear elements.
 
 #include <array>
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace rollcon::validation {
 
 /// v . grad w at every node for v = (vx, vy); w: one pair per node, mesh in the plane z = 0.
-inline std::vector<std::array<double, 2>> inflow_derivative(
-    const SurfaceMesh& mesh, double vx, double vy, const std::vector<std::array<double, 2>>& w) {
+inline std::vector<std::array<double, 2>> inflow_derivative(const SurfaceMesh& mesh, double vx, double vy,
+                                                            const std::vector<std::array<double, 2>>& w) {
   std::vector<std::array<double, 2>> sum(mesh.node.size());
   std::vector<double> cell(mesh.node.size());
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -35,8 +35,7 @@ inline std::vector<std::array<double, 2>> inflow_derivative(
       cell[to] += 0.5 * area;
       const double flux = vx * (gy - my) - vy * (gx - mx);  // from -> to
       const std::size_t receiver = flux < 0 ? from : to, giver = flux < 0 ? to : from;
-      for (std::size_t c = 0; c < 2; ++c)
-        sum[receiver][c] -= std::abs(flux) * (w[giver][c] - w[receiver][c]);
+      for (std::size_t c = 0; c < 2; ++c) sum[receiver][c] -= std::abs(flux) * (w[giver][c] - w[receiver][c]);
     }
   }
   for (std::size_t k = 0; k < sum.size(); ++k)

@@ -43,15 +43,13 @@ std::vector<double> System::given_tractions() const {
 }
 
 // Fans whose tractions are unknown or given: columns of G; -1: none.
-std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given,
-                                              std::int32_t& columns) const {
+std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given, std::int32_t& columns) const {
   std::vector<std::int32_t> column(at(fans_.size()), -1);
   columns = 0;
   for (std::size_t f = 0; f < column.size(); ++f) {
     bool needed = false;
     for (std::size_t c = 0; c < 3; ++c)
-      needed =
-          needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
+      needed = needed || unknowns_.traction[3 * f + c] >= 0 || (!given.empty() && given[3 * f + c] != 0);
     if (needed) column[f] = columns++;
   }
   for (const SpreadReaction& spread : unknowns_.spread)
@@ -60,8 +58,8 @@ std::vector<std::int32_t> System::needed_fans(const std::vector<double>& given,
   return column;
 }
 
-/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given
-/// ones times their value to the right side.
+/// Where the rows of a pack of points go: column by column, unknown ones into the matrix, given ones times their value
+/// to the right side.
 struct System::PackTarget {
   const std::int32_t* row;  ///< (point, component) to row, -1: none
   std::int64_t count;       ///< points
@@ -115,8 +113,7 @@ void System::place(const double* h, const double* g, const std::vector<std::int3
     // The reaction comes on top of what is given there.
     if (!given.empty()) to.load(block_of(spread.fan, spread.component), given[own]);
     for (const auto& [f, part] : spread.others)
-      to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)],
-             unknowns_.traction[own]);
+      to.add(block_of(f, spread.component), -part / fan_size_[at(spread.fan)], unknowns_.traction[own]);
   }
 }
 
@@ -132,21 +129,18 @@ void System::assemble(int threads, double* matrix, std::vector<double>& own_load
   const std::int64_t n = unknowns_.columns;
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
   for_packs(
-      points, threads,
-      [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
+      points, threads, [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
         h.resize(at(lifted_.mesh.nodes()) * 9 * lanes);
         g.resize(at(g_columns.size()) * 9 * lanes);
-        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_columns.of.data(),
-                        g_columns.size(), g_columns.size() > 0 ? g.data() : nullptr);
+        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_columns.of.data(), g_columns.size(),
+                        g_columns.size() > 0 ? g.data() : nullptr);
         fold_displacements(lifted_, h.data());
         fold_tractions(g_columns, g.data());
-        place(h.data(), g.data(), column_of_fan, given,
-              {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
+        place(h.data(), g.data(), column_of_fan, given, {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
       });
 }
 
-std::vector<double> System::right_sides(const LoadedSurface& surface, const SurfaceOutline& outline,
-                                        int threads) {
+std::vector<double> System::right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads) {
   const bool on_the_mesh = surface.of_faces();
   std::optional<BoundaryIntegrals> of_layer;  // its tractions are taken as they are, not lifted
   if (!on_the_mesh) of_layer.emplace(surface.layer, poisson_, options_.accuracy);
@@ -156,30 +150,26 @@ std::vector<double> System::right_sides(const LoadedSurface& surface, const Surf
   const std::int64_t n = unknowns_.columns, columns = g_columns.own;
   std::vector<double> b(at(n * 3 * columns), 0.0);
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
-  for_packs(
-      points, threads,
-      [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
-        g.resize(at(g_columns.size()) * 9 * lanes);
-        CollocationPoint pack[lanes];
-        for (std::int64_t p = 0; p < count; ++p) {
-          pack[p] = unknowns_.point[at(first + p)];
-          if (!on_the_mesh) pack[p].node = pack[p].element = -1;
-        }
-        integrals.rows({pack, at(count)}, nullptr, g_columns.of.data(), g_columns.size(), g.data());
-        fold_tractions(g_columns, g.data());
-        const std::int32_t* row = unknowns_.row.data() + 3 * first;
-        for (std::int64_t k = 0; k < 3 * columns; ++k)
-          for (std::int64_t i = 0; i < 3; ++i)
-            for (std::int64_t p = 0; p < count; ++p)
-              if (row[3 * p + i] >= 0)
-                b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
-      });
+  for_packs(points, threads, [&](std::int64_t first, std::int64_t count, std::vector<double>&, std::vector<double>& g) {
+    g.resize(at(g_columns.size()) * 9 * lanes);
+    CollocationPoint pack[lanes];
+    for (std::int64_t p = 0; p < count; ++p) {
+      pack[p] = unknowns_.point[at(first + p)];
+      if (!on_the_mesh) pack[p].node = pack[p].element = -1;
+    }
+    integrals.rows({pack, at(count)}, nullptr, g_columns.of.data(), g_columns.size(), g.data());
+    fold_tractions(g_columns, g.data());
+    const std::int32_t* row = unknowns_.row.data() + 3 * first;
+    for (std::int64_t k = 0; k < 3 * columns; ++k)
+      for (std::int64_t i = 0; i < 3; ++i)
+        for (std::int64_t p = 0; p < count; ++p)
+          if (row[3 * p + i] >= 0) b[at(row[3 * p + i] + k * n)] = g[at((3 * k + i) * lanes + p)] / shear_;
+  });
   if (of_layer) statistics_.kernel_evaluations += of_layer->kernel_evaluations();
   return b;
 }
 
-LiftedColumns System::columns_of_faces(std::span<const std::int64_t> face,
-                                       const SurfaceOutline& outline) const {
+LiftedColumns System::columns_of_faces(std::span<const std::int64_t> face, const SurfaceOutline& outline) const {
   std::vector<std::int32_t> column_of_node(at(surface_.nodes()), -1);
   for (std::size_t k = 0; k < outline.column.size(); ++k)
     column_of_node[at(outline.column[k])] = static_cast<std::int32_t>(k);
@@ -187,8 +177,7 @@ LiftedColumns System::columns_of_faces(std::span<const std::int64_t> face,
   for (const std::int64_t e : face)
     for (std::int64_t k = surface_.offset[at(e)]; k < surface_.offset[at(e) + 1]; ++k)
       g_column[at(k)] = column_of_node[at(surface_.connectivity[at(k)])];
-  return lift_columns(surface_, lifted_, g_column,
-                      static_cast<std::int64_t>(outline.column.size()));
+  return lift_columns(surface_, lifted_, g_column, static_cast<std::int64_t>(outline.column.size()));
 }
 
 }  // namespace rollcon::bem

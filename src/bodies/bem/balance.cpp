@@ -1,7 +1,7 @@
-/// Whether a boundary-element body's solutions are in equilibrium. Nothing in H u = G t makes them
-/// so: the tractions found on held faces balance the loads as well as the mesh can show what the
-/// body does. Where it cannot (thin bodies under long elements) displacements are wrong by any
-/// factor while the equations look healthy, and the balance shows it.
+/// Whether a boundary-element body's solutions are in equilibrium. Nothing in H u = G t makes them so: the tractions
+/// found on held faces balance the loads as well as the mesh can show what the body does. Where it cannot (thin bodies
+/// under long elements) displacements are wrong by any factor while the equations look healthy, and the balance shows
+/// it.
 
 #include <algorithm>
 #include <cmath>
@@ -16,12 +16,12 @@
 namespace rollcon::bem {
 namespace {
 
-/// Displacements are off by about the part of the load that is missed. Coarse rings that are right
-/// where they are loaded miss 0.78, plates that hardly bend 0.84 and more.
+/// Displacements are off by about the part of the load that is missed. Coarse rings that are right where they are
+/// loaded miss 0.78, plates that hardly bend 0.84 and more.
 constexpr double most_imbalance = 0.8;
 
-/// Calls add(weight times area, position, shape) at the points of a rule on an element, with its
-/// own shape functions; geometry: the elements as the equations see them.
+/// Calls add(weight times area, position, shape) at the points of a rule on an element, with its own shape functions;
+/// geometry: the elements as the equations see them.
 template <class Add>
 void for_points(const SurfaceMesh& surface, const SurfaceMesh& geometry, std::int64_t e, Add add) {
   // Exact for plane elements; on curved ones the Jacobian is not a polynomial.
@@ -66,8 +66,7 @@ void System::add_reactions(const double* b, std::vector<double>& traction) const
   for (const SpreadReaction& spread : unknowns_.spread) {
     const std::size_t own = 3 * at(spread.fan) + at(spread.component);
     const double value = shear_ * b[at(unknowns_.traction[own])] / fan_size_[at(spread.fan)];
-    for (const auto& [f, part] : spread.others)
-      traction[3 * at(f) + at(spread.component)] += part * value;
+    for (const auto& [f, part] : spread.others) traction[3 * at(f) + at(spread.component)] += part * value;
   }
 }
 
@@ -80,14 +79,13 @@ Resultant System::resultant(std::span<const double> traction) const {
   return sum;
 }
 
-// What is there beyond the given tractions. (The reaction of a node held alone is spread over its
-// neighbours, which are not held.)
+// What is there beyond the given tractions. (The reaction of a node held alone is spread over its neighbours, which are
+// not held.)
 Resultant System::support_reaction() const {
   if (own_traction_.empty()) return {};
   std::vector<double> support = own_traction_;
   const std::vector<double> given = given_tractions();
-  for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k)
-    support[k] -= shear_ * given[k];
+  for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k) support[k] -= shear_ * given[k];
   return resultant(support);
 }
 
@@ -104,18 +102,15 @@ void System::note_own_imbalance(std::span<const double> load) {
     force += length(part);
     first = first + length(part) * x;
   });
-  if (force > 0)
-    imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
+  if (force > 0) imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
 }
 
 void System::check_balance(const std::vector<double>& b, const LoadedSurface& loaded) {
   const bool faces = loaded.of_faces();
-  const SurfaceMesh &surface = faces ? surface_ : loaded.layer,
-                    &geometry = faces ? lifted_.mesh : loaded.layer;
+  const SurfaceMesh &surface = faces ? surface_ : loaded.layer, &geometry = faces ? lifted_.mesh : loaded.layer;
   double area = 0;
   Vec3 first{0, 0, 0}, normal{0, 0, 0};
-  const std::int64_t count =
-      faces ? static_cast<std::int64_t>(loaded.face.size()) : surface.elements();
+  const std::int64_t count = faces ? static_cast<std::int64_t>(loaded.face.size()) : surface.elements();
   for (std::int64_t i = 0; i < count; ++i) {
     const std::int64_t e = faces ? loaded.face[at(i)] : i;
     double of_element = 0;
@@ -152,12 +147,11 @@ void System::check_balance(const std::vector<double>& b, const LoadedSurface& lo
   const double missed = imbalance(under_pressure, centre, area);
   imbalances_.pressure = std::max(imbalances_.pressure, missed);
   if (missed <= most_imbalance) return;
-  fail(
-      Status::err_mesh,
-      "the mesh of the boundary-element body cannot show how it bears a pressure on the frame: the "
-      "reactions of its supports miss that by %.3g %%; allowed: %g %%; where the body is thin, "
-      "take quadratic elements no longer than it is thick, or finite elements",
-      100 * missed, 100 * most_imbalance);
+  fail(Status::err_mesh,
+       "the mesh of the boundary-element body cannot show how it bears a pressure on the frame: the "
+       "reactions of its supports miss that by %.3g %%; allowed: %g %%; where the body is thin, "
+       "take quadratic elements no longer than it is thick, or finite elements",
+       100 * missed, 100 * most_imbalance);
 }
 
 }  // namespace rollcon::bem

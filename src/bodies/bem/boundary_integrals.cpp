@@ -58,8 +58,7 @@ struct BoundaryIntegrals::Data {
   static std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale) {
     std::vector<ElementGeometry> all;
     all.reserve(static_cast<std::size_t>(mesh.elements()));
-    for (std::int64_t e = 0; e < mesh.elements(); ++e)
-      all.push_back(element_geometry(mesh, e, scale));
+    for (std::int64_t e = 0; e < mesh.elements(); ++e) all.push_back(element_geometry(mesh, e, scale));
     return all;
   }
 };
@@ -67,21 +66,17 @@ struct BoundaryIntegrals::Data {
 /// Rows at one pack of points.
 class BoundaryIntegrals::Rows {
  public:
-  Rows(const Data& data, std::span<const CollocationPoint> points, double* h,
-       const std::int32_t* g_column, double* g)
+  Rows(const Data& data, std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column, double* g)
       : data_(data), points_(points), h_(h), g_column_(g_column), g_(g) {
     Vec3 centre{};
     for (std::size_t p = 0; p < points.size(); ++p) {
       x_[p] = 1 / data.size * points[p].x;
-      if (points[p].node >= 0)
-        x_[p] = 1 / data.size * data.mesh.node[static_cast<std::size_t>(points[p].node)];
+      if (points[p].node >= 0) x_[p] = 1 / data.size * data.mesh.node[static_cast<std::size_t>(points[p].node)];
       centre = centre + 1.0 / static_cast<double>(points.size()) * x_[p];
     }
-    for (std::size_t p = 0; p < points.size(); ++p)
-      radius_ = std::max(radius_, length(x_[p] - centre));
+    for (std::size_t p = 0; p < points.size(); ++p) radius_ = std::max(radius_, length(x_[p] - centre));
     centre_ = centre;
-    tolerance_ = {h ? data.tolerance * free_term : infinity,
-                  g ? data.tolerance * single_layer_scale() : infinity};
+    tolerance_ = {h ? data.tolerance * free_term : infinity, g ? data.tolerance * single_layer_scale() : infinity};
   }
 
   void run() {
@@ -121,12 +116,10 @@ class BoundaryIntegrals::Rows {
       const CellShape& s = data_.element[e].shape;
       for (std::size_t p = 0; p < points_.size(); ++p) {
         const Vec3 r = s.centre - x_[p];
-        largest[p] =
-            std::max(largest[p], s.area * s.area / (dot(r, r) + s.half_length * s.half_length));
+        largest[p] = std::max(largest[p], s.area * s.area / (dot(r, r) + s.half_length * s.half_length));
       }
     }
-    const double least =
-        *std::min_element(largest.begin(), largest.begin() + static_cast<long>(points_.size()));
+    const double least = *std::min_element(largest.begin(), largest.begin() + static_cast<long>(points_.size()));
     return std::sqrt(least) / (4 * std::numbers::pi);
   }
 
@@ -161,8 +154,7 @@ class BoundaryIntegrals::Rows {
     evaluations_ += static_cast<std::int64_t>(points_.size()) * table.n;
   }
 
-  /// Points that a moderate Gauss rule on the whole element serves share one; the others get
-  /// rules of their own.
+  /// Points that a moderate Gauss rule on the whole element serves share one; the others get rules of their own.
   void near(std::size_t e, int terms) {
     const ElementGeometry& element = data_.element[e];
     const Tolerance tolerance{(terms & double_layer) != 0 ? tolerance_.t : infinity,
@@ -179,8 +171,7 @@ class BoundaryIntegrals::Rows {
           continue;
         }
       }
-      near_integrals(element, x_[p], on, tolerance, terms, data_.constants, data_.kernels,
-                     workspace_, integrals_);
+      near_integrals(element, x_[p], on, tolerance, terms, data_.constants, data_.kernels, workspace_, integrals_);
       scatter(e, p, terms);
     }
     if (shared == 0) return;
@@ -191,8 +182,7 @@ class BoundaryIntegrals::Rows {
 
   OnElement locate(std::size_t e, std::size_t p) const {
     const CollocationPoint& point = points_[p];
-    if (point.node < 0)
-      return {point.element == static_cast<std::int32_t>(e), {point.xi, point.eta}};
+    if (point.node < 0) return {point.element == static_cast<std::int32_t>(e), {point.xi, point.eta}};
     const ElementGeometry& element = data_.element[e];
     const std::int32_t* node = connectivity(e);
     for (int k = 0; k < element.nodes; ++k)
@@ -215,8 +205,8 @@ class BoundaryIntegrals::Rows {
       }
   }
 
-  /// u(x) = sum of N_j(x) u_j: takes N_j(x) times the sum of all blocks from block j. That is free
-  /// term and strongly singular integral in one.
+  /// u(x) = sum of N_j(x) u_j: takes N_j(x) times the sum of all blocks from block j. That is free term and strongly
+  /// singular integral in one.
   void rigid_motion() {
     alignas(64) double total[block] = {};
     const std::int64_t nodes = data_.mesh.nodes();
@@ -235,8 +225,7 @@ class BoundaryIntegrals::Rows {
       const auto e = static_cast<std::size_t>(point.element);
       Shape s;
       evaluate_shape(data_.element[e].type, point.xi, point.eta, s);
-      for (int k = 0; k < data_.element[e].nodes; ++k)
-        take(connectivity(e)[k], s.value[static_cast<std::size_t>(k)]);
+      for (int k = 0; k < data_.element[e].nodes; ++k) take(connectivity(e)[k], s.value[static_cast<std::size_t>(k)]);
     }
   }
 
@@ -264,12 +253,10 @@ BoundaryIntegrals::BoundaryIntegrals(const SurfaceMesh& mesh, double poisson, do
 
 BoundaryIntegrals::~BoundaryIntegrals() = default;
 
-void BoundaryIntegrals::rows(std::span<const CollocationPoint> points, double* h,
-                             const std::int32_t* g_column, std::int64_t g_columns,
-                             double* g) const {
+void BoundaryIntegrals::rows(std::span<const CollocationPoint> points, double* h, const std::int32_t* g_column,
+                             std::int64_t g_columns, double* g) const {
   constexpr std::int64_t block = 9 * lanes;
-  if (points.size() > lanes)
-    fail(Status::err_internal, "%zu collocation points, at most %d", points.size(), lanes);
+  if (points.size() > lanes) fail(Status::err_internal, "%zu collocation points, at most %d", points.size(), lanes);
   if (h) std::fill_n(h, block * data_->mesh.nodes(), 0.0);
   if (g) std::fill_n(g, block * g_columns, 0.0);
   if (points.empty()) return;

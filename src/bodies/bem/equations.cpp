@@ -22,8 +22,8 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
     assemble(threads, equations->dense.data(), no_load);
     ++statistics_.assemblies;
   }
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes,
-                                    matrix_.bytes() + equations->dense.capacity() * sizeof(double));
+  statistics_.peak_bytes =
+      std::max(statistics_.peak_bytes, matrix_.bytes() + equations->dense.capacity() * sizeof(double));
   equations_ = equations;
   if (options_.keep_factors != 0 && !matrix_.factored()) kept_equations_ = equations;
   return equations;
@@ -32,13 +32,11 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
 void System::write_loads(const std::vector<double>& b, SurfaceLoads& loads) const {
   loads.unknown.clear();
   for (const std::int32_t k : loads.row)
-    for (std::size_t c = 0; c < 3; ++c)
-      loads.unknown.push_back(unknowns_.displacement[3 * at(k) + c]);
+    for (std::size_t c = 0; c < 3; ++c) loads.unknown.push_back(unknowns_.displacement[3 * at(k) + c]);
   const std::int64_t n = unknowns_.columns;
   SparseMatrix& to = loads.load;
   to.begin(n);
-  const auto count =
-      static_cast<std::size_t>(std::count_if(b.begin(), b.end(), [](double v) { return v != 0; }));
+  const auto count = static_cast<std::size_t>(std::count_if(b.begin(), b.end(), [](double v) { return v != 0; }));
   to.row.reserve(count);
   to.value.reserve(count);
   for (std::size_t k = 0; k < 3 * loads.column.size(); ++k) {

@@ -15,8 +15,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-FarField::Level FarField::level(const ElementGeometry& e, int direction, int exact,
-                                double tolerance_t) {
+FarField::Level FarField::level(const ElementGeometry& e, int direction, int exact, double tolerance_t) {
   constexpr double pi = std::numbers::pi;
   Level level;
   const int m = exact + 1 - e.degree;
@@ -28,8 +27,7 @@ FarField::Level FarField::level(const ElementGeometry& e, int direction, int exa
   const double area = 2 * rule_constant * e.shape.area;
   for (int i = 0; i < (e.extra > 0 ? 2 : 1); ++i) {
     const int k = i * std::min(e.extra, m), exponent = level.exponent[i] = m - k;
-    const double scale =
-        area * std::exp(k * e.log_departure) * std::pow(e.half[direction] / 1.9, exponent);
+    const double scale = area * std::exp(k * e.log_departure) * std::pow(e.half[direction] / 1.9, exponent);
     level.t = std::max(level.t, std::pow(scale / (2 * pi * tolerance_t), 1.0 / (exponent + 2)));
     level.u[i] = std::pow(scale / (4 * pi), 1.0 / (exponent + 1));
   }
@@ -43,8 +41,7 @@ FarField::FarField(const std::vector<ElementGeometry>& elements, double toleranc
     entry.nearest = nearest * std::max(e.half[0], e.half[1]);
     entry.triangle = e.corners == 3;
     for (int direction = 0; direction < 2; ++direction)
-      for (int k = 0; k < far_levels; ++k)
-        entry.level[direction][k] = level(e, direction, 2 * k + 1, tolerance_t);
+      for (int k = 0; k < far_levels; ++k) entry.level[direction][k] = level(e, direction, 2 * k + 1, tolerance_t);
     elements_.push_back(entry);
   }
 }
@@ -53,8 +50,7 @@ FarField::PackFactors::PackFactors(double tolerance_u) {
   for (int m = 0; m <= 2 * far_levels; ++m) power[m] = std::pow(tolerance_u, -1.0 / (m + 1));
 }
 
-FarRule FarField::rule(std::size_t element, double distance, int terms,
-                       const PackFactors& pack) const {
+FarRule FarField::rule(std::size_t element, double distance, int terms, const PackFactors& pack) const {
   const Element& e = elements_[element];
   if (!(distance >= e.nearest)) return {};
   int n[2] = {0, 0};
@@ -63,9 +59,9 @@ FarRule FarField::rule(std::size_t element, double distance, int terms,
     for (; k < far_levels; ++k) {
       const Level& level = e.level[direction][k];
       if ((terms & double_layer) != 0 && distance < level.t) continue;
-      if ((terms & single_layer) != 0 && (distance < level.u[0] * pack.power[level.exponent[0]] ||
-                                          distance < level.u[1] * pack.power[level.exponent[1]] ||
-                                          distance < level.u[2] * pack.power[0]))
+      if ((terms & single_layer) != 0 &&
+          (distance < level.u[0] * pack.power[level.exponent[0]] ||
+           distance < level.u[1] * pack.power[level.exponent[1]] || distance < level.u[2] * pack.power[0]))
         continue;
       break;
     }

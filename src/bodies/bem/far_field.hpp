@@ -1,7 +1,7 @@
 #pragma once
-/// The far field's rules, chosen by the distance of a whole pack of points from an element: the
-/// error model of rule_selection.hpp with rho >= 1.9 R/a, R the distance and a the half-length, so
-/// that one comparison of R with a product of an element's and a pack's factor does.
+/// The far field's rules, chosen by the distance of a whole pack of points from an element: the error model of
+/// rule_selection.hpp with rho >= 1.9 R/a, R the distance and a the half-length, so that one comparison of R with a
+/// product of an element's and a pack's factor does.
 
 #include <vector>
 

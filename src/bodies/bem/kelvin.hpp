@@ -1,9 +1,9 @@
 #pragma once
-/// Inner loops of the integrals of Kelvin's solution, one set of functions per instruction set,
-/// chosen at run time as those of the half-space are.
+/// Inner loops of the integrals of Kelvin's solution, one set of functions per instruction set, chosen at run time as
+/// those of the half-space are.
 ///
-/// far(): up to eight collocation points at once, one per lane, share the quadrature points of an
-/// element. near(): one collocation point, eight quadrature points at once.
+/// far(): up to eight collocation points at once, one per lane, share the quadrature points of an element. near(): one
+/// collocation point, eight quadrature points at once.
 
 #include <cstdint>
 
@@ -46,8 +46,8 @@ struct FarPoints {
   alignas(64) double w[far_capacity];     ///< weight times Jacobian
 };
 
-/// Collocation points x[component][lane]; lanes with mask 0 get nothing (their x must lie off the
-/// element all the same).
+/// Collocation points x[component][lane]; lanes with mask 0 get nothing (their x must lie off the element all the
+/// same).
 struct PointPack {
   alignas(64) double x[3][pack_points];
   alignas(64) double mask[pack_points];
@@ -59,8 +59,8 @@ struct NearElement {
   double node[3][max_element_nodes];
 };
 
-/// Integrals over one element seen from one point; entry (c, i) of T with shape function k is
-/// t[3 * c + i][k]; u likewise, in the order of the entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2).
+/// Integrals over one element seen from one point; entry (c, i) of T with shape function k is t[3 * c + i][k]; u
+/// likewise, in the order of the entries (0,0) (0,1) (0,2) (1,1) (1,2) (2,2).
 struct NearIntegrals {
   double t[9][max_element_nodes];
   double u[6][max_element_nodes];
@@ -69,15 +69,14 @@ struct NearIntegrals {
 struct Kernels {
   const char* name;
   /// Points of a rule on the element with the given nodes (absolute coordinates).
-  void (*place)(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes],
-                FarPoints& points);
-  /// h[k], g[k]: blocks of 9 * pack_points doubles of local node k, added to; see
-  /// BoundaryIntegrals::rows. Those of terms not wanted are not looked at.
+  void (*place)(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes], FarPoints& points);
+  /// h[k], g[k]: blocks of 9 * pack_points doubles of local node k, added to; see BoundaryIntegrals::rows. Those of
+  /// terms not wanted are not looked at.
   void (*far)(const FarPoints& points, const RuleTable& rule, int nodes, const PointPack& pack,
               const KelvinConstants& constants, int terms, double* const* h, double* const* g);
   /// Adds to the wanted integrals. points is padded in place.
-  void (*near)(const NearElement& element, NearPoints& points, const KelvinConstants& constants,
-               int terms, NearIntegrals& integrals);
+  void (*near)(const NearElement& element, NearPoints& points, const KelvinConstants& constants, int terms,
+               NearIntegrals& integrals);
 };
 
 const Kernels& kelvin_kernels(InstructionSet set);

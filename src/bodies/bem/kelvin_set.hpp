@@ -1,5 +1,5 @@
-// The kernels, written once and compiled for each instruction set by the kelvin_*.cpp files.
-// Internal linkage throughout; only the table of functions leaves the file.
+// The kernels, written once and compiled for each instruction set by the kelvin_*.cpp files. Internal linkage
+// throughout; only the table of functions leaves the file.
 #pragma once
 
 #include "bodies/bem/kelvin.hpp"
@@ -27,11 +27,10 @@ constexpr int kernel_count(int terms) {
   return 9 * (terms & 1) + 3 * (terms & 2);
 }
 
-/// Entries of T (nine, if wanted) and then of U (six, if wanted) at r = y - x, for n and w with the
-/// weight in them; `share` scales all of them.
+/// Entries of T (nine, if wanted) and then of U (six, if wanted) at r = y - x, for n and w with the weight in them;
+/// `share` scales all of them.
 template <int terms>
-inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const KelvinConstants& c,
-                   Pack* f) {
+inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const KelvinConstants& c, Pack* f) {
   const Pack r2 = fma(r[0], r[0], fma(r[1], r[1], r[2] * r[2]));
   const Pack inverse = splat(1) / root(r2);
   const Pack e[3] = {r[0] * inverse, r[1] * inverse, r[2] * inverse};
@@ -68,8 +67,8 @@ inline void kelvin(const Pack* r, const Pack* n, Pack w, Pack share, const Kelvi
 
 /// Position, and tangents' cross product times weight, from shape functions and nodes.
 template <int nodes, class Node>
-inline void surface(const Pack* value, const Pack* d_xi, const Pack* d_eta, Pack w, Node node,
-                    Pack* y, Pack* n, Pack* area) {
+inline void surface(const Pack* value, const Pack* d_xi, const Pack* d_eta, Pack w, Node node, Pack* y, Pack* n,
+                    Pack* area) {
   Pack u[3], v[3];
   for (int j = 0; j < 3; ++j) {
     const Pack first = node(j, 0);
@@ -93,8 +92,7 @@ inline void surface(const Pack* value, const Pack* d_xi, const Pack* d_eta, Pack
 }
 
 template <int nodes>
-void place_points(const RuleTable& rule, const double (*node)[max_element_nodes],
-                  FarPoints& points) {
+void place_points(const RuleTable& rule, const double (*node)[max_element_nodes], FarPoints& points) {
   for (int q = 0; q < rule.n; q += lanes) {
     Pack value[nodes], u[nodes], v[nodes], y[3], n[3], area;
     for (int k = 0; k < nodes; ++k) {
@@ -103,8 +101,7 @@ void place_points(const RuleTable& rule, const double (*node)[max_element_nodes]
       v[k] = load(rule.d_eta + k * rule.padded + q);
     }
     surface<nodes>(
-        value, u, v, load(rule.w + q), [node](int j, int k) { return splat(node[j][k]); }, y, n,
-        &area);
+        value, u, v, load(rule.w + q), [node](int j, int k) { return splat(node[j][k]); }, y, n, &area);
     for (int j = 0; j < 3; ++j) {
       store(points.y[j] + q, y[j]);
       store(points.n[j] + q, n[j]);
@@ -113,13 +110,12 @@ void place_points(const RuleTable& rule, const double (*node)[max_element_nodes]
   }
 }
 
-void place(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes],
-           FarPoints& points) {
+void place(const RuleTable& rule, int nodes, const double (*node)[max_element_nodes], FarPoints& points) {
   for_nodes(nodes, [&]<int n>() { place_points<n>(rule, node, points); });
 }
 
-/// Kernel values of a block of quadrature points, staged between the kernel and the product with
-/// the shape functions: all of it together would not fit the registers.
+/// Kernel values of a block of quadrature points, staged between the kernel and the product with the shape functions:
+/// all of it together would not fit the registers.
 constexpr int block = 16;
 
 /// Where an entry of U goes: twice, but on the diagonal.
@@ -132,12 +128,11 @@ struct Tile {
   static constexpr int height = lanes == 8 || nodes <= 4 ? nodes : nodes == 8 ? 4 : 3;
 };
 
-/// block[k][entry] += sum over q of f[q][entry] value[k][q] for a tile of nodes from k0 on and of
-/// entries from i0 on, of T or of U. All but q is known to the compiler: rules have few points, and
-/// addresses worked out at run time would cost as much as the sums.
+/// block[k][entry] += sum over q of f[q][entry] value[k][q] for a tile of nodes from k0 on and of entries from i0 on,
+/// of T or of U. All but q is known to the compiler: rules have few points, and addresses worked out at run time would
+/// cost as much as the sums.
 template <int nodes, int terms, bool of_u, int k0, int i0>
-inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded,
-                     double* const* target) {
+inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded, double* const* target) {
   constexpr int height = Tile<nodes>::height, entries = Tile<nodes>::entries;
   constexpr int first = i0 + (of_u ? 9 * (terms & double_layer) : 0);
   Pack total[height][entries];
@@ -160,8 +155,7 @@ inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded
       double* to = target[k0 + k];
       if constexpr (of_u) {
         store(to + u_entry[i0 + j][0] * pack_points, total[k][j]);
-        if (u_entry[i0 + j][1] != u_entry[i0 + j][0])
-          store(to + u_entry[i0 + j][1] * pack_points, total[k][j]);
+        if (u_entry[i0 + j][1] != u_entry[i0 + j][0]) store(to + u_entry[i0 + j][1] * pack_points, total[k][j]);
       } else {
         store(to + (i0 + j) * pack_points, total[k][j]);
       }
@@ -169,8 +163,7 @@ inline void add_tile(const Pack (*f)[15], int n, const double* value, int padded
 }
 
 template <int nodes, int terms, bool of_u, int k0 = 0, int i0 = 0>
-inline void add_tiles(const Pack (*f)[15], int n, const double* value, int padded,
-                      double* const* target) {
+inline void add_tiles(const Pack (*f)[15], int n, const double* value, int padded, double* const* target) {
   add_tile<nodes, terms, of_u, k0, i0>(f, n, value, padded, target);
   if constexpr (k0 + Tile<nodes>::height < nodes)
     add_tiles<nodes, terms, of_u, k0 + Tile<nodes>::height, i0>(f, n, value, padded, target);
@@ -179,8 +172,8 @@ inline void add_tiles(const Pack (*f)[15], int n, const double* value, int padde
 }
 
 template <int nodes, int terms>
-void far_points(const FarPoints& points, const RuleTable& rule, const PointPack& pack,
-                const KelvinConstants& constants, double* const* h, double* const* g) {
+void far_points(const FarPoints& points, const RuleTable& rule, const PointPack& pack, const KelvinConstants& constants,
+                double* const* h, double* const* g) {
   for (int part = 0; part < pack_points; part += lanes) {
     const Pack x[3] = {load(pack.x[0] + part), load(pack.x[1] + part), load(pack.x[2] + part)};
     const Pack mask = load(pack.mask + part);
@@ -194,17 +187,13 @@ void far_points(const FarPoints& points, const RuleTable& rule, const PointPack&
       Pack f[block][15];
       for (int q = 0; q < n; ++q) {
         const int at = start + q;
-        const Pack r[3] = {splat(points.y[0][at]) - x[0], splat(points.y[1][at]) - x[1],
-                           splat(points.y[2][at]) - x[2]};
-        const Pack normal[3] = {splat(points.n[0][at]), splat(points.n[1][at]),
-                                splat(points.n[2][at])};
+        const Pack r[3] = {splat(points.y[0][at]) - x[0], splat(points.y[1][at]) - x[1], splat(points.y[2][at]) - x[2]};
+        const Pack normal[3] = {splat(points.n[0][at]), splat(points.n[1][at]), splat(points.n[2][at])};
         kelvin<terms>(r, normal, splat(points.w[at]), mask, constants, f[q]);
       }
       const double* value = rule.value + start;
-      if constexpr ((terms & double_layer) != 0)
-        add_tiles<nodes, terms, false>(f, n, value, rule.padded, hp);
-      if constexpr ((terms & single_layer) != 0)
-        add_tiles<nodes, terms, true>(f, n, value, rule.padded, gp);
+      if constexpr ((terms & double_layer) != 0) add_tiles<nodes, terms, false>(f, n, value, rule.padded, hp);
+      if constexpr ((terms & single_layer) != 0) add_tiles<nodes, terms, true>(f, n, value, rule.padded, gp);
     }
   }
 }
@@ -223,9 +212,8 @@ void far(const FarPoints& points, const RuleTable& rule, int nodes, const PointP
 
 /// rows x nodes dot products over packs of quadrature points, three rows at once.
 template <int nodes>
-inline void products(const Pack (*f)[near_capacity / lanes], int rows,
-                     const Pack (*value)[near_capacity / lanes], int packs,
-                     double (*sums)[max_element_nodes]) {
+inline void products(const Pack (*f)[near_capacity / lanes], int rows, const Pack (*value)[near_capacity / lanes],
+                     int packs, double (*sums)[max_element_nodes]) {
   for (int i = 0; i < rows; i += 3)
     for (int k = 0; k < nodes; ++k) {
       Pack a = splat(0), b = a, c = a;
@@ -241,8 +229,8 @@ inline void products(const Pack (*f)[near_capacity / lanes], int rows,
 }
 
 template <ElementType type, int terms>
-void near_points(const NearElement& element, const NearPoints& points,
-                 const KelvinConstants& constants, NearIntegrals& integrals) {
+void near_points(const NearElement& element, const NearPoints& points, const KelvinConstants& constants,
+                 NearIntegrals& integrals) {
   constexpr int nodes = rollcon::node_count(type), count = kernel_count(terms);
   Pack f[count][near_capacity / lanes], shape[nodes][near_capacity / lanes];
   int packs = 0;
@@ -250,23 +238,20 @@ void near_points(const NearElement& element, const NearPoints& points,
     Pack value[nodes], u[nodes], v[nodes], r[3], n[3], area, entry[count];
     PackShape<type>::evaluate(load(points.xi + q), load(points.eta + q), value, u, v);
     surface<nodes>(
-        value, u, v, load(points.w + q),
-        [&element](int j, int k) { return splat(element.node[j][k]); }, r, n, &area);
+        value, u, v, load(points.w + q), [&element](int j, int k) { return splat(element.node[j][k]); }, r, n, &area);
     kelvin<terms>(r, n, area, splat(1), constants, entry);
     for (int i = 0; i < count; ++i) f[i][packs] = entry[i];
     for (int k = 0; k < nodes; ++k) shape[k][packs] = value[k];
   }
   if constexpr ((terms & double_layer) != 0) products<nodes>(f, 9, shape, packs, integrals.t);
-  if constexpr ((terms & single_layer) != 0)
-    products<nodes>(f + 9 * (terms & 1), 6, shape, packs, integrals.u);
+  if constexpr ((terms & single_layer) != 0) products<nodes>(f + 9 * (terms & 1), 6, shape, packs, integrals.u);
 }
 
-void near(const NearElement& element, NearPoints& points, const KelvinConstants& constants,
-          int terms, NearIntegrals& integrals) {
+void near(const NearElement& element, NearPoints& points, const KelvinConstants& constants, int terms,
+          NearIntegrals& integrals) {
   pad(points);
   for_type(element.type, [&]<ElementType type>() {
-    for_layers(terms,
-               [&]<int t>() { near_points<type, t>(element, points, constants, integrals); });
+    for_layers(terms, [&]<int t>() { near_points<type, t>(element, points, constants, integrals); });
   });
 }
 

@@ -21,13 +21,12 @@ Monomials monomials_at(double x, double y) {
   return {1, x, y, x * x, x * y, y * y};
 }
 
-/// Larger sums (of weights beside the ends' halves; 0.25 to 0.5 on even meshes, half the ratio of
-/// lengths where an edge has shorter neighbours) would blow up differences between neighbours: far
-/// nodes cannot tell how the edge bends. Larger sums are shrunk to it, not dropped: meshes graded
-/// by whole numbers would meet a limit to the last digit, and rounding would choose.
+/// Larger sums (of weights beside the ends' halves; 0.25 to 0.5 on even meshes, half the ratio of lengths where an edge
+/// has shorter neighbours) would blow up differences between neighbours: far nodes cannot tell how the edge bends.
+/// Larger sums are shrunk to it, not dropped: meshes graded by whole numbers would meet a limit to the last digit, and
+/// rounding would choose.
 constexpr double most_weight = 2;
-/// A midside node off the middle by more, in lengths of its edge, belongs to no smooth surface; it
-/// is drawn back.
+/// A midside node off the middle by more, in lengths of its edge, belongs to no smooth surface; it is drawn back.
 constexpr double most_shift = 0.15;
 
 /// What brings a value down to the most it may be.
@@ -38,8 +37,7 @@ double shrinking(double value, double most) {
 /// Weights w of points, by least squares, for which sum w p = wanted for all monomials p,
 /// shrunk where they are large.
 /// `basis`: values of each monomial at the points. Empty: the points do not tell.
-std::vector<double> weights_for(std::array<std::vector<double>, monomials> basis,
-                                const Monomials& wanted) {
+std::vector<double> weights_for(std::array<std::vector<double>, monomials> basis, const Monomials& wanted) {
   constexpr double dependent = 1e-3, met = 1e-6;
   const std::size_t points = basis[0].size();
   const auto dot_of = [points](const std::vector<double>& a, const std::vector<double>& b) {
@@ -81,8 +79,7 @@ std::vector<double> weights_for(std::array<std::vector<double>, monomials> basis
 
 class Lifting {
  public:
-  Lifting(const BodyMesh& mesh, double edge_angle)
-      : surface_(mesh.surface), held_(held_elements(mesh)) {
+  Lifting(const BodyMesh& mesh, double edge_angle) : surface_(mesh.surface), held_(held_elements(mesh)) {
     SurfaceMesh parts = surface_;
     for (std::size_t e = 0; e < parts.tag.size(); ++e) parts.tag[e] = held_[e];
     fans_ = split_at_edges(parts, edge_angle);
@@ -97,8 +94,8 @@ class Lifting {
 
   /// What the edge's middle has beyond half of each end.
   std::map<std::int32_t, double> beyond_halves(const Side& a, const Side& b) const {
-    const bool smooth = fan_of(a.cell, a.from) == fan_of(b.cell, a.from) &&
-                        fan_of(a.cell, a.to) == fan_of(b.cell, a.to);
+    const bool smooth =
+        fan_of(a.cell, a.from) == fan_of(b.cell, a.from) && fan_of(a.cell, a.to) == fan_of(b.cell, a.to);
     const bool held[] = {held_[at(a.cell)] != 0, held_[at(b.cell)] != 0};
     std::map<std::int32_t, double> sum;
     // Where two held faces meet, each would move what the other holds.
@@ -111,8 +108,7 @@ class Lifting {
       for (const auto& [node, w] : weights) sum[node] += w / static_cast<double>(found.size());
     Vec3 shift{0, 0, 0};
     for (const auto& [node, w] : sum) shift = shift + w * (place(node) - place(a.from));
-    const double factor =
-        shrinking(length(shift), most_shift * length(place(a.to) - place(a.from)));
+    const double factor = shrinking(length(shift), most_shift * length(place(a.to) - place(a.from)));
     for (auto& [node, w] : sum) w *= factor;
     return sum;
   }
@@ -126,8 +122,8 @@ class Lifting {
     return fans_.of[at(surface_.offset[at(e)] + local)];
   }
 
-  /// Nodes of the elements that share an end of the edge and are joined smoothly to element e.
-  /// (Further ones were tried where these do not tell, at corners of triangles: worse.)
+  /// Nodes of the elements that share an end of the edge and are joined smoothly to element e. (Further ones were tried
+  /// where these do not tell, at corners of triangles: worse.)
   std::vector<std::int32_t> nodes_near(std::int64_t e, std::int32_t from, std::int32_t to) const {
     std::vector<std::int32_t> near;
     for (const std::int32_t end : {from, to}) {
@@ -146,8 +142,7 @@ class Lifting {
 
   std::map<std::int32_t, double> by_face(std::int64_t e, std::int32_t from, std::int32_t to) const {
     const std::vector<std::int32_t> near = nodes_near(e, from, to);
-    const Vec3 normal =
-        normalized(fans_.normal[at(fan_of(e, from))] + fans_.normal[at(fan_of(e, to))]);
+    const Vec3 normal = normalized(fans_.normal[at(fan_of(e, from))] + fans_.normal[at(fan_of(e, to))]);
     const Vec3 edge = place(to) - place(from), middle = 0.5 * (place(from) + place(to));
     const Vec3 along = normalized(edge - dot(edge, normal) * normal), across = cross(normal, along);
     double reach[] = {0, 0};
@@ -246,8 +241,8 @@ LiftedColumns lift_columns(const SurfaceMesh& surface, const LiftedSurface& lift
     for (std::size_t k = 0; k < nodes; ++k) {
       const std::int32_t a = from[k], b = from[(k + 1) % nodes];
       if (a < 0 && b < 0) continue;
-      const auto [found, added] = of_ends.try_emplace({std::min(a, b), std::max(a, b)},
-                                                      static_cast<std::int32_t>(result.size()));
+      const auto [found, added] =
+          of_ends.try_emplace({std::min(a, b), std::max(a, b)}, static_cast<std::int32_t>(result.size()));
       if (added) result.end.push_back(found->first);
       to[nodes + k] = found->second;
     }
@@ -268,8 +263,7 @@ void add(const double* from, double factor, double* to) {
 void fold_displacements(const LiftedSurface& lifted, double* h) {
   for (std::size_t m = 0; m + 1 < lifted.start.size(); ++m)
     for (std::int64_t k = lifted.start[m]; k < lifted.start[m + 1]; ++k)
-      add(h + (at(lifted.nodes) + m) * block, lifted.part[at(k)].value,
-          h + at(lifted.part[at(k)].of) * block);
+      add(h + (at(lifted.nodes) + m) * block, lifted.part[at(k)].value, h + at(lifted.part[at(k)].of) * block);
 }
 
 void fold_tractions(const LiftedColumns& columns, double* g) {

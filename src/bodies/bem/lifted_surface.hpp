@@ -1,9 +1,8 @@
 #pragma once
-/// The surface that the equations are written on. A linear element cannot bend: its sides stay
-/// straight, and a body that is thin beside it is too stiff (or leaks force) by the square of
-/// length over thickness. So its displacements are made quadratic without a new unknown: the
-/// element gets midside nodes, each a fixed sum of the nodes around it, found so that quadratic
-/// fields on flat faces come out exactly. Midside nodes are placed by the same sums as they are
+/// The surface that the equations are written on. A linear element cannot bend: its sides stay straight, and a body
+/// that is thin beside it is too stiff (or leaks force) by the square of length over thickness. So its displacements
+/// are made quadratic without a new unknown: the element gets midside nodes, each a fixed sum of the nodes around it,
+/// found so that quadratic fields on flat faces come out exactly. Midside nodes are placed by the same sums as they are
 /// displaced: then rigid motions and uniform strains stay exact on curved faces as well.
 
 #include <array>
@@ -28,8 +27,8 @@ struct LiftedSurface {
   std::vector<Part> part;              ///< body's nodes
 };
 
-/// edge_angle, degrees: beyond it a midside node takes nothing from across an edge. Held faces are
-/// parts of their own, so that what is held stays held.
+/// edge_angle, degrees: beyond it a midside node takes nothing from across an edge. Held faces are parts of their own,
+/// so that what is held stays held.
 LiftedSurface lift(const BodyMesh& mesh, double edge_angle);
 
 /// Columns for tractions that stay linear along the elements.

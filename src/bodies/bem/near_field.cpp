@@ -2,9 +2,9 @@
 
 namespace rollcon::bem {
 
-void near_integrals(const ElementGeometry& element, const Vec3& point, const OnElement& on,
-                    Tolerance tolerance, int terms, const KelvinConstants& constants,
-                    const Kernels& kernels, NearWorkspace& workspace, NearIntegrals& integrals) {
+void near_integrals(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
+                    int terms, const KelvinConstants& constants, const Kernels& kernels, NearWorkspace& workspace,
+                    NearIntegrals& integrals) {
   integrals = {};
   NearElement relative;
   relative.type = element.type;

@@ -10,8 +10,8 @@ namespace rollcon::bem {
 using namespace quadrature;
 
 /// Overwritten; see quadrature::near_field.
-void near_integrals(const ElementGeometry& element, const Vec3& point, const OnElement& on,
-                    Tolerance tolerance, int terms, const KelvinConstants& constants,
-                    const Kernels& kernels, NearWorkspace& workspace, NearIntegrals& integrals);
+void near_integrals(const ElementGeometry& element, const Vec3& point, const OnElement& on, Tolerance tolerance,
+                    int terms, const KelvinConstants& constants, const Kernels& kernels, NearWorkspace& workspace,
+                    NearIntegrals& integrals);
 
 }  // namespace rollcon::bem

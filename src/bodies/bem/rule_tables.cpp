@@ -56,8 +56,7 @@ std::vector<Table> tables_of(ElementType type) {
   std::vector<Table> tables;
   if (corner_count(type) == 4) {
     for (int n1 = 1; n1 <= most_far_points; ++n1)
-      for (int n2 = 1; n2 <= most_far_points; ++n2)
-        tables.push_back(tabulate(type, product(n1, n2)));
+      for (int n2 = 1; n2 <= most_far_points; ++n2) tables.push_back(tabulate(type, product(n1, n2)));
     return tables;
   }
   for (int degree = 0; degree <= quadrature::most_triangle_degree; ++degree) {
@@ -77,10 +76,8 @@ std::vector<Table> tables_of(ElementType type) {
 }  // namespace
 
 const RuleTable& rule_table(ElementType type, int n1, int n2) {
-  static const std::vector<Table> tri3 = tables_of(ElementType::tri3),
-                                  tri6 = tables_of(ElementType::tri6),
-                                  quad4 = tables_of(ElementType::quad4),
-                                  quad8 = tables_of(ElementType::quad8),
+  static const std::vector<Table> tri3 = tables_of(ElementType::tri3), tri6 = tables_of(ElementType::tri6),
+                                  quad4 = tables_of(ElementType::quad4), quad8 = tables_of(ElementType::quad8),
                                   quad9 = tables_of(ElementType::quad9);
   const auto square = static_cast<std::size_t>((n1 - 1) * most_far_points + n2 - 1);
   switch (type) {

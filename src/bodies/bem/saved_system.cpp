@@ -11,9 +11,7 @@ namespace rollcon::bem {
 
 std::uint64_t System::numbering() const {
   Checksum sum;
-  const auto add = [&](const auto& values) {
-    sum.add(values.data(), values.size() * sizeof values[0]);
-  };
+  const auto add = [&](const auto& values) { sum.add(values.data(), values.size() * sizeof values[0]); };
   add(unknowns_.displacement);
   add(unknowns_.traction);
   add(unknowns_.row);

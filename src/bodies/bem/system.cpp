@@ -34,8 +34,7 @@ Vec3 middle_of_held(const BodyMesh& mesh) {
 void require_matrix(std::int64_t unknowns) {
   const double bytes = 8.0 * static_cast<double>(unknowns) * static_cast<double>(unknowns);
   require_memory({bytes, bytes}, "take a coarser mesh, or a body of finite elements",
-                 "the matrix of a boundary-element body with %lld unknowns needs",
-                 static_cast<long long>(unknowns));
+                 "the matrix of a boundary-element body with %lld unknowns needs", static_cast<long long>(unknowns));
 }
 
 }  // namespace
@@ -66,8 +65,7 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, double young, do
   held_at_ = middle_of_held(mesh);
   statistics_.unknowns = unknowns_.columns;
   const auto given = [](const Vec3& v) { return v != Vec3{0, 0, 0}; };
-  const bool loaded =
-      !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), given);
+  const bool loaded = !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), given);
   if (saved)
     restore(*saved);
   else if (options.prepare != 0 || loaded)
@@ -94,9 +92,8 @@ void System::factorize(int threads) {
   const bool regular = matrix_.factor();
   statistics_.condition = matrix_.condition();
   statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes,
-               matrix_.bytes() + at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) * 9 *
-                                     lanes * sizeof(double));
+      std::max(statistics_.peak_bytes, matrix_.bytes() + at(threads) * (at(lifted_.mesh.nodes()) + at(fans_.size())) *
+                                                             9 * lanes * sizeof(double));
   if (!regular || !(matrix_.condition() < worst_condition)) {
     matrix_.release();
     fail(Status::err_singular,
@@ -109,15 +106,13 @@ void System::factorize(int threads) {
 
 void System::solve_own_load(std::vector<double>& b) {
   const std::vector<double> given = given_tractions();
-  const bool moved =
-      std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
-        return v != Vec3{0, 0, 0};
-      });
+  const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+    return v != Vec3{0, 0, 0};
+  });
   if (given.empty() && !moved) return;
   matrix_.solve(b.data(), 1);
   if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
-    fail(Status::err_argument,
-         "the body's loads are too large for its elastic constants: its displacements overflow");
+    fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
   own_displacement_.resize(unknowns_.displacement.size());
   for (std::size_t k = 0; k < own_displacement_.size(); ++k) {
     const std::int32_t column = unknowns_.displacement[k];
@@ -134,8 +129,7 @@ void System::solve_own_load(std::vector<double>& b) {
   if (!moved) note_own_imbalance(loaded);
 }
 
-void System::condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows,
-                      int threads) {
+void System::condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads) {
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const std::int64_t n = unknowns_.columns;
@@ -153,11 +147,10 @@ void System::condense(std::vector<double> b, const LoadedSurface& surface, Surfa
     for (std::size_t c = 0; c < 3; ++c) {
       const std::int32_t unknown = unknowns_.displacement[3 * at(rows.row[r]) + c];
       double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c));
-      for (std::int64_t k = 0; k < 3 * columns; ++k)
-        out[k] = unknown >= 0 ? b[at(unknown + k * n)] : 0;
+      for (std::int64_t k = 0; k < 3 * columns; ++k) out[k] = unknown >= 0 ? b[at(unknown + k * n)] : 0;
     }
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes,
-                                    matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
+  statistics_.peak_bytes =
+      std::max(statistics_.peak_bytes, matrix_.bytes() + b.size() * sizeof(double) + rows.u.bytes());
   if (options_.keep_factors == 0) matrix_.release();
 }
 
@@ -177,8 +170,7 @@ BodyStatistics System::statistics() const {
   BodyStatistics s = statistics_;
   s.kernel_evaluations += integrals_.kernel_evaluations();
   s.bytes = matrix_.bytes() + integrals_.bytes() + kept_bytes();
-  if (const auto equations = equations_.lock())
-    s.bytes += equations->dense.capacity() * sizeof(double);
+  if (const auto equations = equations_.lock()) s.bytes += equations->dense.capacity() * sizeof(double);
   s.nonzeros = s.unknowns * s.unknowns;
   const Imbalances& i = imbalances_;
   s.imbalance = std::max({i.along[0], i.along[1], i.along[2], i.pressure, i.loads});
@@ -188,9 +180,8 @@ BodyStatistics System::statistics() const {
 
 void require_support() {}
 
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
-                                               double young, double poisson,
-                                               const BodyOptions& options, int threads,
+std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans, double young,
+                                               double poisson, const BodyOptions& options, int threads,
                                                SectionReader* saved) {
   return std::make_unique<System>(mesh, fans, young, poisson, options, threads, saved);
 }

@@ -1,6 +1,6 @@
 #pragma once
-/// The algebraic system of a boundary-element body, H u = G t (58): assembled for its supports,
-/// factorised once, condensed to the surface nodes that contact needs. docs/theory.md, section 9.
+/// The algebraic system of a boundary-element body, H u = G t (58): assembled for its supports, factorised once,
+/// condensed to the surface nodes that contact needs. docs/theory.md, section 9.
 
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/lifted_surface.hpp"
@@ -15,11 +15,11 @@ namespace rollcon::bem {
 
 class System final : public ResponseCache, public MayMissLoads {
  public:
-  /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own:
-  /// then the first use does. The mesh (checked, held) and fans must outlive it. saved: takes
-  /// instead what save() wrote for an equal body. Throws err_singular, err_memory and err_io.
-  System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson,
-         const BodyOptions& options, int threads, SectionReader* saved);
+  /// Assembles and factorises, unless option prepare is 0 and the body has no loads of its own: then the first use
+  /// does. The mesh (checked, held) and fans must outlive it. saved: takes instead what save() wrote for an equal body.
+  /// Throws err_singular, err_memory and err_io.
+  System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson, const BodyOptions& options,
+         int threads, SectionReader* saved);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   std::span<const double> own_traction() const override { return own_traction_; }
@@ -38,8 +38,7 @@ class System final : public ResponseCache, public MayMissLoads {
   /// Of the order of unknowns and equations, which factors belong to.
   std::uint64_t numbering() const;
   struct PackTarget;
-  std::vector<std::int32_t> needed_fans(const std::vector<double>& given,
-                                        std::int32_t& columns) const;
+  std::vector<std::int32_t> needed_fans(const std::vector<double>& given, std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
              const std::vector<double>& given, const PackTarget& to) const;
   /// matrix: unknowns squared, column-major, not cleared.
@@ -49,23 +48,19 @@ class System final : public ResponseCache, public MayMissLoads {
   void add_reactions(const double* b, std::vector<double>& traction) const;
   /// Of tractions on the whole surface, by traction node and component.
   Resultant resultant(std::span<const double> traction) const;
-  /// How far loads and reactions are from a balance, beside a force and its moment about what is
-  /// held; centre: where it acts.
+  /// How far loads and reactions are from a balance, beside a force and its moment about what is held; centre: where it
+  /// acts.
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
   void note_own_imbalance(std::span<const double> load);
-  /// Of uniform tractions on the surface that b was made for, right sides after elimination;
-  /// err_mesh where a pressure gets no answer that can be trusted. (No load may act along the
-  /// faces.)
+  /// Of uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a pressure
+  /// gets no answer that can be trusted. (No load may act along the faces.)
   void check_balance(const std::vector<double>& b, const LoadedSurface& loaded);
   std::vector<double> given_tractions() const;
-  LiftedColumns columns_of_faces(std::span<const std::int64_t> face,
-                                 const SurfaceOutline& outline) const;
+  LiftedColumns columns_of_faces(std::span<const std::int64_t> face, const SurfaceOutline& outline) const;
   /// Of unit tractions: unknowns x (3 columns).
-  std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline,
-                                  int threads);
+  std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads);
   /// Solves for them, and keeps some rows.
-  void condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows,
-                int threads);
+  void condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads);
   void write_loads(const std::vector<double>& b, SurfaceLoads& loads) const;
 
   const BodyMesh& mesh_;

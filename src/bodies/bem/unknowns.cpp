@@ -17,9 +17,9 @@ namespace {
 /// Part of the way from a node to the middle of its element at which an extra equation is written.
 constexpr double inward = 0.3;
 
-/// Nodes in the order of their unknowns. Those that frames will ask for come last, as far as it can
-/// be told before there is a frame: nodes on and around faces that may be in contact, the finer the
-/// later. Solutions are then needed at their end only.
+/// Nodes in the order of their unknowns. Those that frames will ask for come last, as far as it can be told before
+/// there is a frame: nodes on and around faces that may be in contact, the finer the later. Solutions are then needed
+/// at their end only.
 std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
   const SurfaceMesh& surface = mesh.surface;
   constexpr double none = std::numeric_limits<double>::infinity();
@@ -35,8 +35,8 @@ std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
       smallest = std::min(smallest, own);
     }
   }
-  // In classes, four for each doubling, so that nodes alike stay in the order given, whatever the
-  // last digits of their elements' sizes. (Sizes are often equal, or halves and doubles.)
+  // In classes, four for each doubling, so that nodes alike stay in the order given, whatever the last digits of their
+  // elements' sizes. (Sizes are often equal, or halves and doubles.)
   const auto class_of = [&](std::int32_t k) {
     return size[at(k)] == none ? none : std::floor(4 * std::log2(size[at(k)] / smallest) + 0.37);
   };
@@ -44,8 +44,7 @@ std::vector<std::int32_t> order_of_nodes(const BodyMesh& mesh) {
   std::vector<std::int32_t> order(size.size());
   std::iota(order.begin(), order.end(), 0);
   std::transform(order.begin(), order.end(), key.begin(), class_of);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::int32_t a, std::int32_t b) { return key[at(a)] > key[at(b)]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) { return key[at(a)] > key[at(b)]; });
   return order;
 }
 
@@ -60,14 +59,12 @@ std::vector<std::uint64_t> curve_positions(const std::vector<CollocationPoint>& 
     for (std::size_t c = 0; c < 3; ++c) {
       const double part = extent > 0 ? (point[k].x[c] - box.low[c]) / extent : 0;
       const auto cell = static_cast<std::uint64_t>(part * ((1U << bits) - 1));
-      for (unsigned b = 0; b < bits; ++b)
-        position[k] |= ((cell >> b) & 1U) << (3 * b + static_cast<unsigned>(c));
+      for (unsigned b = 0; b < bits; ++b) position[k] |= ((cell >> b) & 1U) << (3 * b + static_cast<unsigned>(c));
     }
   return position;
 }
 
-/// Where the extra equation of a fan is written: inside an element of the fan, preferably one whose
-/// nodes are all held.
+/// Where the extra equation of a fan is written: inside an element of the fan, preferably one whose nodes are all held.
 CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std::size_t local) {
   const ElementType type = mesh.type[at(element)];
   const ReferencePoint node = reference_nodes(type)[local];
@@ -81,10 +78,9 @@ CollocationPoint inner_point(const SurfaceMesh& mesh, std::int64_t element, std:
   return p;
 }
 
-/// Adds the midside nodes (1/2) and the centre (1/4) next to the corners: with them the corner's
-/// shape function becomes the bilinear one.
-void find_others(const SurfaceMesh& mesh, const TractionNodes& fans,
-                 std::vector<SpreadReaction>& spread) {
+/// Adds the midside nodes (1/2) and the centre (1/4) next to the corners: with them the corner's shape function becomes
+/// the bilinear one.
+void find_others(const SurfaceMesh& mesh, const TractionNodes& fans, std::vector<SpreadReaction>& spread) {
   if (spread.empty()) return;
   std::map<std::int32_t, std::vector<std::size_t>> spread_of_fan;
   for (std::size_t s = 0; s < spread.size(); ++s) spread_of_fan[spread[s].fan].push_back(s);
@@ -110,8 +106,7 @@ void sort_points(Unknowns& u, const std::vector<std::uint8_t>& wanted) {
   const std::vector<std::uint64_t> position = curve_positions(u.point);
   std::vector<std::size_t> order(u.point.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return position[a] < position[b]; });
   std::vector<CollocationPoint> sorted;
   sorted.reserve(order.size());
   u.row.assign(3 * order.size(), -1);
@@ -144,8 +139,7 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
       const auto f = at(fans.of[at(surface.offset[at(e)]) + a]);
       held_fan[f] |= held_element[at(e)];
       Entry& entry = of_fan[f];
-      if (entry.element < 0 || held_element[at(e)] > held_element[at(entry.element)])
-        entry = {e, a};
+      if (entry.element < 0 || held_element[at(e)] > held_element[at(entry.element)]) entry = {e, a};
     }
   }
 
@@ -171,8 +165,7 @@ Unknowns choose_unknowns(const BodyMesh& mesh, const TractionNodes& fans) {
         const bool takes = unknown > 0 ? (held_fan[at(f)] & bit) != 0 : f == first;
         if (!takes) continue;
         u.traction[3 * at(f) + c] = column++;
-        if (unknown == 0)
-          u.spread.push_back({static_cast<std::int32_t>(f), static_cast<int>(c), {}});
+        if (unknown == 0) u.spread.push_back({static_cast<std::int32_t>(f), static_cast<int>(c), {}});
         if (unknown > 1) extra[at(f)] |= bit;
       }
       if (unknown <= 1) at_node[at(i)] |= bit;

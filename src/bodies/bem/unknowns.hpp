@@ -1,12 +1,11 @@
 #pragma once
-/// Which displacements and tractions of a boundary-element body are unknown, and where its
-/// equations are written.
+/// Which displacements and tractions of a boundary-element body are unknown, and where its equations are written.
 ///
-/// A free displacement component is unknown, and so is the traction component of every fan of a
-/// held face (all nodes of one of the fan's elements held in that component). A held component with
-/// one such fan takes the equation of its node. Where several held faces meet there are more
-/// unknown tractions than a node has equations: each fan then gets an equation at a point inside
-/// one of its own elements, so that the matrix is regular at clamped-clamped edges and corners.
+/// A free displacement component is unknown, and so is the traction component of every fan of a held face (all nodes of
+/// one of the fan's elements held in that component). A held component with one such fan takes the equation of its
+/// node. Where several held faces meet there are more unknown tractions than a node has equations: each fan then gets
+/// an equation at a point inside one of its own elements, so that the matrix is regular at clamped-clamped edges and
+/// corners.
 
 #include <cstdint>
 #include <map>
@@ -18,8 +17,8 @@
 
 namespace rollcon::bem {
 
-/// A node held alone, without a held face: its reaction is spread over its first fan like a linear
-/// shape function. (That of a quadratic element's corner has no mean, or a negative one.)
+/// A node held alone, without a held face: its reaction is spread over its first fan like a linear shape function.
+/// (That of a quadratic element's corner has no mean, or a negative one.)
 struct SpreadReaction {
   std::int32_t fan = 0;  ///< the node's own; the unknown is its traction's
   int component = 0;

@@ -41,8 +41,8 @@ NodePattern node_pattern(const VolumeElements& volume, std::int64_t nodes) {
   return pattern;
 }
 
-/// Where the entries of a node's columns stand: those with the node itself first, then neighbour
-/// by neighbour, free components only.
+/// Where the entries of a node's columns stand: those with the node itself first, then neighbour by neighbour, free
+/// components only.
 class EntryPlaces {
  public:
   EntryPlaces(const NodePattern& pattern, const Unknowns& unknowns)
@@ -64,8 +64,7 @@ class EntryPlaces {
   /// Entries of neighbour `other` (> node) start this far after those of the node itself.
   std::int64_t before(std::int64_t node, std::int32_t other) const {
     const auto begin = pattern_.neighbour.begin();
-    const auto found = std::lower_bound(begin + pattern_.start[at(node)],
-                                        begin + pattern_.start[at(node) + 1], other);
+    const auto found = std::lower_bound(begin + pattern_.start[at(node)], begin + pattern_.start[at(node) + 1], other);
     return before_[at(found - begin)];
   }
 
@@ -86,16 +85,15 @@ SparseMatrix empty_matrix(const NodePattern& pattern, const Unknowns& unknowns) 
           if (unknowns.of[3 * node + d] >= 0) matrix.row.push_back(unknowns.of[3 * node + d]);
       };
       add(k, c);
-      for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i)
-        add(at(pattern.neighbour[at(i)]), 0);
+      for (std::int64_t i = pattern.start[k]; i < pattern.start[k + 1]; ++i) add(at(pattern.neighbour[at(i)]), 0);
       matrix.end_column();
     }
   matrix.value.assign(matrix.row.size(), 0.0);
   return matrix;
 }
 
-void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes,
-             const Unknowns& unknowns, const EntryPlaces& places, SparseMatrix& matrix) {
+void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes, const Unknowns& unknowns,
+             const EntryPlaces& places, SparseMatrix& matrix) {
   const std::size_t width = 3 * nodes.size();
   for (std::size_t a = 0; a < nodes.size(); ++a)
     for (std::size_t b = 0; b < nodes.size(); ++b) {
@@ -110,8 +108,7 @@ void scatter(const std::vector<double>& k, std::span<const std::int32_t> nodes,
         if (other != node) place += own_left + before;
         --own_left;
         for (std::size_t d = other == node ? c : 0; d < 3; ++d)
-          if (unknowns.of[3 * at(other) + d] >= 0)
-            matrix.value[at(place++)] += k[(3 * a + c) * width + 3 * b + d];
+          if (unknowns.of[3 * at(other) + d] >= 0) matrix.value[at(place++)] += k[(3 * a + c) * width + 3 * b + d];
       }
     }
 }
@@ -140,8 +137,8 @@ void Assembly::element_matrix(std::int64_t e, std::vector<double>& k) const {
   for (double& v : k) v *= material.young;
 }
 
-// Elements of one colour share no node: they may be added at the same time, and each entry gets its
-// parts in the order of the colours.
+// Elements of one colour share no node: they may be added at the same time, and each entry gets its parts in the order
+// of the colours.
 std::vector<std::vector<std::int64_t>> Assembly::colours() const {
   const VolumeElements& volume = mesh_.volume;
   std::vector<std::vector<std::int64_t>> colour;
@@ -165,8 +162,7 @@ std::vector<std::vector<std::int64_t>> Assembly::colours() const {
 }
 
 SparseMatrix Assembly::stiffness(const Unknowns& unknowns, int threads) const {
-  const NodePattern pattern =
-      node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
+  const NodePattern pattern = node_pattern(mesh_.volume, static_cast<std::int64_t>(mesh_.held.size()));
   const EntryPlaces places(pattern, unknowns);
   SparseMatrix matrix = empty_matrix(pattern, unknowns);
   std::vector<std::vector<double>> own(at(std::max(threads, 1)));
@@ -185,15 +181,12 @@ std::vector<double> Assembly::forces_at_supports(const std::vector<double>& u) c
   std::vector<double> force(u.size(), 0.0), k;
   for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e) {
     const auto nodes = mesh_.volume.element(e);
-    if (std::none_of(nodes.begin(), nodes.end(),
-                     [&](std::int32_t n) { return mesh_.held[at(n)] != 0; }))
-      continue;
+    if (std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t n) { return mesh_.held[at(n)] != 0; })) continue;
     element_matrix(e, k);
     const std::size_t width = 3 * nodes.size();
     for (std::size_t i = 0; i < width; ++i) {
       double sum = 0;
-      for (std::size_t j = 0; j < width; ++j)
-        sum += k[i * width + j] * u[3 * at(nodes[j / 3]) + j % 3];
+      for (std::size_t j = 0; j < width; ++j) sum += k[i * width + j] * u[3 * at(nodes[j / 3]) + j % 3];
       force[3 * at(nodes[i / 3]) + i % 3] += sum;
     }
   }
@@ -210,11 +203,9 @@ std::vector<double> Assembly::surface_loads(double reference) const {
       const auto nodes = surface.element(e);
       for (const auto& [weight, shape] : tabulated<degree>(surface.type[at(e)])) {
         const Vec3 normal = combine(surface, e, shape, surface.node[at(nodes[0])]).normal;
-        const Vec3 part =
-            (weight / reference) * (length(normal) * load.traction - load.pressure * normal);
+        const Vec3 part = (weight / reference) * (length(normal) * load.traction - load.pressure * normal);
         for (std::size_t a = 0; a < nodes.size(); ++a)
-          for (std::size_t c = 0; c < 3; ++c)
-            force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];
+          for (std::size_t c = 0; c < 3; ++c) force[3 * at(nodes[a]) + c] += shape.value[a] * part[c];
       }
     }
   return force;

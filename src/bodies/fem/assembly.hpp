@@ -1,6 +1,6 @@
 #pragma once
-/// The sparse stiffness matrix of a finite-element body and its loads, on the free displacement
-/// components. Everything is over one reference modulus, so that entries are lengths.
+/// The sparse stiffness matrix of a finite-element body and its loads, on the free displacement components. Everything
+/// is over one reference modulus, so that entries are lengths.
 
 #include <cstdint>
 #include <map>
@@ -27,9 +27,7 @@ class Assembly {
   /// The mesh must outlive it. material: by element.
   Assembly(const BodyMesh& mesh, std::vector<Material> material, Hex8 hex8);
 
-  const Material& material(std::int64_t element) const {
-    return material_[static_cast<std::size_t>(element)];
-  }
+  const Material& material(std::int64_t element) const { return material_[static_cast<std::size_t>(element)]; }
   /// Sums are taken in an order that does not depend on the number of threads.
   SparseMatrix stiffness(const Unknowns& unknowns, int threads) const;
   /// Nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.

@@ -2,11 +2,10 @@
 //
 //   u.K u = integral 2 G dev e : dev e + sum over m of kappa_m |integral f_m div u|^2
 //
-// f_0, f_1, ...: 1 and some reference coordinates, made orthonormal on the element in this order;
-// kappa_0 the bulk modulus, the others too, or at most cap * G. Incompatible modes enter as further
-// shape functions with the gradient (det J0 / det J) J0^-T grad(1 - xi_r^2), J0 the Jacobian at the
-// centre: it integrates to zero, so that constant stress does no work on them (patch test). They
-// are condensed.
+// f_0, f_1, ...: 1 and some reference coordinates, made orthonormal on the element in this order; kappa_0 the bulk
+// modulus, the others too, or at most cap * G. Incompatible modes enter as further shape functions with the gradient
+// (det J0 / det J) J0^-T grad(1 - xi_r^2), J0 the Jacobian at the centre: it integrates to zero, so that constant
+// stress does no work on them (patch test). They are condensed.
 
 #include "bodies/fem/element_stiffness.hpp"
 
@@ -55,8 +54,8 @@ Jacobian jacobian(const double* d, const double (*x)[max_functions], int nodes) 
   return result;
 }
 
-/// Nodes about their mean, in units of a power of two near the element's size, which is returned as
-/// its exponent: nothing overflows or loses digits, whatever the unit and the origin.
+/// Nodes about their mean, in units of a power of two near the element's size, which is returned as its exponent:
+/// nothing overflows or loses digits, whatever the unit and the origin.
 int normalise(std::span<const Vec3> node, double (*x)[max_functions]) {
   double size = 0;
   for (std::size_t a = 0; a < 3; ++a)
@@ -146,8 +145,7 @@ void condense(double* k, int size, int keep) {
 
 }  // namespace
 
-void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson, double* k,
-                       Hex8 hex8) {
+void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson, double* k, Hex8 hex8) {
   const ElementTable& table = element_table(type, hex8);
   const int functions = table.functions(), size = 3 * functions, unknowns = 3 * table.nodes;
   double place[3][max_functions] = {}, s[max_columns][max_columns], v[max_modes][max_columns];
@@ -176,8 +174,7 @@ void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson,
         const double* across = s[b * functions + i] + a * functions;
         for (int j = 0; j < functions; ++j) row[b * functions + j] += shear * across[j];
       }
-      const double *x0 = s[i], *x1 = s[functions + i] + functions,
-                   *x2 = s[2 * functions + i] + 2 * functions;
+      const double *x0 = s[i], *x1 = s[functions + i] + functions, *x2 = s[2 * functions + i] + 2 * functions;
       double* own = row + a * functions;
       for (int j = 0; j < functions; ++j) own[j] += shear * (x0[j] + x1[j] + x2[j]);
       double* out = full + (3 * i + a) * size;
@@ -189,8 +186,8 @@ void element_stiffness(VolumeType type, std::span<const Vec3> x, double poisson,
   for (int r = 0; r < unknowns; ++r) std::copy_n(full + r * size, unknowns, k + r * unknowns);
 }
 
-// Where the error of a pressurised cylinder and of a block under a patch load passes three times
-// that of nu = 0.3 (tet4, wedge6); the others are accurate at 0.499999 too.
+// Where the error of a pressurised cylinder and of a block under a patch load passes three times that of nu = 0.3
+// (tet4, wedge6); the others are accurate at 0.499999 too.
 double largest_poisson(VolumeType type) {
   switch (type) {
     case VolumeType::tet4:

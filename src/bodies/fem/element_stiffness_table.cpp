@@ -7,8 +7,8 @@
 namespace rollcon::fem {
 namespace {
 
-/// degree: of the rule. The patch test on curved elements needs the integrals of dN/dx det J, whose
-/// degrees are 3 (tet10), 4 in the triangle and 5 along zeta (wedge15), 5 (hex20).
+/// degree: of the rule. The patch test on curved elements needs the integrals of dN/dx det J, whose degrees are 3
+/// (tet10), 4 in the triangle and 5 along zeta (wedge15), 5 (hex20).
 /// linear: reference directions in which the dilatation varies.
 struct Formulation {
   int degree;
@@ -49,8 +49,7 @@ void append_derivatives(VolumeType type, const Vec3& at, std::vector<double>& d)
   VolumeShape shape;
   evaluate_shape(type, at, shape);
   for (std::size_t r = 0; r < 3; ++r)
-    for (std::size_t i = 0; i < static_cast<std::size_t>(node_count(type)); ++i)
-      d.push_back(shape.d[i][r]);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(node_count(type)); ++i) d.push_back(shape.d[i][r]);
 }
 
 ElementTable make_table(VolumeType type, Hex8 hex8) {
@@ -69,8 +68,7 @@ ElementTable make_table(VolumeType type, Hex8 hex8) {
     append_derivatives(type, point, table.d);
     table.offset.push_back(point - centre);
     table.mode.push_back(1);
-    for (int r : chosen.linear)
-      table.mode.push_back(table.offset.back()[static_cast<std::size_t>(r)]);
+    for (int r : chosen.linear) table.mode.push_back(table.offset.back()[static_cast<std::size_t>(r)]);
   }
   return table;
 }
@@ -79,8 +77,7 @@ ElementTable make_table(VolumeType type, Hex8 hex8) {
 
 const ElementTable& element_table(VolumeType type, Hex8 hex8) {
   constexpr Hex8 other = Hex8::enhanced;  // means nothing for the other types
-  static const ElementTable tet4 = make_table(VolumeType::tet4, other),
-                            tet10 = make_table(VolumeType::tet10, other),
+  static const ElementTable tet4 = make_table(VolumeType::tet4, other), tet10 = make_table(VolumeType::tet10, other),
                             wedge6 = make_table(VolumeType::wedge6, other),
                             wedge15 = make_table(VolumeType::wedge15, other),
                             enhanced = make_table(VolumeType::hex8, Hex8::enhanced),

@@ -1,6 +1,5 @@
 #pragma once
-/// What element stiffnesses share: the formulation of each type, tabulated at its quadrature
-/// points.
+/// What element stiffnesses share: the formulation of each type, tabulated at its quadrature points.
 
 #include <array>
 #include <vector>

@@ -13,8 +13,7 @@ namespace {
 /// By columns, numbered by their place in `column`; rows are places in coupling.node.
 SparseMatrix by_columns(SurfaceCoupling coupling, const std::vector<std::int32_t>& column) {
   coupling.rows = static_cast<std::int64_t>(column.size());
-  for (std::int64_t& k : coupling.row)
-    k = std::lower_bound(column.begin(), column.end(), k) - column.begin();
+  for (std::int64_t& k : coupling.row) k = std::lower_bound(column.begin(), column.end(), k) - column.begin();
   return transposed(coupling);
 }
 
@@ -45,8 +44,7 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
   equations->unknowns = unknowns_.count;
   equations->symmetric = true;
   equations->matrix = both_triangles(matrix_);
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, matrix_.bytes() + equations->matrix.bytes());
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + equations->matrix.bytes());
   if (options_.keep_factors == 0) matrix_ = {};
   equations_ = equations;
   return equations;

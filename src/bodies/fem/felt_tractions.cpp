@@ -15,15 +15,14 @@ SparseMatrix symmetric(const SurfaceCoupling& mass, const std::vector<std::int64
   matrix.begin(mass.columns);
   for (std::int64_t i = 0; i < mass.columns; ++i) {
     for (std::int64_t k = mass.start[at(i)]; k < mass.start[at(i) + 1]; ++k)
-      if (const std::int64_t j = place[at(mass.row[at(k)])]; j >= i)
-        matrix.push(j, mass.value[at(k)]);
+      if (const std::int64_t j = place[at(mass.row[at(k)])]; j >= i) matrix.push(j, mass.value[at(k)]);
     matrix.end_column();
   }
   return matrix;
 }
 
-/// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size
-/// in each direction: by the coordinates of a square or an equilateral triangle of unit sides.
+/// share^2 int d N_i . d N_j over one face, row by row, with derivatives over the face's own size in each direction: by
+/// the coordinates of a square or an equilateral triangle of unit sides.
 void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share, double* out) {
   const bool three = corner_count(surface.type[at(e)]) == 3;
   const auto nodes = surface.element(e);
@@ -42,9 +41,8 @@ void element_smoothing(const SurfaceMesh& surface, std::int64_t e, double share,
   }
 }
 
-void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> face,
-                   std::span<const double> share, const std::vector<std::int64_t>& place,
-                   SparseMatrix& matrix) {
+void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> face, std::span<const double> share,
+                   const std::vector<std::int64_t>& place, SparseMatrix& matrix) {
   double part[max_element_nodes * max_element_nodes];
   for (std::size_t f = 0; f < face.size(); ++f) {
     if (share[f] == 0) continue;
@@ -55,8 +53,7 @@ void add_smoothing(const SurfaceMesh& surface, std::span<const std::int64_t> fac
         const std::int64_t column = place[at(nodes[a])], row = place[at(nodes[b])];
         if (row < column) continue;
         const auto begin = matrix.row.begin() + matrix.start[at(column)];
-        const auto found =
-            std::lower_bound(begin, matrix.row.begin() + matrix.start[at(column) + 1], row);
+        const auto found = std::lower_bound(begin, matrix.row.begin() + matrix.start[at(column) + 1], row);
         matrix.value[at(found - matrix.row.begin())] += part[a * nodes.size() + b];
       }
   }
@@ -84,11 +81,9 @@ std::vector<double> frame_spacing(const SurfaceCoupling& coupling, std::int64_t 
 
 }  // namespace
 
-RowMatrix<double> columns_of(const SurfaceCoupling& coupling,
-                             std::span<const std::int32_t> column) {
+RowMatrix<double> columns_of(const SurfaceCoupling& coupling, std::span<const std::int32_t> column) {
   RowMatrix<double> load;
-  load.resize(static_cast<std::int64_t>(coupling.node.size()),
-              static_cast<std::int64_t>(column.size()));
+  load.resize(static_cast<std::int64_t>(coupling.node.size()), static_cast<std::int64_t>(column.size()));
   for (std::size_t r = 0; r < coupling.node.size(); ++r)
     for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k) {
       const auto found = std::lower_bound(column.begin(), column.end(), coupling.row[at(k)]);
@@ -98,8 +93,7 @@ RowMatrix<double> columns_of(const SurfaceCoupling& coupling,
 }
 
 std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionNodes& fans,
-                                     std::span<const std::int64_t> face,
-                                     const SurfaceCoupling& coupling) {
+                                     std::span<const std::int64_t> face, const SurfaceCoupling& coupling) {
   const std::vector<double> frame = frame_spacing(coupling, surface.nodes());
   std::vector<double> share;
   for (const std::int64_t e : face) {
@@ -142,8 +136,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   std::vector<double> b(at(n * columns), 0.0);
   for (std::size_t r = 0; r < coupling.node.size(); ++r)
     for (std::int64_t k = coupling.start[r]; k < coupling.start[r + 1]; ++k)
-      b[at(number[at(coupling.row[at(k)])] * n + place[at(coupling.node[r])])] =
-          coupling.value[at(k)];
+      b[at(number[at(coupling.row[at(k)])] * n + place[at(coupling.node[r])])] = coupling.value[at(k)];
   factor->solve(b.data(), columns);
   felt.traction.resize(n, columns);
   felt.load.resize(n, columns);

@@ -18,10 +18,9 @@ namespace {
 /// Reference coordinates of a point inside every element.
 constexpr double middle = 1.0 / 3;
 
-/// The half-space that takes what is smoothed away is deep: less is left to it where the body is
-/// thinner than its faces are wide, nothing below a third of that.
-void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64_t>& face,
-                        std::vector<double>& share) {
+/// The half-space that takes what is smoothed away is deep: less is left to it where the body is thinner than its faces
+/// are wide, nothing below a third of that.
+void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64_t>& face, std::vector<double>& share) {
   constexpr double none = 1.0 / 3;
   if (std::all_of(share.begin(), share.end(), [](double s) { return s == 0; })) return;
   const SurfaceSearch all(surface, {});
@@ -31,8 +30,7 @@ void limit_by_thickness(const SurfaceMesh& surface, const std::vector<std::int64
     const Vec3 inward = -1.0 * normalized(there.normal);
     const auto opposite = all.along(there.x, inward, inward);
     if (!opposite) continue;
-    const double thickness =
-        std::abs(opposite->distance) / std::sqrt(element_area(surface, face[f]));
+    const double thickness = std::abs(opposite->distance) / std::sqrt(element_area(surface, face[f]));
     share[f] *= std::clamp((thickness - none) / (1 - none), 0.0, 1.0);
   }
 }
@@ -63,16 +61,14 @@ void System::choose_material(SurfaceOutline& rows) const {
   }
 }
 
-// The faces that feel a layer, all of whose nodes do (or that hold a node which does in no other
-// one), and those around them on the same smooth surface whose displacements are known.
-std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
-                                                const SurfaceOutline& rows,
+// The faces that feel a layer, all of whose nodes do (or that hold a node which does in no other one), and those around
+// them on the same smooth surface whose displacements are known.
+std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
                                                 const std::vector<std::int64_t>& candidates) const {
   std::vector<std::uint8_t> known(at(surface_.nodes()), 0), fan(at(fans_.size()), 0);
   const auto all_marked = [&](std::int64_t e) {
     const auto nodes = surface_.element(e);
-    return std::all_of(nodes.begin(), nodes.end(),
-                       [&](std::int32_t k) { return known[at(k)] != 0; });
+    return std::all_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return known[at(k)] != 0; });
   };
   const auto fans_of = [&](std::int64_t e) {
     return std::span(fans_.of).subspan(at(surface_.offset[at(e)]), surface_.element(e).size());
@@ -93,25 +89,21 @@ std::vector<std::int64_t> System::feeling_faces(const SurfaceCoupling& coupling,
   std::vector<std::uint8_t> missed = alone;
   for (const std::int64_t e : candidates) {
     const auto nodes = surface_.element(e);
-    if (!all_marked(e) ||
-        std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return alone[at(k)] != 0; }))
+    if (!all_marked(e) || std::none_of(nodes.begin(), nodes.end(), [&](std::int32_t k) { return alone[at(k)] != 0; }))
       continue;
     feels(e);
     for (const std::int32_t k : nodes) missed[at(k)] = 0;
   }
   if (const auto k = std::find(missed.begin(), missed.end(), 1); k != missed.end())
-    fail(Status::err_mesh,
-         "node %lld (counting from %d) of the body feels the frame, but no face around it does",
+    fail(Status::err_mesh, "node %lld (counting from %d) of the body feels the frame, but no face around it does",
          static_cast<long long>(k - missed.begin()) + surface_.index_base, surface_.index_base);
   std::sort(face.begin(), face.end());
   const std::size_t under = face.size();
   for (const std::int64_t e : candidates) {
-    if (!all_marked(e) ||
-        std::binary_search(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(under), e))
+    if (!all_marked(e) || std::binary_search(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(under), e))
       continue;
     const auto own = fans_of(e);
-    const bool around =
-        std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
+    const bool around = std::any_of(own.begin(), own.end(), [&](std::int32_t f) { return fan[at(f)] != 0; });
     if (around) face.push_back(e);
   }
   std::sort(face.begin(), face.end());

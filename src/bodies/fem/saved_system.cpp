@@ -1,5 +1,5 @@
-/// A finite-element body's equations to and from a file. The stiffness matrix is not written: it is
-/// assembled again, and counted, should a frame need more than what is condensed.
+/// A finite-element body's equations to and from a file. The stiffness matrix is not written: it is assembled again,
+/// and counted, should a frame need more than what is condensed.
 
 #include <utility>
 
@@ -19,8 +19,7 @@ void write_triangle(const CondensedView& view, SectionWriter& file) {
 
 std::unique_ptr<double[]> read_triangle(std::int64_t n, CondensedForm form, SectionReader& file) {
   auto matrix = std::make_unique<double[]>(at(n * n));
-  for (std::int64_t j = 0; j < n; ++j)
-    file.read(matrix.get() + j * n + j, at(n - j) * sizeof(double));
+  for (std::int64_t j = 0; j < n; ++j) file.read(matrix.get() + j * n + j, at(n - j) * sizeof(double));
   for (std::int64_t j = 0; j < n && form == CondensedForm::inverse; ++j)
     for (std::int64_t i = j + 1; i < n; ++i) matrix[at(i * n + j)] = matrix[at(j * n + i)];
   return matrix;
@@ -74,11 +73,9 @@ void System::restore_factor(SectionReader& file) {
     file.fail_here("the factors do not fit the unknowns");
   auto matrix = read_triangle(static_cast<std::int64_t>(n), form, file);
   file.end();
-  bool good = form == CondensedForm::inverse ||
-              (form == CondensedForm::cholesky && place.size() == condensed.size());
+  bool good = form == CondensedForm::inverse || (form == CondensedForm::cholesky && place.size() == condensed.size());
   for (std::size_t k = 0; k < condensed.size(); ++k)
-    good = good && condensed[k] < unknowns_.count &&
-           condensed[k] > (k > 0 ? condensed[k - 1] : std::int64_t{-1});
+    good = good && condensed[k] < unknowns_.count && condensed[k] > (k > 0 ? condensed[k - 1] : std::int64_t{-1});
   std::vector<std::uint8_t> taken(condensed.size(), 0);
   for (const std::int64_t row : place) {
     good = good && row >= 0 && at(row) < taken.size() && taken[at(row)] == 0;
@@ -88,8 +85,8 @@ void System::restore_factor(SectionReader& file) {
   SparseStatistics told;
   told.condition = statistics_.condition;
   told.nonzeros = statistics_.nonzeros;
-  factor_ = make_condensed_factor(unknowns_.count, form, static_cast<std::int64_t>(n),
-                                  std::move(place), std::move(matrix), told);
+  factor_ = make_condensed_factor(unknowns_.count, form, static_cast<std::int64_t>(n), std::move(place),
+                                  std::move(matrix), told);
   statistics_.condensed = static_cast<std::int64_t>(n);
   place_condensed(std::move(condensed));
 }

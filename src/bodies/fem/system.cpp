@@ -19,8 +19,8 @@
 namespace rollcon::fem {
 namespace {
 
-/// Contact faces with more unknowns wait for the frame, which mostly covers a part of them (above
-/// all when the caller did not name them): the condensed matrix is dense.
+/// Contact faces with more unknowns wait for the frame, which mostly covers a part of them (above all when the caller
+/// did not name them): the condensed matrix is dense.
 constexpr std::int64_t most_condensed_at_once = 6000, most_unnamed_at_once = 1500;
 
 double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
@@ -29,8 +29,7 @@ double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
   return most;
 }
 
-std::vector<Material> by_element(const BodyMesh& mesh,
-                                 const std::map<std::int32_t, Elastic>& material,
+std::vector<Material> by_element(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
                                  double reference) {
   std::vector<Material> result;
   for (const std::int32_t tag : mesh.volume.tag) {
@@ -53,22 +52,20 @@ double length_over_thickness(const SurfaceMesh& surface) {
 
 }  // namespace
 
-System::System(const BodyMesh& mesh, const TractionNodes& fans,
-               const std::map<std::int32_t, Elastic>& material, const BodyOptions& options,
-               int threads, SectionReader* saved)
+System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
+               const BodyOptions& options, int threads, SectionReader* saved)
     : ResponseCache(mesh.surface, options.cache_bytes),
       mesh_(mesh),
       fans_(fans),
       reference_(largest_modulus(material)),
       options_(options),
-      assembly_(mesh, by_element(mesh, material, reference_),
-                options.hex8 == 0 ? Hex8::enhanced : Hex8::b_bar),
+      assembly_(mesh, by_element(mesh, material, reference_), options.hex8 == 0 ? Hex8::enhanced : Hex8::b_bar),
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
-  const bool loaded = !mesh.load.empty() || std::any_of(mesh.held_value.begin(),
-                                                        mesh.held_value.end(), [](const Vec3& v) {
-                                                          return v != Vec3{0, 0, 0};
-                                                        });
+  const bool loaded =
+      !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
+        return v != Vec3{0, 0, 0};
+      });
   contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
   const bool few = static_cast<std::int64_t>(contact_.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
@@ -108,16 +105,15 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   double seconds = 0;
   try {
     const Stopwatch watch(seconds);
-    factor_ = by_cholmod() ? factor_by_cholmod(matrix_, condensed)
-                           : factor_by_umfpack(matrix_, condensed, threads);
+    factor_ = by_cholmod() ? factor_by_cholmod(matrix_, condensed) : factor_by_umfpack(matrix_, condensed, threads);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();
     fail(Status::err_singular,
          "the stiffness of the finite-element body is singular at component %c of node %lld "
          "(counting from %d): check its supports, its mesh and the ratio of its moduli%s",
-         "xyz"[place % 3], static_cast<long long>(place / 3) + surface_.index_base,
-         surface_.index_base, bending_hint().c_str());
+         "xyz"[place % 3], static_cast<long long>(place / 3) + surface_.index_base, surface_.index_base,
+         bending_hint().c_str());
   }
   ++statistics_.factorizations;
   const SparseStatistics s = factor_->statistics();
@@ -130,8 +126,8 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   place_condensed(std::move(condensed));
   if (own_displacement_.empty()) solve_own_load();
   factor_->keep_condensed();
-  const bool all_of_contact = std::all_of(
-      contact_.begin(), contact_.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
+  const bool all_of_contact =
+      std::all_of(contact_.begin(), contact_.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
   if (options_.keep_factors == 0 || all_of_contact) matrix_ = {};
 }
 
@@ -140,8 +136,7 @@ std::string System::bending_hint() const {
   constexpr double suspect = 1e12;  // seen to fail from 1e13, held at one edge
   const double ratio = length_over_thickness(surface_);
   double poisson = 0;
-  for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e)
-    poisson = std::max(poisson, assembly_.material(e).poisson);
+  for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e) poisson = std::max(poisson, assembly_.material(e).poisson);
   if (!(std::pow(ratio, 4) > suspect * (1 - 2 * poisson))) return "";
   char text[400];
   std::snprintf(text, sizeof text,
@@ -156,28 +151,24 @@ std::string System::bending_hint() const {
 void System::place_condensed(std::vector<std::int64_t> condensed) {
   condensed_ = std::move(condensed);
   condensed_at_.assign(at(unknowns_.count), -1);
-  for (std::size_t k = 0; k < condensed_.size(); ++k)
-    condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
+  for (std::size_t k = 0; k < condensed_.size(); ++k) condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
 }
 
 void System::solve_own_load() {
-  const bool moved =
-      std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
-        return v != Vec3{0, 0, 0};
-      });
+  const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+    return v != Vec3{0, 0, 0};
+  });
   if (mesh_.load.empty() && !moved) return;
   const std::vector<double> load = assembly_.surface_loads(reference_);
   std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] < 0) u[k] = mesh_.held_value[k / 3][k % 3];
-  const std::vector<double> moved_force =
-      moved ? assembly_.forces_at_supports(u) : std::vector<double>(u.size(), 0.0);
+  const std::vector<double> moved_force = moved ? assembly_.forces_at_supports(u) : std::vector<double>(u.size(), 0.0);
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) b[at(unknowns_.of[k])] = load[k] - moved_force[k];
   factor_->solve(b.data(), 1);
   if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
-    fail(Status::err_argument,
-         "the body's loads are too large for its elastic constants: its displacements overflow");
+    fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) u[k] = b[at(unknowns_.of[k])];
   const std::vector<double> force = assembly_.forces_at_supports(u);
@@ -193,20 +184,18 @@ void System::solve_own_load() {
 
 void System::require_condensed(const std::vector<std::int32_t>& node, int threads) {
   std::vector<std::int64_t> unknown = unknowns_at(node);
-  const bool there = factor_ && std::all_of(unknown.begin(), unknown.end(), [&](std::int64_t u) {
-                       return condensed_at_[at(u)] >= 0;
-                     });
+  const bool there =
+      factor_ && std::all_of(unknown.begin(), unknown.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
   if (there) return;
   // What earlier frames needed stays, so that going back to them costs nothing.
   std::vector<std::int64_t> all;
-  std::set_union(unknown.begin(), unknown.end(), condensed_.begin(), condensed_.end(),
-                 std::back_inserter(all));
+  std::set_union(unknown.begin(), unknown.end(), condensed_.begin(), condensed_.end(), std::back_inserter(all));
   const bool few = static_cast<std::int64_t>(all.size()) <= most_condensed_at_once;
   factorize(few ? std::move(all) : std::move(unknown), threads);
 }
 
-void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
-                      SurfaceRows& rows, int threads) {
+void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load, SurfaceRows& rows,
+                      int threads) {
   std::vector<std::int32_t> node = loaded;
   node.insert(node.end(), rows.row.begin(), rows.row.end());
   std::sort(node.begin(), node.end());
@@ -217,8 +206,7 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
   const BlasThreads blas(threads);
   ++statistics_.condensations;
   const std::size_t m = condensed_.size(), columns = rows.column.size();
-  rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()),
-                3 * static_cast<std::int64_t>(columns));
+  rows.u.resize(3 * static_cast<std::int64_t>(rows.row.size()), 3 * static_cast<std::int64_t>(columns));
   constexpr std::size_t slab = 128;  // columns at a time
   std::vector<double> b;
   for (std::size_t first = 0; first < columns; first += slab) {
@@ -229,21 +217,18 @@ void System::condense(const std::vector<std::int32_t>& loaded, const RowMatrix<d
       const double* force = load.row(static_cast<std::int64_t>(i)) + first;
       for (std::size_t c = 0; c < 3; ++c)
         if (const std::int64_t u = unknowns_.of[3 * at(loaded[i]) + c]; u >= 0)
-          for (std::size_t k = 0; k < count; ++k)
-            b[(3 * k + c) * m + at(condensed_at_[at(u)])] = force[k] / reference_;
+          for (std::size_t k = 0; k < count; ++k) b[(3 * k + c) * m + at(condensed_at_[at(u)])] = force[k] / reference_;
     }
     factor_->solve_condensed(b.data(), static_cast<std::int64_t>(3 * count));
     for (std::size_t r = 0; r < rows.row.size(); ++r)
       for (std::size_t c = 0; c < 3; ++c) {
         const std::int64_t u = unknowns_.of[3 * at(rows.row[r]) + c];
         double* out = rows.u.row(static_cast<std::int64_t>(3 * r + c)) + 3 * first;
-        for (std::size_t k = 0; k < 3 * count; ++k)
-          out[k] = u >= 0 ? b[k * m + at(condensed_at_[at(u)])] : 0;
+        for (std::size_t k = 0; k < 3 * count; ++k) out[k] = u >= 0 ? b[k * m + at(condensed_at_[at(u)])] : 0;
       }
   }
-  statistics_.peak_bytes =
-      std::max(statistics_.peak_bytes, matrix_.bytes() + factor_->statistics().bytes +
-                                           b.capacity() * sizeof(double) + rows.u.bytes());
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + factor_->statistics().bytes +
+                                                                b.capacity() * sizeof(double) + rows.u.bytes());
   if (options_.keep_factors == 0) factor_.reset();
 }
 
@@ -270,8 +255,7 @@ void require_support() {}
 
 std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
                                                const std::map<std::int32_t, Elastic>& material,
-                                               const BodyOptions& options, int threads,
-                                               SectionReader* saved) {
+                                               const BodyOptions& options, int threads, SectionReader* saved) {
   return std::make_unique<System>(mesh, fans, material, options, threads, saved);
 }
 

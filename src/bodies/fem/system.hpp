@@ -1,7 +1,6 @@
 #pragma once
-/// The algebraic system of a finite-element body, K u = M t (61): assembled on the free
-/// displacements, factorised once, condensed to the surface nodes that contact needs.
-/// docs/theory.md, section 10.
+/// The algebraic system of a finite-element body, K u = M t (61): assembled on the free displacements, factorised once,
+/// condensed to the surface nodes that contact needs. docs/theory.md, section 10.
 
 #include <map>
 #include <string>
@@ -18,14 +17,12 @@ namespace rollcon::fem {
 
 class System final : public ResponseCache {
  public:
-  /// Assembles and factorises at once when the contact faces are few (and option prepare is 1) or
-  /// the body has loads of its own: else the first frame says what to condense to. The mesh
-  /// (checked, held) and its fans (of the smooth surface) must outlive it. saved: takes instead
-  /// what save() wrote for an equal body. Throws err_singular, err_memory, err_unsupported and
-  /// err_io.
-  System(const BodyMesh& mesh, const TractionNodes& fans,
-         const std::map<std::int32_t, Elastic>& material, const BodyOptions& options, int threads,
-         SectionReader* saved);
+  /// Assembles and factorises at once when the contact faces are few (and option prepare is 1) or the body has loads of
+  /// its own: else the first frame says what to condense to. The mesh (checked, held) and its fans (of the smooth
+  /// surface) must outlive it. saved: takes instead what save() wrote for an equal body. Throws err_singular,
+  /// err_memory, err_unsupported and err_io.
+  System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
+         const BodyOptions& options, int threads, SectionReader* saved);
 
   std::span<const double> own_displacement() const override { return own_displacement_; }
   Resultant support_reaction() const override { return reaction_; }
@@ -38,8 +35,7 @@ class System final : public ResponseCache {
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
   void load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) override;
   /// From entries by place in `loaded` and by column to the unknowns, component by component.
-  void write_loads(const std::vector<std::int32_t>& loaded, const SparseMatrix& entries,
-                   SurfaceLoads& loads) const;
+  void write_loads(const std::vector<std::int32_t>& loaded, const SparseMatrix& entries, SurfaceLoads& loads) const;
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   bool by_cholmod() const;
   void require_matrix(int threads);
@@ -54,11 +50,9 @@ class System final : public ResponseCache {
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
   void solve_own_load();
   /// load: at nodes `loaded` for each column of rows.
-  void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load,
-                SurfaceRows& rows, int threads);
+  void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load, SurfaceRows& rows, int threads);
   std::vector<std::int64_t> facing(const Vec3& normal) const;
-  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling,
-                                          const SurfaceOutline& rows,
+  std::vector<std::int64_t> feeling_faces(const SurfaceCoupling& coupling, const SurfaceOutline& rows,
                                           const std::vector<std::int64_t>& candidates) const;
   void choose_material(SurfaceOutline& rows) const;
 

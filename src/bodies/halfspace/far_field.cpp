@@ -36,13 +36,11 @@ PlaneRule product_rule(int n) {
 ElementGeometry plane_geometry(const Frame& frame, std::int64_t element) {
   Vec3 node[max_element_nodes];
   const auto ids = frame.mesh.element(element);
-  for (std::size_t k = 0; k < ids.size(); ++k)
-    node[k] = {frame.x[at(ids[k])], frame.y[at(ids[k])], 0};
+  for (std::size_t k = 0; k < ids.size(); ++k) node[k] = {frame.x[at(ids[k])], frame.y[at(ids[k])], 0};
   return element_geometry(frame.mesh.type[at(element)], {node, ids.size()});
 }
 
-FarGroup::FarGroup(const Frame& frame, std::vector<std::int64_t> elements, ElementType type,
-                   MapKind map)
+FarGroup::FarGroup(const Frame& frame, std::vector<std::int64_t> elements, ElementType type, MapKind map)
     : type_(type), map_(map), elements_(std::move(elements)) {
   for (const std::int64_t e : elements_) {
     shapes_.push_back(plane_geometry(frame, e));
@@ -74,8 +72,7 @@ FarGroup::Level FarGroup::make_level(const PlaneRule& rule, int degree) const {
   for (std::size_t q = 0; q < rule.size(); ++q) {
     Shape s;
     evaluate_shape(type_, rule.xi[q], rule.eta[q], s);
-    std::copy_n(s.value.begin(), nodes(),
-                level.shape.begin() + static_cast<std::ptrdiff_t>(q * stride));
+    std::copy_n(s.value.begin(), nodes(), level.shape.begin() + static_cast<std::ptrdiff_t>(q * stride));
   }
   for (const ElementGeometry& e : shapes_) {
     for (std::size_t q = 0; q < static_cast<std::size_t>(level.padded); ++q) {
@@ -97,8 +94,8 @@ FarGroup::Level FarGroup::make_level(const PlaneRule& rule, int degree) const {
     }
     // R^(m+1) >= C area (a/1.9)^m / tolerance; the tolerance is the observer's.
     const int m = level.exponent;
-    level.factor.push_back(std::pow(
-        far_constant * e.shape.area * std::pow(e.shape.half_length / 1.9, m), 2.0 / (m + 1)));
+    level.factor.push_back(
+        std::pow(far_constant * e.shape.area * std::pow(e.shape.half_length / 1.9, m), 2.0 / (m + 1)));
   }
   return level;
 }
@@ -114,8 +111,7 @@ double FarGroup::scale(double px, double py) const {
 
 void FarGroup::select(double px, double py, double tolerance, std::uint8_t* level) const {
   double observer[32];
-  for (std::size_t l = 0; l < levels_.size(); ++l)
-    observer[l] = std::pow(tolerance, -2.0 / (levels_[l].exponent + 1));
+  for (std::size_t l = 0; l < levels_.size(); ++l) observer[l] = std::pow(tolerance, -2.0 / (levels_[l].exponent + 1));
   for (std::size_t e = 0; e < shapes_.size(); ++e) {
     const double dx = px - centre_x_[e], dy = py - centre_y_[e], distance2 = dx * dx + dy * dy;
     std::size_t l = 0;
@@ -129,8 +125,7 @@ void FarGroup::select(double px, double py, double tolerance, std::uint8_t* leve
 
 FarSources FarGroup::sources(int level) const {
   const Level& l = levels_[static_cast<std::size_t>(level)];
-  return {l.n,        l.padded,       l.x.data(), l.y.data(),
-          l.w.data(), l.shape.data(), nodes(),    padded(nodes(), shape_padding)};
+  return {l.n, l.padded, l.x.data(), l.y.data(), l.w.data(), l.shape.data(), nodes(), padded(nodes(), shape_padding)};
 }
 
 FarGroup::Forces FarGroup::forces(const double* traction) const {
@@ -148,8 +143,7 @@ FarGroup::Forces FarGroup::forces(const double* traction) const {
         for (std::size_t q = 0; q < static_cast<std::size_t>(level.n); ++q) {
           double value = 0;
           for (std::size_t i = 0; i < static_cast<std::size_t>(nodes()); ++i)
-            value +=
-                level.shape[q * stride + i] * traction[3 * static_cast<std::size_t>(node[i]) + j];
+            value += level.shape[q * stride + i] * traction[3 * static_cast<std::size_t>(node[i]) + j];
           f[first + q] = value * level.w[first + q];
         }
       }
@@ -175,8 +169,7 @@ FarForces FarGroup::sources(int level, const Forces& forces) const {
           l.n,
           l.x.data(),
           l.y.data(),
-          {forces.component[0][k].data(), forces.component[1][k].data(),
-           forces.component[2][k].data()}};
+          {forces.component[0][k].data(), forces.component[1][k].data(), forces.component[2][k].data()}};
 }
 
 std::size_t FarGroup::bytes() const {

@@ -1,11 +1,10 @@
 #pragma once
-/// Elements seen from afar: plain Gauss rules whose points, weights and Jacobians are computed
-/// once.
+/// Elements seen from afar: plain Gauss rules whose points, weights and Jacobians are computed once.
 ///
 /// The rule of an element is the smallest one with
 ///   C area/R (1.9 R/a)^-m <= tolerance,   m = degree of exactness + 1 - degree of N J,
-/// R the distance, a the half-length of the longest side (see rule_selection.hpp): one comparison
-/// of R^2 with a product of an element's and an observer's factor.
+/// R the distance, a the half-length of the longest side (see rule_selection.hpp): one comparison of R^2 with a product
+/// of an element's and an observer's factor.
 
 #include <cstdint>
 #include <vector>
@@ -35,12 +34,8 @@ class FarGroup {
   std::int64_t size() const { return static_cast<std::int64_t>(elements_.size()); }
   int nodes() const { return node_count(type_); }
   int levels() const { return static_cast<int>(levels_.size()); }
-  const ElementGeometry& shape(std::int64_t e) const {
-    return shapes_[static_cast<std::size_t>(e)];
-  }
-  const std::int32_t* connectivity(std::int64_t e) const {
-    return connectivity_.data() + e * nodes();
-  }
+  const ElementGeometry& shape(std::int64_t e) const { return shapes_[static_cast<std::size_t>(e)]; }
+  const std::int32_t* connectivity(std::int64_t e) const { return connectivity_.data() + e * nodes(); }
 
   /// Largest area over distance: the scale of the integrals of an observer's row.
   double scale(double px, double py) const;

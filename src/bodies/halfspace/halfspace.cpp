@@ -34,8 +34,8 @@ struct Workspace {
 };
 
 /// For an observer on the element or near it, each integral off by about `tolerance` (a length).
-void near_integrals(const ElementGeometry& element, double px, double py, double tolerance,
-                    int terms, const Kernels& kernels, NearWorkspace& workspace, double* integral) {
+void near_integrals(const ElementGeometry& element, double px, double py, double tolerance, int terms,
+                    const Kernels& kernels, NearWorkspace& workspace, double* integral) {
   std::fill_n(integral, integral_count * max_shape_stride, 0.0);
   NearElement relative;
   relative.type = element.type;
@@ -44,8 +44,7 @@ void near_integrals(const ElementGeometry& element, double px, double py, double
     relative.y[k] = element.node[1][k] - py;
   }
   // The rules are those of Kelvin's single layer, 1/(4 pi r).
-  const Tolerance length{std::numeric_limits<double>::infinity(),
-                         tolerance / (4 * std::numbers::pi)};
+  const Tolerance length{std::numeric_limits<double>::infinity(), tolerance / (4 * std::numbers::pi)};
   near_field(element, {px, py, 0}, {}, length, false, workspace,
              [&] { kernels.near(relative, workspace.points, terms, integral); });
 }
@@ -53,11 +52,7 @@ void near_integrals(const ElementGeometry& element, double px, double py, double
 class HalfspaceCompliance final : public Compliance {
  public:
   HalfspaceCompliance(const Frame& frame, HalfspaceConstants c, double tolerance, int threads)
-      : frame_(frame),
-        nodes_(frame.nodes()),
-        c_(c),
-        tolerance_(tolerance),
-        threads_(std::max(1, threads)) {}
+      : frame_(frame), nodes_(frame.nodes()), c_(c), tolerance_(tolerance), threads_(std::max(1, threads)) {}
 
   void set_threads(int threads) override { threads_ = std::max(1, threads); }
   std::int64_t nodes() const override { return nodes_; }
@@ -86,8 +81,8 @@ class HalfspaceCompliance final : public Compliance {
   template <class Work>
   void for_each(std::size_t points, std::size_t row_size, const Work& work) const;
   void integrate_row(double px, double py, int terms, const Kernels& kernels, Workspace& w) const;
-  void add_near(const double* integral, int terms, const std::int32_t* node, int nodes,
-                const double* traction, double* u) const;
+  void add_near(const double* integral, int terms, const std::int32_t* node, int nodes, const double* traction,
+                double* u) const;
   void write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const;
   void require_groups() const;
   bool rigid() const { return c_.cn == 0 && c_.cv == 0 && c_.ck == 0; }
@@ -128,11 +123,9 @@ void HalfspaceCompliance::require_groups() const {
 }
 
 template <class Work>
-void HalfspaceCompliance::for_each(std::size_t points, std::size_t row_size,
-                                   const Work& work) const {
+void HalfspaceCompliance::for_each(std::size_t points, std::size_t row_size, const Work& work) const {
   require_groups();
-  const int threads =
-      static_cast<int>(std::clamp<std::size_t>(points, 1, static_cast<std::size_t>(threads_)));
+  const int threads = static_cast<int>(std::clamp<std::size_t>(points, 1, static_cast<std::size_t>(threads_)));
   std::vector<Workspace> workspaces(static_cast<std::size_t>(threads));
   for (Workspace& w : workspaces) {
     w.row.resize(row_size);
@@ -148,8 +141,7 @@ void HalfspaceCompliance::for_each(std::size_t points, std::size_t row_size,
   evaluations_ += sum;
 }
 
-void HalfspaceCompliance::integrate_row(double px, double py, int terms, const Kernels& kernels,
-                                        Workspace& w) const {
+void HalfspaceCompliance::integrate_row(double px, double py, int terms, const Kernels& kernels, Workspace& w) const {
   const auto n = static_cast<std::size_t>(nodes_);
   const int count = 1 + 2 * (terms & with_shear) + (terms & with_coupling);
   std::fill(w.row.begin(), w.row.end(), 0.0);
@@ -177,8 +169,7 @@ void HalfspaceCompliance::integrate_row(double px, double py, int terms, const K
 }
 
 /// Cerruti's and Boussinesq's combinations of the integrals, see halfspace.hpp.
-void HalfspaceCompliance::write_row(std::size_t p, int terms, const double* row,
-                                    const ComplianceBlock& out) const {
+void HalfspaceCompliance::write_row(std::size_t p, int terms, const double* row, const ComplianceBlock& out) const {
   const auto n = static_cast<std::size_t>(nodes_);
   const double* i0 = row;
   const double* ixx = i0 + n;
@@ -219,12 +210,10 @@ void HalfspaceCompliance::write_row(std::size_t p, int terms, const double* row,
 void HalfspaceCompliance::block(Points points, const ComplianceBlock& out) const {
   const bool tangential = out.a[0][0] || out.a[0][1] || out.a[1][0] || out.a[1][1];
   const bool mixed = out.a[0][2] || out.a[1][2] || out.a[2][0] || out.a[2][1];
-  const int terms =
-      (tangential && c_.cv != 0 ? with_shear : 0) + (mixed && c_.ck != 0 ? with_coupling : 0);
+  const int terms = (tangential && c_.cv != 0 ? with_shear : 0) + (mixed && c_.ck != 0 ? with_coupling : 0);
   const Kernels& set = kernels(instruction_set());
   const auto n = static_cast<std::size_t>(nodes_);
-  const auto count =
-      static_cast<std::size_t>(1 + 2 * (terms & with_shear) + (terms & with_coupling));
+  const auto count = static_cast<std::size_t>(1 + 2 * (terms & with_shear) + (terms & with_coupling));
   for_each(points.size(), count * n, [&](std::size_t p, Workspace& w) {
     integrate_row(points.x[p], points.y[p], terms, set, w);
     write_row(p, terms, w.row.data(), out);
@@ -232,8 +221,8 @@ void HalfspaceCompliance::block(Points points, const ComplianceBlock& out) const
 }
 
 /// u += contribution of one element, from its integrals and nodal tractions.
-void HalfspaceCompliance::add_near(const double* integral, int terms, const std::int32_t* node,
-                                   int nodes, const double* traction, double* u) const {
+void HalfspaceCompliance::add_near(const double* integral, int terms, const std::int32_t* node, int nodes,
+                                   const double* traction, double* u) const {
   const double* shear = integral + max_shape_stride;
   const double* coupling = shear + ((terms & with_shear) != 0 ? 2 * max_shape_stride : 0);
   for (int i = 0; i < nodes; ++i) {
@@ -296,8 +285,8 @@ void HalfspaceCompliance::apply(Points points, const double* traction, double* d
 
 }  // namespace
 
-std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c,
-                                                      double tolerance, int threads) {
+std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
+                                                      int threads) {
   return std::make_unique<HalfspaceCompliance>(frame, c, tolerance, threads);
 }
 

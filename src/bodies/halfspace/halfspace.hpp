@@ -1,14 +1,14 @@
 #pragma once
-/// Half-space compliance on a contact frame: Boussinesq and Cerruti's surface solutions, tractions
-/// interpolated by the frame's own shape functions. One or both bodies are elastic; a pair of
-/// half-spaces is one compliance with summed constants.
+/// Half-space compliance on a contact frame: Boussinesq and Cerruti's surface solutions, tractions interpolated by the
+/// frame's own shape functions. One or both bodies are elastic; a pair of half-spaces is one compliance with summed
+/// constants.
 ///
 /// With d = x - y from source to observer, r = |d|, and tractions on body 1 in (t1, t2, n):
 ///   u_n = integral of  cn/r tn - ck (d . tt)/r^2
 ///   u_t = integral of  cn/r tt + cv d (d . tt)/r^3 + ck d/r^2 tn
-/// with cn_a = (1-nu)/(2 pi G), cv_a = nu/(2 pi G), ck_a = +-(1-2nu)/(4 pi G) of each body a (+ for
-/// body 1, - for body 2, whose outward normal is -n and whose traction is -t; a rigid body adds
-/// nothing). cn, cv, ck are the sums, so that A t is u1 - u2.
+/// with cn_a = (1-nu)/(2 pi G), cv_a = nu/(2 pi G), ck_a = +-(1-2nu)/(4 pi G) of each body a (+ for body 1, - for body
+/// 2, whose outward normal is -n and whose traction is -t; a rigid body adds nothing). cn, cv, ck are the sums, so that
+/// A t is u1 - u2.
 
 #include <memory>
 
@@ -26,9 +26,9 @@ struct HalfspaceConstants {
 /// Constants of one body. sign = +1 for body 1, -1 for body 2.
 HalfspaceConstants halfspace_constants(double young, double poisson, int sign);
 
-/// tolerance: relative accuracy of each integral against the largest entry of its row; threads:
-/// OpenMP threads used by block and apply. The frame must outlive the compliance.
-std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c,
-                                                      double tolerance, int threads);
+/// tolerance: relative accuracy of each integral against the largest entry of its row; threads: OpenMP threads used by
+/// block and apply. The frame must outlive the compliance.
+std::unique_ptr<Compliance> make_halfspace_compliance(const Frame& frame, HalfspaceConstants c, double tolerance,
+                                                      int threads);
 
 }  // namespace rollcon

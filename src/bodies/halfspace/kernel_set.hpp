@@ -1,5 +1,5 @@
-// The kernels, written once and compiled for each instruction set by the kernels_*.cpp files.
-// Internal linkage throughout; only the table of functions leaves the file.
+// The kernels, written once and compiled for each instruction set by the kernels_*.cpp files. Internal linkage
+// throughout; only the table of functions leaves the file.
 #pragma once
 
 #include "bodies/halfspace/kernels.hpp"
@@ -10,8 +10,8 @@ namespace {
 
 using namespace rollcon::halfspace;
 
-/// Kernel values of integrals 0 to 4 at a pack of sources, weighted; dx, dy from source to
-/// observer. They fill the first 1 + 2 (shear) + 2 (coupling) entries of f.
+/// Kernel values of integrals 0 to 4 at a pack of sources, weighted; dx, dy from source to observer. They fill the
+/// first 1 + 2 (shear) + 2 (coupling) entries of f.
 template <int terms>
 inline void kernel_values(Pack dx, Pack dy, Pack w, Pack* f) {
   const Pack inverse = splat(1) / root(fma(dx, dx, dy * dy));
@@ -32,11 +32,10 @@ constexpr int wanted(int terms) {
   return 1 + 2 * (terms & 1) + (terms & 2);
 }
 
-/// Integrals of the shape functions in `packs` packs: kernel values first, then their product with
-/// the table of shape functions, whose rows are the same for all elements.
+/// Integrals of the shape functions in `packs` packs: kernel values first, then their product with the table of shape
+/// functions, whose rows are the same for all elements.
 template <int terms, int packs>
-void far_rule(const FarSources& rule, std::int64_t element, double px, double py,
-              double* integral) {
+void far_rule(const FarSources& rule, std::int64_t element, double px, double py, double* integral) {
   constexpr int count = wanted(terms);
   alignas(64) double value[count][far_capacity];
   const Pack ox = splat(px), oy = splat(py);
@@ -69,8 +68,7 @@ void for_terms(int terms, Run run) {
   for_number<normal_only, with_shear, with_coupling, all_terms>(terms, run);
 }
 
-void far(const FarSources& rule, std::int64_t element, double px, double py, int terms,
-         double* integral) {
+void far(const FarSources& rule, std::int64_t element, double px, double py, int terms, double* integral) {
   for_nodes(rule.nodes, [&]<int nodes>() {
     constexpr int packs = (nodes + lanes - 1) / lanes;
     for_terms(terms, [&]<int t>() { far_rule<t, packs>(rule, element, px, py, integral); });
@@ -78,8 +76,8 @@ void far(const FarSources& rule, std::int64_t element, double px, double py, int
 }
 
 template <int terms>
-void push_forces(const FarForces& rule, std::int64_t element, double px, double py,
-                 const double* constants, double* u) {
+void push_forces(const FarForces& rule, std::int64_t element, double px, double py, const double* constants,
+                 double* u) {
   const Pack ox = splat(px), oy = splat(py);
   const Pack cn = splat(constants[0]), cv = splat(constants[1]), ck = splat(constants[2]);
   const std::int64_t first = element * rule.padded;
@@ -106,8 +104,8 @@ void push_forces(const FarForces& rule, std::int64_t element, double px, double 
   u[2] += sum(un);
 }
 
-void push(const FarForces& rule, std::int64_t element, double px, double py,
-          const double* constants, int terms, double* u) {
+void push(const FarForces& rule, std::int64_t element, double px, double py, const double* constants, int terms,
+          double* u) {
   for_terms(terms, [&]<int t>() { push_forces<t>(rule, element, px, py, constants, u); });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Inner loops of the half-space integrals, one set of functions per instruction set, chosen at run
-/// time. Everything here works on one observer at a time.
+/// Inner loops of the half-space integrals, one set of functions per instruction set, chosen at run time. Everything
+/// here works on one observer at a time.
 ///
 /// The five integrals of a shape function N, with d = observer - source and r = |d|:
 ///   0: N/r   1: N dx^2/r^3   2: N dx dy/r^3   3: N dx/r^2   4: N dy/r^2
@@ -52,11 +52,10 @@ struct NearElement {
 struct Kernels {
   const char* name;
   /// integral[k * max_shape_stride + i], overwritten; k runs over the wanted integrals only.
-  void (*far)(const FarSources& rule, std::int64_t element, double px, double py, int terms,
-              double* integral);
+  void (*far)(const FarSources& rule, std::int64_t element, double px, double py, int terms, double* integral);
   /// u += displacement at the observer by the forces of one element; constants cn, cv, ck.
-  void (*push)(const FarForces& rule, std::int64_t element, double px, double py,
-               const double* constants, int terms, double* u);
+  void (*push)(const FarForces& rule, std::int64_t element, double px, double py, const double* constants, int terms,
+               double* u);
   /// integral[k * max_shape_stride + i] is added to. points is padded in place.
   void (*near)(const NearElement& element, NearPoints& points, int terms, double* integral);
 };

@@ -1,7 +1,6 @@
 #pragma once
-/// Elementary functions F whose mixed derivative d^4 F / dx^2 dy^2 is one of the five kernels of
-/// kernels.hpp. Integrals of a kernel times bilinear functions on rectangles are sums of F and its
-/// first derivatives at corners.
+/// Elementary functions F whose mixed derivative d^4 F / dx^2 dy^2 is one of the five kernels of kernels.hpp. Integrals
+/// of a kernel times bilinear functions on rectangles are sums of F and its first derivatives at corners.
 
 #include <cmath>
 
@@ -41,14 +40,14 @@ inline Antiderivatives antiderivatives(Extended x, Extended y) {
   f.value[2][0][1] = -(x * r + y * a) / 2;
   f.value[2][1][1] = -r;
   // x/r^2
-  f.value[3][0][0] = l * x * (3 * y * y - x * x) / 6 + y * y * y * phi / 6 + x * x * y * theta / 2 -
-                     x * y * y / 6 + x * x * x / 18;
+  f.value[3][0][0] =
+      l * x * (3 * y * y - x * x) / 6 + y * y * y * phi / 6 + x * x * y * theta / 2 - x * y * y / 6 + x * x * x / 18;
   f.value[3][1][0] = (y * y - x * x) * l / 2 + x * y * theta;
   f.value[3][0][1] = x * y * l + (y * y * phi + x * x * theta) / 2;
   f.value[3][1][1] = y * l + x * theta + y / 2;
   // y/r^2
-  f.value[4][0][0] = l * y * (3 * x * x - y * y) / 6 + x * x * x * theta / 6 + y * y * x * phi / 2 -
-                     x * x * y / 6 + y * y * y / 18;
+  f.value[4][0][0] =
+      l * y * (3 * x * x - y * y) / 6 + x * x * x * theta / 6 + y * y * x * phi / 2 - x * x * y / 6 + y * y * y / 18;
   f.value[4][0][1] = (x * x - y * y) * l / 2 + x * y * phi;
   f.value[4][1][0] = x * y * l + (x * x * theta + y * y * phi) / 2;
   f.value[4][1][1] = x * l + y * phi + x / 2;

@@ -1,5 +1,5 @@
-// The loop, written once and compiled for each instruction set by the lattice_far_*.cpp files.
-// Internal linkage throughout; only one function's address leaves the file.
+// The loop, written once and compiled for each instruction set by the lattice_far_*.cpp files. Internal linkage
+// throughout; only one function's address leaves the file.
 #pragma once
 
 #include "bodies/halfspace/lattice_far.hpp"
@@ -63,8 +63,7 @@ void far_row(const LatticeFar& job) {
   int k = 0;
   target[k++] = 0;
   if constexpr ((terms & with_shear) != 0) target[k++] = 1, target[k++] = 2;
-  if constexpr ((terms & with_coupling) != 0)
-    target[k++] = first_coupling, target[k++] = first_coupling + 1;
+  if constexpr ((terms & with_coupling) != 0) target[k++] = first_coupling, target[k++] = first_coupling + 1;
   Pack total[count];
   std::int64_t i = 0;
   for (; i + lanes <= job.count; i += lanes) {
@@ -83,8 +82,7 @@ void far_row(const LatticeFar& job) {
 }
 
 inline void far_any(const LatticeFar& job, int terms) {
-  for_number<normal_only, with_shear, with_coupling, all_terms>(terms,
-                                                                [&]<int t>() { far_row<t>(job); });
+  for_number<normal_only, with_shear, with_coupling, all_terms>(terms, [&]<int t>() { far_row<t>(job); });
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ constexpr double rule_accuracy = 3e-16;
 
 }  // namespace
 
-LatticeIntegrals::LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
-                                   OffsetReach reach)
+LatticeIntegrals::LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetReach reach)
     : hat_(hat), shift_x_(shift_x), shift_y_(shift_y), terms_(terms), reach_(reach) {
   const auto scaled = [](Hat part, double h) {
     std::vector<Rule> rules(1);
@@ -68,13 +67,11 @@ void LatticeIntegrals::far(double y, const double* x, std::int64_t count, std::i
     const double nearest = a > 0 ? a : b < 0 ? -b : 0;
     const double r = std::hypot(nearest, beside_y);
     const double share = hat_.dx * hat_.dy / (r * largest_ * rule_accuracy);
-    const double gap_x = std::max(0.0, nearest - hat_.dx),
-                 gap_y = std::max(0.0, beside_y - hat_.dy);
+    const double gap_x = std::max(0.0, nearest - hat_.dx), gap_y = std::max(0.0, beside_y - hat_.dy);
     LatticeFar job;
     job.nx = hat_points(ellipse_size(nearest / hat_.dx, gap_y / hat_.dx), share);
     job.ny = hat_points(ellipse_size(beside_y / hat_.dy, gap_x / hat_.dy), share);
-    const Rule &rx = rule_x_[static_cast<std::size_t>(job.nx)],
-               &ry = rule_y_[static_cast<std::size_t>(job.ny)];
+    const Rule &rx = rule_x_[static_cast<std::size_t>(job.nx)], &ry = rule_y_[static_cast<std::size_t>(job.ny)];
     job.px = rx.x.data(), job.wx = rx.w.data();
     job.py = ry.x.data(), job.wy = ry.w.data();
     job.x = x + first;
@@ -90,8 +87,7 @@ void LatticeIntegrals::row(std::int64_t j, std::int64_t first, std::int64_t coun
                            double* const (&integral)[integral_count]) const {
   if (std::max(std::abs(first), std::abs(first + count - 1)) > reach_.x || std::abs(j) > reach_.y)
     fail(Status::err_internal, "offsets %lld to %lld, %lld lie beyond those of the lattice",
-         static_cast<long long>(first), static_cast<long long>(first + count - 1),
-         static_cast<long long>(j));
+         static_cast<long long>(first), static_cast<long long>(first + count - 1), static_cast<long long>(j));
   std::vector<double> x(static_cast<std::size_t>(count));
   for (std::int64_t m = 0; m < count; ++m)
     x[static_cast<std::size_t>(m)] = shift_x_ + static_cast<double>(first + m) * hat_.dx;

@@ -1,6 +1,6 @@
 #pragma once
-/// Half-space integrals of bilinear hats on a lattice of rectangular cells: exact to rounding, the
-/// same for every source, a function of the offset alone. Coordinates are along the lattice's axes.
+/// Half-space integrals of bilinear hats on a lattice of rectangular cells: exact to rounding, the same for every
+/// source, a function of the offset alone. Coordinates are along the lattice's axes.
 
 #include <cstdint>
 #include <vector>
@@ -16,19 +16,16 @@ struct OffsetReach {
 };
 
 /// The five integrals of kernels.hpp of a source at the origin for observers at
-/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for
-/// slender cells.
+/// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
 class LatticeIntegrals {
  public:
-  /// terms: which integrals are wanted. Takes time and memory in proportion to `reach` at most,
-  /// however slender the cells.
-  LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
-                   OffsetReach reach);
+  /// terms: which integrals are wanted. Takes time and memory in proportion to `reach` at most, however slender the
+  /// cells.
+  LatticeIntegrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetReach reach);
 
-  /// integral[k][m], m < count: observer (first + m, j). Unwanted integrals are left alone. May be
-  /// called by several threads at once.
-  void row(std::int64_t j, std::int64_t first, std::int64_t count,
-           double* const (&integral)[integral_count]) const;
+  /// integral[k][m], m < count: observer (first + m, j). Unwanted integrals are left alone. May be called by several
+  /// threads at once.
+  void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&integral)[integral_count]) const;
 
  private:
   struct Rule {

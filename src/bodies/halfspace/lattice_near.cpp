@@ -16,8 +16,8 @@ namespace {
 constexpr double closed_reach = 6;
 constexpr double rule_digits = 1e17;
 
-/// The hat's integral of F'' as a sum over nodes and derivatives of F, for half-width 1:
-/// coefficient[p][m] of the p-th derivative at x + (m - 1).
+/// The hat's integral of F'' as a sum over nodes and derivatives of F, for half-width 1: coefficient[p][m] of the p-th
+/// derivative at x + (m - 1).
 struct Stencil {
   double coefficient[2][3];
 };
@@ -42,8 +42,7 @@ struct Inner {
 
 /// H as it is, away from u = 0.
 Inner whole_inner(double x, double u) {
-  const double r = std::hypot(x, u), s = std::asinh(x / std::abs(u)), l = std::log(r),
-               phi = std::atan(x / u);
+  const double r = std::hypot(x, u), s = std::asinh(x / std::abs(u)), l = std::log(r), phi = std::atan(x / u);
   return {{{x * s - r, s},
            {x * s - 2 * r, s - x / r},
            {-u * s, -u / r},
@@ -88,8 +87,8 @@ struct Across {
   Extended value[integral_count][2] = {};
 };
 
-/// Integrals across, for all kinks of one line of observers. Lengths are in units of the shorter
-/// side, along which the observer lies at y.
+/// Integrals across, for all kinks of one line of observers. Lengths are in units of the shorter side, along which the
+/// observer lies at y.
 class Line {
  public:
   Line(Hat hat, Extended y) : hat_(hat), y_(y), stencil_(stencil(hat)) {
@@ -108,8 +107,7 @@ class Line {
     Across sum = by_rule(x, ellipse_size(along, beside), smooth_inner);
     const Inner factor = singular_factor(static_cast<double>(x));
     for (std::size_t k = 0; k < integral_count; ++k)
-      for (std::size_t p = 0; p < 2; ++p)
-        sum.value[k][p] += factor.value[k][p] * singular_[singular_of[k]];
+      for (std::size_t p = 0; p < 2; ++p) sum.value[k][p] += factor.value[k][p] * singular_[singular_of[k]];
     return sum;
   }
 
@@ -121,8 +119,7 @@ class Line {
       const Antiderivatives f = antiderivatives(x, y_ + (static_cast<Extended>(n) - 1));
       for (std::size_t k = 0; k < integral_count; ++k)
         for (std::size_t p = 0; p < 2; ++p)
-          for (std::size_t q = 0; q < 2; ++q)
-            sum.value[k][p] += stencil_.coefficient[q][n] * f.value[k][p][q];
+          for (std::size_t q = 0; q < 2; ++q) sum.value[k][p] += stencil_.coefficient[q][n] * f.value[k][p][q];
     }
     return sum;
   }
@@ -146,27 +143,24 @@ class Line {
 };
 
 /// Cells longer along x, or square.
-void along_the_longer_side(const LatticeHat& hat, double shift_x, double shift_y, OffsetRange x,
-                           OffsetRange y, std::vector<double> (&value)[integral_count]) {
+void along_the_longer_side(const LatticeHat& hat, double shift_x, double shift_y, OffsetRange x, OffsetRange y,
+                           std::vector<double> (&value)[integral_count]) {
   const Extended unit = hat.dy, h = hat.dx / unit;
   const Stencil in_x = stencil(hat.x);
-  const auto columns = static_cast<std::size_t>(x.size()),
-             lines = static_cast<std::size_t>(y.size());
+  const auto columns = static_cast<std::size_t>(x.size()), lines = static_cast<std::size_t>(y.size());
   for (auto& v : value) v.assign(columns * lines, 0.0);
   std::vector<Across> kink(columns + 2);
   for (std::size_t j = 0; j < lines; ++j) {
     check_interrupt();
-    const Line line(hat.y,
-                    static_cast<Extended>(y.first) + static_cast<Extended>(j) + shift_y / unit);
+    const Line line(hat.y, static_cast<Extended>(y.first) + static_cast<Extended>(j) + shift_y / unit);
     for (std::size_t i = 0; i < kink.size(); ++i)
-      kink[i] = line.at((static_cast<Extended>(x.first) - 1 + static_cast<Extended>(i)) * h +
-                        shift_x / unit);
+      kink[i] = line.at((static_cast<Extended>(x.first) - 1 + static_cast<Extended>(i)) * h + shift_x / unit);
     for (std::size_t k = 0; k < integral_count; ++k)
       for (std::size_t i = 0; i < columns; ++i) {
         Extended sum = 0;
         for (std::size_t m = 0; m < 3; ++m)  // a derivative stands for a difference quotient
-          sum += in_x.coefficient[0][m] / h * kink[i + m].value[k][0] +
-                 in_x.coefficient[1][m] * kink[i + m].value[k][1];
+          sum +=
+              in_x.coefficient[0][m] / h * kink[i + m].value[k][0] + in_x.coefficient[1][m] * kink[i + m].value[k][1];
         value[k][j * columns + i] = static_cast<double>(sum * unit);
       }
   }
@@ -195,17 +189,15 @@ const LineRule& stored_hat_rule(Hat hat, int n) {
   return table[static_cast<std::size_t>(hat)][static_cast<std::size_t>(n) - 1];
 }
 
-void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
-                            OffsetRange x, OffsetRange y,
-                            std::vector<double> (&value)[integral_count]) {
+void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetRange x,
+                            OffsetRange y, std::vector<double> (&value)[integral_count]) {
   if (hat.dx >= hat.dy) {
     along_the_longer_side(hat, shift_x, shift_y, x, y, value);
   } else {
     std::vector<double> turned[integral_count];
     along_the_longer_side({hat.dy, hat.dx, hat.y, hat.x}, shift_y, shift_x, y, x, turned);
     for (auto& v : value) v.resize(turned[0].size());
-    const auto columns = static_cast<std::size_t>(x.size()),
-               lines = static_cast<std::size_t>(y.size());
+    const auto columns = static_cast<std::size_t>(x.size()), lines = static_cast<std::size_t>(y.size());
     for (std::size_t j = 0; j < lines; ++j)
       for (std::size_t i = 0; i < columns; ++i) {
         const std::size_t to = j * columns + i, from = i * lines + j;

@@ -1,12 +1,11 @@
 #pragma once
-/// Half-space integrals of a lattice's hats near their source, where no rule of a few points does:
-/// exact to rounding for cells of any shape.
+/// Half-space integrals of a lattice's hats near their source, where no rule of a few points does: exact to rounding
+/// for cells of any shape.
 ///
-/// Along the longer side of a cell the integral is a sum of second antiderivatives H of the kernel
-/// at the hat's kinks. Across, each of these is integrated as its distance asks for: by a closed
-/// form (antiderivatives in both directions lose digits with the square of the cell's sides' ratio,
-/// so it serves kinks near the observer only), by a rule, or by a rule after what is singular in it
-/// was taken out.
+/// Along the longer side of a cell the integral is a sum of second antiderivatives H of the kernel at the hat's kinks.
+/// Across, each of these is integrated as its distance asks for: by a closed form (antiderivatives in both directions
+/// lose digits with the square of the cell's sides' ratio, so it serves kinks near the observer only), by a rule, or by
+/// a rule after what is singular in it was taken out.
 
 #include <cstdint>
 #include <vector>
@@ -16,8 +15,7 @@
 
 namespace rollcon::halfspace {
 
-/// The shape function of one node: product of two hats of half-widths dx, dy. Nodes on the rim of a
-/// frame have halves.
+/// The shape function of one node: product of two hats of half-widths dx, dy. Nodes on the rim of a frame have halves.
 struct LatticeHat {
   double dx = 0, dy = 0;
   Hat x = Hat::whole, y = Hat::whole;
@@ -42,11 +40,9 @@ int hat_points(double size, double digits);
 /// The rule for half-width 1; 1 <= n <= max_hat_points.
 const LineRule& stored_hat_rule(Hat hat, int n);
 
-/// value[k][(j - y.first) * x.size() + i - x.first]: integral k of kernels.hpp of a source at the
-/// origin for the observer at (shift_x + i dx, shift_y + j dy). Integrals that `terms` does not
-/// want stay empty.
-void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms,
-                            OffsetRange x, OffsetRange y,
-                            std::vector<double> (&value)[integral_count]);
+/// value[k][(j - y.first) * x.size() + i - x.first]: integral k of kernels.hpp of a source at the origin for the
+/// observer at (shift_x + i dx, shift_y + j dy). Integrals that `terms` does not want stay empty.
+void near_lattice_integrals(const LatticeHat& hat, double shift_x, double shift_y, int terms, OffsetRange x,
+                            OffsetRange y, std::vector<double> (&value)[integral_count]);
 
 }  // namespace rollcon::halfspace

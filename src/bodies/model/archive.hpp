@@ -1,6 +1,6 @@
 #pragma once
-/// One description of what a thing consists of (a function `content(archive, thing)`) serves to
-/// digest it, to write it and to read it. Numbers are written as they are in memory.
+/// One description of what a thing consists of (a function `content(archive, thing)`) serves to digest it, to write it
+/// and to read it. Numbers are written as they are in memory.
 
 #include <array>
 #include <cstdint>
@@ -42,8 +42,7 @@ class OutArchive {
   void operator()(const RowMatrix<double>& matrix) {
     (*this)(matrix.rows());
     (*this)(matrix.columns());
-    sink_.write(matrix.data(),
-                static_cast<std::size_t>(matrix.rows() * matrix.columns()) * sizeof(double));
+    sink_.write(matrix.data(), static_cast<std::size_t>(matrix.rows() * matrix.columns()) * sizeof(double));
   }
   /// each(archive, entry) for the entries of a vector.
   template <class T, class Each>

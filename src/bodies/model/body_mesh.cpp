@@ -15,8 +15,7 @@ std::vector<std::int32_t> sorted(std::vector<std::int32_t> nodes) {
   return nodes;
 }
 
-void tag_by_side(const FaceNaming& naming, const std::vector<BoundaryFace>& origin,
-                 SurfaceMesh& surface) {
+void tag_by_side(const FaceNaming& naming, const std::vector<BoundaryFace>& origin, SurfaceMesh& surface) {
   const auto before = [](const BoundaryFace& a, const BoundaryFace& b) {
     return a.element != b.element ? a.element < b.element : a.side < b.side;
   };
@@ -26,31 +25,25 @@ void tag_by_side(const FaceNaming& naming, const std::vector<BoundaryFace>& orig
       fail(Status::err_mesh,
            "face %d of element %lld (both counting from %d), which was given tag %d, is not on the "
            "body's boundary",
-           face.side + surface.index_base,
-           static_cast<long long>(face.element) + surface.index_base, surface.index_base,
-           naming.tag);
+           face.side + surface.index_base, static_cast<long long>(face.element) + surface.index_base,
+           surface.index_base, naming.tag);
     surface.tag[static_cast<std::size_t>(found - origin.begin())] = naming.tag;
   }
 }
 
-void tag_by_elements(const FaceNaming& naming, const FaceOfNodes& face_of_nodes,
-                     SurfaceMesh& surface) {
+void tag_by_elements(const FaceNaming& naming, const FaceOfNodes& face_of_nodes, SurfaceMesh& surface) {
   const auto width = static_cast<std::size_t>(node_count(naming.type));
   for (std::size_t first = 0; first < naming.connectivity.size(); first += width) {
     const auto from = naming.connectivity.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto found =
-        face_of_nodes.find(sorted({from, from + static_cast<std::ptrdiff_t>(width)}));
+    const auto found = face_of_nodes.find(sorted({from, from + static_cast<std::ptrdiff_t>(width)}));
     if (found == face_of_nodes.end()) {
       std::string nodes;
       for (std::size_t k = 0; k < width; ++k)
-        nodes += (k ? ", " : "") +
-                 std::to_string(from[static_cast<std::ptrdiff_t>(k)] + surface.index_base);
-      fail(
-          Status::err_mesh,
-          "surface element %zu with tag %d (counting from %d), of nodes %s, is not a boundary face "
-          "of the body's volume elements",
-          first / width + static_cast<std::size_t>(surface.index_base), naming.tag,
-          surface.index_base, nodes.c_str());
+        nodes += (k ? ", " : "") + std::to_string(from[static_cast<std::ptrdiff_t>(k)] + surface.index_base);
+      fail(Status::err_mesh,
+           "surface element %zu with tag %d (counting from %d), of nodes %s, is not a boundary face "
+           "of the body's volume elements",
+           first / width + static_cast<std::size_t>(surface.index_base), naming.tag, surface.index_base, nodes.c_str());
     }
     surface.tag[found->second] = naming.tag;
   }
@@ -75,9 +68,8 @@ void update_boundary(BodyMesh& mesh) {
   SurfaceMesh surface = boundary_surface(mesh.volume, origin);
   surface.index_base = mesh.surface.index_base;
   FaceOfNodes face_of_nodes;
-  const bool by_elements =
-      std::any_of(mesh.naming.begin(), mesh.naming.end(),
-                  [](const FaceNaming& naming) { return !naming.connectivity.empty(); });
+  const bool by_elements = std::any_of(mesh.naming.begin(), mesh.naming.end(),
+                                       [](const FaceNaming& naming) { return !naming.connectivity.empty(); });
   for (std::int64_t e = 0; by_elements && e < surface.elements(); ++e) {
     const auto nodes = surface.element(e);
     face_of_nodes.emplace(sorted({nodes.begin(), nodes.end()}), static_cast<std::size_t>(e));
@@ -101,17 +93,15 @@ void update_boundary(BodyMesh& mesh) {
 std::string face_name(const BodyMesh& mesh, std::int64_t element) {
   const std::int32_t base = mesh.surface.index_base;
   if (mesh.origin.empty())
-    return "element " + std::to_string(element + base) + " (counting from " + std::to_string(base) +
-           ")";
+    return "element " + std::to_string(element + base) + " (counting from " + std::to_string(base) + ")";
   const BoundaryFace& face = mesh.origin[static_cast<std::size_t>(element)];
-  return "face " + std::to_string(face.side + base) + " of element " +
-         std::to_string(face.element + base) + " (both counting from " + std::to_string(base) + ")";
+  return "face " + std::to_string(face.side + base) + " of element " + std::to_string(face.element + base) +
+         " (both counting from " + std::to_string(base) + ")";
 }
 
 namespace {
 
-std::vector<std::uint8_t> touched_nodes(const SurfaceMesh& surface,
-                                        const std::vector<std::int64_t>& element) {
+std::vector<std::uint8_t> touched_nodes(const SurfaceMesh& surface, const std::vector<std::int64_t>& element) {
   std::vector<std::uint8_t> touched(static_cast<std::size_t>(surface.nodes()), 0);
   for (const std::int64_t e : element)
     for (const std::int32_t k : surface.element(e)) touched[static_cast<std::size_t>(k)] = 1;
@@ -127,13 +117,11 @@ std::vector<std::int32_t> marked(const std::vector<std::uint8_t>& wanted) {
 
 }  // namespace
 
-std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface,
-                                   const std::vector<std::int64_t>& element) {
+std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector<std::int64_t>& element) {
   return marked(touched_nodes(surface, element));
 }
 
-std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
-                                       const std::vector<std::int64_t>& element) {
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element) {
   const std::vector<std::uint8_t> touched = touched_nodes(surface, element);
   std::vector<std::uint8_t> wanted(touched.size(), 0);
   for (std::int64_t e = 0; e < surface.elements(); ++e) {
@@ -162,8 +150,7 @@ std::vector<std::int64_t> contact_elements(const BodyMesh& mesh) {
   std::vector<std::int64_t> element;
   for (std::size_t e = 0; e < held.size(); ++e) {
     const std::int32_t tag = mesh.surface.tag[e];
-    const bool chosen = wanted.empty() ? held[e] != all_components && loaded.count(tag) == 0
-                                       : wanted.count(tag) != 0;
+    const bool chosen = wanted.empty() ? held[e] != all_components && loaded.count(tag) == 0 : wanted.count(tag) != 0;
     if (chosen) element.push_back(static_cast<std::int64_t>(e));
   }
   return element;

@@ -18,8 +18,8 @@ struct FaceLoad {
   double pressure = 0;     ///< against the outward normal, added to the traction
 };
 
-/// One call that gave boundary faces of a volume a tag: by element and side, by the set of nodes
-/// that they lie on, or as surface elements. Later calls win.
+/// One call that gave boundary faces of a volume a tag: by element and side, by the set of nodes that they lie on, or
+/// as surface elements. Later calls win.
 struct FaceNaming {
   std::int32_t tag = 0;
   std::vector<BoundaryFace> face{};
@@ -33,40 +33,38 @@ struct Elastic {
 };
 
 struct BodyMesh {
-  /// Outward normals by the right-hand rule. Of a volume: its boundary, made by update_boundary;
-  /// the nodes are all nodes of the body.
+  /// Outward normals by the right-hand rule. Of a volume: its boundary, made by update_boundary; the nodes are all
+  /// nodes of the body.
   SurfaceMesh surface;
   VolumeElements volume;             ///< empty: the body is given by its surface
   std::vector<FaceNaming> naming;    ///< of a volume's faces
   std::vector<BoundaryFace> origin;  ///< of each surface element, in the volume
   bool boundary_current = false;
 
-  std::vector<std::uint8_t>
-      held;                      ///< per node: bit c is set when displacement component c is given
-  std::vector<Vec3> held_value;  ///< per node, in the body's axes
-  std::vector<FaceLoad> load;    ///< one per tag at most
+  std::vector<std::uint8_t> held;  ///< per node: bit c is set when displacement component c is given
+  std::vector<Vec3> held_value;    ///< per node, in the body's axes
+  std::vector<FaceLoad> load;      ///< one per tag at most
   /// Tags of faces that may come into contact; empty: all faces that are neither held nor loaded.
   std::vector<std::int32_t> contact_tag;
 };
 
 struct BodyOptions {
-  double accuracy = 1e-6;  ///< "accuracy": of the boundary integrals
-  double edge_angle = 40;  ///< "edge_angle", degrees: beyond it an edge separates faces
-  std::int64_t keep_factors =
-      1;  ///< "keep_factors": 0 frees the factors once a frame has its compliance
+  double accuracy = 1e-6;          ///< "accuracy": of the boundary integrals
+  double edge_angle = 40;          ///< "edge_angle", degrees: beyond it an edge separates faces
+  std::int64_t keep_factors = 1;   ///< "keep_factors": 0 frees the factors once a frame has its compliance
   std::int64_t between_nodes = 0;  ///< "between_nodes": 0 with half-space, 1 shape functions
   std::int64_t factorization = 0;  ///< "factorization": 0 automatic, 1 CHOLMOD, 2 UMFPACK
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
-  std::int64_t prepare = 1;  ///< "prepare": 0 checks only, 1 factorises what is known to be needed
+  std::int64_t prepare = 1;        ///< "prepare": 0 checks only, 1 factorises what is known to be needed
   std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": of responses kept
 };
 
 /// Gives the tag to the surface elements all of whose nodes are named.
 void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface);
 
-/// Makes the surface of a body with volume elements, and its tags; nothing else to do when it is
-/// current or there are none. Throws err_mesh naming the element and face, or the surface element,
-/// that is no boundary face; the mesh is then unchanged.
+/// Makes the surface of a body with volume elements, and its tags; nothing else to do when it is current or there are
+/// none. Throws err_mesh naming the element and face, or the surface element, that is no boundary face; the mesh is
+/// then unchanged.
 void update_boundary(BodyMesh& mesh);
 
 /// "element 12 (counting from 1)", or "face 2 of element 12 (both counting from 1)".
@@ -79,11 +77,9 @@ std::vector<std::uint8_t> held_elements(const BodyMesh& mesh);
 std::vector<std::int64_t> contact_elements(const BodyMesh& mesh);
 
 /// The given faces' nodes, ascending.
-std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface,
-                                   const std::vector<std::int64_t>& element);
+std::vector<std::int32_t> nodes_of(const SurfaceMesh& surface, const std::vector<std::int64_t>& element);
 
 /// The given faces' nodes and those of all surface elements that touch them, ascending.
-std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface,
-                                       const std::vector<std::int64_t>& element);
+std::vector<std::int32_t> nodes_around(const SurfaceMesh& surface, const std::vector<std::int64_t>& element);
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// The one seam between bodies and contact: from nodal tractions on the contact frame to surface
-/// displacements of a body (or of a pair of bodies).
+/// The one seam between bodies and contact: from nodal tractions on the contact frame to surface displacements of a
+/// body (or of a pair of bodies).
 
 #include <cstddef>
 #include <cstdint>
@@ -14,17 +14,16 @@ namespace rollcon {
 
 struct HalfspaceConstants;
 
-/// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2):
-/// on a curved frame, the points of the surface above them. x.size() == y.size().
+/// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2): on a curved frame,
+/// the points of the surface above them. x.size() == y.size().
 struct Points {
   std::span<const double> x, y;
   std::size_t size() const { return x.size(); }
 };
 
-/// Destination of dense rows. a[i][j] (null: not wanted) holds the displacement component i at
-/// point p per unit traction component j of node k, at a[i][j][p * stride + k]. Components are
-/// 0 = t1, 1 = t2, 2 = n: of the frame's axes, or on a curved frame of the local ones at point and
-/// node.
+/// Destination of dense rows. a[i][j] (null: not wanted) holds the displacement component i at point p per unit
+/// traction component j of node k, at a[i][j][p * stride + k]. Components are
+/// 0 = t1, 1 = t2, 2 = n: of the frame's axes, or on a curved frame of the local ones at point and node.
 struct ComplianceBlock {
   double* a[3][3] = {};
   std::ptrdiff_t stride = 0;
@@ -58,25 +57,24 @@ class Compliance {
 
   /// Nodes that carry tractions (all nodes of the frame).
   virtual std::int64_t nodes() const = 0;
-  /// False when normal tractions cause no tangential displacement and the reverse: blocks [n][t]
-  /// and [t][n] are zero and need not be asked for.
+  /// False when normal tractions cause no tangential displacement and the reverse: blocks [n][t] and [t][n] are zero
+  /// and need not be asked for.
   virtual bool couples() const = 0;
   /// Dense rows of A at any points of the surface. Writes every wanted entry.
   virtual void block(Points points, const ComplianceBlock& out) const = 0;
   /// u = A t at any points, without forming A: traction[3*k+j], displacement[3*p+i].
   virtual void apply(Points points, const double* traction, double* displacement) const = 0;
-  /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements
-  /// of the bodies elsewhere. False: zero everywhere, u not written.
+  /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements of the bodies
+  /// elsewhere. False: zero everywhere, u not written.
   virtual bool offset(Points /*points*/, double* /*u*/) const { return false; }
-  /// False when the frame has more nodes than the displacements of this body can tell apart: alone
-  /// it makes singular equations.
+  /// False when the frame has more nodes than the displacements of this body can tell apart: alone it makes singular
+  /// equations.
   virtual bool resolves_frame() const { return true; }
-  /// The same displacements with the unknowns of the bodies written out (adds to `out`, whose
-  /// matrices belong to the same points). Condenses and factorises nothing. False: has no such
-  /// form.
+  /// The same displacements with the unknowns of the bodies written out (adds to `out`, whose matrices belong to the
+  /// same points). Condenses and factorises nothing. False: has no such form.
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
-  /// True, and the constants, when this is the compliance of half-spaces under the frame's own
-  /// shape functions and nothing else (bodies/halfspace/halfspace.hpp).
+  /// True, and the constants, when this is the compliance of half-spaces under the frame's own shape functions and
+  /// nothing else (bodies/halfspace/halfspace.hpp).
   virtual bool halfspace(HalfspaceConstants& /*sum*/) const { return false; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }

@@ -17,14 +17,12 @@ void require_direct(std::int64_t points, std::int64_t nodes, ExpandedCompliance&
   const auto copied = static_cast<double>(3 * nodes + 2 * (points - nodes));
   const double bytes = 8 * columns * (rows + copied);
   require_memory({bytes, bytes}, "set option 'system' to 'condensed', or take a coarser frame",
-                 "the monolithic system of a frame of %lld nodes on half-spaces needs",
-                 static_cast<long long>(nodes));
+                 "the monolithic system of a frame of %lld nodes on half-spaces needs", static_cast<long long>(nodes));
   out.direct.resize(3 * points, 3 * nodes);
   std::fill_n(out.direct.data(), static_cast<std::size_t>(9 * points * nodes), 0.0);
 }
 
-void add_block(const Compliance& local, Points points, std::span<const std::size_t> target,
-               RowMatrix<double>& direct) {
+void add_block(const Compliance& local, Points points, std::span<const std::size_t> target, RowMatrix<double>& direct) {
   const std::int64_t n = local.nodes();
   constexpr std::size_t slab = 256;  // points at a time
   double some = 0;

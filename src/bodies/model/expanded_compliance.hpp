@@ -1,12 +1,12 @@
 #pragma once
-/// A compliance with the bodies' own unknowns written out instead of eliminated: the parts of the
-/// monolithic systems (48), (58), (62).
+/// A compliance with the bodies' own unknowns written out instead of eliminated: the parts of the monolithic systems
+/// (48), (58), (62).
 ///
 ///   u(points) = sum over bodies of P d  +  N t,     K d = B t
 ///
-/// t are the nodal tractions of the frame (on body 1, local components, t[3 * node + c]), u the
-/// displacements u1 - u2 that Compliance::block() gives: P K^-1 B + N is that block. For body 2 d
-/// is minus its displacement, so that both bodies take the same tractions.
+/// t are the nodal tractions of the frame (on body 1, local components, t[3 * node + c]), u the displacements u1 - u2
+/// that Compliance::block() gives: P K^-1 B + N is that block. For body 2 d is minus its displacement, so that both
+/// bodies take the same tractions.
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +19,8 @@
 
 namespace rollcon {
 
-/// K of a body: sparse (finite elements) or dense (boundary elements). Without loads and given
-/// displacements of its own, which Compliance::offset() adds.
+/// K of a body: sparse (finite elements) or dense (boundary elements). Without loads and given displacements of its
+/// own, which Compliance::offset() adds.
 struct BodyEquations {
   std::int64_t unknowns = 0;
   bool symmetric = false;     ///< positive definite
@@ -44,10 +44,8 @@ struct Points;
 
 /// Makes N, zero, where there is none yet.
 void require_direct(std::int64_t points, std::int64_t nodes, ExpandedCompliance& out);
-/// Adds the block of a compliance at points to the rows of others: of point p to those of
-/// target[p].
-void add_block(const Compliance& local, Points points, std::span<const std::size_t> target,
-               RowMatrix<double>& direct);
+/// Adds the block of a compliance at points to the rows of others: of point p to those of target[p].
+void add_block(const Compliance& local, Points points, std::span<const std::size_t> target, RowMatrix<double>& direct);
 /// Adds the block of a compliance without unknowns of its own to N.
 void add_direct(const Compliance& local, Points points, ExpandedCompliance& out);
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Which loads the reactions of a body's supports miss. Only boundary elements can miss any:
-/// nothing in their equations keeps the balance.
+/// Which loads the reactions of a body's supports miss. Only boundary elements can miss any: nothing in their equations
+/// keeps the balance.
 
 #include <cstdio>
 #include <string>
@@ -9,8 +9,7 @@
 namespace rollcon {
 
 struct Imbalances {
-  /// Parts of uniform tractions on frames, the largest of all frames: along the body's axes, and of
-  /// a pressure.
+  /// Parts of uniform tractions on frames, the largest of all frames: along the body's axes, and of a pressure.
   double along[3] = {0, 0, 0}, pressure = 0;
   double loads = 0;  ///< part of the body's own loads
 
@@ -26,8 +25,7 @@ struct Imbalances {
     for (const auto& [part, load] : all) {
       if (!(part > least)) continue;
       char entry[80];
-      std::snprintf(entry, sizeof entry, "%s%.2g %% of %s", text.empty() ? "" : ", ", 100 * part,
-                    load);
+      std::snprintf(entry, sizeof entry, "%s%.2g %% of %s", text.empty() ? "" : ", ", 100 * part, load);
       text += entry;
     }
     return text;

@@ -1,6 +1,6 @@
 #pragma once
-/// Models of elastic bodies with a mesh. Each is a component of the build: where one is left out,
-/// fem_absent.cpp, bem_absent.cpp and meshed_absent.cpp stand for it.
+/// Models of elastic bodies with a mesh. Each is a component of the build: where one is left out, fem_absent.cpp,
+/// bem_absent.cpp and meshed_absent.cpp stand for it.
 
 #include <map>
 #include <memory>
@@ -23,17 +23,15 @@ double largest_poisson(VolumeType type);
 /// See fem::System.
 std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
                                                const std::map<std::int32_t, Elastic>& material,
-                                               const BodyOptions& options, int threads,
-                                               SectionReader* saved);
+                                               const BodyOptions& options, int threads, SectionReader* saved);
 }  // namespace fem
 
 namespace bem {
 /// Throws err_unsupported, naming component and option, in a build without boundary elements.
 void require_support();
 /// See bem::System.
-std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans,
-                                               double young, double poisson,
-                                               const BodyOptions& options, int threads,
+std::unique_ptr<SurfaceResponse> make_response(const BodyMesh& mesh, const TractionNodes& fans, double young,
+                                               double poisson, const BodyOptions& options, int threads,
                                                SectionReader* saved);
 }  // namespace bem
 

@@ -9,8 +9,8 @@
 namespace rollcon {
 
 bool LoadedSurface::operator==(const LoadedSurface& other) const {
-  return face == other.face && row == other.row && layer.node == other.layer.node &&
-         layer.type == other.layer.type && layer.connectivity == other.layer.connectivity;
+  return face == other.face && row == other.row && layer.node == other.layer.node && layer.type == other.layer.type &&
+         layer.connectivity == other.layer.connectivity;
 }
 
 void ResponseCache::set_outline(const LoadedSurface& surface, SurfaceOutline& outline) const {
@@ -26,13 +26,12 @@ void ResponseCache::set_outline(const LoadedSurface& surface, SurfaceOutline& ou
 
 std::size_t ResponseCache::Kept::bytes() const {
   return rows->u.bytes() + rows->seen.bytes() + surface.face.capacity() * sizeof(std::int64_t) +
-         surface.layer.node.capacity() * sizeof(Vec3) +
-         surface.layer.connectivity.capacity() * sizeof(std::int32_t);
+         surface.layer.node.capacity() * sizeof(Vec3) + surface.layer.connectivity.capacity() * sizeof(std::int32_t);
 }
 
 std::shared_ptr<const SurfaceRows> ResponseCache::find(const LoadedSurface& surface) {
-  const auto found = std::find_if(kept_.begin(), kept_.end(),
-                                  [&](const Kept& entry) { return entry.surface == surface; });
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const Kept& entry) { return entry.surface == surface; });
   if (found == kept_.end()) return nullptr;
   kept_.splice(kept_.begin(), kept_, found);
   return kept_.front().rows;
@@ -56,8 +55,7 @@ std::shared_ptr<const SurfaceRows> ResponseCache::rows(const LoadedSurface& surf
   return rows;
 }
 
-std::shared_ptr<const SurfaceLoads> ResponseCache::loads(const LoadedSurface& surface,
-                                                         int threads) {
+std::shared_ptr<const SurfaceLoads> ResponseCache::loads(const LoadedSurface& surface, int threads) {
   const std::lock_guard lock(mutex_);
   std::erase_if(lent_, [](const Lent& entry) { return entry.loads.expired(); });
   for (const Lent& entry : lent_)

@@ -1,6 +1,6 @@
 #pragma once
-/// Keeps what a body's surface answered: for each set of faces and each layer, the latest used ones
-/// up to a number of bytes.
+/// Keeps what a body's surface answered: for each set of faces and each layer, the latest used ones up to a number of
+/// bytes.
 
 #include <cstddef>
 #include <list>
@@ -17,8 +17,8 @@ class ResponseCache : public SurfaceResponse {
   void add_kept(SectionReader& file) final;
 
  protected:
-  /// The surface must outlive it. most_bytes: beyond them what was not used for longest is dropped,
-  /// but never what was used last.
+  /// The surface must outlive it. most_bytes: beyond them what was not used for longest is dropped, but never what was
+  /// used last.
   ResponseCache(const SurfaceMesh& surface, std::int64_t most_bytes)
       : surface_(surface), most_bytes_(static_cast<std::size_t>(most_bytes)) {}
   /// Rows and columns are set; u is to be filled. Called with the mutex held.

@@ -56,8 +56,7 @@ void ResponseCache::add_kept(SectionReader& file) {
     SurfaceRows& rows = *read;
     const std::vector<std::int32_t> given = rows.row;
     if (surface.layer.type.empty()) {
-      if (!within(surface.face, surface_.elements()) ||
-          !std::is_sorted(surface.face.begin(), surface.face.end()))
+      if (!within(surface.face, surface_.elements()) || !std::is_sorted(surface.face.begin(), surface.face.end()))
         file.fail_here("a kept response is of other faces");
     } else {
       surface.face.clear();
@@ -69,9 +68,8 @@ void ResponseCache::add_kept(SectionReader& file) {
     const auto seen = static_cast<std::int64_t>(rows.seen_node.size());
     if (!within(rows.row, surface_.nodes()) || !within(rows.seen_node, surface_.nodes()) ||
         !within(rows.seen_face, surface_.elements()) ||
-        rows.u.rows() != 3 * static_cast<std::int64_t>(rows.row.size()) ||
-        rows.u.columns() != 3 * columns || rows.seen.rows() != seen ||
-        (seen > 0 && rows.seen.columns() != columns))
+        rows.u.rows() != 3 * static_cast<std::int64_t>(rows.row.size()) || rows.u.columns() != 3 * columns ||
+        rows.seen.rows() != seen || (seen > 0 && rows.seen.columns() != columns))
       file.fail_here("a kept response does not fit the body");
     if (!find(surface)) more.push_back({std::move(surface), std::move(read)});
   }

@@ -11,8 +11,8 @@
 namespace rollcon {
 namespace {
 
-/// A motion counts as free when it moves the held components by less than this part (its square
-/// root) of what it moves the body.
+/// A motion counts as free when it moves the held components by less than this part (its square root) of what it moves
+/// the body.
 constexpr double least_eigenvalue = 1e-13;
 
 }  // namespace
@@ -21,8 +21,8 @@ void require_supports(const BodyMesh& mesh) {
   const Box box = box_of(mesh.surface.node);
   const Vec3 middle = 0.5 * (box.low + box.high);
   const double size = 0.5 * length(box.size());
-  // Motions: translations e_c, rotations about the middle scaled by the size. gram = sum of r r^T
-  // over the held components, r = what each motion moves them by.
+  // Motions: translations e_c, rotations about the middle scaled by the size. gram = sum of r r^T over the held
+  // components, r = what each motion moves them by.
   double gram[6][6] = {};
   std::int64_t held = 0;
   for (std::size_t k = 0; k < mesh.held.size(); ++k)
@@ -42,19 +42,18 @@ void require_supports(const BodyMesh& mesh) {
   const char* remedy =
       "hold it with rollcon_body_set_support: all three components of one face, or at least six "
       "components that stop every translation and rotation";
-  if (held == 0)
-    fail(Status::err_singular, "the body has no supports and can move as a rigid body; %s", remedy);
+  if (held == 0) fail(Status::err_singular, "the body has no supports and can move as a rigid body; %s", remedy);
   const int n = 6, work_size = 64;
   double value[6] = {}, work[work_size];
   int info = 0;
   dsyev_("V", "U", &n, &gram[0][0], &n, value, work, &work_size, &info);
   if (info == 0 && value[0] > least_eigenvalue * value[5]) return;
-  const auto free = std::count_if(std::begin(value), std::end(value),
-                                  [&](double v) { return !(v > least_eigenvalue * value[5]); });
+  const auto free =
+      std::count_if(std::begin(value), std::end(value), [&](double v) { return !(v > least_eigenvalue * value[5]); });
   // Column-major eigenvectors: gram[0] is the first.
   const double* motion = gram[0];
-  const double largest = std::abs(*std::max_element(
-      motion, motion + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+  const double largest =
+      std::abs(*std::max_element(motion, motion + 6, [](double a, double b) { return std::abs(a) < std::abs(b); }));
   double shown[6];
   for (int i = 0; i < 6; ++i) {
     shown[i] = motion[i] / largest;
@@ -63,8 +62,8 @@ void require_supports(const BodyMesh& mesh) {
   fail(Status::err_singular,
        "the body is not held: %d rigid motion(s) are free, such as translation (%.3g, %.3g, %.3g) "
        "with rotation (%.3g, %.3g, %.3g) about (%.6g, %.6g, %.6g) over its size; %s",
-       static_cast<int>(free), shown[0], shown[1], shown[2], shown[3], shown[4], shown[5],
-       middle[0], middle[1], middle[2], remedy);
+       static_cast<int>(free), shown[0], shown[1], shown[2], shown[3], shown[4], shown[5], middle[0], middle[1],
+       middle[2], remedy);
 }
 
 void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
@@ -73,8 +72,8 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
   const SurfaceMesh& surface = mesh.surface;
   constexpr double incompressible = 0.5 - 1e-9;
   constexpr std::uint8_t everything = 7;
-  if (poisson > incompressible && std::all_of(mesh.held.begin(), mesh.held.end(),
-                                              [](std::uint8_t held) { return held == everything; }))
+  if (poisson > incompressible &&
+      std::all_of(mesh.held.begin(), mesh.held.end(), [](std::uint8_t held) { return held == everything; }))
     fail(Status::err_unsupported,
          "poisson is %.12g and every node of the body is held: the pressure of an incompressible "
          "body "
@@ -93,8 +92,7 @@ void refuse_incompressible_cavities(const BodyMesh& mesh, double poisson) {
          "poisson is %.12g and the cavity of element %lld (counting from %d) is not held: boundary "
          "elements cannot tell its volume in a nearly incompressible body; allowed: poisson <= %g, "
          "or a held cavity",
-         poisson, static_cast<long long>(shells.first[s]) + surface.index_base, surface.index_base,
-         most);
+         poisson, static_cast<long long>(shells.first[s]) + surface.index_base, surface.index_base, most);
   }
 }
 

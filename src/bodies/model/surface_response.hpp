@@ -1,6 +1,6 @@
 #pragma once
-/// An elastic body with a mesh: its equations, and how its surface answers loads. Boundary-element
-/// and finite-element bodies implement it; everything above sees this face of them.
+/// An elastic body with a mesh: its equations, and how its surface answers loads. Boundary-element and finite-element
+/// bodies implement it; everything above sees this face of them.
 
 #include <cstdint>
 #include <memory>
@@ -13,13 +13,13 @@
 
 namespace rollcon {
 
-/// Where a frame's tractions act: on faces of the body, interpolated by the faces' own shape
-/// functions and zero elsewhere; or on a mesh of its own that lies on the body's surface.
+/// Where a frame's tractions act: on faces of the body, interpolated by the faces' own shape functions and zero
+/// elsewhere; or on a mesh of its own that lies on the body's surface.
 struct LoadedSurface {
   std::vector<std::int64_t> face;  ///< elements, ascending; empty: `layer`
   SurfaceMesh layer;               ///< in the body's coordinates
-  /// Of a layer: the body's nodes whose displacements are wanted. Of faces these are their nodes
-  /// and those of all elements that touch them.
+  /// Of a layer: the body's nodes whose displacements are wanted. Of faces these are their nodes and those of all
+  /// elements that touch them.
   std::vector<std::int32_t> row;
   bool of_faces() const { return !face.empty(); }
   bool operator==(const LoadedSurface& other) const;
@@ -30,8 +30,8 @@ struct SurfaceOutline {
   std::vector<std::int32_t> column;  ///< node of each traction column: of the body, or of the layer
   std::vector<std::int32_t> row;     ///< node of the body of each displacement row
 
-  /// Finite elements under a layer feel, instead of its tractions, smoother ones on the body's own
-  /// faces: component by component, seen.row(i) of the tractions of all columns at
+  /// Finite elements under a layer feel, instead of its tractions, smoother ones on the body's own faces: component by
+  /// component, seen.row(i) of the tractions of all columns at
   /// seen_node[i] of the faces seen_face. Empty: felt as they are.
   std::vector<std::int64_t> seen_face;
   std::vector<std::int32_t> seen_node;
@@ -44,8 +44,8 @@ struct SurfaceRows : SurfaceOutline {
   RowMatrix<double> u;  ///< (3 * row.size()) x (3 * column.size())
 };
 
-/// The same before the body's unknowns are eliminated: right sides of its equations, and which
-/// unknowns the displacements are.
+/// The same before the body's unknowns are eliminated: right sides of its equations, and which unknowns the
+/// displacements are.
 struct SurfaceLoads : SurfaceOutline {
   SparseMatrix load;                  ///< unknowns x (3 * column.size())
   std::vector<std::int64_t> unknown;  ///< of (row, component): [3 * r + c]; -1: held
@@ -77,18 +77,17 @@ class SurfaceResponse {
   virtual ~SurfaceResponse() = default;
   /// Kept, up to option cache_bytes: asking again for the same surface costs nothing.
   virtual std::shared_ptr<const SurfaceRows> rows(const LoadedSurface& surface, int threads) = 0;
-  /// Right sides for the same tractions. The body factorises and condenses nothing for them. Shared
-  /// as long as anyone holds them.
+  /// Right sides for the same tractions. The body factorises and condenses nothing for them. Shared as long as anyone
+  /// holds them.
   virtual std::shared_ptr<const SurfaceLoads> loads(const LoadedSurface& surface, int threads) = 0;
-  /// The matrix to these right sides, assembled once: shared like them, and kept by the body
-  /// itself until it is factorised (unless option keep_factors is 0).
+  /// The matrix to these right sides, assembled once: shared like them, and kept by the body itself until it is
+  /// factorised (unless option keep_factors is 0).
   virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
-  /// Displacement of every node under the body's own loads and given displacements, u[3 * node +
-  /// c]; empty when there are none.
+  /// Displacement of every node under the body's own loads and given displacements, u[3 * node + c]; empty when there
+  /// are none.
   virtual std::span<const double> own_displacement() const = 0;
-  /// Boundary elements: tractions that go with it, by traction node of the body (see
-  /// TractionNodes), t[3 * k + c]: what was given, and the reactions of the supports. Empty when
-  /// own_displacement is.
+  /// Boundary elements: tractions that go with it, by traction node of the body (see TractionNodes), t[3 * k + c]: what
+  /// was given, and the reactions of the supports. Empty when own_displacement is.
   virtual std::span<const double> own_traction() const { return {}; }
   /// What the supports exert on the body then.
   virtual Resultant support_reaction() const = 0;
@@ -96,8 +95,8 @@ class SurfaceResponse {
 
   /// Unknowns for whose loads nothing needs to be assembled or factorised any more.
   virtual std::int64_t solvable() const = 0;
-  /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be
-  /// found again from the mesh without factorising is left out.
+  /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be found again from the
+  /// mesh without factorising is left out.
   virtual void save(SectionWriter& file) const = 0;
   /// Adds what section "kept" has and is not kept yet.
   virtual void add_kept(SectionReader& file) = 0;

@@ -9,8 +9,7 @@
 
 namespace rollcon {
 
-CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters,
-                       std::int64_t nodes) {
+CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters, std::int64_t nodes) {
   using Kind = CaseColumn::Kind;
   struct Named {
     const char* name;
@@ -34,12 +33,11 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
     allowed += std::string(n.name) + ", ";
   }
   for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (is(numbers[k]))
-      return {.kind = Kind::number, .number = static_cast<CaseNumber>(k), .width = 1};
+    if (is(numbers[k])) return {.kind = Kind::number, .number = static_cast<CaseNumber>(k), .width = 1};
     allowed += std::string(k == 0 ? "" : ", ") + numbers[k];
   }
-  fail(Status::err_option, "columns has '%.*s'; allowed: %s",
-       static_cast<int>(std::min<std::size_t>(length, 60)), name, allowed.c_str());
+  fail(Status::err_option, "columns has '%.*s'; allowed: %s", static_cast<int>(std::min<std::size_t>(length, 60)), name,
+       allowed.c_str());
 }
 
 }  // namespace rollcon

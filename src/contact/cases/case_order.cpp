@@ -13,16 +13,12 @@ constexpr std::int64_t shortest_chain = 4, longest_chain = 32, chains_wanted = 1
 class Walk {
  public:
   Walk(std::int64_t columns, const double* value, std::vector<std::int64_t> priority)
-      : columns_(columns),
-        value_(value),
-        priority_(std::move(priority)),
-        backwards_(priority_.size() + 1, false) {}
+      : columns_(columns), value_(value), priority_(std::move(priority)), backwards_(priority_.size() + 1, false) {}
 
   bool less(std::int64_t a, std::int64_t b) const { return compare(a, b, 0) < 0; }
   bool equal(std::int64_t a, std::int64_t b) const { return compare(a, b, 0) == 0; }
 
-  /// Sorts by the columns from `depth` on, each part of a column's range in the direction opposite
-  /// to the last one's.
+  /// Sorts by the columns from `depth` on, each part of a column's range in the direction opposite to the last one's.
   void arrange(std::span<std::int64_t> part, std::size_t depth) {
     if (depth >= priority_.size() || part.size() < 2) return;
     const auto less = [&](std::int64_t a, std::int64_t b) { return compare(a, b, depth) < 0; };
@@ -34,8 +30,8 @@ class Walk {
     for (std::size_t i = 1; i < part.size(); ++i) values += differs(part[i - 1], part[i], depth);
     const bool table = 2 * values <= part.size();
     const auto left = static_cast<double>(priority_.size() - depth);
-    const auto strips = static_cast<std::size_t>(
-        std::max(1.0, std::round(std::pow(static_cast<double>(part.size()), 1 / left))));
+    const auto strips =
+        static_cast<std::size_t>(std::max(1.0, std::round(std::pow(static_cast<double>(part.size()), 1 / left))));
     const std::size_t strip = (part.size() + strips - 1) / strips;
     for (std::size_t first = 0; first < part.size();) {
       std::size_t end = std::min(part.size(), first + (table ? 1 : strip));
@@ -46,12 +42,8 @@ class Walk {
   }
 
  private:
-  double at(std::int64_t row, std::size_t depth) const {
-    return value_[row * columns_ + priority_[depth]];
-  }
-  bool differs(std::int64_t a, std::int64_t b, std::size_t depth) const {
-    return at(a, depth) != at(b, depth);
-  }
+  double at(std::int64_t row, std::size_t depth) const { return value_[row * columns_ + priority_[depth]]; }
+  bool differs(std::int64_t a, std::int64_t b, std::size_t depth) const { return at(a, depth) != at(b, depth); }
   /// By all columns, that of `depth` first.
   int compare(std::int64_t a, std::int64_t b, std::size_t depth) const {
     for (std::size_t i = 0; i < priority_.size(); ++i) {
@@ -94,8 +86,7 @@ CaseOrder order_cases(std::int64_t cases, std::int64_t columns, const double* va
   }
   walk.arrange(order.solved, 0);
   const auto n = static_cast<std::int64_t>(order.solved.size());
-  const std::int64_t length =
-      std::clamp((n + chains_wanted - 1) / chains_wanted, shortest_chain, longest_chain);
+  const std::int64_t length = std::clamp((n + chains_wanted - 1) / chains_wanted, shortest_chain, longest_chain);
   for (std::int64_t first = 0; first < n; first += length) order.chain_begin.push_back(first);
   order.chain_begin.push_back(n);
   return order;

@@ -7,8 +7,7 @@
 
 namespace rollcon {
 
-/// Depends on the values alone: not on the order in which cases are listed, nor on any number of
-/// threads.
+/// Depends on the values alone: not on the order in which cases are listed, nor on any number of threads.
 struct CaseOrder {
   std::vector<std::int64_t> solved;       ///< one case of each set of equal ones, in solving order
   std::vector<std::int64_t> solved_as;    ///< per case: the case that is solved for it
@@ -17,9 +16,8 @@ struct CaseOrder {
   std::int64_t chains() const { return static_cast<std::int64_t>(chain_begin.size()) - 1; }
 };
 
-/// value: row by row, `columns` to a case. priority: columns, those that should change least often
-/// first. Neighbours in the order are near each other: tables are walked to and fro, scattered
-/// cases in strips.
+/// value: row by row, `columns` to a case. priority: columns, those that should change least often first. Neighbours in
+/// the order are near each other: tables are walked to and fro, scattered cases in strips.
 CaseOrder order_cases(std::int64_t cases, std::int64_t columns, const double* value,
                       std::span<const std::int64_t> priority);
 

@@ -61,15 +61,13 @@ void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* v
   }
   const bool frictionless = frictionless_ || !(s.given.friction > 0);
   if (frictionless && !s.frictionless) {
-    for (int c = 0; c < 2; ++c)
-      std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
+    for (int c = 0; c < 2; ++c) std::fill(s.iterate.lambda[c].begin(), s.iterate.lambda[c].end(), 0.0);
     s.iterate.invalidate();
   }
   s.frictionless = frictionless;
 }
 
-Status CaseSolver::solve(std::span<const Parameter> parameter, const double* value,
-                         Monitor& monitor) {
+Status CaseSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
@@ -144,8 +142,7 @@ double CaseSolver::number(CaseNumber which) {
   };
   switch (which) {
     case CaseNumber::iterations:
-      return static_cast<double>(report.normal_iterations + report.tangential_iterations +
-                                 report.full_iterations);
+      return static_cast<double>(report.normal_iterations + report.tangential_iterations + report.full_iterations);
     case CaseNumber::fallbacks:
       return static_cast<double>(report.fallbacks);
     case CaseNumber::residual_normal:
@@ -157,8 +154,7 @@ double CaseSolver::number(CaseNumber which) {
     case CaseNumber::contact_area:
       return sum_in_contact([&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
     case CaseNumber::max_pressure:
-      return std::max(0.0,
-                      -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
+      return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
     case CaseNumber::friction_power_balance:
       return power_put_in(s);
     case CaseNumber::friction_power:
@@ -172,15 +168,13 @@ double CaseSolver::number(CaseNumber which) {
     s.iterate.update_slip(s.prepared->problem, i);
     const double s1 = s.prepared->problem.rigid_slip1(i, it.motion) + it.image[0][k];
     const double s2 = s.prepared->problem.rigid_slip2(i, it.motion) + it.image[1][k];
-    return -s.prepared->problem.cell_area[k] * s.prepared->speed *
-           (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
+    return -s.prepared->problem.cell_area[k] * s.prepared->speed * (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
   });
 }
 
 std::size_t CaseSolver::bytes() const {
   const SolverState& s = *state_;
-  return s.newton.bytes() +
-         static_cast<std::size_t>(s.prepared->problem.nodes) * sizeof(double) * 30;
+  return s.newton.bytes() + static_cast<std::size_t>(s.prepared->problem.nodes) * sizeof(double) * 30;
 }
 
 }  // namespace rollcon

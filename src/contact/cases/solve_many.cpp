@@ -1,5 +1,5 @@
-/// Lists of load cases over threads. Chains of neighbouring cases are what threads take: a chain is
-/// solved alike by whichever thread, so that results do not depend on how many there are.
+/// Lists of load cases over threads. Chains of neighbouring cases are what threads take: a chain is solved alike by
+/// whichever thread, so that results do not depend on how many there are.
 
 #include "contact/cases/solve_many.hpp"
 
@@ -33,12 +33,11 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// Columns of CaseList::value, what changes the normal problem first: cases that share it come one
-/// after the other.
+/// Columns of CaseList::value, what changes the normal problem first: cases that share it come one after the other.
 std::vector<std::int64_t> priority(std::span<const Parameter> parameter) {
   std::vector<std::int64_t> columns;
-  for (const Parameter p : {Parameter::normal, Parameter::friction, Parameter::spin,
-                            Parameter::lateral, Parameter::longitudinal})
+  for (const Parameter p :
+       {Parameter::normal, Parameter::friction, Parameter::spin, Parameter::lateral, Parameter::longitudinal})
     for (std::size_t j = 0; j < parameter.size(); ++j)
       if (parameter[j] == p) columns.push_back(static_cast<std::int64_t>(j));
   return columns;
@@ -66,8 +65,8 @@ struct OneLoopThread {
 
 class ManyCases {
  public:
-  ManyCases(const CaseList& list, const CaseResults& results, std::atomic<bool>& cancel,
-            ProgressFunction function, void* user)
+  ManyCases(const CaseList& list, const CaseResults& results, std::atomic<bool>& cancel, ProgressFunction function,
+            void* user)
       : list_(list),
         results_(results),
         order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
@@ -95,8 +94,7 @@ class ManyCases {
     Watch(ManyCases& many, bool calling) : many_(many), calling_(calling) {}
     bool step(const StepRecord& r) override {
       if (calling_)
-        many_.tell(static_cast<Phase>(r.part), r.iteration,
-                   std::max(r.residual_normal, r.residual_tangential));
+        many_.tell(static_cast<Phase>(r.part), r.iteration, std::max(r.residual_normal, r.residual_tangential));
       return cancelled();
     }
     bool cancelled() const override { return many_.cancel_.load(); }
@@ -141,8 +139,7 @@ class ManyCases {
 
 void ManyCases::clear() {
   status_.assign(static_cast<std::size_t>(list_.cases), Status::cancelled);
-  for (std::size_t chain = 0; chain + 1 < order_.chain_begin.size(); ++chain)
-    waiting_.push_back(chain);
+  for (std::size_t chain = 0; chain + 1 < order_.chain_begin.size(); ++chain) waiting_.push_back(chain);
   for (const std::int64_t i : order_.solved) forget_results(i);
 }
 
@@ -271,8 +268,7 @@ void ManyCases::run(SolverState& scene, const Options& options, int threads) {
   const auto chains = static_cast<std::int64_t>(waiting_.size());
   const auto wanted = can_share(scene) ? std::clamp<std::int64_t>(threads, 1, chains) : 1;
   std::vector<std::unique_ptr<CaseSolver>> solver;
-  for (std::int64_t t = 0; t < wanted; ++t)
-    solver.push_back(std::make_unique<CaseSolver>(scene, options));
+  for (std::int64_t t = 0; t < wanted; ++t) solver.push_back(std::make_unique<CaseSolver>(scene, options));
   std::vector<std::thread> helper;
   helper.reserve(solver.size() - 1);
   for (std::size_t t = 1; t < solver.size(); ++t) {
@@ -318,8 +314,7 @@ Status ManyCases::finish() {
     rim = rim || status == Status::rim_contact;
     open = open || status == Status::no_contact;
   }
-  std::sort(failures_.begin(), failures_.end(),
-            [](const Failure& a, const Failure& b) { return a.number < b.number; });
+  std::sort(failures_.begin(), failures_.end(), [](const Failure& a, const Failure& b) { return a.number < b.number; });
   if (stopped) return Status::cancelled;
   if (missed) return Status::not_converged;
   if (coarse) return Status::coarse;
@@ -350,8 +345,8 @@ void reach_for_cases(SolverState& s, const Options& options, const CaseList& lis
   s.given = given;
 }
 
-Status solve_cases(SolverState& s, const Options& options, const CaseList& cases,
-                   const CaseResults& results, const CaseHost& host) {
+Status solve_cases(SolverState& s, const Options& options, const CaseList& cases, const CaseResults& results,
+                   const CaseHost& host) {
   const double start = now_seconds();
   ManyCases many(cases, results, host.cancel, host.progress, host.user);
   {
@@ -366,10 +361,9 @@ Status solve_cases(SolverState& s, const Options& options, const CaseList& cases
   s.peak_bytes = std::max(s.peak_bytes, s.bytes() + many.bytes());
   const Status status = many.finish();
   for (const Failure& f : many.failures())
-    host.context.log(LogLevel::warning, "case %lld (counting from 0): %s",
-                     static_cast<long long>(f.number), f.message.c_str());
-  host.context.log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases),
-                   now_seconds() - start);
+    host.context.log(LogLevel::warning, "case %lld (counting from 0): %s", static_cast<long long>(f.number),
+                     f.message.c_str());
+  host.context.log(LogLevel::info, "%lld cases, %.3f s", static_cast<long long>(cases.cases), now_seconds() - start);
   return status;
 }
 

@@ -32,11 +32,10 @@ struct CaseColumn {
   std::int64_t width = 0;
 };
 /// err_option: unknown name. parameters: those of the list; nodes: those of the frame.
-CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters,
-                       std::int64_t nodes);
+CaseColumn case_column(const char* name, std::size_t length, std::int64_t parameters, std::int64_t nodes);
 
-/// What replaces what the scene prescribes. A direction stands for the value prescribed there, as
-/// force or motion; friction for a factor on every coefficient.
+/// What replaces what the scene prescribes. A direction stands for the value prescribed there, as force or motion;
+/// friction for a factor on every coefficient.
 struct CaseList {
   std::span<const Parameter> parameter;  ///< different ones
   std::int64_t cases = 0;
@@ -65,8 +64,8 @@ struct Options;
 /// Rows for the largest load (or approach) and friction of the list, so that no case lacks any.
 void reach_for_cases(SolverState& state, const Options& options, const CaseList& cases);
 /// Solves the cases of the prepared scene over threads; the status is that of Contact::solve_many.
-Status solve_cases(SolverState& state, const Options& options, const CaseList& cases,
-                   const CaseResults& results, const CaseHost& host);
+Status solve_cases(SolverState& state, const Options& options, const CaseList& cases, const CaseResults& results,
+                   const CaseHost& host);
 /// What a list has whose preparation was cancelled.
 void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host);
 

@@ -93,8 +93,8 @@ std::optional<Variant> solved(const SolverState& s, bool given_load, double step
   return std::nullopt;
 }
 
-// Errors of forces are of second order in the spacing for pressures and of first order for
-// friction, those of tractions of first order: their edges.
+// Errors of forces are of second order in the spacing for pressures and of first order for friction, those of tractions
+// of first order: their edges.
 void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
   constexpr double tolerance = 1e-6;
   Iterate coarse, coarser;
@@ -111,15 +111,14 @@ void estimate_on_lattice(const SolverState& s, ErrorEstimate& e) {
   carry_the_load(coarse);
   const Sums change = difference(s, coarse.lambda, s.iterate.lambda);
   e.tangential = ratio(change.tangential, whole.magnitude);
-  // Where the edge of the contact falls between the nodes two lattices can agree by accident, three
-  // hardly do.
+  // Where the edge of the contact falls between the nodes two lattices can agree by accident, three hardly do.
   if (!s.frictionless && solve_on_coarser_lattice(s, tolerance, 2, coarser)) {
     carry_the_load(coarser);
     const Sums step = difference(s, coarser.lambda, coarse.lambda);
     e.tangential = std::max(e.tangential, ratio(step.tangential, whole.magnitude) / 2);
   }
-  e.tractions = std::sqrt(std::max(ratio(change.pressure2, whole.pressure2),
-                                   ratio(change.tangential2, whole.tangential2)));
+  e.tractions =
+      std::sqrt(std::max(ratio(change.pressure2, whole.pressure2), ratio(change.tangential2, whole.tangential2)));
 }
 
 void estimate(const SolverState& s, ErrorEstimate& e) {
@@ -137,9 +136,8 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   const double step = characteristic ? s.prepared->characteristic_step : standard_step;
 
   // The same nodes, and another scheme.
-  std::optional<Variant> same =
-      solved(s, false, characteristic ? longer * step : step,
-             [&](double d) { return Variant::same_nodes(s, friction, d); });
+  std::optional<Variant> same = solved(s, false, characteristic ? longer * step : step,
+                                       [&](double d) { return Variant::same_nodes(s, friction, d); });
   if (!same) return;
   const Sums scheme = friction ? difference(s, same->tractions(), solution) : Sums{};
 
@@ -151,20 +149,18 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   const std::optional<Variant> coarse =
       solved(s, s.given.by_force[approach], step, [&](double d) { return Variant::coarse(s, d); });
   if (!coarse || coarse->space().node.size() == s.prepared->frame.used.size()) return;
-  const Sums change = difference(s, coarse->tractions(),
-                                 friction && !characteristic ? same->tractions() : solution);
-  // Errors come from the edge of the contact, which is known to one spacing of the nodes there, and
-  // are taken to be proportional to it. Those of the forces add up with it; those of the tractions
-  // sit beside each other.
-  const double spacing = ratio(fringe(coarse->space().frame, coarse->iterate().lambda[2]),
-                               fringe(s.prepared->frame, normal));
+  const Sums change = difference(s, coarse->tractions(), friction && !characteristic ? same->tractions() : solution);
+  // Errors come from the edge of the contact, which is known to one spacing of the nodes there, and are taken to be
+  // proportional to it. Those of the forces add up with it; those of the tractions sit beside each other.
+  const double spacing =
+      ratio(fringe(coarse->space().frame, coarse->iterate().lambda[2]), fringe(s.prepared->frame, normal));
   const double more = std::clamp(spacing - 1, 0.5, 3.0);
   const double beside = std::hypot(1, std::clamp(spacing, 1.5, 10.0));
   if (friction) e.tangential = ratio(scheme.tangential + change.tangential / more, whole.magnitude);
   const auto root = [](double change2, double whole2) { return std::sqrt(ratio(change2, whole2)); };
-  e.tractions = std::max(root(change.pressure2, whole.pressure2) / beside,
-                         root(scheme.tangential2, whole.tangential2) +
-                             root(change.tangential2, whole.tangential2) / beside);
+  e.tractions =
+      std::max(root(change.pressure2, whole.pressure2) / beside,
+               root(scheme.tangential2, whole.tangential2) + root(change.tangential2, whole.tangential2) / beside);
 }
 
 }  // namespace

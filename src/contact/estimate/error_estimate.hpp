@@ -1,15 +1,15 @@
 #pragma once
-/// How far the last solution is from that of the continuous problem of the same bodies: estimated
-/// from the gap between the nodes, another convective scheme and a coarser frame (docs/theory.md,
-/// section 8). Found when first asked for and kept until the next solve; it changes nothing else.
+/// How far the last solution is from that of the continuous problem of the same bodies: estimated from the gap between
+/// the nodes, another convective scheme and a coarser frame (docs/theory.md, section 8). Found when first asked for and
+/// kept until the next solve; it changes nothing else.
 
 namespace rollcon {
 
 struct ErrorEstimate;  // contact/solution.hpp
 struct SolverState;
 
-/// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too
-/// few nodes to leave any out.
+/// 0 without contact; 1 where nothing can be said: the solve did not converge, or the frame has too few nodes to leave
+/// any out.
 const ErrorEstimate& find_error_estimate(SolverState& state);
 
 }  // namespace rollcon

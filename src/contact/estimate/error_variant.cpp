@@ -80,8 +80,7 @@ void Variant::take_problem(const SolverState& s) {
   iterate_.motion = s.iterate.motion;
 }
 
-// Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step
-// upstream.
+// Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step upstream.
 void Variant::move_given_slip(const SolverState& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
@@ -89,8 +88,7 @@ void Variant::move_given_slip(const SolverState& s) {
   const std::vector<double>& there = s.prepared->problem.op.convection.slip_x;
   const auto derivative = [&](const std::vector<double>& field, std::size_t k) {
     double sum = 0;
-    for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j)
-      sum += d.value[j] * field[at(d.column[j])];
+    for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j) sum += d.value[j] * field[at(d.column[j])];
     return sum;
   };
   for (std::size_t i = 0; i < p.slip1.size(); ++i) {
@@ -119,8 +117,7 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
   if (tangential) {
-    v.problem_.op.convection =
-        pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
+    v.problem_.op.convection = pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
   }
   v.assemble(s, tangential);
   for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = pick(*v.space_, s.iterate.lambda[c]);
@@ -136,8 +133,7 @@ Variant Variant::coarse(const SolverState& s, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
-  if (!s.frictionless)
-    v.problem_.op.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
+  if (!s.frictionless) v.problem_.op.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
   v.assemble(s, !s.frictionless);
   return v;
 }

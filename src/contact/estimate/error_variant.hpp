@@ -13,14 +13,14 @@ struct SolverState;
 
 class Variant {
  public:
-  /// The solution's nodes in contact alone, tangential rows by the characteristic scheme.
-  /// tangential: false leaves these out.
+  /// The solution's nodes in contact alone, tangential rows by the characteristic scheme. tangential: false leaves
+  /// these out.
   static Variant same_nodes(const SolverState& state, bool tangential, double step);
   /// About a quarter of the nodes. Throws Error where the coarse triangles are no valid frame.
   static Variant coarse(const SolverState& state, double step);
 
-  /// Solves with the motions of the solution; with its normal load instead of the approach if
-  /// given_load. False: nothing useful was found.
+  /// Solves with the motions of the solution; with its normal load instead of the approach if given_load. False:
+  /// nothing useful was found.
   bool solve(const SolverState& state, bool given_load);
   /// Tractions at the nodes of the solution's frame.
   const std::vector<double> (&tractions() const)[3] { return traction_; }

@@ -8,9 +8,9 @@
 namespace rollcon {
 namespace {
 
-// Measured over grids and triangles that see Hertzian contacts of ratios 0.1 to 10 through 1 to 300
-// nodes: without a node inside forces are off by up to 135 %, pressures by up to 200 %; from one on
-// the normal force is within 6 %, from five on nine of ten friction forces are within 17 %.
+// Measured over grids and triangles that see Hertzian contacts of ratios 0.1 to 10 through 1 to 300 nodes: without a
+// node inside forces are off by up to 135 %, pressures by up to 200 %; from one on the normal force is within 6 %, from
+// five on nine of ten friction forces are within 17 %.
 constexpr std::int64_t least_inside = 1, least_inside_with_friction = 5;
 
 std::int64_t least(const SolverState& s) {
@@ -72,15 +72,13 @@ bool too_few_nodes(const SolverState& s) {
 std::string describe_few_nodes(const SolverState& s) {
   const std::vector<double>& normal = s.iterate.lambda[2];
   char text[400];
-  std::snprintf(
-      text, sizeof text,
-      "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
-      "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
-      "frame and may be off by half and more; take a finer frame where the bodies touch",
-      static_cast<long long>(
-          std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
-      static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
-      s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
+  std::snprintf(text, sizeof text,
+                "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
+                "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
+                "frame and may be off by half and more; take a finer frame where the bodies touch",
+                static_cast<long long>(std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
+                static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
+                s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
   return text;
 }
 

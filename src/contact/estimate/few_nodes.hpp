@@ -8,8 +8,8 @@ namespace rollcon {
 
 struct SolverState;
 
-/// Nodes in contact without an open node in any of their elements: the contact's extent is known to
-/// one element, so that all others are its edge.
+/// Nodes in contact without an open node in any of their elements: the contact's extent is known to one element, so
+/// that all others are its edge.
 std::int64_t nodes_inside(const SolverState& state);
 
 /// The contact has no inside, or with friction not enough of it.

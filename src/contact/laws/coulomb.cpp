@@ -57,26 +57,22 @@ class Coulomb final : public FrictionLaw {
     return {{{mu * pressure, 0}, {0, mu * pressure}}};
   }
 
-  // A response that is not positive (a node at the rim where material leaves, under the
-  // characteristic scheme) allows several tractions; the one taken slides.
-  std::array<double, 2> solve(const NodeResponse& response, std::array<double, 2> slip,
-                              std::array<double, 2> old, double mu,
-                              double pressure) const override {
+  // A response that is not positive (a node at the rim where material leaves, under the characteristic scheme) allows
+  // several tractions; the one taken slides.
+  std::array<double, 2> solve(const NodeResponse& response, std::array<double, 2> slip, std::array<double, 2> old,
+                              double mu, double pressure) const override {
     const double bound = mu * pressure;
     if (!(bound > 0)) return {0, 0};
     const auto& b = response.b;
     const double s1 = slip[0] - b[0][0] * old[0] - b[0][1] * old[1];
     const double s2 = slip[1] - b[1][0] * old[0] - b[1][1] * old[1];
-    // (B + g I) t = -s: what is left of slip is -g t. |t| falls as g grows, from where B + g I is
-    // positive.
+    // (B + g I) t = -s: what is left of slip is -g t. |t| falls as g grows, from where B + g I is positive.
     const auto with = [&](double g) {
       const double d1 = b[0][0] + g, d2 = b[1][1] + g, det = d1 * d2 - b[0][1] * b[1][0];
-      return std::array<double, 2>{-(d2 * s1 - b[0][1] * s2) / det,
-                                   -(d1 * s2 - b[1][0] * s1) / det};
+      return std::array<double, 2>{-(d2 * s1 - b[0][1] * s2) / det, -(d1 * s2 - b[1][0] * s1) / det};
     };
     const auto length = [](const std::array<double, 2>& t) { return std::hypot(t[0], t[1]); };
-    const double least =
-        0.5 * (b[0][0] + b[1][1]) - 0.5 * std::hypot(b[0][0] - b[1][1], b[0][1] + b[1][0]);
+    const double least = 0.5 * (b[0][0] + b[1][1]) - 0.5 * std::hypot(b[0][0] - b[1][1], b[0][1] + b[1][0]);
     std::array<double, 2> t = old;
     if (least > 0) {
       t = with(0);
@@ -89,9 +85,7 @@ class Coulomb final : public FrictionLaw {
       (length(t) > bound ? low : high) = g;
     }
     const double found = length(t);
-    return found > 0 && std::isfinite(found)
-               ? std::array<double, 2>{bound * t[0] / found, bound * t[1] / found}
-               : old;
+    return found > 0 && std::isfinite(found) ? std::array<double, 2>{bound * t[0] / found, bound * t[1] / found} : old;
   }
 };
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Friction at one node: what Newton's iteration, the limit of loads and the relaxation ask of it.
-/// A law is one file of this folder.
+/// Friction at one node: what Newton's iteration, the limit of loads and the relaxation ask of it. A law is one file of
+/// this folder.
 
 #include <array>
 
@@ -50,17 +50,16 @@ class FrictionLaw {
   virtual ~FrictionLaw() = default;
   /// The law as a projection: its residual is lt minus this.
   virtual FrictionTraction traction(const FrictionPoint& point) const = 0;
-  /// Its derivative. The bound follows the normal traction of the new iterate if `bound_follows`
-  /// (full problem), else it is a given number.
+  /// Its derivative. The bound follows the normal traction of the new iterate if `bound_follows` (full problem), else
+  /// it is a given number.
   virtual TangentialLaw linearise(const FrictionPoint& point, bool bound_follows) const = 0;
-  /// Tractions that are admitted under a pressure: the unit disk times this matrix. A motion of the
-  /// node then takes at most the power |M^T s|.
+  /// Tractions that are admitted under a pressure: the unit disk times this matrix. A motion of the node then takes at
+  /// most the power |M^T s|.
   virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const = 0;
-  /// Tractions that keep the law at one node under the pressure, the slip being linear in them;
-  /// slip: with the tractions `old`.
+  /// Tractions that keep the law at one node under the pressure, the slip being linear in them; slip: with the
+  /// tractions `old`.
   virtual std::array<double, 2> solve(const NodeResponse& response, std::array<double, 2> slip,
-                                      std::array<double, 2> old, double mu,
-                                      double pressure) const = 0;
+                                      std::array<double, 2> old, double mu, double pressure) const = 0;
 };
 
 /// Coulomb's: no slip, or a traction of mu times the pressure against it.

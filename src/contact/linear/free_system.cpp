@@ -93,10 +93,8 @@ void FreeSystem::select(const double* full, double* free) const {
   const std::size_t na = na_, nw = whole_.size();
   const double* const end = full + system_->size();
   if (tangential_) {
-    for (std::size_t a = 0; a < na; ++a)
-      free[a] = across_[0][a] * full[a] + across_[1][a] * full[na + a];
-    for (std::size_t k = 0; k < nw; ++k)
-      free[na + k] = full[na + static_cast<std::size_t>(whole_[k])];
+    for (std::size_t a = 0; a < na; ++a) free[a] = across_[0][a] * full[a] + across_[1][a] * full[na + a];
+    for (std::size_t k = 0; k < nw; ++k) free[na + k] = full[na + static_cast<std::size_t>(whole_[k])];
     free += na + nw;
     full += 2 * na;
   }
@@ -149,8 +147,8 @@ void FreeSystem::subtract_from_normal(const double* y, double* out) {
   const int stride = static_cast<int>(3 * na);
   const double minus = -1, add = 1;
   if (rows > 0)
-    dgemv_("T", &columns, &rows, &minus, system_->row(2 * static_cast<std::int64_t>(na)), &stride,
-           x, &one, &add, out, &one);
+    dgemv_("T", &columns, &rows, &minus, system_->row(2 * static_cast<std::int64_t>(na)), &stride, x, &one, &add, out,
+           &one);
 }
 
 // One row over all tractions, in free unknowns.
@@ -159,11 +157,9 @@ void FreeSystem::columns(Rows rows, const double* row, T* out) const {
   const std::size_t na = na_;
   if (tangential_ && rows != Rows::normal) {
     const double *c1 = across_[0].data(), *c2 = across_[1].data();
-    for (std::size_t a = 0; a < na; ++a)
-      out[a] = static_cast<T>(c1[a] * row[a] + c2[a] * row[na + a]);
+    for (std::size_t a = 0; a < na; ++a) out[a] = static_cast<T>(c1[a] * row[a] + c2[a] * row[na + a]);
     out += na;
-    for (const std::int32_t a : whole_)
-      *out++ = static_cast<T>(row[na + static_cast<std::size_t>(a)]);
+    for (const std::int32_t a : whole_) *out++ = static_cast<T>(row[na + static_cast<std::size_t>(a)]);
   }
   if (!normal_ || rows == Rows::tangential) return;
   const double* normal = row + (tangential_ ? 2 * na : 0);
@@ -172,8 +168,7 @@ void FreeSystem::columns(Rows rows, const double* row, T* out) const {
     return;
   }
   const double *n1 = along_[0].data(), *n2 = along_[1].data();
-  for (std::size_t a = 0; a < na; ++a)
-    out[a] = static_cast<T>(normal[a] + n1[a] * row[a] + n2[a] * row[na + a]);
+  for (std::size_t a = 0; a < na; ++a) out[a] = static_cast<T>(normal[a] + n1[a] * row[a] + n2[a] * row[na + a]);
 }
 
 template <class T>
@@ -181,13 +176,10 @@ void FreeSystem::dense(Rows rows, T* out) {
   const std::size_t na = na_;
   const std::int64_t n = size(rows), last = borders(rows), tractions = n - last;
   const int first_border = rows == Rows::normal ? system_->borders() - static_cast<int>(last) : 0;
-  const auto entry = [&](std::span<const double> values, std::size_t a) {
-    return values.empty() ? 0.0 : values[a];
-  };
+  const auto entry = [&](std::span<const double> values, std::size_t a) { return values.empty() ? 0.0 : values[a]; };
   const auto with_tangential = static_cast<std::int64_t>(tangential_ ? 2 * na : 0);
-  const std::size_t needed = rows == Rows::tangential
-                                 ? 2 * na
-                                 : static_cast<std::size_t>(with_tangential) + (normal_ ? na : 0);
+  const std::size_t needed =
+      rows == Rows::tangential ? 2 * na : static_cast<std::size_t>(with_tangential) + (normal_ ? na : 0);
   // Rows q1 (slip row 1) + q2 (slip row 2) + own tractions of node a.
   const auto tangential_row = [&](std::size_t a, const double(&q)[2], const double(&own)[3]) {
     const auto i = static_cast<std::int64_t>(a);
@@ -206,19 +198,17 @@ void FreeSystem::dense(Rows rows, T* out) {
       columns(rows, row, out);
     }
     for (int k = 0; k < static_cast<int>(last); ++k)
-      out[tractions + k] =
-          static_cast<T>(q[0] * entry(system_->border_column_part(first_border + k, 0), a) +
-                         q[1] * entry(system_->border_column_part(first_border + k, 1), a));
+      out[tractions + k] = static_cast<T>(q[0] * entry(system_->border_column_part(first_border + k, 0), a) +
+                                          q[1] * entry(system_->border_column_part(first_border + k, 1), a));
     out += n;
   };
   if (tangential_ && rows != Rows::normal) {
     for (std::size_t a = 0; a < na; ++a) {
       const TangentialLaw& law = system_->law(static_cast<std::int64_t>(a));
       const double c1 = across_[0][a], c2 = across_[1][a];
-      tangential_row(
-          a, {c1 * law.slip[0][0] + c2 * law.slip[1][0], c1 * law.slip[0][1] + c2 * law.slip[1][1]},
-          {c1 * law.own[0][0] + c2 * law.own[1][0], c1 * law.own[0][1] + c2 * law.own[1][1],
-           c1 * law.own[0][2] + c2 * law.own[1][2]});
+      tangential_row(a, {c1 * law.slip[0][0] + c2 * law.slip[1][0], c1 * law.slip[0][1] + c2 * law.slip[1][1]},
+                     {c1 * law.own[0][0] + c2 * law.own[1][0], c1 * law.own[0][1] + c2 * law.own[1][1],
+                      c1 * law.own[0][2] + c2 * law.own[1][2]});
     }
     for (const std::int32_t k : whole_) {
       const TangentialLaw& law = system_->law(k);
@@ -230,8 +220,7 @@ void FreeSystem::dense(Rows rows, T* out) {
     for (std::size_t a = 0; a < na; ++a, out += n) {
       columns(rows, system_->row(with_tangential + static_cast<std::int64_t>(a)), out);
       for (int k = 0; k < static_cast<int>(last); ++k)
-        out[tractions + k] =
-            static_cast<T>(entry(system_->border_column_part(first_border + k, 2), a));
+        out[tractions + k] = static_cast<T>(entry(system_->border_column_part(first_border + k, 2), a));
     }
   for (int k = 0; k < static_cast<int>(last); ++k, out += n) {
     double* row = row_.data();
@@ -248,10 +237,8 @@ template void FreeSystem::dense<double>(Rows, double*);
 template void FreeSystem::dense<float>(Rows, float*);
 
 std::size_t FreeSystem::bytes() const {
-  std::size_t sum =
-      x_.capacity() + y_.capacity() + row_.capacity() + given_.capacity() + product_.capacity();
-  for (int c = 0; c < 2; ++c)
-    sum += across_[c].capacity() + along_[c].capacity() + slip_[c].capacity();
+  std::size_t sum = x_.capacity() + y_.capacity() + row_.capacity() + given_.capacity() + product_.capacity();
+  for (int c = 0; c < 2; ++c) sum += across_[c].capacity() + along_[c].capacity() + slip_[c].capacity();
   return sum * sizeof(double) + whole_.capacity() * sizeof(std::int32_t);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-/// The linear system of a Newton step without what friction's law gives at once: at a sliding node
-/// the traction along the direction of slip is -mu times the pressure (or a given number), so that
-/// only the component across it is unknown.
+/// The linear system of a Newton step without what friction's law gives at once: at a sliding node the traction along
+/// the direction of slip is -mu times the pressure (or a given number), so that only the component across it is
+/// unknown.
 
 #include <cstdint>
 #include <span>
@@ -11,9 +11,9 @@
 
 namespace rollcon {
 
-/// Unknowns, and rows likewise: of every active node its first tangential component, or at sliding
-/// nodes the one across the direction of slip; of every node that does not slide the second one;
-/// the normal ones; the motions. As far as the part has them.
+/// Unknowns, and rows likewise: of every active node its first tangential component, or at sliding nodes the one across
+/// the direction of slip; of every node that does not slide the second one; the normal ones; the motions. As far as the
+/// part has them.
 class FreeSystem final : public LinearOperator {
  public:
   enum class Rows { tangential, normal, all };

@@ -72,14 +72,12 @@ void LatticePreconditioner::make_symbols(HalfspaceConstants c) {
   const double lx = static_cast<double>(lattice_.nx) * lattice_.dx;
   const double ly = static_cast<double>(lattice_.ny) * lattice_.dy;
   const double least = 1 / std::max(lx, ly);  // of a mean traction on a finite patch
-  // In units of 1 / (cn dx), as single precision has a narrow range; with the unit of the
-  // transform back.
+  // In units of 1 / (cn dx), as single precision has a narrow range; with the unit of the transform back.
   softness_ = c.cn;
   const double unit = lattice_.dx / (2 * std::numbers::pi) / static_cast<double>(mx * my);
   for (std::int64_t i = 0; i < fft_.waves_x(); ++i)
     for (std::int64_t j = 0; j < my; ++j) {
-      const double kx =
-          2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
+      const double kx = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
       const double ky = 2 * std::numbers::pi * static_cast<double>(j <= my / 2 ? j : j - my) /
                         (static_cast<double>(my) * lattice_.dy);
       // In the axes of the frame.
@@ -128,8 +126,7 @@ void LatticePreconditioner::take(const ReducedSystem& system) {
   if (borders_ == 0) return;
   double* s = schur_.prepare(borders_);
   for (int i = 0; i < borders_; ++i)
-    for (int j = 0; j < borders_; ++j)
-      s[i * borders_ + j] = system.border_product(i, columns_.data() + j * rows);
+    for (int j = 0; j < borders_; ++j) s[i * borders_ + j] = system.border_product(i, columns_.data() + j * rows);
   if (!schur_.factor()) borders_ = 0;
 }
 
@@ -165,8 +162,7 @@ void LatticePreconditioner::normal_rows(const double* x, double* y) {
   double largest = 0;
   for (std::int64_t a = 0; a < na; ++a) largest = std::max(largest, std::abs(x[first + a]));
   const double unit = largest > 0 ? 1 / largest : 0;
-  for (std::int64_t a = 0; a < na; ++a)
-    grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[first + a]);
+  for (std::int64_t a = 0; a < na; ++a) grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[first + a]);
   fft_.forward(grid.data(), spectrum_[0].data());
   std::complex<float>* wave = spectrum_[0].data();
   for (std::size_t s = 0; s < symbol_[3].size(); ++s) wave[s] *= symbol_[3][s];
@@ -176,8 +172,7 @@ void LatticePreconditioner::normal_rows(const double* x, double* y) {
                    static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
 }
 
-// w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units
-// of dx.
+// w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units of dx.
 void LatticePreconditioner::sum_along_flow(std::vector<float>& s) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   // Upstream is +t1 = ex along the first axis, -ey along the second.
@@ -213,8 +208,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
     std::fill(grid.begin(), grid.end(), 0.0f);
     for (std::int64_t a = 0; a < na; ++a)
       if (stick_[at(a)])
-        grid[at(place_[at(nodes[at(a)])])] =
-            static_cast<float>(unit * x[static_cast<std::int64_t>(c) * na + a]);
+        grid[at(place_[at(nodes[at(a)])])] = static_cast<float>(unit * x[static_cast<std::int64_t>(c) * na + a]);
   }
   if (largest > 0) {
     for (std::size_t c = 0; c < 2; ++c) {
@@ -255,8 +249,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
 
 }  // namespace
 
-std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice,
-                                                                 HalfspaceConstants constants) {
+std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice, HalfspaceConstants constants) {
   return std::make_unique<LatticePreconditioner>(lattice, constants);
 }
 

@@ -17,14 +17,14 @@ constexpr int field_krylov_space = 40, field_iterations = 400;
 constexpr double useful = 0.1;         // residual of a solution that is worth a step
 constexpr double exact_enough = 1e-7;  // and of one that rates may be made from
 constexpr double exact = 1e-9;         // residual of solve_exactly()
-// For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper
-// beyond this, or beyond krylov_space for all together.
+// For the first right side of solve_exactly(); those after it need fewer. New factors are cheaper beyond this, or
+// beyond krylov_space for all together.
 constexpr int exact_iterations = 25;
 // Up to this many free unknowns one factorisation costs less than iterations for all right sides.
 constexpr std::int64_t exact_direct_limit = 300;
 constexpr double loosest = 0.1;  // of a linear residual
-// New factors cost about as much as this many iterations: they are made when the excess over
-// iterations with fresh ones has added up to that much, or as many nodes have changed their state.
+// New factors cost about as much as this many iterations: they are made when the excess over iterations with fresh ones
+// has added up to that much, or as many nodes have changed their state.
 int price_of_factors(std::int64_t n) {
   return static_cast<int>(2 + n / 70);
 }
@@ -53,18 +53,16 @@ bool LinearSolver::finish(const double* y, std::vector<double>& x) {
   return std::all_of(x.begin(), x.end(), [](double v) { return std::isfinite(v); });
 }
 
-bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count,
-                         const std::vector<double>& b, double tolerance, std::vector<double>& x) {
+bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count, const std::vector<double>& b, double tolerance,
+                         std::vector<double>& x) {
   const Stopwatch watch(seconds);
   unknowns = system.size();
   ++right_sides;
   if (system.field()) return solve_field(system, b, tolerance, useful, x);
-  const bool plain =
-      preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
+  const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   take(system, x);
   const std::int64_t n = free_.size();
-  if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit))
-    return solve_direct(b, x);
+  if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit)) return solve_direct(b, x);
   if (plain) return solve_plainly(system, b, tolerance, x);
   return solve_with_kept(node_count, b, tolerance, x) || solve_direct(b, x);
 }
@@ -76,8 +74,8 @@ void LinearSolver::take(ReducedSystem& system, std::vector<double>& x) {
   if (check_.size() < n) check_.resize(with_room(n)), found_.resize(with_room(n));
 }
 
-bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<double>& b,
-                                   double tolerance, std::vector<double>& x) {
+bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<double>& b, double tolerance,
+                                   std::vector<double>& x) {
   const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(free_.system().part()) - 2;
   gmres_.reserve(with_room(n), krylov_space);
@@ -99,13 +97,11 @@ bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<do
       if (!kept_.factor(free_, node_count)) break;
       kept_.match(free_);
     }
-    const GmresReport report =
-        gmres_.solve(n, free_, kept_, reduced_.data(), found_.data(), wanted, krylov_space);
+    const GmresReport report = gmres_.solve(n, free_, kept_, reduced_.data(), found_.data(), wanted, krylov_space);
     iterations += report.iterations;
     if (report.converged) {
-      const double decades = report.residual > 0 && report.iterations > 0
-                                 ? -std::log10(report.residual) / report.iterations
-                                 : INFINITY;
+      const double decades =
+          report.residual > 0 && report.iterations > 0 ? -std::log10(report.residual) / report.iterations : INFINITY;
       decades_[part] = decades;
       if (fresh) fresh_decades_ = decades;
       const double good = std::ceil(-std::log10(wanted) / fresh_decades_);
@@ -122,26 +118,24 @@ bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<do
   return false;
 }
 
-bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double>& b,
-                                 double tolerance, std::vector<double>& x) {
+bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
+                                 std::vector<double>& x) {
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   const int space = static_cast<int>(std::min<std::int64_t>(n, plain_krylov_space));
   gmres_.reserve(with_room(n), space);
   pair_blocks_.take(system, preconditioner == Preconditioner::diagonal);
-  const GmresReport report =
-      gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
+  const GmresReport report = gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
   iterations += report.iterations;
   return report.converged || solve_direct(b, x);
 }
 
-bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>& b,
-                               double tolerance, double enough, std::vector<double>& x) {
+bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance, double enough,
+                               std::vector<double>& x) {
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   gmres_.reserve(with_room(n), field_krylov_space);
-  const bool plain =
-      preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
+  const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   if (!plain && !field_blocks_)
     if (const auto influence = system.field()->influence())
       field_blocks_ = make_lattice_preconditioner(influence->lattice, influence->constants);
@@ -150,14 +144,12 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
     field_blocks_->take(system);
   else
     pair_blocks_.take(system, preconditioner != Preconditioner::none), blocks = &pair_blocks_;
-  const GmresReport report =
-      gmres_.solve(n, system, *blocks, b.data(), x.data(), tolerance, field_iterations);
+  const GmresReport report = gmres_.solve(n, system, *blocks, b.data(), x.data(), tolerance, field_iterations);
   iterations += report.iterations;
   return report.converged || report.residual < enough;
 }
 
-bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b,
-                                 std::vector<double>& x) {
+bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x) {
   const Stopwatch watch(seconds);
   if (system.field()) return solve_field(system, b, exact, exact_enough, x);
   take(system, x);
@@ -165,8 +157,7 @@ bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double
   const auto part = static_cast<std::size_t>(system.part()) - 2;
   free_.reduce(b, reduced_);
   const bool small = method == LinearMethod::automatic && n <= exact_direct_limit;
-  const bool fresh_enough =
-      kept_.usable(free_) && decades_[part] * exact_iterations >= -std::log10(exact);
+  const bool fresh_enough = kept_.usable(free_) && decades_[part] * exact_iterations >= -std::log10(exact);
   if (!exact_[part] && method != LinearMethod::lu && !small && fresh_enough) {
     gcr_[part].reserve(n, krylov_space);
     kept_.match(free_);
@@ -198,8 +189,7 @@ void LinearSolver::forget() {
 }
 
 std::size_t LinearSolver::bytes() const {
-  std::size_t sum =
-      lu_.bytes() + normal_lu_.bytes() + gmres_.bytes() + kept_.bytes() + free_.bytes();
+  std::size_t sum = lu_.bytes() + normal_lu_.bytes() + gmres_.bytes() + kept_.bytes() + free_.bytes();
   if (field_blocks_) sum += field_blocks_->bytes();
   for (const RecyclingGcr& gcr : gcr_) sum += gcr.bytes();
   return sum;

@@ -1,6 +1,6 @@
 #pragma once
-/// Solves Newton's linear systems: dense LU in double precision, or GMRES preconditioned by a
-/// single-precision LU that is kept from earlier iterations and solves as long as it serves.
+/// Solves Newton's linear systems: dense LU in double precision, or GMRES preconditioned by a single-precision LU that
+/// is kept from earlier iterations and solves as long as it serves.
 
 #include <cstdint>
 #include <memory>
@@ -20,21 +20,20 @@ namespace rollcon {
 
 class LinearSolver {
  public:
-  /// Up to this many free unknowns `automatic` factorises every system (crossing measured by the
-  /// bench case linear_solver).
+  /// Up to this many free unknowns `automatic` factorises every system (crossing measured by the bench case
+  /// linear_solver).
   static constexpr std::int64_t direct_limit = 60;
 
   LinearMethod method = LinearMethod::automatic;
   Preconditioner preconditioner = Preconditioner::automatic;  ///< automatic: kept_lu
 
-  /// Solves system x = b to a relative residual `tolerance` (LU: to rounding). node_count: of the
-  /// frame. Returns false when no usable solution was found (singular to working precision). On
-  /// return system.product() belongs to x.
-  bool solve(ReducedSystem& system, std::int64_t node_count, const std::vector<double>& b,
-             double tolerance, std::vector<double>& x);
-  /// For rates of a solution: solves to rounding or a residual of 1e-9. Until forget_exact() or
-  /// the next solve() the system of each part must stay what it is: double-precision factors made
-  /// for one right side serve the others, and nothing that solve() keeps is touched.
+  /// Solves system x = b to a relative residual `tolerance` (LU: to rounding). node_count: of the frame. Returns false
+  /// when no usable solution was found (singular to working precision). On return system.product() belongs to x.
+  bool solve(ReducedSystem& system, std::int64_t node_count, const std::vector<double>& b, double tolerance,
+             std::vector<double>& x);
+  /// For rates of a solution: solves to rounding or a residual of 1e-9. Until forget_exact() or the next solve() the
+  /// system of each part must stay what it is: double-precision factors made for one right side serve the others, and
+  /// nothing that solve() keeps is touched.
   bool solve_exactly(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x);
   void forget_exact();
   /// Forgets the kept factors, for instance when the operators change.
@@ -49,16 +48,14 @@ class LinearSolver {
 
  private:
   /// GMRES with no preconditioner or the pairs' own blocks.
-  bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
-                     std::vector<double>& x);
+  bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance, std::vector<double>& x);
   /// GMRES for operators that are not formed.
   /// enough: residual that will do where the tolerance was not reached.
-  bool solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance,
-                   double enough, std::vector<double>& x);
+  bool solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance, double enough,
+                   std::vector<double>& x);
   void take(ReducedSystem& system, std::vector<double>& x);
   bool solve_direct(const std::vector<double>& b, std::vector<double>& x);
-  bool solve_with_kept(std::int64_t node_count, const std::vector<double>& b, double tolerance,
-                       std::vector<double>& x);
+  bool solve_with_kept(std::int64_t node_count, const std::vector<double>& b, double tolerance, std::vector<double>& x);
   bool factor_free(Lu<double>& lu);
   bool finish(const double* y, std::vector<double>& x);
 

@@ -24,8 +24,7 @@ void invert_block(double (&a)[3][3], int n, double* out) {
     for (int i = 0; i < n; ++i) {
       if (i == k) continue;
       const double factor = a[i][k];
-      for (int j = 0; j < n; ++j)
-        a[i][j] -= factor * a[k][j], inverse[i][j] -= factor * inverse[k][j];
+      for (int j = 0; j < n; ++j) a[i][j] -= factor * a[k][j], inverse[i][j] -= factor * inverse[k][j];
     }
   }
   for (int i = 0; i < n; ++i)

@@ -6,8 +6,7 @@
 namespace rollcon {
 
 void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part part,
-                           std::span<const std::int32_t> active,
-                           const std::vector<double> (&lambda)[3], bool changed) {
+                           std::span<const std::int32_t> active, const std::vector<double> (&lambda)[3], bool changed) {
   const bool same = !changed && part == part_ && active.size() == nodes_.size() &&
                     std::equal(active.begin(), active.end(), nodes_.begin());
   if (!same) {
@@ -15,8 +14,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
     nodes_.assign(active.begin(), active.end());
     count_ = 0;
     if (tangential())
-      component_[static_cast<std::size_t>(count_++)] = 0,
-      component_[static_cast<std::size_t>(count_++)] = 1;
+      component_[static_cast<std::size_t>(count_++)] = 0, component_[static_cast<std::size_t>(count_++)] = 1;
     if (normal()) component_[static_cast<std::size_t>(count_++)] = 2;
     const auto na = static_cast<std::int64_t>(nodes_.size());
     const std::int64_t rows = rows_ = count_ * na;
@@ -43,8 +41,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
     for (int r = 0; r < count_; ++r)
       for (std::int64_t a = 0; a < na; ++a) {
         const int row = component(r);
-        const double scale =
-            row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
+        const double scale = row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
         double* out = matrix_.row(r * na + a);
         for (int c = 0; c < count_; ++c, out += na) {
           const RowMatrix<double>& block = problem.op.block[row][component(c)];
@@ -53,8 +50,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
             continue;
           }
           const double* from = block.row(nodes_[static_cast<std::size_t>(a)]);
-          for (std::int64_t j = 0; j < na; ++j)
-            out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
+          for (std::int64_t j = 0; j < na; ++j) out[j] = scale * from[nodes_[static_cast<std::size_t>(j)]];
         }
       }
   }
@@ -93,8 +89,7 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
     const bool own = c == 2 ? normal() : tangential();
     if (!own) {
       for (std::size_t k = 0; k < problem.turn.size(); ++k)
-        border.right -=
-            sign * problem.load_row(m, k)[static_cast<std::size_t>(c)] * lambda[c][k] / unit;
+        border.right -= sign * problem.load_row(m, k)[static_cast<std::size_t>(c)] * lambda[c][k] / unit;
       continue;
     }
     border.column[c].resize(na);
@@ -117,8 +112,7 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   }
 }
 
-void ReducedSystem::right_side(std::span<const double> known_gap,
-                               std::span<const double> known_slip1,
+void ReducedSystem::right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
                                std::span<const double> known_slip2, std::vector<double>& b) const {
   const std::size_t na = nodes_.size();
   b.resize(static_cast<std::size_t>(size_));
@@ -134,14 +128,12 @@ void ReducedSystem::right_side(std::span<const double> known_gap,
     for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * known_gap[a];
   }
   for (int k = 0; k < borders_; ++k)
-    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] =
-        border_[static_cast<std::size_t>(k)].right;
+    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] = border_[static_cast<std::size_t>(k)].right;
 }
 
-void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1,
-                              std::span<const double> slip2, std::span<const double> bound1,
-                              std::span<const double> bound2, const std::array<double, 4>& load,
-                              std::vector<double>& b) const {
+void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
+                              std::span<const double> bound1, std::span<const double> bound2,
+                              const std::array<double, 4>& load, std::vector<double>& b) const {
   const std::size_t na = nodes_.size();
   b.resize(static_cast<std::size_t>(size_));
   if (tangential())
@@ -187,9 +179,7 @@ void ReducedSystem::apply_field(const double* x) {
 void ReducedSystem::border_column(int k, double* y) const {
   const std::size_t na = nodes_.size();
   const Border& border = border_[static_cast<std::size_t>(k)];
-  const auto entry = [&](int c, std::size_t a) {
-    return border.column[c].empty() ? 0.0 : border.column[c][a];
-  };
+  const auto entry = [&](int c, std::size_t a) { return border.column[c].empty() ? 0.0 : border.column[c][a]; };
   if (tangential())
     for (std::size_t a = 0; a < na; ++a)
       for (std::size_t i = 0; i < 2; ++i)
@@ -204,8 +194,7 @@ double ReducedSystem::border_product(int k, const double* x) const {
   double sum = 0;
   for (int c = 0; c < count_; ++c) {
     const auto& row = border_[static_cast<std::size_t>(k)].row[component(c)];
-    for (std::size_t a = 0; a < row.size(); ++a)
-      sum += row[a] * x[static_cast<std::size_t>(c) * na + a];
+    for (std::size_t a = 0; a < row.size(); ++a) sum += row[a] * x[static_cast<std::size_t>(c) * na + a];
   }
   return sum;
 }
@@ -248,25 +237,22 @@ void ReducedSystem::add_laws(const double* x, double* y) const {
     const TangentialLaw& law = law_[a];
     const double s1 = y[a], s2 = y[na + a];
     const double l1 = x[a], l2 = x[na + a], ln = full ? x[2 * na + a] : 0;
-    y[a] = law.own[0][0] * l1 + law.own[0][1] * l2 + law.own[0][2] * ln + law.slip[0][0] * s1 +
-           law.slip[0][1] * s2;
-    y[na + a] = law.own[1][0] * l1 + law.own[1][1] * l2 + law.own[1][2] * ln + law.slip[1][0] * s1 +
-                law.slip[1][1] * s2;
+    y[a] = law.own[0][0] * l1 + law.own[0][1] * l2 + law.own[0][2] * ln + law.slip[0][0] * s1 + law.slip[0][1] * s2;
+    y[na + a] =
+        law.own[1][0] * l1 + law.own[1][1] * l2 + law.own[1][2] * ln + law.slip[1][0] * s1 + law.slip[1][1] * s2;
   }
 }
 
-void ReducedSystem::start(const std::vector<double> (&lambda)[3],
-                          const std::array<double, 4>& motion, std::vector<double>& x) const {
+void ReducedSystem::start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
+                          std::vector<double>& x) const {
   const std::size_t na = nodes_.size();
   x.resize(static_cast<std::size_t>(size_));
   for (int r = 0; r < count_; ++r)
     for (std::size_t a = 0; a < na; ++a)
-      x[static_cast<std::size_t>(r) * na + a] =
-          lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
+      x[static_cast<std::size_t>(r) * na + a] = lambda[component(r)][static_cast<std::size_t>(nodes_[a])];
   for (int k = 0; k < borders_; ++k) {
     const Border& border = border_[static_cast<std::size_t>(k)];
-    x[static_cast<std::size_t>(rows_ + k)] =
-        motion[static_cast<std::size_t>(border.motion)] * border.scale;
+    x[static_cast<std::size_t>(rows_ + k)] = motion[static_cast<std::size_t>(border.motion)] * border.scale;
   }
 }
 
@@ -277,16 +263,14 @@ void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
     for (int c = 0; c < count_; ++c) {
       const int row = component(r);
       const double scale = row == 2 ? normal_scale(a) : slip_scale(a);
-      own[r][c] =
-          field_ ? scale * field_->entry(row, component(c)) : matrix_.row(r * na + a)[c * na + a];
+      own[r][c] = field_ ? scale * field_->entry(row, component(c)) : matrix_.row(r * na + a)[c * na + a];
     }
   for (int r = 0; r < count_; ++r)
     for (int c = 0; c < count_; ++c) {
       block[r][c] = own[r][c];
       if (component(r) == 2) continue;
       const TangentialLaw& law = law_[static_cast<std::size_t>(a)];
-      block[r][c] =
-          law.own[r][component(c)] + law.slip[r][0] * own[0][c] + law.slip[r][1] * own[1][c];
+      block[r][c] = law.own[r][component(c)] + law.slip[r][0] * own[0][c] + law.slip[r][1] * own[1][c];
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// The linear system of one Newton step on the nodes in contact: unknown tractions of the active
-/// components, then the unknown motions (bordering), all in units of traction.
+/// The linear system of one Newton step on the nodes in contact: unknown tractions of the active components, then the
+/// unknown motions (bordering), all in units of traction.
 
 #include <array>
 #include <cstdint>
@@ -15,29 +15,26 @@ namespace rollcon {
 
 class ReducedSystem final : public LinearOperator {
  public:
-  /// Copies the rows and columns of the active nodes, scaled by rn and rt; keeps the storage.
-  /// Nothing is copied when part and nodes are those of the last call and `changed` is false.
-  /// lambda: current tractions; on a curved frame those that the part holds fixed carry a share of
-  /// its loads.
-  void gather(const Problem& problem, const Prescribed& given, Part part,
-              std::span<const std::int32_t> active, const std::vector<double> (&lambda)[3],
-              bool changed);
+  /// Copies the rows and columns of the active nodes, scaled by rn and rt; keeps the storage. Nothing is copied when
+  /// part and nodes are those of the last call and `changed` is false. lambda: current tractions; on a curved frame
+  /// those that the part holds fixed carry a share of its loads.
+  void gather(const Problem& problem, const Prescribed& given, Part part, std::span<const std::int32_t> active,
+              const std::vector<double> (&lambda)[3], bool changed);
 
   /// Linearised law of active node a; to be set for all before use when tangential.
   TangentialLaw& law(std::int64_t a) { return law_[static_cast<std::size_t>(a)]; }
   const TangentialLaw& law(std::int64_t a) const { return law_[static_cast<std::size_t>(a)]; }
 
-  /// Right side: gap (normal) and minus slip (tangential) that do not depend on the unknowns.
-  /// known_gap[a], known_slip1[a], known_slip2[a] are per active node, unscaled.
+  /// Right side: gap (normal) and minus slip (tangential) that do not depend on the unknowns. known_gap[a],
+  /// known_slip1[a], known_slip2[a] are per active node, unscaled.
   void right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
                   std::span<const double> known_slip2, std::vector<double>& b) const;
 
-  /// Right side for the rate of a solution: rates, at constant unknowns, of gap and slip and of
-  /// what the tangential rows equal (`bound1`, `bound2`, in units of traction), per active node;
-  /// and of the loads that the part's unknown motions belong to.
-  void rate_side(std::span<const double> gap, std::span<const double> slip1,
-                 std::span<const double> slip2, std::span<const double> bound1,
-                 std::span<const double> bound2, const std::array<double, 4>& load,
+  /// Right side for the rate of a solution: rates, at constant unknowns, of gap and slip and of what the tangential
+  /// rows equal (`bound1`, `bound2`, in units of traction), per active node; and of the loads that the part's unknown
+  /// motions belong to.
+  void rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
+                 std::span<const double> bound1, std::span<const double> bound2, const std::array<double, 4>& load,
                  std::vector<double>& b) const;
 
   void apply(const double* x, double* y) override;
@@ -58,8 +55,7 @@ class ReducedSystem final : public LinearOperator {
   void border_column(int k, double* y) const;
   /// The motion of border k; the approach is the last.
   int border_motion(int k) const { return border_[static_cast<std::size_t>(k)].motion; }
-  /// Entries of border k's column and row at the active nodes by traction component, the laws left
-  /// out; empty: zero.
+  /// Entries of border k's column and row at the active nodes by traction component, the laws left out; empty: zero.
   std::span<const double> border_column_part(int k, int component) const {
     return border_[static_cast<std::size_t>(k)].column[component];
   }
@@ -78,8 +74,7 @@ class ReducedSystem final : public LinearOperator {
     for (std::size_t i = 0; i < other.size(); ++i) product_[i] += other[i];
   }
   /// Unknowns that correspond to given tractions and motions.
-  void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion,
-             std::vector<double>& x) const;
+  void start(const std::vector<double> (&lambda)[3], const std::array<double, 4>& motion, std::vector<double>& x) const;
   /// Value of the unknown motion m, if it is one, in physical units; else the given value.
   double motion(const Prescribed& given, int m, const double* x) const;
 
@@ -91,8 +86,7 @@ class ReducedSystem final : public LinearOperator {
   int component(int k) const { return component_[static_cast<std::size_t>(k)]; }
   std::size_t bytes() const {
     std::size_t sum = matrix_.bytes();
-    for (int c = 0; c < 3; ++c)
-      sum += (field_lambda_[c].capacity() + field_image_[c].capacity()) * sizeof(double);
+    for (int c = 0; c < 3; ++c) sum += (field_lambda_[c].capacity() + field_image_[c].capacity()) * sizeof(double);
     return sum;
   }
 
@@ -105,10 +99,8 @@ class ReducedSystem final : public LinearOperator {
     double per_load = 1;            ///< right side per unit of the load
     double right = 0;
   };
-  void gather_borders(const Problem& problem, const Prescribed& given,
-                      const std::vector<double> (&lambda)[3]);
-  void add_border(const Problem& problem, const Prescribed& given, int motion,
-                  const std::vector<double> (&lambda)[3]);
+  void gather_borders(const Problem& problem, const Prescribed& given, const std::vector<double> (&lambda)[3]);
+  void add_border(const Problem& problem, const Prescribed& given, int motion, const std::vector<double> (&lambda)[3]);
   void apply_field(const double* x);
   void add_laws(const double* x, double* y) const;
   bool tangential() const { return has_tangential(part_); }

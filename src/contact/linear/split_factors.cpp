@@ -22,8 +22,7 @@ double largest_of(const double* x, std::int64_t n) {
 bool SplitFactors::Block::factor(FreeSystem& system, Rows rows, std::int64_t node_count) {
   // The tangential part grows as nodes stick, to twice its nodes at most.
   const std::int64_t n = system.size(rows), full = system.system().size();
-  const std::int64_t room =
-      rows == Rows::normal || n >= 1000 ? std::max(n / 5, with_room(n) - n) : with_room(full) - n;
+  const std::int64_t room = rows == Rows::normal || n >= 1000 ? std::max(n / 5, with_room(n) - n) : with_room(full) - n;
   system.dense(rows, lu.prepare(n, room));
   valid = lu.factor();
   nodes = system.active();
@@ -32,8 +31,7 @@ bool SplitFactors::Block::factor(FreeSystem& system, Rows rows, std::int64_t nod
   if (node.capacity() < active.size()) node.reserve(with_room(active.size()));
   node.assign(active.begin(), active.end());
   place.assign(at(node_count), -1);
-  for (std::size_t a = 0; a < active.size(); ++a)
-    place[at(active[a])] = static_cast<std::int32_t>(a);
+  for (std::size_t a = 0; a < active.size(); ++a) place[at(active[a])] = static_cast<std::int32_t>(a);
   if (work.size() < at(n)) work.resize(at(n + room));
   return valid;
 }
@@ -59,8 +57,7 @@ bool SplitFactors::factor(FreeSystem& system, std::int64_t node_count) {
     auto row = static_cast<std::int32_t>(na);
     for (const std::int32_t a : system.whole()) second_[at(a)] = row++;
   }
-  if (good && system.normal() &&
-      !(normal_.usable(system, Rows::normal) && normal_.same_nodes(system)))
+  if (good && system.normal() && !(normal_.usable(system, Rows::normal) && normal_.same_nodes(system)))
     good = normal_.factor(system, Rows::normal, node_count);
   return good;
 }
@@ -119,8 +116,7 @@ void SplitFactors::solve_tangential(const double* x, double* y) {
       work[p] = static_cast<float>((across_[0][at(p)] * r1 + across_[1][at(p)] * r2) / scale);
     }
   }
-  for (std::int64_t k = 1; k <= borders; ++k)
-    work[n - k] = static_cast<float>(x[present - k] / scale);
+  for (std::int64_t k = 1; k <= borders; ++k) work[n - k] = static_cast<float>(x[present - k] / scale);
   tangential_.lu.solve(work);
   for (std::size_t a = 0; a < na; ++a) {
     const std::int32_t p = to_tangential_[a];
@@ -143,8 +139,7 @@ void SplitFactors::solve_tangential(const double* x, double* y) {
       y[a] = system_->across(0, a) * z1 + system_->across(1, a) * z2;
     }
   }
-  for (std::int64_t k = 1; k <= borders; ++k)
-    y[present - k] = scale * static_cast<double>(work[n - k]);
+  for (std::int64_t k = 1; k <= borders; ++k) y[present - k] = scale * static_cast<double>(work[n - k]);
 }
 
 void SplitFactors::solve_normal(const double* x, double* y) {
@@ -155,16 +150,12 @@ void SplitFactors::solve_normal(const double* x, double* y) {
   float* work = normal_.work.data();
   std::fill(work, work + nodes, 0.0f);
   for (std::int64_t a = 0; a < na; ++a)
-    if (const std::int32_t p = to_normal_[at(a)]; p >= 0)
-      work[p] = static_cast<float>(x[a] / scale);
-  for (std::int64_t k = 0; k < borders; ++k)
-    work[nodes + k] = static_cast<float>(x[na + k] / scale);
+    if (const std::int32_t p = to_normal_[at(a)]; p >= 0) work[p] = static_cast<float>(x[a] / scale);
+  for (std::int64_t k = 0; k < borders; ++k) work[nodes + k] = static_cast<float>(x[na + k] / scale);
   normal_.lu.solve(work);
   for (std::int64_t a = 0; a < na; ++a)
-    if (const std::int32_t p = to_normal_[at(a)]; p >= 0)
-      y[a] = scale * static_cast<double>(work[p]);
-  for (std::int64_t k = 0; k < borders; ++k)
-    y[na + k] = scale * static_cast<double>(work[nodes + k]);
+    if (const std::int32_t p = to_normal_[at(a)]; p >= 0) y[a] = scale * static_cast<double>(work[p]);
+  for (std::int64_t k = 0; k < borders; ++k) y[na + k] = scale * static_cast<double>(work[nodes + k]);
 }
 
 void SplitFactors::apply(const double* x, double* y) {

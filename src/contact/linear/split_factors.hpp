@@ -1,6 +1,6 @@
 #pragma once
-/// Preconditioner of Newton's systems: single-precision factors of an earlier system, the
-/// tangential rows and the normal ones by themselves, mapped onto the present one node by node.
+/// Preconditioner of Newton's systems: single-precision factors of an earlier system, the tangential rows and the
+/// normal ones by themselves, mapped onto the present one node by node.
 
 #include <cstdint>
 #include <vector>
@@ -12,8 +12,8 @@ namespace rollcon {
 
 class SplitFactors final : public LinearOperator {
  public:
-  /// Factorises what the system's part has; normal rows not again while the same nodes are in
-  /// contact. False: singular to single precision.
+  /// Factorises what the system's part has; normal rows not again while the same nodes are in contact. False: singular
+  /// to single precision.
   bool factor(FreeSystem& system, std::int64_t node_count);
   /// True when the factors belong to such a part with as many unknown motions.
   bool usable(const FreeSystem& system) const;
@@ -42,10 +42,10 @@ class SplitFactors final : public LinearOperator {
   void solve_normal(const double* x, double* y);
 
   Block tangential_, normal_;
-  std::vector<double> across_[2];     ///< of the factorised tangential rows
-  std::vector<std::int32_t> second_;  ///< row of the second component there, -1: slides
+  std::vector<double> across_[2];                        ///< of the factorised tangential rows
+  std::vector<std::int32_t> second_;                     ///< row of the second component there, -1: slides
   std::vector<std::int32_t> to_tangential_, to_normal_;  ///< active node -> position, or -1
-  std::vector<std::int32_t> own_second_;  ///< row of the second component in the present system
+  std::vector<std::int32_t> own_second_;                 ///< row of the second component in the present system
   std::vector<double> right_, found_, rest_;
   FreeSystem* system_ = nullptr;
   std::int64_t changed_ = 0;

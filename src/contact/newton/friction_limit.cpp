@@ -10,8 +10,8 @@ namespace rollcon {
 namespace {
 
 constexpr double settled = 1e-3;  // normal residual below which pressures are judged
-// Corners of a kink: a node at the very centre about which all others turn. Rounded off by so much
-// of the mean, which raises h by less than that over the number of nodes.
+// Corners of a kink: a node at the very centre about which all others turn. Rounded off by so much of the mean, which
+// raises h by less than that over the number of nodes.
 constexpr double rounded = 1e-5;
 constexpr double at_limit = 1 - 1e-12;
 constexpr int most_steps = 60;
@@ -75,8 +75,8 @@ class Limit {
     }
     return sum;
   }
-  /// The direction a with a.to = |to| and the least h(a); to is not zero. Stays among the motions
-  /// whose loads are prescribed and `wanted`.
+  /// The direction a with a.to = |to| and the least h(a); to is not zero. Stays among the motions whose loads are
+  /// prescribed and `wanted`.
   Three least(const Three& to, const std::array<bool, 3>& wanted) const;
 
  private:
@@ -92,10 +92,10 @@ class Limit {
         n.slip[c][i] = column[c] * unit_[i];
       }
     }
-    // Where shape functions are negative on the whole (corners of quad8) a node's pressure takes
-    // away from the load: friction there takes away from what friction carries, too. Tractions of
-    // such a node alone might add to it, but then the traction between the nodes is far beyond
-    // mu p: |Ft| <= mu Fn is to hold for the pressure that is integrated.
+    // Where shape functions are negative on the whole (corners of quad8) a node's pressure takes away from the load:
+    // friction there takes away from what friction carries, too. Tractions of such a node alone might add to it, but
+    // then the traction between the nodes is far beyond mu p: |Ft| <= mu Fn is to hold for the pressure that is
+    // integrated.
     n.sign = takes_away(problem_, k) ? -1 : 1;
     nodes_.push_back(n);
   }
@@ -112,8 +112,7 @@ class Limit {
   Three loads_{}, unit_{};
 };
 
-Limit::Value Limit::value(const Three& a, const Three (&along)[2], std::size_t count,
-                          double round) const {
+Limit::Value Limit::value(const Three& a, const Three (&along)[2], std::size_t count, double round) const {
   Value v;
   for (const Node& n : nodes_) {
     const double v1 = dot3(n.row[0], a), v2 = dot3(n.row[1], a);
@@ -129,8 +128,7 @@ Limit::Value Limit::value(const Three& a, const Three (&along)[2], std::size_t c
     }
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < count; ++j)
-        v.curve[i][j] +=
-            n.sign * (d[i][0] * d[j][0] + d[i][1] * d[j][1] - along_v[i] * along_v[j]) / size;
+        v.curve[i][j] += n.sign * (d[i][0] * d[j][0] + d[i][1] * d[j][1] - along_v[i] * along_v[j]) / size;
   }
   return v;
 }
@@ -202,8 +200,7 @@ double over(double loads, double friction) {
   return friction > 0 ? loads / friction : INFINITY;
 }
 
-double share_of(const Limit& limit, Three loads, const std::array<bool, 3>& wanted,
-                Three* direction = nullptr) {
+double share_of(const Limit& limit, Three loads, const std::array<bool, 3>& wanted, Three* direction = nullptr) {
   for (std::size_t i = 0; i < 3; ++i)
     if (!wanted[i]) loads[i] = 0;
   const double length = std::sqrt(dot3(loads, loads));
@@ -215,8 +212,7 @@ double share_of(const Limit& limit, Three loads, const std::array<bool, 3>& want
 
 }  // namespace
 
-FrictionShare share_of_friction(const Problem& p, const Prescribed& given,
-                                const std::vector<double> (&lambda)[3]) {
+FrictionShare share_of_friction(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   FrictionShare share;
   const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2], m = given.by_force[spin];
   share.by_force = f1 || f2;
@@ -224,19 +220,15 @@ FrictionShare share_of_friction(const Problem& p, const Prescribed& given,
   if (!f1 && !f2 && !m) return share;
   const Limit limit(p, given, lambda);
   share.together = share_of(limit, limit.loads(), {f1, f2, m}, &share.direction);
-  if (share.by_force)
-    share.force = m ? share_of(limit, limit.loads(), {f1, f2, false}) : share.together;
-  if (m)
-    share.moment =
-        share.by_force ? share_of(limit, limit.loads(), {false, false, true}) : share.together;
+  if (share.by_force) share.force = m ? share_of(limit, limit.loads(), {f1, f2, false}) : share.together;
+  if (m) share.moment = share.by_force ? share_of(limit, limit.loads(), {false, false, true}) : share.together;
   const double loads = dot3(limit.loads(), share.direction);
   share.sliding = over(loads, limit.power_of_sliding(share.direction));
   return share;
 }
 
 // On a flat frame every node's share acts in the direction of the force.
-double share_of_forces(const Problem& p, const Prescribed& given,
-                       const std::vector<double> (&lambda)[3]) {
+double share_of_forces(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2];
   if (!f1 && !f2) return 0;
   if (!p.turn.empty()) {
@@ -253,25 +245,22 @@ double share_of_forces(const Problem& p, const Prescribed& given,
   return over(std::hypot(f1 ? given.value[xi1] : 0, f2 ? given.value[xi2] : 0), friction);
 }
 
-bool friction_overdrawn(const Problem& p, const Prescribed& given,
-                        const std::vector<double> (&lambda)[3]) {
+bool friction_overdrawn(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   if (!given.by_force[xi1] && !given.by_force[xi2] && !given.by_force[spin]) return false;
   for (std::size_t k = 0; k < at(p.nodes); ++k)
-    if (lambda[2][k] < 0 && takes_away(p, k))
-      return share_of_friction(p, given, lambda).together >= at_limit;
+    if (lambda[2][k] < 0 && takes_away(p, k)) return share_of_friction(p, given, lambda).together >= at_limit;
   return false;
 }
 
-bool pressures_settled(const Problem& p, const Prescribed& given,
-                       const std::vector<double> (&lambda)[3], double residual) {
+bool pressures_settled(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3],
+                       double residual) {
   if (!(residual < settled)) return false;
   if (!given.by_force[approach]) return true;
   const double load = given.value[approach];
   return std::abs(load_on_body1(p, approach, lambda).value - load) <= settled * load;
 }
 
-bool friction_sum_known(const Problem& p, const Prescribed& given,
-                        const std::vector<double>& normal) {
+bool friction_sum_known(const Problem& p, const Prescribed& given, const std::vector<double>& normal) {
   if (!p.turn.empty() || !given.by_force[approach]) return false;
   double mu = -1;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {

@@ -1,5 +1,5 @@
-/// The last guard before a success: what was found keeps every law and carries every prescribed
-/// load, whichever part was solved last and whatever fallbacks did on the way.
+/// The last guard before a success: what was found keeps every law and carries every prescribed load, whichever part
+/// was solved last and whatever fallbacks did on the way.
 
 #include <algorithm>
 #include <cmath>
@@ -14,26 +14,23 @@ constexpr double slack = 10;  // images made anew have another rounding
 
 }  // namespace
 
-// The tangential problem of equal bodies stands on pressures that were found before it: they are to
-// be those still, or are judged again. The part solved last was judged when it ended, by what was
-// prescribed then; after fallbacks, which prescribe other things for a while, all is judged by what
-// is asked.
+// The tangential problem of equal bodies stands on pressures that were found before it: they are to be those still, or
+// are judged again. The part solved last was judged when it ended, by what was prescribed then; after fallbacks, which
+// prescribe other things for a while, all is judged by what is asked.
 bool Newton::holds() {
   Solve& s = solve_;
   const Iterate& it = *s.iterate;
   for (std::size_t m = 0; m < 4; ++m)
     if (!s.given.by_force[m] && it.motion[m] != s.given.value[m]) return false;
   const std::vector<double>& pressures = it.lambda[2];
-  const bool as_judged =
-      s.report.fallbacks == 0 && it.motion[approach] == judged_approach_ &&
-      judged_.size() == pressures.size() &&
-      std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
+  const bool as_judged = s.report.fallbacks == 0 && it.motion[approach] == judged_approach_ &&
+                         judged_.size() == pressures.size() &&
+                         std::memcmp(judged_.data(), pressures.data(), pressures.size() * sizeof(double)) == 0;
   if (s.goal == Part::tangential && !as_judged) {
     const LawResidual normal = iteration_.judge(Part::normal, s.given);
     s.report.residual_normal = normal.normal;
     s.report.residual_load = std::max(s.report.residual_load, normal.load);
-    if (!std::isfinite(normal.merit) || !normal.within(Part::normal, slack * s.tolerance))
-      return false;
+    if (!std::isfinite(normal.merit) || !normal.within(Part::normal, slack * s.tolerance)) return false;
   }
   if (s.report.fallbacks == 0) return true;
   const LawResidual last = iteration_.evaluate(s.goal, s.given);
@@ -43,14 +40,13 @@ bool Newton::holds() {
   return last.within(s.goal, slack * s.tolerance);
 }
 
-// A converged part is a solution if the guard lets it pass. Else what it stood on is found anew,
-// for whatever is tried next, and nothing returns to it.
+// A converged part is a solution if the guard lets it pass. Else what it stood on is found anew, for whatever is tried
+// next, and nothing returns to it.
 Outcome Newton::guarded(Outcome outcome) {
   if (outcome != Outcome::converged) return outcome;
   Solve& s = solve_;
   if (holds()) {
-    if (s.goal == Part::normal || !friction_overdrawn(*s.problem, s.given, s.iterate->lambda))
-      return outcome;
+    if (s.goal == Part::normal || !friction_overdrawn(*s.problem, s.given, s.iterate->lambda)) return outcome;
     s.report.share = share_of_friction(*s.problem, s.given, s.iterate->lambda);
     return Outcome::no_solution;
   }

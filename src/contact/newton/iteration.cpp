@@ -14,8 +14,8 @@ constexpr std::int64_t patience = 12;  // iterations without progress before a r
 constexpr double much_more = 1e3;      // times the traction found in the end
 constexpr double progress = 0.7;       // factor on the best residual that counts as progress
 constexpr double at_limit = 1 - 1e-12;
-// A search over directions, of loads with a spin moment, is for iterations that lead nowhere: those
-// that solve a load have fewer steps before them.
+// A search over directions, of loads with a spin moment, is for iterations that lead nowhere: those that solve a load
+// have fewer steps before them.
 constexpr std::int64_t before_search = 4;
 
 /// Values of the laws at an iterate, images brought up to date.
@@ -27,8 +27,7 @@ struct AtIterate {
   double lambda(int c, std::size_t k) const { return it.lambda[c][k]; }
   SummedGap gap(std::size_t k) const {
     it.update_gap(p, static_cast<std::int64_t>(k));
-    return {p.rigid_gap(k, it.motion[approach]) - it.image[2][k],
-            std::abs(p.gap[k]) + std::abs(it.image[2][k])};
+    return {p.rigid_gap(k, it.motion[approach]) - it.image[2][k], std::abs(p.gap[k]) + std::abs(it.image[2][k])};
   }
   static bool slip_known(std::size_t) { return true; }
   SummedSlip slip(std::size_t k) const {
@@ -77,8 +76,8 @@ void NewtonIteration::reserve(std::size_t n) {
 std::size_t NewtonIteration::bytes() const {
   std::size_t sum = linear.bytes() + system_.bytes() + prediction.bytes();
   for (int c = 0; c < 3; ++c)
-    sum += sizeof(double) * (frozen_[c].capacity() + next_[c].capacity() +
-                             next_image_[c].capacity() + known_[c].capacity());
+    sum += sizeof(double) *
+           (frozen_[c].capacity() + next_[c].capacity() + next_image_[c].capacity() + known_[c].capacity());
   return sum + sizeof(double) * (b_.capacity() + x_.capacity() + correction_.capacity());
 }
 
@@ -86,29 +85,25 @@ LawResidual NewtonIteration::evaluate(Part part, const Prescribed& given) {
   const Problem& p = *problem_;
   active_.clear();
   std::fill(is_active_.begin(), is_active_.end(), std::uint8_t{0});
-  const LawSums sums =
-      sum_laws(p, given, part, AtIterate{p, *iterate_}, [&](std::size_t k, bool touching, bool) {
-        if (!touching) return;
-        active_.push_back(static_cast<std::int32_t>(k));
-        is_active_[k] = 1;
-      });
+  const LawSums sums = sum_laws(p, given, part, AtIterate{p, *iterate_}, [&](std::size_t k, bool touching, bool) {
+    if (!touching) return;
+    active_.push_back(static_cast<std::int32_t>(k));
+    is_active_[k] = 1;
+  });
   scales_ = scales_of(sums);
   return residual_of(sums, scales_, load_error(p, given, part, iterate_->lambda), sums.contact);
 }
 
 LawResidual NewtonIteration::judge(Part part, const Prescribed& given) {
   const Problem& p = *problem_;
-  const LawSums sums =
-      sum_laws(p, given, part, AtIterate{p, *iterate_}, [](std::size_t, bool, bool) {});
-  return residual_of(sums, scales_of(sums), load_error(p, given, part, iterate_->lambda),
-                     sums.contact);
+  const LawSums sums = sum_laws(p, given, part, AtIterate{p, *iterate_}, [](std::size_t, bool, bool) {});
+  return residual_of(sums, scales_of(sums), load_error(p, given, part, iterate_->lambda), sums.contact);
 }
 
 Outcome NewtonIteration::run(Part part, const Prescribed& given, const RunSettings& settings) {
   Solve& s = *solve_;
   const double tolerance = settings.tolerance > 0 ? settings.tolerance : s.tolerance;
-  const std::int64_t most =
-      settings.max_iterations > 0 ? settings.max_iterations : s.max_iterations;
+  const std::int64_t most = settings.max_iterations > 0 ? settings.max_iterations : s.max_iterations;
   given_ = &given;
   freeze_other_part(part);
   images_fresh_ = false;
@@ -122,8 +117,7 @@ Outcome NewtonIteration::run(Part part, const Prescribed& given, const RunSettin
   std::int64_t waiting = 0, taken = 0;
   for (std::int64_t k = 0;; ++k) {
     LawResidual residual = evaluate(part, given);
-    if (k == 0 && prediction_ratio != 0 && !residual.within(part, tolerance) &&
-        start_predicted(part))
+    if (k == 0 && prediction_ratio != 0 && !residual.within(part, tolerance) && start_predicted(part))
       residual = evaluate(part, given);
     record.iteration = k;
     record.merit = residual.merit;
@@ -144,8 +138,7 @@ Outcome NewtonIteration::run(Part part, const Prescribed& given, const RunSettin
     }
     largest = std::max(largest, traction_of(part, residual));
     if (residual.within(part, tolerance)) {
-      // Images follow the steps. On the way from a load beyond all comparison they keep its
-      // rounding.
+      // Images follow the steps. On the way from a load beyond all comparison they keep its rounding.
       if (largest <= much_more * traction_of(part, residual)) return Outcome::converged;
       largest = traction_of(part, residual);
       images_fresh_ = false;
@@ -186,12 +179,11 @@ std::optional<Outcome> NewtonIteration::touch_again(Part part, std::int64_t iter
 }
 
 // The linear residual need not be smaller than the next Newton residual can be.
-double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& residual,
-                                   double worst, double tolerance) {
-  double forcing = std::clamp(
-      iteration == 0 ? 1e-3 * worst
-                     : 0.1 * std::min(worst, last_worst_ > 0 ? worst / last_worst_ : 1.0),
-      std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
+double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& residual, double worst,
+                                   double tolerance) {
+  double forcing =
+      std::clamp(iteration == 0 ? 1e-3 * worst : 0.1 * std::min(worst, last_worst_ > 0 ? worst / last_worst_ : 1.0),
+                 std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
   if (procedure.eta > 0) forcing = procedure.eta;
   if (procedure.linear == LinearMethod::gmres_adaptive)
     forcing = eta_ = adaptive_tolerance(procedure, residual.merit, last_merit_, eta_);
@@ -200,8 +192,7 @@ double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& re
   return std::max(forcing, 1e-13);
 }
 
-// By what is certain: pressures that were found before friction, or of those that friction changes
-// the sum.
+// By what is certain: pressures that were found before friction, or of those that friction changes the sum.
 bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double residual_normal) {
   const Problem& p = *problem_;
   const Prescribed& given = *given_;
@@ -215,17 +206,14 @@ bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double 
     share = share_of_friction(p, given, lambda);
     return share.together >= at_limit;
   }
-  if (!friction_sum_known(p, given, lambda[2]) ||
-      !pressures_settled(p, given, lambda, residual_normal))
-    return false;
+  if (!friction_sum_known(p, given, lambda[2]) || !pressures_settled(p, given, lambda, residual_normal)) return false;
   if (share_of_forces(p, given, lambda) < at_limit) return false;
   share = share_of_friction(p, given, lambda);
   return true;
 }
 
-// A body that gives way more than a half-space (a rim, a ring) parts everywhere under the guessed
-// pressures at the guessed approach. Moves the bodies together until the gap of the loaded nodes
-// closes on average.
+// A body that gives way more than a half-space (a rim, a ring) parts everywhere under the guessed pressures at the
+// guessed approach. Moves the bodies together until the gap of the loaded nodes closes on average.
 void NewtonIteration::fit_approach() {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
@@ -274,8 +262,8 @@ const std::vector<double> (&NewtonIteration::best_tractions() const)[3] {
   return std::isfinite(best_.worst) ? best_.lambda : iterate_->lambda;
 }
 
-ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given,
-                                          Iterate& iterate, Part part) {
+ReducedSystem& NewtonIteration::linearise(const Problem& problem, const Prescribed& given, Iterate& iterate,
+                                          Part part) {
   problem_ = &problem;
   iterate_ = &iterate;
   given_ = &given;

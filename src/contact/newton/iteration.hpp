@@ -1,7 +1,6 @@
 #pragma once
-/// Exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6)
-/// with a non-monotone line search: of one part of a problem that it does not change, with what is
-/// prescribed given to each run.
+/// Exact semismooth Newton iteration for frictional rolling contact (docs/theory.md, section 6) with a non-monotone
+/// line search: of one part of a problem that it does not change, with what is prescribed given to each run.
 
 #include <array>
 #include <cstdint>
@@ -38,7 +37,7 @@ struct RunSettings {
   std::int64_t max_iterations = 0;  ///< 0: the solve's
   int free_steps = 0;               ///< steps to be taken without line search, the first ones
   bool stick_first = false;         ///< the first step takes every node with friction for sticking
-  bool rehearsal = false;  ///< what is prescribed is not yet what is asked: no best iterate is kept
+  bool rehearsal = false;           ///< what is prescribed is not yet what is asked: no best iterate is kept
 };
 
 class NewtonIteration {
@@ -51,21 +50,19 @@ class NewtonIteration {
   /// Begins a solve, which must outlive its runs.
   void begin(Solve& solve);
   Outcome run(Part part, const Prescribed& given, const RunSettings& settings = {});
-  /// Residuals at the iterate; also finds the active nodes and makes every image that the next step
-  /// needs valid.
+  /// Residuals at the iterate; also finds the active nodes and makes every image that the next step needs valid.
   LawResidual evaluate(Part part, const Prescribed& given);
   /// The part's laws alone: the active nodes stay those of the part that was solved last.
   LawResidual judge(Part part, const Prescribed& given);
-  /// Back to the best iterate of the runs that were no rehearsal; to a cold start where there is
-  /// none and the iterate is not finite.
+  /// Back to the best iterate of the runs that were no rehearsal; to a cold start where there is none and the iterate
+  /// is not finite.
   void return_to_best();
   void forget_best() { best_.worst = std::numeric_limits<double>::infinity(); }
   /// Tractions of the best iterate, or else of the present one.
   const std::vector<double> (&best_tractions() const)[3];
-  /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at
-  /// sliding nodes even where pressures are given.
-  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                           Part part);
+  /// The system of a part linearised at a solution, for its rates. The laws' own[i][2] is mu e_i at sliding nodes even
+  /// where pressures are given.
+  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate, Part part);
   /// Scaled rows are others than at the last step.
   void rows_changed() {
     rows_changed_ = true;
@@ -83,8 +80,7 @@ class NewtonIteration {
 
   void remember_best(double worst);
   std::optional<Outcome> touch_again(Part part, std::int64_t iteration);
-  double forcing_of(std::int64_t iteration, const LawResidual& residual, double worst,
-                    double tolerance);
+  double forcing_of(std::int64_t iteration, const LawResidual& residual, double worst, double tolerance);
   bool beyond_friction(Part part, std::int64_t iteration, double residual_normal);
   void fit_approach();
   bool start_predicted(Part part);

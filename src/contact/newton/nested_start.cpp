@@ -15,8 +15,7 @@ constexpr std::int64_t coarse_iterations = 60;
 // Nodes along a side of the coarsest lattice that says something about a finer one.
 constexpr std::int64_t coarsest_compared = 7;
 
-/// Every second node and the cells between them; on an even number of nodes the last one has no
-/// coarse neighbour.
+/// Every second node and the cells between them; on an even number of nodes the last one has no coarse neighbour.
 struct Coarser {
   Lattice lattice;
   Frame frame;
@@ -79,8 +78,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
 }
 
 /// Bilinear from every second node; none beyond the last.
-void interpolate(const Lattice& coarse, const std::vector<double>& from, const Lattice& fine,
-                 std::vector<double>& to) {
+void interpolate(const Lattice& coarse, const std::vector<double>& from, const Lattice& fine, std::vector<double>& to) {
   const auto value = [&](std::int64_t i, std::int64_t j) {
     const std::int32_t k = i < coarse.nx && j < coarse.ny ? coarse.node[at(j * coarse.nx + i)] : -1;
     return k >= 0 ? from[at(k)] : 0.0;
@@ -103,21 +101,20 @@ class Quiet final : public Monitor {
   const std::function<bool()>& cancelled_;
 };
 
-bool solve(const Problem& problem, Prescribed given, const LatticeScene& scene, bool frictionless,
-           double tolerance, Iterate& iterate) {
+bool solve(const Problem& problem, Prescribed given, const LatticeScene& scene, bool frictionless, double tolerance,
+           Iterate& iterate) {
   if (frictionless) given.by_force[xi1] = given.by_force[xi2] = given.by_force[spin] = false;
   Newton newton;
   Quiet quiet(scene.cancelled);
-  const NewtonReport report =
-      newton.solve(problem, given, iterate, frictionless, tolerance, coarse_iterations, quiet);
+  const NewtonReport report = newton.solve(problem, given, iterate, frictionless, tolerance, coarse_iterations, quiet);
   return report.outcome == Outcome::converged;
 }
 
-/// Tractions and motions for a lattice from what `find` makes of the problem on the next coarser
-/// one. False: it found nothing.
+/// Tractions and motions for a lattice from what `find` makes of the problem on the next coarser one. False: it found
+/// nothing.
 template <class Find>
-bool take_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
-                       Iterate& iterate, Find find) {
+bool take_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, Iterate& iterate,
+                       Find find) {
   const Coarser coarser = coarsen(scene.frame, scene.lattice);
   if (!coarser.lattice.has_inner_node()) return false;
   const Problem p = coarser_problem(problem, scene, coarser);
@@ -126,14 +123,12 @@ bool take_from_coarser(const Problem& problem, const Prescribed& given, const La
   start.motion = iterate.motion;
   const LatticeScene next{coarser.frame, coarser.lattice, scene.make_operators, scene.cancelled};
   if (!find(p, next, start)) return false;
-  for (int c = 0; c < 3; ++c)
-    interpolate(coarser.lattice, start.lambda[c], scene.lattice, iterate.lambda[c]);
+  for (int c = 0; c < 3; ++c) interpolate(coarser.lattice, start.lambda[c], scene.lattice, iterate.lambda[c]);
   for (std::size_t k = 0; k < at(problem.nodes); ++k) {
     double& normal = iterate.lambda[2][k];
     normal = problem.used[k] ? std::min(normal, 0.0) : 0.0;
     double t1 = 0, t2 = 0;
-    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k],
-                    -given.friction * problem.mu[k] * normal, t1, t2);
+    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k], -given.friction * problem.mu[k] * normal, t1, t2);
     iterate.lambda[0][k] = t1;
     iterate.lambda[1][k] = t2;
   }
@@ -144,28 +139,26 @@ bool take_from_coarser(const Problem& problem, const Prescribed& given, const La
 
 }  // namespace
 
-bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
-                        bool frictionless, double tolerance, Iterate& iterate) {
+bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
+                        double tolerance, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
   return take_from_coarser(problem, given, scene, iterate,
                            [&](const Problem& p, const LatticeScene& next, Iterate& start) {
-                             start_from_coarser(p, given, next, frictionless, start_tolerance,
-                                                start);
+                             start_from_coarser(p, given, next, frictionless, start_tolerance, start);
                              return solve(p, given, next, frictionless, tolerance, start);
                            });
 }
 
-bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
-                      bool frictionless, double tolerance, int halvings, Iterate& iterate) {
+bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
+                      double tolerance, int halvings, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest_compared) return false;
-  return take_from_coarser(
-      problem, given, scene, iterate,
-      [&](const Problem& p, const LatticeScene& next, Iterate& start) {
-        if (halvings > 1)
-          return solve_on_coarser(p, given, next, frictionless, tolerance, halvings - 1, start);
-        start_from_coarser(p, given, next, frictionless, start_tolerance, start);
-        return solve(p, given, next, frictionless, tolerance, start);
-      });
+  return take_from_coarser(problem, given, scene, iterate,
+                           [&](const Problem& p, const LatticeScene& next, Iterate& start) {
+                             if (halvings > 1)
+                               return solve_on_coarser(p, given, next, frictionless, tolerance, halvings - 1, start);
+                             start_from_coarser(p, given, next, frictionless, start_tolerance, start);
+                             return solve(p, given, next, frictionless, tolerance, start);
+                           });
 }
 
 }  // namespace rollcon

@@ -17,16 +17,15 @@ struct LatticeScene {
   std::function<bool()> cancelled;
 };
 
-/// Fills tractions and motions of a cold iterate from solutions on coarser lattices, the next one
-/// solved to `tolerance`. False, and nothing changed, where there is none, or where one was not
-/// found.
-bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
-                        bool frictionless, double tolerance, Iterate& iterate);
+/// Fills tractions and motions of a cold iterate from solutions on coarser lattices, the next one solved to
+/// `tolerance`. False, and nothing changed, where there is none, or where one was not found.
+bool start_from_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
+                        double tolerance, Iterate& iterate);
 constexpr double start_tolerance = 1e-3;
 
-/// The same from the solution on the lattice of 2^halvings times the spacing alone. False where
-/// that has fewer nodes along a side than an estimate can use, or where it was not found.
-bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene,
-                      bool frictionless, double tolerance, int halvings, Iterate& iterate);
+/// The same from the solution on the lattice of 2^halvings times the spacing alone. False where that has fewer nodes
+/// along a side than an estimate can use, or where it was not found.
+bool solve_on_coarser(const Problem& problem, const Prescribed& given, const LatticeScene& scene, bool frictionless,
+                      double tolerance, int halvings, Iterate& iterate);
 
 }  // namespace rollcon

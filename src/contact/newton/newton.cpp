@@ -53,14 +53,11 @@ void Newton::begin_prediction() {
   prediction.reserve(p.nodes);
   prediction.begin(given, it);
   double friction = 0;
-  for (std::size_t k = 0; k < at(p.nodes); ++k)
-    friction -= given.friction * p.mu[k] * p.weight[k] * it.lambda[2][k];
+  for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.friction * p.mu[k] * p.weight[k] * it.lambda[2][k];
   std::array<double, 4> weight{};
   for (const int m : {xi1, xi2, spin})
-    weight[at(m)] = given.by_force[at(m)] ? friction * (m == spin ? p.length : 1)
-                                          : creep_scale(p, given, it, m);
-  weight[approach] =
-      given.by_force[approach] ? given.value[approach] : std::abs(it.motion[approach]);
+    weight[at(m)] = given.by_force[at(m)] ? friction * (m == spin ? p.length : 1) : creep_scale(p, given, it, m);
+  weight[approach] = given.by_force[approach] ? given.value[approach] : std::abs(it.motion[approach]);
   iteration_.prediction_ratio = prediction.ratio(given, at(p.nodes), weight);
 }
 
@@ -75,14 +72,12 @@ Outcome Newton::attempt(bool cold) {
   const Problem& p = *s.problem;
   Outcome outcome = Outcome::converged;
   if (s.goal != Part::full || cold) {
-    const double enough =
-        s.goal == Part::full ? std::max(start_tolerance, s.tolerance) : s.tolerance;
+    const double enough = s.goal == Part::full ? std::max(start_tolerance, s.tolerance) : s.tolerance;
     outcome = iteration_.run(Part::normal, s.given, {.tolerance = enough});
     if (outcome == Outcome::not_converged && s.iterations_left > 0) {
       ++s.report.fallbacks;
       outcome = bracket_approach(iteration_, Part::normal, enough);
-      s.report.saved[static_cast<std::size_t>(Rung::approach_of_pressures)] +=
-          outcome == Outcome::converged;
+      s.report.saved[static_cast<std::size_t>(Rung::approach_of_pressures)] += outcome == Outcome::converged;
     }
     pressures_found_ = outcome == Outcome::converged;
     judged_ = s.iterate->lambda[2];
@@ -92,16 +87,14 @@ Outcome Newton::attempt(bool cold) {
   if (look_for_sliding && s.goal == Part::tangential && sliding_.applies(p, s.given, *s.iterate))
     s.report.sliding_steps += sliding_.solve(p, s.given, *s.iterate, s.tolerance / 2);
   if (s.report.sliding_steps > 0) iteration_.prediction_ratio = 0;
-  // With creepages still unknown there is no slip direction to start from: full stick finds both
-  // (15 to 9 iterations on the linear quadrilaterals of the sphere example).
-  return iteration_.run(
-      s.goal, s.given,
-      {.free_steps = cold ? 0 : 2, .stick_first = cold && s.given.tangential_load()});
+  // With creepages still unknown there is no slip direction to start from: full stick finds both (15 to 9 iterations on
+  // the linear quadrilaterals of the sphere example).
+  return iteration_.run(s.goal, s.given,
+                        {.free_steps = cold ? 0 : 2, .stick_first = cold && s.given.tangential_load()});
 }
 
-NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                           bool frictionless, double tolerance, std::int64_t max_iterations,
-                           Monitor& monitor) {
+NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iterate& iterate, bool frictionless,
+                           double tolerance, std::int64_t max_iterations, Monitor& monitor) {
   Solve& s = solve_;
   s = {.problem = &problem,
        .iterate = &iterate,
@@ -128,8 +121,7 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
     s.report.outcome = Outcome::no_contact;
     return s.report;
   }
-  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(),
-                                 [](double l) { return l != 0; });
+  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(), [](double l) { return l != 0; });
   if (cold) {
     iteration_.prediction.forget();
     iteration_.prediction_ratio = 0;
@@ -147,10 +139,8 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
   if (outcome == Outcome::not_converged && beyond_sliding(clearly)) outcome = Outcome::no_solution;
   // Without coupling the tangential problem has no meaning under pressures that were not found.
   const bool worth_while = s.goal == Part::full || (s.goal == Part::tangential && pressures_found_);
-  if (outcome == Outcome::not_converged && worth_while && s.iterations_left > 0)
-    outcome = fall_back();
-  if (outcome == Outcome::not_converged || outcome == Outcome::cancelled)
-    iteration_.return_to_best();
+  if (outcome == Outcome::not_converged && worth_while && s.iterations_left > 0) outcome = fall_back();
+  if (outcome == Outcome::not_converged || outcome == Outcome::cancelled) iteration_.return_to_best();
   if (outcome == Outcome::not_converged && beyond_sliding(0)) outcome = Outcome::no_solution;
   if (predict && outcome == Outcome::converged)
     iteration_.prediction.solved();
@@ -174,20 +164,17 @@ Outcome Newton::fall_back() {
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);
   if (full)
-    next(Rung::bracket_approach, [](NewtonIteration& newton) {
-      return bracket_approach(newton, Part::full, newton.solve().tolerance);
-    });
+    next(Rung::bracket_approach,
+         [](NewtonIteration& newton) { return bracket_approach(newton, Part::full, newton.solve().tolerance); });
   next(Rung::rescale_slip, rescale_slip);
-  next(Rung::friction_from_above,
-       [](NewtonIteration& newton) { return continue_in_friction(newton, true); });
+  next(Rung::friction_from_above, [](NewtonIteration& newton) { return continue_in_friction(newton, true); });
   if (full) next(Rung::alternate, alternate);
-  next(Rung::friction_from_below,
-       [](NewtonIteration& newton) { return continue_in_friction(newton, false); });
+  next(Rung::friction_from_below, [](NewtonIteration& newton) { return continue_in_friction(newton, false); });
   return outcome;
 }
 
-// After iterations that led nowhere: whether the loads reach those of sliding against them by so
-// much more. Ends at the best iterate.
+// After iterations that led nowhere: whether the loads reach those of sliding against them by so much more. Ends at the
+// best iterate.
 bool Newton::beyond_sliding(double by) {
   const Solve& s = solve_;
   const Problem& p = *s.problem;
@@ -202,9 +189,7 @@ bool Newton::beyond_sliding(double by) {
     share = share_of_friction(p, s.given, s.iterate->lambda);
     return share.sliding >= 1 + by;
   }
-  if (by > 0 &&
-      !(share_of_friction(p, s.given, iteration_.best_tractions()).together >= suspicious))
-    return false;
+  if (by > 0 && !(share_of_friction(p, s.given, iteration_.best_tractions()).together >= suspicious)) return false;
   if (!compared_) {
     compared_ = true;
     slides_ = slide_against_loads(iteration_);

@@ -1,6 +1,6 @@
 #pragma once
-/// Solves a problem by Newton's iteration: the order of its parts, a guard before every success,
-/// and what is tried where the full step gets stuck.
+/// Solves a problem by Newton's iteration: the order of its parts, a guard before every success, and what is tried
+/// where the full step gets stuck.
 
 #include <cstdint>
 #include <functional>
@@ -16,16 +16,13 @@ class Newton {
   bool predict = true;           ///< warm starts look along the line of the last change
   bool look_for_sliding = true;  ///< total sliding needs no linear systems
 
-  /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the
-  /// load is a force). frictionless: mu is zero at every node.
-  NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                     bool frictionless, double tolerance, std::int64_t max_iterations,
-                     Monitor& monitor);
-  /// The part whose convergence ends a solve: all unknowns at once unless the normal problem stands
-  /// alone.
+  /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the load is a force).
+  /// frictionless: mu is zero at every node.
+  NewtonReport solve(const Problem& problem, const Prescribed& given, Iterate& iterate, bool frictionless,
+                     double tolerance, std::int64_t max_iterations, Monitor& monitor);
+  /// The part whose convergence ends a solve: all unknowns at once unless the normal problem stands alone.
   static Part goal(const Problem& problem, const Prescribed& given, bool frictionless);
-  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate,
-                           Part part) {
+  ReducedSystem& linearise(const Problem& problem, const Prescribed& given, Iterate& iterate, Part part) {
     return iteration_.linearise(problem, given, iterate, part);
   }
   LinearSolver& linear() { return iteration_.linear; }

@@ -43,10 +43,8 @@ void Prediction::move_datum(double change) {
     if (!p->by_force[approach]) p->value[approach] -= change;
 }
 
-double Prediction::ratio(const Prescribed& given, std::size_t nodes,
-                         const std::array<double, 4>& weight) const {
-  if (!known_ || at_before_.by_force != given.by_force || at_last_.by_force != given.by_force)
-    return 0;
+double Prediction::ratio(const Prescribed& given, std::size_t nodes, const std::array<double, 4>& weight) const {
+  if (!known_ || at_before_.by_force != given.by_force || at_last_.by_force != given.by_force) return 0;
   if (before_.lambda[2].size() != nodes) return 0;
   double along = 0, before = 0, now = 0;
   for (std::size_t m = 0; m < 4; ++m) {
@@ -61,17 +59,14 @@ double Prediction::ratio(const Prescribed& given, std::size_t nodes,
   return std::clamp(ratio, -1.0, farthest);
 }
 
-void Prediction::tractions(const Iterate& last, double ratio, int c,
-                           std::vector<double>& lambda) const {
+void Prediction::tractions(const Iterate& last, double ratio, int c, std::vector<double>& lambda) const {
   const auto &new_one = last.lambda[c], &old_one = before_.lambda[c];
-  for (std::size_t k = 0; k < lambda.size(); ++k)
-    lambda[k] = new_one[k] + ratio * (new_one[k] - old_one[k]);
+  for (std::size_t k = 0; k < lambda.size(); ++k) lambda[k] = new_one[k] + ratio * (new_one[k] - old_one[k]);
 }
 
 void Prediction::image(const Iterate& last, double ratio, int c, std::vector<double>& image) const {
   const auto &new_one = last.image[c], &old_one = before_.image[c];
-  for (std::size_t k = 0; k < image.size(); ++k)
-    image[k] = new_one[k] + ratio * (new_one[k] - old_one[k]);
+  for (std::size_t k = 0; k < image.size(); ++k) image[k] = new_one[k] + ratio * (new_one[k] - old_one[k]);
 }
 
 double Prediction::motion(const Iterate& last, double ratio, int m) const {
@@ -88,8 +83,7 @@ bool Prediction::gaps_known(const Problem& p, const Iterate& last) const {
 std::size_t Prediction::bytes() const {
   std::size_t sum = 0;
   for (const Iterate* it : {&last_, &before_})
-    for (int c = 0; c < 3; ++c)
-      sum += (it->lambda[c].capacity() + it->image[c].capacity()) * sizeof(double);
+    for (int c = 0; c < 3; ++c) sum += (it->lambda[c].capacity() + it->image[c].capacity()) * sizeof(double);
   return sum;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// Where the next solution of a sweep may lie: when the prescribed values move on along the line of
-/// their last change, tractions and motions are extrapolated from the last two solutions.
+/// Where the next solution of a sweep may lie: when the prescribed values move on along the line of their last change,
+/// tractions and motions are extrapolated from the last two solutions.
 
 #include <array>
 #include <cstdint>
@@ -20,20 +20,15 @@ class Prediction {
   void forget() { solved_ = known_ = false; }
   /// Approaches count from a datum that is further by so much.
   void move_datum(double change);
-  /// Length of the step from the last solution over that to the last one; 0: none, the prescribed
-  /// values did not change before or turn away from their line. weight[m]: a change of value m that
-  /// would matter.
-  double ratio(const Prescribed& given, std::size_t nodes,
-               const std::array<double, 4>& weight) const;
-  /// Extrapolated by `ratio`: images are those of the tractions, as both are linear. Nodes whose
-  /// slip was not up to date in both solutions are not `valid`.
-  void tractions(const Iterate& last, double ratio, int component,
-                 std::vector<double>& lambda) const;
+  /// Length of the step from the last solution over that to the last one; 0: none, the prescribed values did not change
+  /// before or turn away from their line. weight[m]: a change of value m that would matter.
+  double ratio(const Prescribed& given, std::size_t nodes, const std::array<double, 4>& weight) const;
+  /// Extrapolated by `ratio`: images are those of the tractions, as both are linear. Nodes whose slip was not up to
+  /// date in both solutions are not `valid`.
+  void tractions(const Iterate& last, double ratio, int component, std::vector<double>& lambda) const;
   void image(const Iterate& last, double ratio, int component, std::vector<double>& image) const;
   double motion(const Iterate& last, double ratio, int m) const;
-  bool slip_known(const Iterate& last, std::size_t k) const {
-    return last.slip_valid[k] && before_.slip_valid[k];
-  }
+  bool slip_known(const Iterate& last, std::size_t k) const { return last.slip_valid[k] && before_.slip_valid[k]; }
   bool gaps_known(const Problem& problem, const Iterate& last) const;
   std::size_t bytes() const;
 

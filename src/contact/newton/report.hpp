@@ -9,8 +9,8 @@
 
 namespace rollcon {
 
-/// What one iteration looked like; residuals are relative to the largest pressure and to the
-/// largest tangential traction.
+/// What one iteration looked like; residuals are relative to the largest pressure and to the largest tangential
+/// traction.
 struct StepRecord {
   Part part = Part::normal;
   std::int64_t iteration = 0;
@@ -53,9 +53,9 @@ struct NewtonReport {
   FrictionShare share;       ///< where the loads were found to be beyond friction
   std::int64_t fallbacks = 0;
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
-  std::int64_t refuted = 0;        ///< successes of a part that the last guard did not let pass
-  std::int64_t predictions = 0;    ///< parts that began from a predicted iterate
-  std::int64_t sliding_steps = 0;  ///< of total sliding; 0: the scene did not give that
+  std::int64_t refuted = 0;                 ///< successes of a part that the last guard did not let pass
+  std::int64_t predictions = 0;             ///< parts that began from a predicted iterate
+  std::int64_t sliding_steps = 0;           ///< of total sliding; 0: the scene did not give that
 
   std::int64_t& iterations_of(Part part) {
     return part == Part::normal       ? normal_iterations

@@ -8,8 +8,8 @@
 
 namespace rollcon {
 
-/// A cold start: pressures (and the approach, where the normal load is given) as of a Hertzian
-/// contact of the bodies cut at half the approach.
+/// A cold start: pressures (and the approach, where the normal load is given) as of a Hertzian contact of the bodies
+/// cut at half the approach.
 void guess_start(const Problem& problem, const Prescribed& given, Iterate& iterate);
 /// The contact that such a start takes: nodes whose gap, as an approach, is below low + half.
 struct GuessedContact {
@@ -19,11 +19,9 @@ struct GuessedContact {
 GuessedContact guess_contact(const Problem& problem, const Prescribed& given);
 /// The approach alone.
 void guess_approach(const Problem& problem, const Prescribed& given, std::array<double, 4>& motion);
-/// Creepage (or spin) at which friction saturates: its slip is that of the mean friction bound, or
-/// of the tractions that there are if that is more (between unlike bodies pressures cause slip). 0:
-/// no node in contact.
-double creep_scale(const Problem& problem, const Prescribed& given, const Iterate& iterate,
-                   int motion);
+/// Creepage (or spin) at which friction saturates: its slip is that of the mean friction bound, or of the tractions
+/// that there are if that is more (between unlike bodies pressures cause slip). 0: no node in contact.
+double creep_scale(const Problem& problem, const Prescribed& given, const Iterate& iterate, int motion);
 /// Zero tractions; unknown motions start from zero, but bodies that carry no load just touch.
 void start_cold(const Problem& problem, const Prescribed& given, Iterate& iterate);
 

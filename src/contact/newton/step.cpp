@@ -1,5 +1,5 @@
-/// One step of Newton's iteration: the linear system, the line search along its solution, and what
-/// the step makes of the images at hand.
+/// One step of Newton's iteration: the linear system, the line search along its solution, and what the step makes of
+/// the images at hand.
 
 #include <algorithm>
 #include <cmath>
@@ -30,9 +30,7 @@ struct OnTheWay {
   const double alpha;
 
   double lambda(int c, std::size_t k) const { return blend(it.lambda[c][k], next[c][k], alpha); }
-  double image(int c, std::size_t k) const {
-    return blend(it.image[c][k], next_image[c][k], alpha);
-  }
+  double image(int c, std::size_t k) const { return blend(it.image[c][k], next_image[c][k], alpha); }
   SummedGap gap(std::size_t k) const { return {p.rigid_gap(k, motion[approach]) - image(2, k), 0}; }
   bool slip_known(std::size_t k) const { return active[k] != 0; }
   SummedSlip slip(std::size_t k) const {
@@ -60,11 +58,9 @@ double NewtonIteration::trial_merit(Part part, double alpha) const {
   const Iterate& it = *iterate_;
   std::array<double, 4> motion = it.motion;
   for (std::size_t m = 0; m < 4; ++m) motion[m] = blend(motion[m], next_motion_[m], alpha);
-  const LawSums sums =
-      sum_laws(p, *given_, part, OnTheWay{p, it, next_, next_image_, is_active_, motion, alpha},
-               [](std::size_t, bool, bool) {});
-  return merit_of(sums, scales_, load_error_at(part, alpha),
-                  static_cast<std::int64_t>(active_.size()));
+  const LawSums sums = sum_laws(p, *given_, part, OnTheWay{p, it, next_, next_image_, is_active_, motion, alpha},
+                                [](std::size_t, bool, bool) {});
+  return merit_of(sums, scales_, load_error_at(part, alpha), static_cast<std::int64_t>(active_.size()));
 }
 
 void NewtonIteration::freeze_other_part(Part part) {
@@ -75,10 +71,9 @@ void NewtonIteration::freeze_other_part(Part part) {
   const bool own = part == Part::normal;
   if (p.op.field) {
     const bool tangential = own && p.op.tangential;
-    p.op.field->apply({tangential ? l[0].data() : nullptr, tangential ? l[1].data() : nullptr,
-                       own ? nullptr : l[2].data()},
-                      {own ? nullptr : frozen_[0].data(), own ? nullptr : frozen_[1].data(),
-                       own ? frozen_[2].data() : nullptr});
+    p.op.field->apply(
+        {tangential ? l[0].data() : nullptr, tangential ? l[1].data() : nullptr, own ? nullptr : l[2].data()},
+        {own ? nullptr : frozen_[0].data(), own ? nullptr : frozen_[1].data(), own ? frozen_[2].data() : nullptr});
     return;
   }
   for (int r = own ? 2 : 0; r <= (own ? 2 : 1); ++r)
@@ -92,16 +87,14 @@ TangentialLaw NewtonIteration::law_of(Part part, std::int32_t node, bool bound_f
   const std::size_t k = at(node);
   double pressure = -it.lambda[2][k];
   if (part == Part::full)
-    pressure =
-        -(it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
-  return linearise_friction(
-      p, *given_, k, it.lambda, p.rigid_slip1(node, it.motion) + it.image[0][k],
-      p.rigid_slip2(node, it.motion) + it.image[1][k], pressure, bound_follows);
+    pressure = -(it.lambda[2][k] + p.rn[k] * (p.rigid_gap(k, it.motion[approach]) - it.image[2][k]));
+  return linearise_friction(p, *given_, k, it.lambda, p.rigid_slip1(node, it.motion) + it.image[0][k],
+                            p.rigid_slip2(node, it.motion) + it.image[1][k], pressure, bound_follows);
 }
 
-// After a step the images at hand are the product of the system with the iterate, unless nodes that
-// have just left the contact still carry tractions. False: they do. The first step of a run makes
-// the product anew, lest rounding adds up over solves.
+// After a step the images at hand are the product of the system with the iterate, unless nodes that have just left the
+// contact still carry tractions. False: they do. The first step of a run makes the product anew, lest rounding adds up
+// over solves.
 bool NewtonIteration::take_product(Part part) {
   if (!images_fresh_) return false;
   const Problem& p = *problem_;
@@ -116,8 +109,7 @@ bool NewtonIteration::take_product(Part part) {
     const int c = system_.component(r);
     for (std::size_t a = 0; a < na; ++a) {
       const std::size_t k = at(active_[a]);
-      product_[at(r) * na + a] =
-          system_.scale_of(c, a) * (it.image[c][k] - (has_frozen_ ? frozen_[c][k] : 0));
+      product_[at(r) * na + a] = system_.scale_of(c, a) * (it.image[c][k] - (has_frozen_ ? frozen_[c][k] : 0));
     }
   }
   return true;
@@ -138,8 +130,7 @@ bool NewtonIteration::newton_step(Part part, bool stick, double forcing) {
   for (std::size_t a = 0; a < na; ++a) {
     const std::int32_t i = active_[a];
     const std::size_t k = at(i);
-    if (has_normal(part))
-      known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
+    if (has_normal(part)) known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
     if (!has_tangential(part)) continue;
     system_.law(static_cast<std::int64_t>(a)) =
         stick && given.friction * p.mu[k] > 0 ? stick_law() : law_of(part, i, part == Part::full);
@@ -183,13 +174,12 @@ void NewtonIteration::take_step(Part part) {
     for (std::size_t a = 0; a < na; ++a) {
       const std::size_t k = at(active_[a]), row = at(r) * na + a;
       next_[c][k] = x_[row];
-      next_image_[c][k] = (product_[row] + step_product[row]) / system_.scale_of(c, a) +
-                          (has_frozen_ ? frozen_[c][k] : 0);
+      next_image_[c][k] =
+          (product_[row] + step_product[row]) / system_.scale_of(c, a) + (has_frozen_ ? frozen_[c][k] : 0);
     }
   }
   for (int m = 0; m < 4; ++m)
-    next_motion_[at(m)] =
-        has_motion(part, m) ? system_.motion(*given_, m, x_.data()) : it.motion[at(m)];
+    next_motion_[at(m)] = has_motion(part, m) ? system_.motion(*given_, m, x_.data()) : it.motion[at(m)];
   if (p.op.field) return take_step_field(part);
   if (!has_normal(part)) return;
   for (std::size_t k = 0; k < at(p.nodes); ++k)
@@ -206,9 +196,9 @@ void NewtonIteration::take_step_field(Part part) {
   op.field->apply({from(0), from(1), from(2)}, {to(0), to(1), to(2)});
 }
 
-// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The
-// first steps of a warm start are taken whole (`free`): the merit of a solution of a neighbouring
-// problem is far below that of every useful iterate.
+// Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The first steps of a warm
+// start are taken whole (`free`): the merit of a solution of a neighbouring problem is far below that of every useful
+// iterate.
 double NewtonIteration::line_search(Part part, bool free) {
   if (free) {
     merits_.push_back(INFINITY);
@@ -229,9 +219,7 @@ double NewtonIteration::line_search(Part part, bool free) {
 void NewtonIteration::advance(Part part, double alpha) {
   const Problem& p = *problem_;
   Iterate& it = *iterate_;
-  const auto move = [alpha](double& from, double to) {
-    from = alpha == 1 ? to : from + alpha * (to - from);
-  };
+  const auto move = [alpha](double& from, double to) { from = alpha == 1 ? to : from + alpha * (to - from); };
   for (std::size_t m = 0; m < 4; ++m) move(it.motion[m], next_motion_[m]);
   const bool everywhere = p.op.field != nullptr;  // the step's slip is known at all nodes
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
@@ -251,9 +239,9 @@ void NewtonIteration::advance(Part part, double alpha) {
   }
 }
 
-// A warm start moved on along the line of the last change, where that lowers the error function.
-// Images of the extrapolated tractions are extrapolated too. They are not brought back to where the
-// laws admit them: the step after that does it, and the error function counts it.
+// A warm start moved on along the line of the last change, where that lowers the error function. Images of the
+// extrapolated tractions are extrapolated too. They are not brought back to where the laws admit them: the step after
+// that does it, and the error function counts it.
 bool NewtonIteration::start_predicted(Part part) {
   const Problem& p = *problem_;
   const Iterate& it = *iterate_;
@@ -269,9 +257,8 @@ bool NewtonIteration::start_predicted(Part part) {
     }
   }
   for (int m = 0; m < 4; ++m)
-    next_motion_[at(m)] = has_motion(part, m) && given_->by_force[at(m)]
-                              ? prediction.motion(it, ratio, m)
-                              : it.motion[at(m)];
+    next_motion_[at(m)] =
+        has_motion(part, m) && given_->by_force[at(m)] ? prediction.motion(it, ratio, m) : it.motion[at(m)];
   if (p.op.field) {
     take_step_field(part);
   } else if (has_tangential(part)) {

@@ -8,8 +8,8 @@
 namespace rollcon {
 namespace {
 
-// Greatest elastic slip over the rigid one. The directions then change by at most half as much from
-// one step to the next.
+// Greatest elastic slip over the rigid one. The directions then change by at most half as much from one step to the
+// next.
 constexpr double greatest_turn = 1.0 / 3;
 constexpr std::int64_t most_steps = 60;
 
@@ -47,15 +47,14 @@ bool TotalSliding::applies(const Problem& p, const Prescribed& given, const Iter
   if (loaded_.empty()) return false;
   if (row_sum_.size() != at(p.nodes)) row_sum_.assign(at(p.nodes), -1.0);
   double largest = 0;
-  for (const std::int32_t i : loaded_)
-    largest = std::max(largest, -given.friction * p.mu[at(i)] * it.lambda[2][at(i)]);
+  for (const std::int32_t i : loaded_) largest = std::max(largest, -given.friction * p.mu[at(i)] * it.lambda[2][at(i)]);
   return std::all_of(loaded_.begin(), loaded_.end(),
                      [&](std::int32_t i) { return bound_holds(p, given, it, i, largest); });
 }
 
 // largest: greatest mu p.
-bool TotalSliding::bound_holds(const Problem& p, const Prescribed& given, const Iterate& it,
-                               std::int64_t i, double largest) {
+bool TotalSliding::bound_holds(const Problem& p, const Prescribed& given, const Iterate& it, std::int64_t i,
+                               double largest) {
   const double most = greatest_turn * rigid_speed(p, i, it);
   double& sum = row_sum_[at(i)];
   if (sum < 0) {
@@ -69,8 +68,7 @@ bool TotalSliding::bound_holds(const Problem& p, const Prescribed& given, const 
   return elastic <= most;
 }
 
-std::int64_t TotalSliding::solve(const Problem& p, const Prescribed& given, Iterate& it,
-                                 double tolerance) {
+std::int64_t TotalSliding::solve(const Problem& p, const Prescribed& given, Iterate& it, double tolerance) {
   for (auto& v : next_) v.resize(loaded_.size());
   // Tractions of an earlier solution tell elastic slip nearly; nodes that carry none now lose them.
   double largest = 0;
@@ -94,8 +92,7 @@ std::int64_t TotalSliding::solve(const Problem& p, const Prescribed& given, Iter
       const double factor = given.friction * p.mu[k] * it.lambda[2][k] / std::hypot(s1, s2);
       next_[0][a] = factor * s1;
       next_[1][a] = factor * s2;
-      for (int c = 0; c < 2; ++c)
-        change = std::max(change, std::abs(next_[c][a] - it.lambda[c][k]));
+      for (int c = 0; c < 2; ++c) change = std::max(change, std::abs(next_[c][a] - it.lambda[c][k]));
     }
     if (!(change > tolerance * largest)) return step;
     for (std::size_t a = 0; a < loaded_.size(); ++a)

@@ -38,11 +38,10 @@ Users transpose(const SparseRows& d, std::size_t samples) {
 }
 
 // Adds the displacements of a sample to the slip rows that use it.
-void scatter(const Users& users, std::size_t sample, const double* displacement,
-             std::span<const std::uint8_t> wanted, RowMatrix<double>& out) {
+void scatter(const Users& users, std::size_t sample, const double* displacement, std::span<const std::uint8_t> wanted,
+             RowMatrix<double>& out) {
   for (auto k = at(users.start[sample]); k < at(users.start[sample + 1]); ++k)
-    if (wanted[at(users.row[k])])
-      axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
+    if (wanted[at(users.row[k])]) axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
 }
 
 double largest(const ContactOperators& op, const RowMatrix<double>& block) {
@@ -55,15 +54,11 @@ double largest(const ContactOperators& op, const RowMatrix<double>& block) {
 
 void drop_vanished_coupling(ContactOperators& op) {
   constexpr double rounding = 1e-12;
-  const auto vanishes = [&](double coupling, double direct) {
-    return coupling <= rounding * direct;
-  };
+  const auto vanishes = [&](double coupling, double direct) { return coupling <= rounding * direct; };
   const double along = std::max(largest(op, op.block[0][0]), largest(op, op.block[0][1]));
   const double across = std::max(largest(op, op.block[1][0]), largest(op, op.block[1][1]));
-  if (!vanishes(std::max(largest(op, op.block[2][0]), largest(op, op.block[2][1])),
-                largest(op, op.block[2][2])) ||
-      !vanishes(std::max(largest(op, op.block[0][2]), largest(op, op.block[1][2])),
-                std::max(along, across)))
+  if (!vanishes(std::max(largest(op, op.block[2][0]), largest(op, op.block[2][1])), largest(op, op.block[2][2])) ||
+      !vanishes(std::max(largest(op, op.block[0][2]), largest(op, op.block[1][2])), std::max(along, across)))
     return;
   for (int c = 0; c < 2; ++c) {
     op.block[2][c].release();
@@ -88,14 +83,9 @@ struct Wanted {
 /// Rows of the nodes in `rows`, of the blocks wanted, as sums over samples.
 class Assembly {
  public:
-  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted,
-           std::span<const std::uint8_t> rows, ContactOperators& op)
-      : frame_(frame),
-        compliance_(compliance),
-        wanted_(wanted),
-        rows_(rows),
-        op_(op),
-        n_(frame.nodes()) {
+  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted, std::span<const std::uint8_t> rows,
+           ContactOperators& op)
+      : frame_(frame), compliance_(compliance), wanted_(wanted), rows_(rows), op_(op), n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
@@ -140,9 +130,8 @@ class Assembly {
   void take_nodes(std::span<const std::int32_t> node) {
     place(node, [&](std::size_t k) { return frame_.x[k]; });
     // Rows that need nothing more go where they belong at once.
-    const bool in_place =
-        node.back() - node.front() + 1 == static_cast<std::int32_t>(node.size()) &&
-        std::all_of(node.begin(), node.end(), [&](std::int32_t k) { return rows_[at(k)] != 0; });
+    const bool in_place = node.back() - node.front() + 1 == static_cast<std::int32_t>(node.size()) &&
+                          std::all_of(node.begin(), node.end(), [&](std::int32_t k) { return rows_[at(k)] != 0; });
     ComplianceBlock out = blocks(3);
     for (int c = 0; c < 3; ++c)
       if (wanted_.block[2][c] && in_place) out.a[2][c] = op_.block[2][c].row(node[0]);
@@ -150,8 +139,7 @@ class Assembly {
     for (int c = 0; c < 3; ++c)
       for (std::size_t p = 0; wanted_.block[2][c] && !in_place && p < node.size(); ++p)
         if (rows_[at(node[p])])
-          std::copy_n(buffer_[2][c].row(static_cast<std::int64_t>(p)), n_,
-                      op_.block[2][c].row(node[p]));
+          std::copy_n(buffer_[2][c].row(static_cast<std::int64_t>(p)), n_, op_.block[2][c].row(node[p]));
     add_to_slip(node);
   }
 
@@ -187,8 +175,7 @@ class Assembly {
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         for (std::size_t p = 0; wanted_.block[r][c] && p < sample.size(); ++p)
-          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), rows_,
-                  op_.block[r][c]);
+          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), rows_, op_.block[r][c]);
   }
 
   void scale() {
@@ -215,20 +202,18 @@ class Assembly {
 
 }  // namespace
 
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
-                        ContactOperators& op, std::span<const std::uint8_t> wanted) {
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op,
+                        std::span<const std::uint8_t> wanted) {
   const std::int64_t n = frame.nodes();
   op.nodes = n;
   op.coupled = compliance.couples() && !op.coupling_vanished;
   if (!op.normal) op.rows = 0;
-  if (!op.normal || op.there.empty())
-    op.there.assign(static_cast<std::size_t>(n), op.normal ? 1 : 0);
-  // Of nodes that have rows: blocks that were not needed before. With coupling, a frictionless
-  // scene still needs no tangential column.
+  if (!op.normal || op.there.empty()) op.there.assign(static_cast<std::size_t>(n), op.normal ? 1 : 0);
+  // Of nodes that have rows: blocks that were not needed before. With coupling, a frictionless scene still needs no
+  // tangential column.
   const bool slip = want_tangential || op.tangential;
   Wanted of_old, of_new;
-  of_old.block[2][0] = of_old.block[2][1] =
-      op.normal && op.coupled && want_tangential && op.block[2][0].empty();
+  of_old.block[2][0] = of_old.block[2][1] = op.normal && op.coupled && want_tangential && op.block[2][0].empty();
   of_new.block[2][2] = true;
   of_new.block[2][0] = of_new.block[2][1] = op.coupled && (slip || !op.block[2][0].empty());
   for (int r = 0; r < 2; ++r)
@@ -254,8 +239,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   op.rows += count;
   op.normal = true;
   if (slip) op.tangential = true;
-  // The coupling of half-spaces is known by its constant; under little friction the smallest
-  // counts.
+  // The coupling of half-spaces is known by its constant; under little friction the smallest counts.
   HalfspaceConstants constants;
   if (first && op.coupled && !compliance.halfspace(constants)) drop_vanished_coupling(op);
 }

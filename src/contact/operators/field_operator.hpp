@@ -20,9 +20,9 @@ struct LatticeInfluence {
 class FieldOperator {
  public:
   virtual ~FieldOperator() = default;
-  /// image[r] (r = 0, 1: convective slip per unit rolling speed, D (A lambda)_t; 2: normal
-  /// displacement (A lambda)_n) at all nodes of the frame, of tractions lambda[c] at all nodes.
-  /// Null lambda: zero. Null image: not wanted. Several threads may call at once.
+  /// image[r] (r = 0, 1: convective slip per unit rolling speed, D (A lambda)_t; 2: normal displacement (A lambda)_n)
+  /// at all nodes of the frame, of tractions lambda[c] at all nodes. Null lambda: zero. Null image: not wanted. Several
+  /// threads may call at once.
   virtual void apply(const double* const (&lambda)[3], double* const (&image)[3]) const = 0;
   /// Entry of an interior node's own row r and column c.
   virtual double entry(int r, int c) const = 0;

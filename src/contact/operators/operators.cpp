@@ -7,12 +7,11 @@
 
 namespace rollcon {
 
-double ContactOperators::product(int r, std::size_t k, const std::vector<double> (&lambda)[3],
-                                 int first, int last) const {
+double ContactOperators::product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first,
+                                 int last) const {
   double sum = 0;
   for (int c = first; c <= last; ++c)
-    if (!block[r][c].empty())
-      sum += dot(block[r][c].row(static_cast<std::int64_t>(k)), lambda[c].data(), nodes);
+    if (!block[r][c].empty()) sum += dot(block[r][c].row(static_cast<std::int64_t>(k)), lambda[c].data(), nodes);
   return sum;
 }
 
@@ -20,13 +19,11 @@ std::size_t ContactOperators::bytes() const {
   std::size_t sum = 0;
   for (const auto& row : block)
     for (const auto& matrix : row)
-      if (!matrix.empty())
-        sum += static_cast<std::size_t>(rows * matrix.columns()) * sizeof(double);
+      if (!matrix.empty()) sum += static_cast<std::size_t>(rows * matrix.columns()) * sizeof(double);
   return sum + (field ? field->bytes() : 0);
 }
 
-void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3],
-                             std::int64_t rows) {
+void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3], std::int64_t rows) {
   double allocated = 0, written = 0;
   for (std::size_t r = 0; r < 3; ++r)
     for (std::size_t c = 0; c < 3; ++c) {
@@ -34,11 +31,11 @@ void require_operator_memory(const ContactOperators& op, const bool (&block)[3][
       if (block[r][c] || !op.block[r][c].empty()) written += 1;
     }
   const double row_bytes = 8.0 * static_cast<double>(op.nodes);
-  require_memory({allocated * static_cast<double>(op.nodes) * row_bytes,
-                  written * static_cast<double>(rows) * row_bytes},
-                 "take a coarser or smaller frame; on a regular one above half-spaces, option "
-                 "'operators' = 'fft' needs no matrices",
-                 "the operators of a frame of %lld nodes need", static_cast<long long>(op.nodes));
+  require_memory(
+      {allocated * static_cast<double>(op.nodes) * row_bytes, written * static_cast<double>(rows) * row_bytes},
+      "take a coarser or smaller frame; on a regular one above half-spaces, option "
+      "'operators' = 'fft' needs no matrices",
+      "the operators of a frame of %lld nodes need", static_cast<long long>(op.nodes));
 }
 
 }  // namespace rollcon

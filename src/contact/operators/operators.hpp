@@ -1,6 +1,6 @@
 #pragma once
-/// The discrete operators of one contact: dense, computed once per bodies, frame and scheme, reused
-/// for every load, creepage and friction.
+/// The discrete operators of one contact: dense, computed once per bodies, frame and scheme, reused for every load,
+/// creepage and friction.
 
 #include <cstdint>
 #include <memory>
@@ -16,9 +16,8 @@
 
 namespace rollcon {
 
-/// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row
-/// r = 2 is the normal displacement (A lambda)_n. Columns c: traction components t1, t2, n.
-/// Blocks that vanish or are not needed are empty.
+/// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row r = 2 is the normal
+/// displacement (A lambda)_n. Columns c: traction components t1, t2, n. Blocks that vanish or are not needed are empty.
 struct ContactOperators {
   std::int64_t nodes = 0;
   bool coupled = false;
@@ -33,21 +32,19 @@ struct ContactOperators {
   Convection convection;
 
   /// Row r of node k times tractions, of the components first to last. Not with a field.
-  double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first = 0,
-                 int last = 2) const;
+  double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first = 0, int last = 2) const;
   bool has_row(std::size_t k) const { return there.empty() || there[k] != 0; }
   std::size_t bytes() const;
 };
 
-/// Throws Error(err_memory) where this process cannot have these blocks, of which `rows` rows will
-/// be written, beside those that are there.
-void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3],
-                             std::int64_t rows);
+/// Throws Error(err_memory) where this process cannot have these blocks, of which `rows` rows will be written, beside
+/// those that are there.
+void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3], std::int64_t rows);
 
-/// Assembles the rows asked for that are not there yet, of nodes with wanted[k] != 0 (empty: of
-/// all) and of those that have rows already. Coupling blocks that turn out to be zero (two bodies
-/// that mirror each other) are dropped. docs/theory.md, sections 3 and 5.
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential,
-                        ContactOperators& op, std::span<const std::uint8_t> wanted = {});
+/// Assembles the rows asked for that are not there yet, of nodes with wanted[k] != 0 (empty: of all) and of those that
+/// have rows already. Coupling blocks that turn out to be zero (two bodies that mirror each other) are dropped.
+/// docs/theory.md, sections 3 and 5.
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op,
+                        std::span<const std::uint8_t> wanted = {});
 
 }  // namespace rollcon

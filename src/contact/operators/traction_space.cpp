@@ -15,8 +15,8 @@ void end_row(SparseRows& rows) {
   rows.start.push_back(static_cast<std::int64_t>(rows.value.size()));
 }
 
-// Barycentric coordinates in the triangle that the node lies in (rounding can put one on an edge
-// outside of all: then in the nearest).
+// Barycentric coordinates in the triangle that the node lies in (rounding can put one on an edge outside of all: then
+// in the nearest).
 void interpolate(const Frame& fine, std::size_t k, const CoarseMesh& mesh, SparseRows& rows) {
   double best = -std::numeric_limits<double>::infinity();
   std::array<double, 3> weight{};
@@ -44,14 +44,12 @@ void interpolate(const Frame& fine, std::size_t k, const CoarseMesh& mesh, Spars
 void add_columns(const TractionSpace& space, const double* from, double* to) {
   const SparseRows& rows = space.fine;
   for (std::size_t k = 0; k + 1 < rows.start.size(); ++k)
-    for (auto j = at(rows.start[k]); j < at(rows.start[k + 1]); ++j)
-      to[rows.column[j]] += rows.value[j] * from[k];
+    for (auto j = at(rows.start[k]); j < at(rows.start[k + 1]); ++j) to[rows.column[j]] += rows.value[j] * from[k];
 }
 
 class SpaceCompliance final : public Compliance {
  public:
-  SpaceCompliance(const Compliance& fine, const TractionSpace& space)
-      : fine_(fine), space_(space) {}
+  SpaceCompliance(const Compliance& fine, const TractionSpace& space) : fine_(fine), space_(space) {}
 
   std::int64_t nodes() const override { return space_.frame.nodes(); }
   bool couples() const override { return fine_.couples(); }
@@ -123,8 +121,7 @@ TractionSpace coarse_space(const Frame& fine) {
       space.frame.n.push_back(fine.n[at(k)]);
     }
   std::vector<std::int32_t> place(fine.used.size(), -1);
-  for (std::size_t i = 0; i < coarse.node.size(); ++i)
-    place[at(coarse.node[i])] = static_cast<std::int32_t>(i);
+  for (std::size_t i = 0; i < coarse.node.size(); ++i) place[at(coarse.node[i])] = static_cast<std::int32_t>(i);
   space.fine.start = {0};
   for (std::size_t k = 0; k < place.size(); ++k) {
     if (place[k] >= 0) {
@@ -161,8 +158,7 @@ std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const Traction
   return std::make_unique<SpaceCompliance>(fine, space);
 }
 
-void take_normal_rows(const ContactOperators& fine, const TractionSpace& space,
-                      ContactOperators& op) {
+void take_normal_rows(const ContactOperators& fine, const TractionSpace& space, ContactOperators& op) {
   const std::int64_t m = space.frame.nodes();
   op.there.assign(at(m), 0);
   for (std::int64_t i = 0; i < m; ++i) {

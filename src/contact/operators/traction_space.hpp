@@ -1,6 +1,6 @@
 #pragma once
-/// Tractions that depend on fewer numbers than the nodes of a frame, as the unknowns of another
-/// discrete problem of the same contact (contact/estimate/error_estimate.hpp).
+/// Tractions that depend on fewer numbers than the nodes of a frame, as the unknowns of another discrete problem of the
+/// same contact (contact/estimate/error_estimate.hpp).
 
 #include <cstdint>
 #include <memory>
@@ -19,9 +19,8 @@ struct TractionSpace {
   SparseRows fine;                 ///< tractions at the fine frame's nodes from the unknowns
 };
 
-/// Linear triangles on about a quarter of the nodes (mesh/coarsen.hpp); tractions in between are
-/// interpolated in the projection, by components in the local triads. err_mesh: the coarse
-/// triangles do not make a valid frame.
+/// Linear triangles on about a quarter of the nodes (mesh/coarsen.hpp); tractions in between are interpolated in the
+/// projection, by components in the local triads. err_mesh: the coarse triangles do not make a valid frame.
 TractionSpace coarse_space(const Frame& fine);
 /// The nodes with pressure, all others unloaded.
 TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal);
@@ -29,8 +28,7 @@ TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal)
 /// Displacements of tractions in the space: same bodies, same integrals. Both must outlive it.
 std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const TractionSpace& space);
 /// Normal rows from those of the fine frame, without any integral.
-void take_normal_rows(const ContactOperators& fine, const TractionSpace& space,
-                      ContactOperators& op);
+void take_normal_rows(const ContactOperators& fine, const TractionSpace& space, ContactOperators& op);
 
 /// Sums over the fine frame's nodes (weights), as sums over the space's.
 std::vector<double> gather(const TractionSpace& space, const std::vector<double>& fine);

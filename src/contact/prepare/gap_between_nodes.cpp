@@ -22,8 +22,7 @@ Coefficients monomials(double x, double y) {
   return {1, x, y, x * x, x * y, y * y};
 }
 
-// Solves the normal equations by elimination with pivoting; false: the points do not determine a
-// quadratic polynomial.
+// Solves the normal equations by elimination with pivoting; false: the points do not determine a quadratic polynomial.
 bool solve(std::array<std::array<double, terms + 1>, terms>& a, Coefficients& c) {
   constexpr double least_pivot = 1e-10;
   for (std::size_t i = 0; i < terms; ++i) {
@@ -62,8 +61,8 @@ Patch make_patch(const Frame& frame, std::initializer_list<std::int32_t> nodes) 
   return patch;
 }
 
-// The linear cells where `rate` is not zero everywhere. Triangles are taken two at a time where
-// they share a long edge: the integrals at a point are what an estimate costs.
+// The linear cells where `rate` is not zero everywhere. Triangles are taken two at a time where they share a long edge:
+// the integrals at a point are what an estimate costs.
 std::vector<Patch> patches(const Frame& frame, const std::vector<double>& rate) {
   const LinearCells cells = split_elements(frame.mesh);
   std::vector<Patch> result;
@@ -85,15 +84,12 @@ std::vector<Patch> patches(const Frame& frame, const std::vector<double>& rate) 
   const std::vector<Side> side = sorted_sides(cells);
   for (std::size_t i = 0; i + 1 < side.size(); ++i) {
     const Side &a = side[i], &b = side[i + 1];
-    if (a.low() != b.low() || a.high() != b.high() || !open[at(a.cell)] || !open[at(b.cell)])
-      continue;
-    shared.push_back({std::hypot(frame.x[at(a.to)] - frame.x[at(a.from)],
-                                 frame.y[at(a.to)] - frame.y[at(a.from)]),
+    if (a.low() != b.low() || a.high() != b.high() || !open[at(a.cell)] || !open[at(b.cell)]) continue;
+    shared.push_back({std::hypot(frame.x[at(a.to)] - frame.x[at(a.from)], frame.y[at(a.to)] - frame.y[at(a.from)]),
                       a.from, a.to, a.cell, b.cell});
   }
-  std::stable_sort(shared.begin(), shared.end(), [](const Shared& a, const Shared& b) {
-    return a.length > b.length * (1 + 1e-9);
-  });
+  std::stable_sort(shared.begin(), shared.end(),
+                   [](const Shared& a, const Shared& b) { return a.length > b.length * (1 + 1e-9); });
   const auto opposite = [&](std::int64_t c, const Shared& edge) {
     std::int32_t node = -1;
     for (const std::int32_t k : cells[c])
@@ -103,29 +99,26 @@ std::vector<Patch> patches(const Frame& frame, const std::vector<double>& rate) 
   for (const Shared& edge : shared) {
     if (!open[at(edge.left)] || !open[at(edge.right)]) continue;
     open[at(edge.left)] = open[at(edge.right)] = 0;
-    result.push_back(make_patch(
-        frame, {edge.from, opposite(edge.right, edge), edge.to, opposite(edge.left, edge)}));
+    result.push_back(make_patch(frame, {edge.from, opposite(edge.right, edge), edge.to, opposite(edge.left, edge)}));
   }
   for (std::int64_t c = 0; c < cells.size(); ++c)
     if (open[at(c)]) result.push_back(make_patch(frame, {cells[c][0], cells[c][1], cells[c][2]}));
   return result;
 }
 
-// Values of a smooth nodal field at the middle of a cell: the mean of its corners, less how far the
-// quadratic polynomial fitted to the nodes around lies above that mean.
+// Values of a smooth nodal field at the middle of a cell: the mean of its corners, less how far the quadratic
+// polynomial fitted to the nodes around lies above that mean.
 class Middle {
  public:
   explicit Middle(const Frame& frame)
       : frame_(frame), next_(neighbours(frame.nodes(), split_elements(frame.mesh), true)) {}
 
-  double operator()(std::span<const std::int32_t> corner, double x, double y,
-                    const std::vector<double>& field) {
+  double operator()(std::span<const std::int32_t> corner, double x, double y, const std::vector<double>& field) {
     double mean = 0;
     const double share = 1.0 / static_cast<double>(corner.size());
     for (const std::int32_t k : corner) mean += share * field[at(k)];
     patch_.assign(corner.begin(), corner.end());
-    for (const std::int32_t k : corner)
-      patch_.insert(patch_.end(), next_[k].begin(), next_[k].end());
+    for (const std::int32_t k : corner) patch_.insert(patch_.end(), next_[k].begin(), next_[k].end());
     std::sort(patch_.begin(), patch_.end());
     patch_.erase(std::unique(patch_.begin(), patch_.end()), patch_.end());
     double rx = 0, ry = 0;
@@ -134,9 +127,7 @@ class Middle {
       ry = std::max(ry, std::abs(frame_.y[at(k)] - y));
     }
     if (!(rx > 0) || !(ry > 0)) return mean;
-    const auto row = [&](std::int32_t k) {
-      return monomials((frame_.x[at(k)] - x) / rx, (frame_.y[at(k)] - y) / ry);
-    };
+    const auto row = [&](std::int32_t k) { return monomials((frame_.x[at(k)] - x) / rx, (frame_.y[at(k)] - y) / ry); };
     std::array<std::array<double, terms + 1>, terms> normal{};
     for (const std::int32_t k : patch_) {
       const Coefficients m = row(k);
@@ -166,8 +157,7 @@ std::vector<double> normal_displacements(const SolverState& s, const std::vector
                                          const std::vector<double>& y) {
   constexpr std::size_t chunk = 64;
   const std::size_t n = at(s.prepared->problem.nodes);
-  const bool coupled =
-      s.prepared->compliance->couples() && !s.prepared->problem.op.coupling_vanished;
+  const bool coupled = s.prepared->compliance->couples() && !s.prepared->problem.op.coupling_vanished;
   std::vector<double> u(x.size(), 0.0), row[3];
   ComplianceBlock out;
   out.stride = s.prepared->problem.nodes;
@@ -180,8 +170,7 @@ std::vector<double> normal_displacements(const SolverState& s, const std::vector
     s.prepared->compliance->block({{x.data() + first, count}, {y.data() + first, count}}, out);
     for (std::size_t c = coupled ? 0 : 2; c < 3; ++c)
       for (std::size_t i = 0; i < count; ++i)
-        u[first + i] +=
-            dot(row[c].data() + i * n, s.iterate.lambda[c].data(), s.prepared->problem.nodes);
+        u[first + i] += dot(row[c].data() + i * n, s.iterate.lambda[c].data(), s.prepared->problem.nodes);
   }
   return u;
 }
@@ -192,8 +181,7 @@ double gap_force(const SolverState& s, const std::vector<double>& rate) {
   const Problem& p = s.prepared->problem;
   const Frame& frame = s.prepared->frame;
   std::vector<double> rigid(at(p.nodes)), x, y, gap, factor;
-  for (std::size_t k = 0; k < rigid.size(); ++k)
-    rigid[k] = p.rigid_gap(k, s.iterate.motion[approach]);
+  for (std::size_t k = 0; k < rigid.size(); ++k) rigid[k] = p.rigid_gap(k, s.iterate.motion[approach]);
   Middle middle(frame);
   for (const Patch& patch : patches(frame, rate)) {
     const std::span<const std::int32_t> corner(patch.corner.data(), patch.corners);
@@ -207,8 +195,8 @@ double gap_force(const SolverState& s, const std::vector<double>& rate) {
     x.push_back(mx);
     y.push_back(my);
     gap.push_back(middle(corner, mx, my, rigid));
-    // The gap vanishes at the corners. The mean of a quadratic polynomial that does is 3/4 of its
-    // value in the middle of a triangle, and 2/3 of that in a parallelogram.
+    // The gap vanishes at the corners. The mean of a quadratic polynomial that does is 3/4 of its value in the middle
+    // of a triangle, and 2/3 of that in a parallelogram.
     factor.push_back((patch.corners == 3 ? 0.75 : 2.0 / 3) * mean_rate * patch.area);
   }
   const std::vector<double> u = normal_displacements(s, x, y);

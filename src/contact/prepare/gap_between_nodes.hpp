@@ -7,9 +7,9 @@ namespace rollcon {
 
 struct SolverState;
 
-/// The integral of the gap over the contact and its edge times `rate`, nodal values of the pressure
-/// that an approach adds: the force that the discrete solution lacks to close the gap everywhere.
-/// The undeformed gap is taken to be smooth between the nodes; displacements are exact there.
+/// The integral of the gap over the contact and its edge times `rate`, nodal values of the pressure that an approach
+/// adds: the force that the discrete solution lacks to close the gap everywhere. The undeformed gap is taken to be
+/// smooth between the nodes; displacements are exact there.
 double gap_force(const SolverState& state, const std::vector<double>& rate);
 
 }  // namespace rollcon

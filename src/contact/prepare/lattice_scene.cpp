@@ -15,8 +15,8 @@
 namespace rollcon {
 namespace {
 
-// From so many nodes on FFT takes less time, one cold solve and one warm taken together
-// (docs/speed.md): cold ones gain from the first node on, warm ones lose where few nodes touch.
+// From so many nodes on FFT takes less time, one cold solve and one warm taken together (docs/speed.md): cold ones gain
+// from the first node on, warm ones lose where few nodes touch.
 constexpr std::int64_t fft_from = 400;
 
 // Why a table of one node's influence does not tell those of all; null: it does.
@@ -42,9 +42,7 @@ const char* obstacle_to_fft(const SolverState& s) {
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
   HalfspaceConstants c;
   s.prepared->compliance->halfspace(c);
-  const double delta = op.convection.ahead.empty()
-                           ? 0
-                           : s.prepared->characteristic_step * lattice.spacing_along_flow();
+  const double delta = op.convection.ahead.empty() ? 0 : s.prepared->characteristic_step * lattice.spacing_along_flow();
   op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection.rows);
   op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
@@ -97,8 +95,7 @@ void build_lattice_operators(SolverState& s, const Options& options) {
   const bool any = options.operators == "auto";
   const bool ask_fft = options.operators == "fft", ask_table = options.operators == "table";
   if (const char* reason = ask_fft ? no_fft : ask_table ? no_table : nullptr)
-    fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(),
-         reason);
+    fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(), reason);
   const bool fft = !no_fft && (ask_fft || (any && s.prepared->frame.nodes() >= fft_from));
   choose_table(s, !fft && !no_table && (any || ask_table));
   if (!fft) return release_field(s);
@@ -129,22 +126,18 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   if (!s.prepared->problem.op.field) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
-  const LatticeScene scene =
-      scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
-  start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance,
-                     s.iterate);
+  const LatticeScene scene = scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
+  start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
 }
 
-bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings,
-                              Iterate& iterate) {
+bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvings, Iterate& iterate) {
   Prescribed given = s.given;
   given.by_force = {};
   given.value = s.iterate.motion;
   iterate.resize(s.prepared->problem.nodes);
   iterate.motion = s.iterate.motion;
-  return solve_on_coarser(s.prepared->problem, given,
-                          scene_of(s, s.prepared->scheme, [] { return false; }), s.frictionless,
-                          tolerance, halvings, iterate);
+  return solve_on_coarser(s.prepared->problem, given, scene_of(s, s.prepared->scheme, [] { return false; }),
+                          s.frictionless, tolerance, halvings, iterate);
 }
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
@@ -159,8 +152,7 @@ bool displacements_on_lattice(const SolverState& s, const Compliance& body, doub
   std::vector<double> part[3];
   for (auto& v : part) v.resize(n);
   const auto& l = s.iterate.lambda;
-  displacements.apply({l[0].data(), l[1].data(), l[2].data()},
-                      {part[0].data(), part[1].data(), part[2].data()});
+  displacements.apply({l[0].data(), l[1].data(), l[2].data()}, {part[0].data(), part[1].data(), part[2].data()});
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < 3; ++i) u[3 * k + i] = part[i][k];
   return true;
@@ -175,13 +167,11 @@ std::string describe_flaws(const SolverState& s) {
   std::string all;
   const auto missing = (l.nx - 1) * (l.ny - 1) - s.prepared->frame.elements();
   if (missing > 0) {
-    std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing",
-                  static_cast<long long>(missing));
+    std::snprintf(text, sizeof text, "; %lld cell(s) of the grid missing", static_cast<long long>(missing));
     all += text;
   }
   if (l.misfit > 1e-9) {
-    std::snprintf(text, sizeof text, "; nodes taken as on its places, up to %.1g of a spacing off",
-                  l.misfit);
+    std::snprintf(text, sizeof text, "; nodes taken as on its places, up to %.1g of a spacing off", l.misfit);
     all += text;
   }
   return all;
@@ -199,14 +189,12 @@ std::string describe_lattice(const SolverState& s) {
     return "operators: dense, by integrals; " + s.prepared->no_lattice;
   if (!s.prepared->problem.op.field) return {};
   char text[200];
-  std::snprintf(
-      text, sizeof text,
-      "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
-      "matrices; %.1f MB, applied %lld time(s)",
-      static_cast<long long>(s.prepared->lattice->nx),
-      static_cast<long long>(s.prepared->lattice->ny),
-      static_cast<double>(s.prepared->problem.op.field->bytes()) / 1e6,
-      static_cast<long long>(s.prepared->problem.op.field->applications()));
+  std::snprintf(text, sizeof text,
+                "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
+                "matrices; %.1f MB, applied %lld time(s)",
+                static_cast<long long>(s.prepared->lattice->nx), static_cast<long long>(s.prepared->lattice->ny),
+                static_cast<double>(s.prepared->problem.op.field->bytes()) / 1e6,
+                static_cast<long long>(s.prepared->problem.op.field->applications()));
   return text + describe_flaws(s);
 }
 

@@ -36,15 +36,14 @@ Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
-// A body may have got another mesh between the call that took a frame from it and its preparation:
-// the frame is then one of its own.
+// A body may have got another mesh between the call that took a frame from it and its preparation: the frame is then
+// one of its own.
 FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   const FrameSource& source = scene.frame_source();
   if (source.body < 0) return {};
   const SurfaceMesh& mesh = pair.body[static_cast<std::size_t>(source.body)]->mesh().surface;
   for (std::size_t k = 0; k < source.node.size(); ++k) {
-    if (source.node[k] >= mesh.nodes() ||
-        mesh.node[static_cast<std::size_t>(source.node[k])] != source.place[k])
+    if (source.node[k] >= mesh.nodes() || mesh.node[static_cast<std::size_t>(source.node[k])] != source.place[k])
       return {};
   }
   if (source.element.back() >= mesh.elements()) return {};
@@ -64,15 +63,12 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
 void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  if (preparation.frame.enter(scene.revision.mesh, scene.revision.axes,
-                              poses_of_frame(scene, on.pair))) {
+  if (preparation.frame.enter(scene.revision.mesh, scene.revision.axes, poses_of_frame(scene, on.pair))) {
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);
-    if (normal_source(on.pair) >= 0)
-      curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
-    const bool same_size =
-        frame.nodes() == on.frame.nodes() && preparation.mesh == scene.revision.mesh;
+    if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
+    const bool same_size = frame.nodes() == on.frame.nodes() && preparation.mesh == scene.revision.mesh;
     preparation.mesh = scene.revision.mesh;
     on.frame = std::move(frame);
     take_frame(on.problem, on.frame);
@@ -81,8 +77,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
       state.warm_usable = false;
     }
   }
-  if (preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair)))
-    find_rim(on.frame, on.pair);
+  if (preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair))) find_rim(on.frame, on.pair);
 }
 
 void build_compliance(SolverState& state, const Scene& scene, int threads) {
@@ -133,8 +128,7 @@ void build_operators(SolverState& state, const Scene& scene) {
 // The coefficients; 0 on the inflow rim.
 void read_friction(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
-  if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction))
-    return;
+  if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction)) return;
   ++state.work.frictions;
   Problem& p = preparation.made->problem;
   p.mu.resize(at(p.nodes));
@@ -144,8 +138,7 @@ void read_friction(SolverState& state, const Scene& scene) {
     frictionless = frictionless && !(p.mu[k] > 0);
   }
   if (frictionless && !state.frictionless) {
-    for (int c = 0; c < 2; ++c)
-      std::fill(state.iterate.lambda[c].begin(), state.iterate.lambda[c].end(), 0.0);
+    for (int c = 0; c < 2; ++c) std::fill(state.iterate.lambda[c].begin(), state.iterate.lambda[c].end(), 0.0);
     state.iterate.invalidate();
   }
   state.frictionless = frictionless;
@@ -179,8 +172,8 @@ void find_offset(SolverState& state) {
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
 
-// A creep field is given at the nodes, but the characteristic scheme takes slip half a step
-// upstream: c(x + delta/2 e) = c - delta/2 (v . grad c), exact for linear fields such as spin.
+// A creep field is given at the nodes, but the characteristic scheme takes slip half a step upstream: c(x + delta/2 e)
+// = c - delta/2 (v . grad c), exact for linear fields such as spin.
 void shift_field(Preparation& preparation) {
   Problem& p = preparation.made->problem;
   SparseRows& d = preparation.field_rows;
@@ -189,8 +182,7 @@ void shift_field(Preparation& preparation) {
     const std::vector<double> given = *field;
     for (std::size_t i = 0; i < given.size(); ++i) {
       double derivative = 0;
-      for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k)
-        derivative += d.value[k] * given[at(d.column[k])];
+      for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) derivative += d.value[k] * given[at(d.column[k])];
       (*field)[i] -= 0.5 * p.op.convection.ahead[i] * derivative;
     }
   }
@@ -203,8 +195,7 @@ void set_datum(SolverState& state) {
   Problem& p = on.problem;
   double least = INFINITY;
   for (std::size_t k = 0; k < p.gap.size(); ++k)
-    if (on.frame.used[k] && p.closing(k) > steepest)
-      least = std::min(least, p.gap[k] / p.closing(k));
+    if (on.frame.used[k] && p.closing(k) > steepest) least = std::min(least, p.gap[k] / p.closing(k));
   const double datum = std::isfinite(least) ? least : 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) p.gap[k] -= p.closing(k) * datum;
   state.iterate.motion[approach] -= datum - p.datum;
@@ -216,8 +207,7 @@ void read_gap(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   const bool measured = !scene.has_gap();
-  if (!preparation.gap.enter(preparation.frame.version(), preparation.offset_change,
-                             scene.revision.gap,
+  if (!preparation.gap.enter(preparation.frame.version(), preparation.offset_change, scene.revision.gap,
                              measured ? poses_of_meshes(scene, on.pair) : Poses{-1, -1}))
     return;
   ++state.work.gaps;
@@ -238,8 +228,7 @@ void read_gap(SolverState& state, const Scene& scene) {
 // Slip that no traction changes.
 void read_slip(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
-  if (!preparation.slip.enter(preparation.convection.version(), preparation.offset_change,
-                              scene.revision.kinematics))
+  if (!preparation.slip.enter(preparation.convection.version(), preparation.offset_change, scene.revision.kinematics))
     return;
   ++state.work.slips;
   const Prepared& on = *preparation.made;
@@ -265,14 +254,12 @@ void read_slip(SolverState& state, const Scene& scene) {
 void read_prescribed(SolverState& state, const Scene& scene) {
   Prescribed& given = state.given;
   given = {};
-  for (const Direction d :
-       {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
     const auto m = static_cast<std::size_t>(d) - 1;
     given.by_force[m] = scene.load(d).how == How::by_force;
     given.value[m] = scene.load(d).value;
   }
-  given.prescribe_normal(given.by_force[approach], given.value[approach],
-                         state.prepared->problem.datum);
+  given.prescribe_normal(given.by_force[approach], given.value[approach], state.prepared->problem.datum);
 }
 
 // Which of the two bodies a message speaks of.

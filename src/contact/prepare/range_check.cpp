@@ -20,8 +20,8 @@ long long named(const SolverState& s, std::size_t k) {
 
 }  // namespace
 
-// Augmented tractions are tractions less a scale times gap or slip: that product must be a number,
-// and so must the slip velocity, which is a result.
+// Augmented tractions are tractions less a scale times gap or slip: that product must be a number, and so must the slip
+// velocity, which is a result.
 void refuse_overflow(const SolverState& s) {
   const Problem& p = s.prepared->problem;
   std::array<double, 4> motion{};
@@ -31,8 +31,8 @@ void refuse_overflow(const SolverState& s) {
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!s.prepared->frame.used[k]) continue;
     const double gap = p.rigid_gap(k, motion[approach]), scale = std::max(1.0, p.rn[k]);
-    // Under a load gaps count from the least one. Nodes that are never to touch may have any gap,
-    // but the monolithic system counts it among its residuals.
+    // Under a load gaps count from the least one. Nodes that are never to touch may have any gap, but the monolithic
+    // system counts it among its residuals.
     const double least = s.given.by_force[approach] ? -DBL_MAX : -largest_pressure / scale,
                  most = s.procedure.monolithic ? largest_pressure / scale : DBL_MAX;
     if (!(gap >= least && gap <= most && p.gap[k] <= most))
@@ -45,8 +45,7 @@ void refuse_overflow(const SolverState& s) {
     if (!s.prepared->frame.used[k]) continue;
     const auto i = static_cast<std::int64_t>(k);
     const double most = largest / std::max({1.0, s.prepared->speed, p.rt[k]});
-    const double slip1 = std::abs(p.rigid_slip1(i, motion)),
-                 slip2 = std::abs(p.rigid_slip2(i, motion));
+    const double slip1 = std::abs(p.rigid_slip1(i, motion)), slip2 = std::abs(p.rigid_slip2(i, motion));
     if (!(slip1 <= most && slip2 <= most))
       fail(Status::err_argument,
            "creepages, spin and creep field let node %lld (counting from %d) slip by %g of the "

@@ -27,20 +27,17 @@ double gap_at(const Problem& p, std::size_t k) {
 
 // Tractions interpolated from values of one sign must keep it.
 bool linear_elements(const SurfaceMesh& mesh) {
-  return std::all_of(mesh.type.begin(), mesh.type.end(), [](ElementType t) {
-    return t == ElementType::tri3 || t == ElementType::quad4;
-  });
+  return std::all_of(mesh.type.begin(), mesh.type.end(),
+                     [](ElementType t) { return t == ElementType::tri3 || t == ElementType::quad4; });
 }
 
 double greatest_friction(const SolverState& s) {
-  return s.given.friction *
-         *std::max_element(s.prepared->problem.mu.begin(), s.prepared->problem.mu.end());
+  return s.given.friction * *std::max_element(s.prepared->problem.mu.begin(), s.prepared->problem.mu.end());
 }
 
 // Part of the normal displacements by pressures that coupling cannot take away.
 double sure_part(const SolverState& s) {
-  const double coupled =
-      s.prepared->compliance->couples() ? greatest_coupling * greatest_friction(s) : 0;
+  const double coupled = s.prepared->compliance->couples() ? greatest_coupling * greatest_friction(s) : 0;
   return (1 - coupled) * (1 - 10 * s.prepared->accuracy);
 }
 
@@ -55,8 +52,7 @@ const char* reason_against(const SolverState& s, const Options& o) {
       return "pressure on a body with a mesh may pull its surface outwards elsewhere";
   if (s.prepared->frame.curved()) return "the frame is curved";
   if (!(sure_part(s) > 0)) return "coupling and friction are strong: no bound";
-  if (!linear_elements(s.prepared->frame.mesh))
-    return "shape functions of quadratic elements change sign";
+  if (!linear_elements(s.prepared->frame.mesh)) return "shape functions of quadratic elements change sign";
   return nullptr;
 }
 
@@ -68,8 +64,7 @@ void find_radius(SolverState& s) {
     for (const std::int32_t a : frame.mesh.element(e))
       for (const std::int32_t b : frame.mesh.element(e)) {
         const auto i = static_cast<std::size_t>(a), j = static_cast<std::size_t>(b);
-        radius[i] =
-            std::max(radius[i], std::hypot(frame.x[i] - frame.x[j], frame.y[i] - frame.y[j]));
+        radius[i] = std::max(radius[i], std::hypot(frame.x[i] - frame.x[j], frame.y[i] - frame.y[j]));
       }
 }
 
@@ -88,9 +83,8 @@ double level_of(const SolverState& s, double low) {
     const GuessedContact guess = guess_contact(p, s.given);
     return low + first_margin * std::max(guess.half, 0.0);
   }
-  const double ratio = s.given.by_force[approach]
-                           ? s.given.value[approach] / r.load
-                           : (s.given.value[approach] - low) / (r.depth - r.low);
+  const double ratio = s.given.by_force[approach] ? s.given.value[approach] / r.load
+                                                  : (s.given.value[approach] - low) / (r.depth - r.low);
   return low + next_margin * (r.edge - r.low) * std::max(ratio, 0.0);
 }
 
@@ -170,8 +164,8 @@ void take_reach(SolverState& s) {
   }
 }
 
-// Pressures p >= 0 part the surfaces of half-spaces: by at least cn F / |x - y| on average over the
-// loaded points y, and no less than cn F / sqrt(mean |x - y|^2). Friction takes away no more than
+// Pressures p >= 0 part the surfaces of half-spaces: by at least cn F / |x - y| on average over the loaded points y,
+// and no less than cn F / sqrt(mean |x - y|^2). Friction takes away no more than
 // |ck| mu of it.
 std::int64_t find_doubtful(SolverState& s) {
   const Problem& p = s.prepared->problem;
@@ -188,8 +182,7 @@ std::int64_t find_doubtful(SolverState& s) {
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     const double pressure = -s.iterate.lambda[2][k];
     if (!(pressure > 0)) continue;
-    const double distance =
-        std::hypot(s.prepared->frame.x[k] - x, s.prepared->frame.y[k] - y) + r.radius[k];
+    const double distance = std::hypot(s.prepared->frame.x[k] - x, s.prepared->frame.y[k] - y) + r.radius[k];
     spread += pressure * p.weight[k] * distance * distance / force;
   }
   const double sure = sure_part(s) * force / (std::numbers::pi * p.stiffness);
@@ -227,8 +220,7 @@ bool bring_back(SolverState& s, const Options& options) {
   level = low + more * (level - low);
   ++r.batches;
   const std::vector<std::uint8_t> before = p.op.there;
-  for (std::size_t k = 0; k < r.wanted.size(); ++k)
-    r.wanted[k] = r.batches >= most_batches || !(gap_at(p, k) > level);
+  for (std::size_t k = 0; k < r.wanted.size(); ++k) r.wanted[k] = r.batches >= most_batches || !(gap_at(p, k) > level);
   if (r.batches >= most_batches) r.why_all = wanders;
   require_rows(s, options, r.wanted);
   bool open = true;

@@ -12,8 +12,7 @@
 namespace rollcon {
 namespace {
 
-// A node that a support keeps from moving along its normal can carry any pressure: Newton's
-// iteration would not end.
+// A node that a support keeps from moving along its normal can carry any pressure: Newton's iteration would not end.
 void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {
@@ -35,9 +34,9 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
          first, frame.mesh.index_base, held);
 }
 
-// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip
-// equation without unknowns. A little compliance of its own lets the traction be found: none where
-// no slip is forced on it, friction's bound where there is.
+// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip equation without
+// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
+// bound where there is.
 void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   if (!op.tangential) return;
   constexpr double rounding = 1e-12, looseness = 1e-6;
@@ -76,8 +75,7 @@ void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) 
   ContactOperators& op = on.problem.op;
   if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state))
-    assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
+  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
   take_reach(state);
   refuse_held_nodes(on.frame, op);
   loosen_held_tangents(on.frame, op);
@@ -92,8 +90,8 @@ void choose_scales(SolverState& state, const Options& o) {
   const bool estimate = !state.procedure.standard();
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows,
-                                o.normal_scale, o.tangential_scale, estimate))
+  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, o.normal_scale,
+                                o.tangential_scale, estimate))
     return;
   if (estimate)
     estimate_scales(on.problem, o.normal_scale, o.tangential_scale);
@@ -106,10 +104,8 @@ void choose_scales(SolverState& state, const Options& o) {
   state.published.reset();
 }
 
-void require_rows(SolverState& state, const Options& options,
-                  std::span<const std::uint8_t> wanted) {
-  if (!state.preparation)
-    fail(Status::err_internal, "rows of operators that are shared cannot be added");
+void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted) {
+  if (!state.preparation) fail(Status::err_internal, "rows of operators that are shared cannot be added");
   try {
     assemble_missing(state, wanted);
     choose_scales(state, options);

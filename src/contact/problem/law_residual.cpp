@@ -29,21 +29,18 @@ LawScales scales_of(const LawSums& s) {
 }
 
 double merit_of(const LawSums& s, const LawScales& scales, double load, std::int64_t nodes) {
-  return 0.5 *
-         (s.sum_n / (scales.pressure * scales.pressure) +
-          s.sum_t / (scales.traction * scales.traction) + load * load * static_cast<double>(nodes));
+  return 0.5 * (s.sum_n / (scales.pressure * scales.pressure) + s.sum_t / (scales.traction * scales.traction) +
+                load * load * static_cast<double>(nodes));
 }
 
-LawResidual residual_of(const LawSums& s, const LawScales& scales, double load,
-                        std::int64_t nodes) {
+LawResidual residual_of(const LawSums& s, const LawScales& scales, double load, std::int64_t nodes) {
   LawResidual r;
   r.normal = s.worst_n / scales.pressure;
   r.tangential = s.worst_t / scales.traction;
   r.load = load;
   // What rounding of gaps and slips alone makes of the tractions: no iteration gets below that.
   r.normal_rounding = rounding_of_terms * s.gap_rounding / scales.pressure;
-  r.tangential_rounding =
-      rounding_of_terms * (s.slip_rounding + s.bound_rounding) / scales.traction;
+  r.tangential_rounding = rounding_of_terms * (s.slip_rounding + s.bound_rounding) / scales.traction;
   r.merit = merit_of(s, scales, load, nodes);
   r.pressure = s.pressure;
   r.traction = s.traction;
@@ -53,12 +50,11 @@ LawResidual residual_of(const LawSums& s, const LawScales& scales, double load,
 }
 
 TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std::size_t k,
-                                 const std::vector<double> (&lambda)[3], double s1, double s2,
-                                 double pressure, bool bound_follows) {
+                                 const std::vector<double> (&lambda)[3], double s1, double s2, double pressure,
+                                 bool bound_follows) {
   const double rt = given.slip_scale * p.rt[k];
-  return p.law->linearise(
-      {given.friction * p.mu[k], pressure, lambda[0][k] - rt * s1, lambda[1][k] - rt * s2},
-      bound_follows);
+  return p.law->linearise({given.friction * p.mu[k], pressure, lambda[0][k] - rt * s1, lambda[1][k] - rt * s2},
+                          bound_follows);
 }
 
 }  // namespace rollcon

@@ -1,6 +1,6 @@
 #pragma once
-/// The residual of the laws, written once: unilateral contact and friction as projections of the
-/// augmented tractions (docs/theory.md, section 6).
+/// The residual of the laws, written once: unilateral contact and friction as projections of the augmented tractions
+/// (docs/theory.md, section 6).
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ struct LawScales {
 struct LawResidual {
   double normal = 0, tangential = 0, load = 0;          ///< relative maxima
   double normal_rounding = 0, tangential_rounding = 0;  ///< what rounding leaves of them
-  double merit = 0;  ///< error function Psi: half the squared norm of the relative residuals
+  double merit = 0;                   ///< error function Psi: half the squared norm of the relative residuals
   double pressure = 0, traction = 0;  ///< the largest
   std::int64_t contact = 0, sliding = 0;
 
@@ -50,10 +50,9 @@ struct LawResidual {
   bool within(Part part, double tolerance) const;
 };
 
-/// `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and
-/// slip_known(k); gaps are asked for if the part has normal tractions, slips of nodes that touch.
-/// `visit` is told of every used node, whether it touches and whether it slides. Where
-/// Values::trial is true, sums of squares will do for the tangential laws.
+/// `at` gives a node's values: lambda(c, k), gap(k) -> SummedGap, slip(k) -> SummedSlip and slip_known(k); gaps are
+/// asked for if the part has normal tractions, slips of nodes that touch. `visit` is told of every used node, whether
+/// it touches and whether it slides. Where Values::trial is true, sums of squares will do for the tangential laws.
 template <class Values, class Visit>
 LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& at, Visit&& visit) {
   constexpr bool trial = std::remove_cvref_t<Values>::trial;
@@ -87,8 +86,7 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
         t = friction.traction({mu, -augmented, l1 - rt * s.s1, l2 - rt * s.s2});
         sliding = t.sliding;
         if constexpr (!trial) {
-          // Where nodes slide only the share across the traction counts, which shrinks with the
-          // bound.
+          // Where nodes slide only the share across the traction counts, which shrinks with the bound.
           const double share = t.length > t.bound ? t.bound / t.length : 1;
           r.slip_rounding = std::max(r.slip_rounding, share * rt * s.terms);
           r.bound_rounding = std::max(r.bound_rounding, mu * gap_terms);
@@ -108,18 +106,16 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
   return r;
 }
 
-/// Tangential residuals hide under normal ones, so they are judged by the tangential tractions
-/// themselves as soon as there are any.
+/// Tangential residuals hide under normal ones, so they are judged by the tangential tractions themselves as soon as
+/// there are any.
 LawScales scales_of(const LawSums& sums);
-/// Psi. load: greatest relative error of a load, which stands for that error of the traction at
-/// each of `nodes` nodes.
+/// Psi. load: greatest relative error of a load, which stands for that error of the traction at each of `nodes` nodes.
 double merit_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
-LawResidual residual_of(const LawSums& sums, const LawScales& scales, double load,
-                        std::int64_t nodes);
+LawResidual residual_of(const LawSums& sums, const LawScales& scales, double load, std::int64_t nodes);
 
 /// The law of node k for a step; pressure: what bounds its friction.
 TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std::size_t k,
-                                 const std::vector<double> (&lambda)[3], double s1, double s2,
-                                 double pressure, bool bound_follows);
+                                 const std::vector<double> (&lambda)[3], double s1, double s2, double pressure,
+                                 bool bound_follows);
 
 }  // namespace rollcon

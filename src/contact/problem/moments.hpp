@@ -7,10 +7,9 @@
 
 namespace rollcon {
 
-/// mx[k] = integral of N_k x, my[k] = integral of N_k y over the projected frame: moments of
-/// interpolated tractions about the axes' origin, exact for straight-sided elements. On a curved
-/// frame: over the surface itself, and mz[k] = integral of N_k z too; else mz is empty.
-void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<double>& my,
-                    std::vector<double>& mz);
+/// mx[k] = integral of N_k x, my[k] = integral of N_k y over the projected frame: moments of interpolated tractions
+/// about the axes' origin, exact for straight-sided elements. On a curved frame: over the surface itself, and mz[k] =
+/// integral of N_k z too; else mz is empty.
+void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<double>& my, std::vector<double>& mz);
 
 }  // namespace rollcon

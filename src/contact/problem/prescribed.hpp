@@ -1,6 +1,6 @@
 #pragma once
-/// What is prescribed of motions and loads, apart from the problem: a case of a list has its own,
-/// and strategies try others on a copy.
+/// What is prescribed of motions and loads, apart from the problem: a case of a list has its own, and strategies try
+/// others on a copy.
 
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ struct Prescribed {
   std::array<double, 4> value{};   ///< load (on body 1) where by force, else motion
   double full_approach = 0;        ///< one that is prescribed, from no approach on, as it was given
   double friction = 1;             ///< factor on the nodes' coefficients
-  double slip_scale = 1;  ///< factor on the nodes' scales of slip: another path, same solution
+  double slip_scale = 1;           ///< factor on the nodes' scales of slip: another path, same solution
 
   bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }
   /// What is prescribed in the normal direction: a load, or an approach from no approach on.

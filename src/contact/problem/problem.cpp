@@ -38,8 +38,7 @@ void Iterate::invalidate() {
 void Iterate::update_field(const Problem& problem, bool slip, bool gap) {
   const bool all = problem.op.coupled && problem.op.tangential;
   const double* const from[3] = {lambda[0].data(), lambda[1].data(), lambda[2].data()};
-  double* const to[3] = {slip || all ? image[0].data() : nullptr,
-                         slip || all ? image[1].data() : nullptr,
+  double* const to[3] = {slip || all ? image[0].data() : nullptr, slip || all ? image[1].data() : nullptr,
                          gap || all ? image[2].data() : nullptr};
   problem.op.field->apply(from, to);
   if (slip || all) std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{1});
@@ -125,9 +124,7 @@ void take_frame(Problem& p, const Frame& frame) {
   p.length = std::sqrt(frame.area);
   moment_weights(frame, p.moment_x, p.moment_y, p.moment_z);
   const Axes& axes = frame.axes;
-  const auto in_axes = [&](const Vec3& v) {
-    return std::array{dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
-  };
+  const auto in_axes = [&](const Vec3& v) { return std::array{dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)}; };
   p.turn.clear();
   for (std::size_t k = 0; k < frame.n.size(); ++k)
     p.turn.push_back({in_axes(frame.t1[k]), in_axes(frame.t2[k]), in_axes(frame.n[k])});
@@ -165,13 +162,12 @@ LoadSum load_on_body1(const Problem& p, int motion, const std::vector<double> (&
   return sum;
 }
 
-double load_error(const Problem& p, const Prescribed& given, Part part,
-                  const std::vector<double> (&lambda)[3]) {
+double load_error(const Problem& p, const Prescribed& given, Part part, const std::vector<double> (&lambda)[3]) {
   return load_error(given, part, [&](int m) { return load_on_body1(p, m, lambda); });
 }
 
-void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3],
-                   Vec3& force, Vec3& moment) {
+void sum_tractions(const Problem& p, const Frame& frame, const std::vector<double> (&lambda)[3], Vec3& force,
+                   Vec3& moment) {
   force = moment = {};
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.nodes); ++k) {
     Vec3 t{lambda[0][k], lambda[1][k], lambda[2][k]};
@@ -212,8 +208,8 @@ void set_scales(Problem& problem, double normal_factor, double tangential_factor
     if (!problem.used[k]) continue;
     double norm = 0;
     for (int r = 0; r < 2; ++r)
-      norm = std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n),
-                                       norm2(problem.op.block[r][1].row(i), n)));
+      norm =
+          std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n), norm2(problem.op.block[r][1].row(i), n)));
     if (norm > 0) {
       problem.rt[k] = tangential_factor / norm;
       mean += problem.rt[k];
@@ -226,8 +222,8 @@ void set_scales(Problem& problem, double normal_factor, double tangential_factor
 }
 
 void estimate_scales(Problem& p, double normal_factor, double tangential_factor) {
-  // A square of side h under unit pressure sinks 1.12 h / E*; across it slip per unit speed
-  // changes by a part of 1 / E*.
+  // A square of side h under unit pressure sinks 1.12 h / E*; across it slip per unit speed changes by a part of 1 /
+  // E*.
   constexpr double sinking = 1.12, slipping = 0.5;
   const std::size_t n = at(p.nodes);
   p.rn.assign(n, 0.0);

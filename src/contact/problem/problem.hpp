@@ -1,14 +1,13 @@
 #pragma once
-/// The discrete contact problem in the form that Newton's iteration sees: affine relations between
-/// tractions, gap and slip, laws per node, and loads. Slip is per unit rolling speed throughout.
+/// The discrete contact problem in the form that Newton's iteration sees: affine relations between tractions, gap and
+/// slip, laws per node, and loads. Slip is per unit rolling speed throughout.
 ///
 ///   kn = gap - approach n - (A lambda)_n
 ///   s  = rigid slip + D (A lambda)_t,   rigid slip = (xi1 - phi y, xi2 + phi x) + given field
 ///
-/// On a curved frame tractions, slip and gap belong to the local triads of the nodes, motions and
-/// loads to the axes: n is then the cosine between both normals (1 on a flat frame), the creepages
-/// are projected on the local tangent plane, and the load rows are the same columns transposed
-/// times the nodes' weights.
+/// On a curved frame tractions, slip and gap belong to the local triads of the nodes, motions and loads to the axes: n
+/// is then the cosine between both normals (1 on a flat frame), the creepages are projected on the local tangent plane,
+/// and the load rows are the same columns transposed times the nodes' weights.
 
 #include <algorithm>
 #include <array>
@@ -30,17 +29,16 @@ struct Problem {
   ContactOperators op;
   std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
   std::vector<Turn> turn;      ///< empty: the frame is flat
-  /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem
-  /// and its iterates count from the datum: where it is the least of those that touch, the overlap
-  /// under the smallest load keeps its digits.
+  /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem and its iterates
+  /// count from the datum: where it is the least of those that touch, the overlap under the smallest load keeps its
+  /// digits.
   std::vector<double> gap;
   double datum = 0;
   const FrictionLaw* law = &coulomb();
-  /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip
-  /// does not depend on any traction: material enters the frame unstressed.
+  /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip does not depend on any
+  /// traction: material enters the frame unstressed.
   std::vector<double> mu;
-  /// Slip over speed that no motion and no traction changes: given field, displacements given
-  /// elsewhere. Empty: none.
+  /// Slip over speed that no motion and no traction changes: given field, displacements given elsewhere. Empty: none.
   std::vector<double> slip1, slip2;
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
@@ -98,8 +96,8 @@ struct Iterate {
   void update_field(const Problem& problem, bool slip, bool gap);
 };
 
-/// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum
-/// of its terms' magnitudes.
+/// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum of its terms'
+/// magnitudes.
 struct LoadSum {
   double value = 0, magnitude = 0;
 };
@@ -117,20 +115,19 @@ double load_error(const Prescribed& given, Part part, SumOf sum_of) {
   }
   return worst;
 }
-double load_error(const Problem& problem, const Prescribed& given, Part part,
-                  const std::vector<double> (&lambda)[3]);
+double load_error(const Problem& problem, const Prescribed& given, Part part, const std::vector<double> (&lambda)[3]);
 /// The part of a tangential load (or spin moment) that normal tractions carry: none on flat frames.
 double load_of_pressures(const Problem& problem, int motion, const std::vector<double>& normal);
 
 /// Force on body 1 and its moment about the origin, in the axes, of tractions at the nodes.
-void sum_tractions(const Problem& problem, const Frame& frame,
-                   const std::vector<double> (&lambda)[3], Vec3& force, Vec3& moment);
+void sum_tractions(const Problem& problem, const Frame& frame, const std::vector<double> (&lambda)[3], Vec3& force,
+                   Vec3& moment);
 
-/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows)
-/// (docs/theory.md, section 2). A node whose rows vanish gets the mean of the others.
+/// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2). A
+/// node whose rows vanish gets the mean of the others.
 void set_scales(Problem& problem, double normal_factor, double tangential_factor);
-/// Likewise, of half-spaces on cells of the frame's size: without a look at any operator, so that
-/// both forms of the published system walk the same path.
+/// Likewise, of half-spaces on cells of the frame's size: without a look at any operator, so that both forms of the
+/// published system walk the same path.
 void estimate_scales(Problem& problem, double normal_factor, double tangential_factor);
 
 }  // namespace rollcon

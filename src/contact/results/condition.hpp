@@ -6,12 +6,12 @@ namespace rollcon {
 class ReducedSystem;
 struct SolverState;
 
-/// Estimate, in the maximum norm, of the condition of what is left to solve of a system; its
-/// operators must be formed and its laws be set. Infinite: singular. 0: no unknowns.
+/// Estimate, in the maximum norm, of the condition of what is left to solve of a system; its operators must be formed
+/// and its laws be set. Infinite: singular. 0: no unknowns.
 double estimate_condition(ReducedSystem& system);
 
-/// Of the scaled systems of a Newton step at the last iterate, the greater of normal and tangential
-/// where these are apart. 0: no contact, or operators that are not formed.
+/// Of the scaled systems of a Newton step at the last iterate, the greater of normal and tangential where these are
+/// apart. 0: no contact, or operators that are not formed.
 double find_condition(SolverState& state);
 
 }  // namespace rollcon

@@ -1,5 +1,5 @@
-/// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status
-/// per node, and the residuals of the laws.
+/// What is computed from a solution only when somebody asks: deformed gap, slip velocity, status per node, and the
+/// residuals of the laws.
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +11,7 @@ namespace rollcon {
 namespace {
 
 // Displacement difference u1 - u2 at points, straight from the integrals.
-std::vector<double> displacements(SolverState& s, const std::vector<double>& x,
-                                  const std::vector<double>& y) {
+std::vector<double> displacements(SolverState& s, const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = at(s.prepared->problem.nodes);
   std::vector<double> t(3 * n), u(3 * x.size());
   for (std::size_t k = 0; k < n; ++k)
@@ -34,8 +33,8 @@ void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (
   convect(convection, u.data(), ahead.data(), image);
 }
 
-// Normal displacement and slip per unit speed at every node, not by the rows that the solver used;
-// on large lattices by its convolutions, applied afresh: integrals take a time of n^2 there.
+// Normal displacement and slip per unit speed at every node, not by the rows that the solver used; on large lattices by
+// its convolutions, applied afresh: integrals take a time of n^2 there.
 void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> (&slip)[2]) {
   constexpr std::size_t large = 4096;
   const std::size_t n = at(s.prepared->problem.nodes);
@@ -52,8 +51,7 @@ void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> 
   for (std::size_t k = 0; k < n; ++k) normal[k] = u[3 * k + 2];
 }
 
-// Displacements and slip at nodes whose rows are not there, straight from the integrals; others
-// get nothing of use.
+// Displacements and slip at nodes whose rows are not there, straight from the integrals; others get nothing of use.
 struct Outside {
   std::vector<double> normal, slip[2];
 };
@@ -158,11 +156,10 @@ void check_laws(SolverState& s) {
     const double c1 = p.rigid_slip1(i, it.motion), c2 = p.rigid_slip2(i, it.motion);
     s1[k] = c1 + w[0][k];
     s2[k] = c2 + w[1][k];
-    if (it.lambda[2][k] < 0)
-      speed_max = std::max({speed_max, std::hypot(c1, c2), std::hypot(w[0][k], w[1][k])});
+    if (it.lambda[2][k] < 0) speed_max = std::max({speed_max, std::hypot(c1, c2), std::hypot(w[0][k], w[1][k])});
   }
-  // Slip is small when it is small against the slip velocities that occur, or when it would change
-  // the traction by little of the friction bound (zero creepage has no velocity to compare with).
+  // Slip is small when it is small against the slip velocities that occur, or when it would change the traction by
+  // little of the friction bound (zero creepage has no velocity to compare with).
   const auto relative = [&](double speed, std::size_t k) {
     return std::min(speed / speed_max, p.rt[k] / s.prepared->tangential_scale * speed / bound_max);
   };

@@ -61,8 +61,7 @@ std::string not_converged(const SolverState& s) {
       "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, %.1e "
       "tangential, %.1e of the loads%s; the best iterate is kept",
       static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
-      static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential,
-      r.residual_load,
+      static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential, r.residual_load,
       s.prepared->problem.op.coupled && strong
           ? " (with friction of 1 and more between unlike bodies there may be several solutions or "
             "none)"
@@ -74,14 +73,13 @@ std::string not_converged(const SolverState& s) {
 std::string describe_beyond_friction(const FrictionShare& share) {
   const std::string all = times(share.sliding);
   if (!share.by_moment)
-    return "the prescribed tangential force is " + all +
-           " what friction can carry (|Ft| must be less than mu Fn)";
+    return "the prescribed tangential force is " + all + " what friction can carry (|Ft| must be less than mu Fn)";
   if (!share.by_force)
     return "the prescribed spin moment is " + all +
            " what friction can carry (that of all nodes sliding around the origin)";
   return "the prescribed tangential force and spin moment together are " + all +
-         " what friction can carry (alone the force is " + share_text(share.force) +
-         " of it, the moment " + share_text(share.moment) + ")";
+         " what friction can carry (alone the force is " + share_text(share.force) + " of it, the moment " +
+         share_text(share.moment) + ")";
 }
 
 std::string describe_outcome(const SolverState& s) {
@@ -99,8 +97,7 @@ std::string describe_outcome(const SolverState& s) {
   }
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
     return text_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
-                   static_cast<long long>(rim),
-                   s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),
+                   static_cast<long long>(rim), s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),
                    cause_of_rim_contact(s));
   return text_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
                  s.report.residual_tangential);

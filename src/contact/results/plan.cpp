@@ -39,8 +39,7 @@ std::string slow_factors(const Body& body) {
   return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
 }
 
-void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
-                     const Body& body2) {
+void describe_bodies(std::string& text, const SolverState& s, const Body& body1, const Body& body2) {
   int number = 1;
   for (const Body* body : {&body1, &body2}) {
     const bool fem = body->kind() == BodyKind::fem;
@@ -48,15 +47,12 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
       line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
            body->meshed() ? " surface of its own" : ", no mesh");
     else if (body->meshed()) {
-      line(
-          text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number,
-          fem ? "finite" : "boundary", static_cast<long long>(body->mesh().surface.nodes()),
-          static_cast<long long>(body->size().second), fem ? "volume" : "surface",
-          fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str()
-              : "",
-          where_prepared(*body));
-      if (const std::string slow = slow_factors(*body); !slow.empty())
-        line(text, "body %d: %s", number, slow.c_str());
+      line(text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number, fem ? "finite" : "boundary",
+           static_cast<long long>(body->mesh().surface.nodes()), static_cast<long long>(body->size().second),
+           fem ? "volume" : "surface",
+           fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str() : "",
+           where_prepared(*body));
+      if (const std::string slow = slow_factors(*body); !slow.empty()) line(text, "body %d: %s", number, slow.c_str());
     }
     ++number;
   }
@@ -74,25 +70,20 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
 
 void describe_frame(std::string& text, const SolverState& s, const Scene& scene, bool meshed) {
   if (s.prepared->frame_source.body >= 0)
-    line(text, "frame: the %lld faces of body %d with tag %d",
-         static_cast<long long>(s.prepared->frame.elements()), s.prepared->frame_source.body + 1,
-         s.prepared->frame_source.tag);
+    line(text, "frame: the %lld faces of body %d with tag %d", static_cast<long long>(s.prepared->frame.elements()),
+         s.prepared->frame_source.body + 1, s.prepared->frame_source.tag);
   if (s.prepared->frame.curved()) {
     double cosine = 1;
-    for (const Vec3& n : s.prepared->frame.n)
-      cosine = std::min(cosine, dot(n, s.prepared->frame.axes.n));
+    for (const Vec3& n : s.prepared->frame.n) cosine = std::min(cosine, dot(n, s.prepared->frame.axes.n));
     line(text, "frame: curved, local axes at every node, normals up to %.2g degrees off",
          std::acos(cosine) * 180 / std::numbers::pi);
   } else {
     line(text, "frame: flat, one triad for all nodes");
   }
-  if (meshed)
-    line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
-  if (const InitialOverlap overlap =
-          initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps());
+  if (meshed) line(text, "gap: %s", scene.has_gap() ? "as given" : "from the surfaces of the bodies");
+  if (const InitialOverlap overlap = initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps());
       overlap.nodes > 0)
-    line(text,
-         "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
+    line(text, "gap: negative at %lld node(s), by up to %.3g: the bodies overlap before they approach",
          static_cast<long long>(overlap.nodes), overlap.depth);
   if (!s.prepared->offset_depth.empty())
     line(text, "loads and given displacements of the bodies: added to gap and slip");
@@ -104,8 +95,8 @@ void describe_procedure(std::string& text, const SolverState& s, const Options& 
          static_cast<long long>(s.system_unknowns), static_cast<long long>(s.system_nonzeros));
   else
     line(text, "system: condensed, %lld unknowns", static_cast<long long>(s.system_unknowns));
-  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s",
-       o.jacobian.c_str(), o.linear_solver.c_str());
+  line(text, "iteration: generalised Newton method with line search, jacobian %s, linear solver %s", o.jacobian.c_str(),
+       o.linear_solver.c_str());
 }
 
 void describe_reach(std::string& text, const SolverState& s) {
@@ -128,12 +119,12 @@ void describe_contact(std::string& text, const SolverState& s) {
   }
   const auto& normal = s.iterate.lambda[2];
   const auto touching = std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; });
-  line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours",
-       static_cast<long long>(touching), static_cast<long long>(nodes_inside(s)));
+  line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours", static_cast<long long>(touching),
+       static_cast<long long>(nodes_inside(s)));
   const ErrorEstimate& e = s.error_estimate;
   if (e.known)
-    line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%",
-         100 * e.normal, 100 * e.tangential);
+    line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%", 100 * e.normal,
+         100 * e.tangential);
   else
     line(text, "discretisation: error not estimated (statistic error_estimate)");
 }
@@ -169,16 +160,14 @@ void describe_results(std::string& text, const SolverState& s) {
   tell(s.laws_checked, "residuals of the laws");
   tell(s.work.displacements > s.work_before.displacements, "displacements of the bodies");
   tell(s.error_estimate.known, "error estimate");
-  tell(std::any_of(s.sensitivities.known.begin(), s.sensitivities.known.end(),
-                   [](bool known) { return known; }),
+  tell(std::any_of(s.sensitivities.known.begin(), s.sensitivities.known.end(), [](bool known) { return known; }),
        "sensitivities");
   if (!missing.empty()) line(text, "not computed, as nobody asked: %s", missing.c_str());
 }
 
 }  // namespace
 
-std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1,
-                          const Body& body2) {
+std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1, const Body& body2) {
   std::string text;
   const ContactOperators& op = s.prepared->problem.op;
   describe_bodies(text, s, body1, body2);
@@ -195,8 +184,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          "no coupling blocks, but on a curved frame friction carries a part of the normal load: "
          "solved together");
   } else if (op.coupling_vanished) {
-    line(text,
-         "coupling blocks vanish (the bodies mirror each other): normal problem first, alone");
+    line(text, "coupling blocks vanish (the bodies mirror each other): normal problem first, alone");
   } else if (!op.coupled) {
     line(text, "(1-2nu)/G equal on both sides: normal problem first, alone; no coupling blocks");
   } else {
@@ -207,21 +195,18 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
          "total sliding given (no node can stick): no stick test, no tangential system; %lld "
          "step(s) of explicit tractions",
          static_cast<long long>(s.report.sliding_steps));
-  if (op.tangential || s.procedure.monolithic)
-    line(text, "convective scheme: %s", name_of(s.prepared->scheme));
+  if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
-      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage",
-                                              "approach", "spin"};
+      static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin"};
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
   describe_reach(text, s);
   if (op.normal && !op.field)
-    line(text,
-         "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
-         static_cast<long long>(op.nodes), static_cast<long long>(op.rows),
-         static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
+    line(text, "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
+         static_cast<long long>(op.nodes), static_cast<long long>(op.rows), static_cast<double>(op.bytes()) / 1e6,
+         static_cast<long long>(s.assemblies));
   describe_contact(text, s);
   describe_reuse(text, s);
   line(text, "result: %s", describe_outcome(s).c_str());

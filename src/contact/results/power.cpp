@@ -61,17 +61,16 @@ double work_of_pressures(const SolverState& s) {
     }
     if (!sound) continue;
     const ElementType type = s.prepared->frame.mesh.type[at(e)];
-    sum += integral_of_slope(s.prepared->frame, node, type,
-                             corner_count(type) == 3 ? triangle : square, f, g);
+    sum += integral_of_slope(s.prepared->frame, node, type, corner_count(type) == 3 ? triangle : square, f, g);
   }
   return sum;
 }
 
 }  // namespace
 
-// Carried along a surface that is the same everywhere, tractions change no elastic energy: what
-// their tangential and normal parts do on the elastic displacements adds up to nothing. Along the
-// contact the normal displacement is the rigid gap.
+// Carried along a surface that is the same everywhere, tractions change no elastic energy: what their tangential and
+// normal parts do on the elastic displacements adds up to nothing. Along the contact the normal displacement is the
+// rigid gap.
 double power_put_in(const SolverState& s) {
   if (s.frictionless) return 0;
   const Problem& p = s.prepared->problem;

@@ -17,14 +17,13 @@ int motion_of(Parameter parameter) {
   return parameter == Parameter::friction ? no_motion : static_cast<int>(parameter) - 1;
 }
 
-// What the parameter does to the part's equations while the unknowns stay. The rate of pressures
-// that the part holds given is in w.lambda[2] already.
+// What the parameter does to the part's equations while the unknowns stay. The rate of pressures that the part holds
+// given is in w.lambda[2] already.
 void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter parameter) {
   const Problem& p = s.prepared->problem;
   Sensitivities& w = s.sensitivities;
   const std::size_t na = at(system.active());
-  for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]})
-    v->assign(na, 0.0);
+  for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]}) v->assign(na, 0.0);
   const int m = motion_of(parameter);
   const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   for (std::size_t a = 0; a < na; ++a) {
@@ -43,8 +42,7 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter para
   std::array<double, 4> load{};
   if (m != no_motion && !given) load[static_cast<std::size_t>(m)] = 1;
   if (system.part() == Part::tangential)
-    for (const int t : {xi1, xi2, spin})
-      load[static_cast<std::size_t>(t)] -= load_of_pressures(p, t, w.lambda[2]);
+    for (const int t : {xi1, xi2, spin}) load[static_cast<std::size_t>(t)] -= load_of_pressures(p, t, w.lambda[2]);
   system.rate_side(w.gap, w.slip[0], w.slip[1], w.bound[0], w.bound[1], load, w.b);
 }
 

@@ -1,7 +1,6 @@
 #pragma once
-/// Derivatives of the results of a solve, from Newton's system linearised at the solution with the
-/// state of every node held (docs/theory.md, section 6). Each is computed when first asked for and
-/// kept until the next solve.
+/// Derivatives of the results of a solve, from Newton's system linearised at the solution with the state of every node
+/// held (docs/theory.md, section 6). Each is computed when first asked for and kept until the next solve.
 
 #include "contact/scene/enumerators.hpp"
 
@@ -10,8 +9,8 @@ namespace rollcon {
 struct Rates;  // contact/solution.hpp
 struct SolverState;
 
-/// Of a solution that converged or has no contact. err_state: a tangential load is prescribed where
-/// there is no friction. err_singular: the linearised system has no solution.
+/// Of a solution that converged or has no contact. err_state: a tangential load is prescribed where there is no
+/// friction. err_singular: the linearised system has no solution.
 const Rates& find_rates(SolverState& state, Parameter parameter);
 
 }  // namespace rollcon

@@ -16,9 +16,9 @@
 namespace rollcon {
 namespace {
 
-/// How far the smooth surface stands out of the body's facet at a point of it, along `out`: half
-/// the mean, by the shape functions, of the heights of the tangent planes at the facet's nodes,
-/// which is exact for quadratic surfaces. Quadratic faces are smooth enough.
+/// How far the smooth surface stands out of the body's facet at a point of it, along `out`: half the mean, by the shape
+/// functions, of the heights of the tangent planes at the facet's nodes, which is exact for quadratic surfaces.
+/// Quadratic faces are smooth enough.
 double height_over_facet(const Body& body, const SurfacePoint& p, const Vec3& out) {
   constexpr double steepest = 0.1;
   const SurfaceMesh& mesh = body.mesh().surface;
@@ -40,8 +40,7 @@ double height_over_facet(const Body& body, const SurfacePoint& p, const Vec3& ou
 }
 
 bool moves_as_its_faces(const Body& body) {
-  return body.kind() == BodyKind::fem ||
-         (body.kind() == BodyKind::bem && body.options().between_nodes == 1);
+  return body.kind() == BodyKind::fem || (body.kind() == BodyKind::bem && body.options().between_nodes == 1);
 }
 
 /// Compliance of a half-space of its material.
@@ -58,16 +57,14 @@ void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairO
     const Body& body = *pair.body[at(b)];
     if (!body.meshed() || source.body == b) continue;
     double part = -1;
-    if (moves_as_its_faces(body))
-      part += softness(body) / (softness(*pair.body[0]) + softness(*pair.body[1]));
+    if (moves_as_its_faces(body)) part += softness(body) / (softness(*pair.body[0]) + softness(*pair.body[1]));
     if (part == 0) continue;
     const Pose& pose = pair.pose[at(b)];
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!frame.used[k]) continue;
       const Vec3 n = frame.triad(k).n;
       const auto found = meet_contact_faces(frame, k, n, body, pose, b);
-      if (found)
-        gap[k] += part * height_over_facet(body, *found, pose.turn_back((b == 0 ? 1.0 : -1.0) * n));
+      if (found) gap[k] += part * height_over_facet(body, *found, pose.turn_back((b == 0 ? 1.0 : -1.0) * n));
     }
   }
 }

@@ -43,8 +43,7 @@ int normal_source(const PairOfBodies& pair) {
   return -1;
 }
 
-std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
-                                  const PairOfBodies& pair) {
+std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
   const int which = normal_source(pair);
   const Body& body = *pair.body[static_cast<std::size_t>(which)];
   const Pose& pose = pair.pose[static_cast<std::size_t>(which)];
@@ -59,10 +58,9 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::size_t k = 0; k < normal.size(); ++k) {
     if (!frame.used[k]) continue;
-    const auto n = look_aside(
-        pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k), [&](const Vec3& from) {
-          return normal_along(body, from, direction, outward(which, direction));
-        });
+    const auto n =
+        look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
+                   [&](const Vec3& from) { return normal_along(body, from, direction, outward(which, direction)); });
     if (n)
       normal[k] = field.level(outward(which, pose.turn(*n)));
     else
@@ -72,8 +70,7 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   return normal;
 }
 
-std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
-                                   const PairOfBodies& pair) {
+std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
   std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0);
   for (int body = 0; body < 2; ++body) {
     if (source.body == body) continue;  // the nodes are on it
@@ -110,8 +107,7 @@ InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& ga
   return overlap;
 }
 
-void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
-                         const PairOfBodies& pair) {
+void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap, const PairOfBodies& pair) {
   const double depth = initial_overlap(frame, gap).depth;
   for (std::size_t b = 0; b < 2 && depth > 0; ++b) {
     const Body& body = *pair.body[b];
@@ -119,8 +115,8 @@ void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
     const std::vector<Vec3>& node = body.mesh().surface.node;
     double thickness = INFINITY;
     for (std::size_t c = 0; c < 3; ++c) {
-      const auto [low, high] = std::minmax_element(
-          node.begin(), node.end(), [c](const Vec3& x, const Vec3& y) { return x[c] < y[c]; });
+      const auto [low, high] =
+          std::minmax_element(node.begin(), node.end(), [c](const Vec3& x, const Vec3& y) { return x[c] < y[c]; });
       thickness = std::min(thickness, (*high)[c] - (*low)[c]);
     }
     if (depth > thickness)

@@ -12,23 +12,19 @@ namespace rollcon {
 /// Body (0 or 1) whose surface gives the normals: the first that has a mesh; -1: none has.
 int normal_source(const PairOfBodies& pair);
 
-/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it
-/// has a mesh, else minus those of body 2. At nodes that were taken from that body the mean normal
-/// of the fan of its faces, else what the line along the axes' normal meets (smooth_normal). One
-/// body at least must have a mesh. Throws err_mesh naming the frame nodes that do not lie over the
-/// body's contact faces, see MissedNodes.
-std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
-                                  const PairOfBodies& pair);
+/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it has a mesh, else
+/// minus those of body 2. At nodes that were taken from that body the mean normal of the fan of its faces, else what
+/// the line along the axes' normal meets (smooth_normal). One body at least must have a mesh. Throws err_mesh naming
+/// the frame nodes that do not lie over the body's contact faces, see MissedNodes.
+std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
-/// Distance from the surface of body 1 to that of body 2 along the normals of the frame's nodes
-/// (the axes' on a flat frame), negative where they overlap; 0 at nodes of no element. The surface
-/// of a body without a mesh is the plane through the axes' origin normal to n. Throws err_mesh
-/// likewise.
-std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source,
-                                   const PairOfBodies& pair);
+/// Distance from the surface of body 1 to that of body 2 along the normals of the frame's nodes (the axes' on a flat
+/// frame), negative where they overlap; 0 at nodes of no element. The surface of a body without a mesh is the plane
+/// through the axes' origin normal to n. Throws err_mesh likewise.
+std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
-/// Makes of a gap measured as above the one that the bodies' displacements can close between nodes
-/// of their linear faces (gap_on_faces.cpp). Nothing changes at those nodes.
+/// Makes of a gap measured as above the one that the bodies' displacements can close between nodes of their linear
+/// faces (gap_on_faces.cpp). Nothing changes at those nodes.
 void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
                       std::vector<double>& gap);
 
@@ -39,13 +35,12 @@ struct InitialOverlap {
 };
 InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& gap);
 
-/// err_argument where bodies overlap by more than one with a mesh is thick (the least side of its
-/// bounding box): a pose was forgotten, or lengths have different units.
-void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap,
-                         const PairOfBodies& pair);
+/// err_argument where bodies overlap by more than one with a mesh is thick (the least side of its bounding box): a pose
+/// was forgotten, or lengths have different units.
+void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap, const PairOfBodies& pair);
 
-/// Nodes at which the frame cuts the contact off: those on its boundary, but for nodes on an edge
-/// of either body beyond which the body does not go on, or only too steeply for a frame.
+/// Nodes at which the frame cuts the contact off: those on its boundary, but for nodes on an edge of either body beyond
+/// which the body does not go on, or only too steeply for a frame.
 void find_rim(Frame& frame, const PairOfBodies& pair);
 
 }  // namespace rollcon

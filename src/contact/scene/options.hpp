@@ -1,6 +1,6 @@
 #pragma once
-/// Solver settings by name: one table gives type, range, default and meaning of each; `Options`
-/// holds a contact's values.
+/// Solver settings by name: one table gives type, range, default and meaning of each; `Options` holds a contact's
+/// values.
 
 #include <cstdint>
 #include <span>

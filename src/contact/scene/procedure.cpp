@@ -71,29 +71,25 @@ Procedure choose_procedure(const Options& o) {
          "and exact",
          o.system.c_str(), o.jacobian.c_str());
   if (o.slip_estimate != "auto" && p.jacobian != Jacobian::reduced)
-    fail(
-        Status::err_option,
-        "slip_estimate is '%s' but jacobian is '%s': only jacobian = reduced estimates the slip of "
-        "sticking pairs, the others solve for it",
-        o.slip_estimate.c_str(), o.jacobian.c_str());
+    fail(Status::err_option,
+         "slip_estimate is '%s' but jacobian is '%s': only jacobian = reduced estimates the slip of "
+         "sticking pairs, the others solve for it",
+         o.slip_estimate.c_str(), o.jacobian.c_str());
   if (p.jacobian == Jacobian::reduced && o.convection == "characteristic")
     fail(Status::err_option,
          "jacobian is 'reduced' but convection is 'characteristic': the estimates (90)-(92) need a "
          "matrix between nodes; set convection to godunov or least_squares");
   if (p.preconditioner == Preconditioner::bodies && !p.monolithic)
-    fail(Status::err_option,
-         "preconditioner is 'bodies' but system is 'condensed', which has no unknowns of bodies");
+    fail(Status::err_option, "preconditioner is 'bodies' but system is 'condensed', which has no unknowns of bodies");
   if (p.preconditioner == Preconditioner::kept_lu && p.monolithic)
     fail(Status::err_option,
          "preconditioner is 'kept_lu' but system is 'monolithic': factors of the whole cost more "
          "than the iterations that they save; choose bodies, which factorises the bodies once");
   if (o.preconditioner != "auto" && !iterative(p.linear))
-    fail(Status::err_option,
-         "preconditioner is '%s' but linear_solver is '%s': only gmres and gmres_adaptive have one",
+    fail(Status::err_option, "preconditioner is '%s' but linear_solver is '%s': only gmres and gmres_adaptive have one",
          o.preconditioner.c_str(), o.linear_solver.c_str());
   if (p.eta > 0 && p.linear != LinearMethod::gmres)
-    fail(Status::err_option,
-         "linear_tolerance is %g but linear_solver is '%s': only gmres has a fixed tolerance",
+    fail(Status::err_option, "linear_tolerance is %g but linear_solver is '%s': only gmres has a fixed tolerance",
          p.eta, o.linear_solver.c_str());
   if (p.line_search != LineSearch::automatic && p.standard())
     fail(Status::err_option,

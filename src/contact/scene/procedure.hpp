@@ -1,6 +1,6 @@
 #pragma once
-/// Which solution procedure the options ask for: rollcon's own iteration, or one of those of
-/// Rodriguez-Tembleque & Abascal (2010), section 11. docs/procedures.md compares them.
+/// Which solution procedure the options ask for: rollcon's own iteration, or one of those of Rodriguez-Tembleque &
+/// Abascal (2010), section 11. docs/procedures.md compares them.
 
 #include <memory>
 
@@ -29,12 +29,12 @@ struct Procedure {
   bool standard() const { return !monolithic && jacobian == Jacobian::exact; }
 };
 
-/// Throws err_option for combinations that make no sense, with the reason, and err_unsupported for
-/// a published procedure in a build without them.
+/// Throws err_option for combinations that make no sense, with the reason, and err_unsupported for a published
+/// procedure in a build without them.
 Procedure choose_procedure(const Options& options);
 
-/// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the
-/// last iterate (half the squared norm of the residual), eta: the last tolerance.
+/// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the last iterate (half
+/// the squared norm of the residual), eta: the last tolerance.
 double adaptive_tolerance(const Procedure& procedure, double merit, double last_merit, double eta);
 
 class PublishedSolver;  // contact/solution.hpp

@@ -38,8 +38,8 @@ struct Piece {
 
 class BodyEdges {
  public:
-  /// Those at which faces that a frame may lie on end: nothing goes on beyond them, or a face that
-  /// is too steep for a frame.
+  /// Those at which faces that a frame may lie on end: nothing goes on beyond them, or a face that is too steep for a
+  /// frame.
   BodyEdges(const Frame& frame, const Body& body, const Pose& pose, int which)
       : axes_(frame.axes),
         mesh_(body.mesh().surface),
@@ -58,8 +58,7 @@ class BodyEdges {
   }
 
   bool hold(const Vec3& point) const {
-    return std::any_of(piece_.begin(), piece_.end(),
-                       [&](const Piece& piece) { return piece.holds(point); });
+    return std::any_of(piece_.begin(), piece_.end(), [&](const Piece& piece) { return piece.holds(point); });
   }
 
  private:
@@ -75,14 +74,11 @@ class BodyEdges {
   }
   bool ends(const Side& a, const Side* b) const {
     if (!b) return carries(a);
-    if (fan(a.cell, a.from) == fan(b->cell, a.from) && fan(a.cell, a.to) == fan(b->cell, a.to))
-      return false;
+    if (fan(a.cell, a.from) == fan(b->cell, a.from) && fan(a.cell, a.to) == fan(b->cell, a.to)) return false;
     return carries(a) != carries(*b);
   }
   void add(const Side& side) {
-    const auto place = [&](std::int32_t k) {
-      return in_axes(axes_, pose_.place(mesh_.node[at(k)]));
-    };
+    const auto place = [&](std::int32_t k) { return in_axes(axes_, pose_.place(mesh_.node[at(k)])); };
     const Vec3 a = place(side.from), b = place(side.to);
     const std::int32_t k = midside_node(mesh_, side);
     const Vec3 middle = k < 0 ? 0.5 * (a + b) : place(k);
@@ -96,8 +92,7 @@ class BodyEdges {
       return 0.5 * t * (t - 1) * a + (1 - t * t) * middle + 0.5 * t * (t + 1) * b;
     };
     for (int i = 0; i < pieces; ++i)
-      piece_.push_back(
-          {curve(2.0 * i / pieces - 1), curve(2.0 * (i + 1) / pieces - 1), length(b - a)});
+      piece_.push_back({curve(2.0 * i / pieces - 1), curve(2.0 * (i + 1) / pieces - 1), length(b - a)});
   }
 
   const Axes& axes_;

@@ -35,8 +35,7 @@ bool replace(Load& held, Load value) {
 void Scene::require_frame_size(std::int64_t n, const char* what) const {
   require_count(n, "n");
   if (mesh_.nodes() == 0)
-    fail(Status::err_state,
-         "the frame has no nodes: call rollcon_contact_set_frame_nodes before %s", what);
+    fail(Status::err_state, "the frame has no nodes: call rollcon_contact_set_frame_nodes before %s", what);
   if (n != mesh_.nodes())
     fail(Status::err_argument, "n is %lld; the frame has %lld nodes", static_cast<long long>(n),
          static_cast<long long>(mesh_.nodes()));
@@ -81,9 +80,8 @@ void Scene::set_creep(double longitudinal, double lateral, double spin) {
   require_finite(lateral, "lateral");
   require_finite(spin, "spin");
   bool changed = false;
-  for (const auto& [direction, value] :
-       {std::pair{Direction::longitudinal, longitudinal}, std::pair{Direction::lateral, lateral},
-        std::pair{Direction::spin, spin}})
+  for (const auto& [direction, value] : {std::pair{Direction::longitudinal, longitudinal},
+                                         std::pair{Direction::lateral, lateral}, std::pair{Direction::spin, spin}})
     changed |= replace(load_[static_cast<std::size_t>(direction) - 1], {How::by_motion, value});
   if (changed) ++revision.load;
 }
@@ -102,16 +100,13 @@ void Scene::set_creep_field(std::int64_t n, const double* slip) {
 
 void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
   if (direction < 1 || direction > 4)
-    fail(Status::err_argument,
-         "direction is %d; allowed: 1 (longitudinal), 2 (lateral), 3 (normal), 4 (spin)",
+    fail(Status::err_argument, "direction is %d; allowed: 1 (longitudinal), 2 (lateral), 3 (normal), 4 (spin)",
          direction);
-  if (how != static_cast<std::int32_t>(How::by_motion) &&
-      how != static_cast<std::int32_t>(How::by_force))
+  if (how != static_cast<std::int32_t>(How::by_motion) && how != static_cast<std::int32_t>(How::by_force))
     fail(Status::err_argument, "how is %d; allowed: 1 (by motion), 2 (by force)", how);
   require_finite(value, "value");
   const Load load{static_cast<How>(how), value};
-  if (direction == static_cast<std::int32_t>(Direction::normal) && load.how == How::by_force &&
-      value < 0)
+  if (direction == static_cast<std::int32_t>(Direction::normal) && load.how == How::by_force && value < 0)
     fail(Status::err_argument, "the normal load is %g; allowed: 0 or more (compression)", value);
   if (replace(load_[static_cast<std::size_t>(direction) - 1], load)) ++revision.load;
 }
@@ -119,8 +114,7 @@ void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
 void Scene::set_friction(const char* law, std::int32_t n, const double* parameters) {
   require_pointer(law, "law");
   require_count(n, "n");
-  if (std::strcmp(law, "coulomb") != 0)
-    fail(Status::err_argument, "law is '%.64s'; allowed: 'coulomb'", law);
+  if (std::strcmp(law, "coulomb") != 0) fail(Status::err_argument, "law is '%.64s'; allowed: 'coulomb'", law);
   if (n != 1) fail(Status::err_argument, "n is %d; 'coulomb' has 1 parameter: mu", n);
   require_pointer(parameters, "parameters");
   const double mu = parameters[0];
@@ -153,8 +147,7 @@ void Scene::require_complete(bool body_meshed) const {
     fail(Status::err_state,
          "the frame has no nodes: rollcon_contact_set_frame_nodes or "
          "rollcon_contact_frame_from_body");
-  if (mesh_.elements() == 0)
-    fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
+  if (mesh_.elements() == 0) fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
   if (!has_gap() && !body_meshed)
     fail(Status::err_state,
          "no gap was given and no body has a mesh to compute it from: rollcon_contact_set_gap or "

@@ -15,16 +15,16 @@ namespace rollcon {
 enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4 };
 enum class How : std::int32_t { by_motion = 1, by_force = 2 };
 
-/// One direction's loading. value: force (or spin moment) on body 1 when by force - except for the
-/// normal direction, where it is the compressive load >= 0 - else approach, creepage or spin.
+/// One direction's loading. value: force (or spin moment) on body 1 when by force - except for the normal direction,
+/// where it is the compressive load >= 0 - else approach, creepage or spin.
 struct Load {
   How how = How::by_motion;
   double value = 0;
 };
 
-/// Revision counters tell the solver what changed since it last looked. Setting equal values again
-/// counts nothing. kinematics: speed and creep field; load: what is prescribed, creepages included.
-/// mesh: nodes and elements of the frame; a frame that moves with its body counts as pose alone.
+/// Revision counters tell the solver what changed since it last looked. Setting equal values again counts nothing.
+/// kinematics: speed and creep field; load: what is prescribed, creepages included. mesh: nodes and elements of the
+/// frame; a frame that moves with its body counts as pose alone.
 struct Revisions {
   std::int64_t mesh = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
   std::array<std::int64_t, 2> pose{};
@@ -40,21 +40,19 @@ struct FrameSource {
   std::vector<Vec3> place;            ///< frame nodes in the body's coordinates
 };
 
-/// Setters throw Error and then leave everything as it was. Those of a time loop (all but frame
-/// nodes and elements) allocate nothing once their arrays have the frame's size.
+/// Setters throw Error and then leave everything as it was. Those of a time loop (all but frame nodes and elements)
+/// allocate nothing once their arrays have the frame's size.
 class Scene {
  public:
   /// index_base: how messages count before elements tell the caller's way.
   explicit Scene(std::int32_t index_base = 0);
 
   /// Forgets elements, gap array and fields.
-  void set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
-                       std::int64_t component_stride);
-  void add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
-                          std::int32_t index_base, std::int32_t tag);
-  /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order;
-  /// those of body 2 are turned over. They follow the body's pose. Forgets what set_frame_nodes
-  /// forgets.
+  void set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
+  void add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
+                          std::int32_t tag);
+  /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order; those of body 2 are
+  /// turned over. They follow the body's pose. Forgets what set_frame_nodes forgets.
   void set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag);
   /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
@@ -82,9 +80,8 @@ class Scene {
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
-  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh),
-  /// friction. (Arrays always fit the frame: their length is checked when they are set, and new
-  /// nodes forget them.)
+  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh), friction. (Arrays always
+  /// fit the frame: their length is checked when they are set, and new nodes forget them.)
   void require_complete(bool body_meshed = false) const;
 
   Options options;

@@ -14,8 +14,8 @@ double determinant(const std::array<Vec3, 3>& r) {
   return dot(r[0], cross(r[1], r[2]));
 }
 
-/// The rotation next to a matrix that is one but for rounding: Newton's iteration for the polar
-/// decomposition, R <- (R + R^-T) / 2.
+/// The rotation next to a matrix that is one but for rounding: Newton's iteration for the polar decomposition, R <- (R
+/// + R^-T) / 2.
 std::array<Vec3, 3> nearest_rotation(std::array<Vec3, 3> r) {
   for (int i = 0; i < 3; ++i) {
     const double scale = 1 / determinant(r);
@@ -32,12 +32,10 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
   require_pointer(rotation, "rotation");
   for (int i = 0; i < 9; ++i)
     if (!std::isfinite(rotation[i]))
-      fail(Status::err_nonfinite, "entry (%d, %d) of rotation (counting from 0) is %g", i / 3,
-           i % 3, rotation[i]);
+      fail(Status::err_nonfinite, "entry (%d, %d) of rotation (counting from 0) is %g", i / 3, i % 3, rotation[i]);
   require_finite_vector(translation, "translation");
   Pose pose;
-  for (std::size_t i = 0; i < 3; ++i)
-    pose.rotation[i] = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2]};
+  for (std::size_t i = 0; i < 3; ++i) pose.rotation[i] = {rotation[3 * i], rotation[3 * i + 1], rotation[3 * i + 2]};
   pose.translation = {translation[0], translation[1], translation[2]};
   constexpr double tolerance = 1e-6;
   double off = 0;
@@ -45,8 +43,7 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
     for (std::size_t j = 0; j <= i; ++j)
       off = std::max(off, std::abs(dot(pose.rotation[i], pose.rotation[j]) - (i == j ? 1 : 0)));
   if (!(off <= tolerance))
-    fail(Status::err_argument,
-         "rotation is not orthonormal: its rows' products are off by %.3g; allowed: %g", off,
+    fail(Status::err_argument, "rotation is not orthonormal: its rows' products are off by %.3g; allowed: %g", off,
          tolerance);
   const double sign = determinant(pose.rotation);
   if (!(std::abs(sign - 1) <= tolerance))
@@ -59,8 +56,7 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
   held = pose;
   ++revision.pose[static_cast<std::size_t>(body)];
   if (frame_source_.body != body) return;
-  for (std::size_t k = 0; k < mesh_.node.size(); ++k)
-    mesh_.node[k] = pose.place(frame_source_.place[k]);
+  for (std::size_t k = 0; k < mesh_.node.size(); ++k) mesh_.node[k] = pose.place(frame_source_.place[k]);
 }
 
 void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag) {
@@ -76,8 +72,7 @@ void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag)
     source.element.push_back(e);
     for (const std::int32_t k : body.element(e)) number[static_cast<std::size_t>(k)] = 0;
   }
-  if (source.element.empty())
-    fail(Status::err_argument, "tag is %d, which no face of body %d has", tag, which + 1);
+  if (source.element.empty()) fail(Status::err_argument, "tag is %d, which no face of body %d has", tag, which + 1);
   for (std::size_t k = 0; k < number.size(); ++k) {
     if (number[k] < 0) continue;
     number[k] = static_cast<std::int32_t>(source.node.size());
@@ -92,8 +87,7 @@ void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag)
     mesh.tag.push_back(tag);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const int k = static_cast<int>(i), from = which == 0 ? k : turned_over(type, k);
-      mesh.connectivity.push_back(
-          number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(from)])]);
+      mesh.connectivity.push_back(number[static_cast<std::size_t>(nodes[static_cast<std::size_t>(from)])]);
     }
     mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
   }

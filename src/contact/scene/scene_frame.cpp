@@ -18,8 +18,7 @@ Vec3 unit(const double* v, const char* name) {
   if (largest == 0) fail(Status::err_argument, "%s is the zero vector", name);
   int exponent = 0;
   std::frexp(largest, &exponent);
-  const Vec3 scaled{std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent),
-                    std::ldexp(v[2], -exponent)};
+  const Vec3 scaled{std::ldexp(v[0], -exponent), std::ldexp(v[1], -exponent), std::ldexp(v[2], -exponent)};
   const double length = std::sqrt(dot(scaled, scaled));
   return {scaled[0] / length, scaled[1] / length, scaled[2] / length};
 }
@@ -31,8 +30,7 @@ Scene::Scene(std::int32_t index_base) {
   mesh_.offset.push_back(0);
 }
 
-void Scene::set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride,
-                            std::int64_t component_stride) {
+void Scene::set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) {
   replace_frame(mesh_of_nodes(n, x, node_stride, component_stride, mesh_.index_base), {});
 }
 
@@ -52,11 +50,9 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
 void Scene::add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                                std::int32_t index_base, std::int32_t tag) {
   if (frame_source_.body >= 0)
-    fail(Status::err_state,
-         "the frame was taken from body %d: rollcon_contact_set_frame_nodes starts another one",
+    fail(Status::err_state, "the frame was taken from body %d: rollcon_contact_set_frame_nodes starts another one",
          frame_source_.body + 1);
-  append_elements(mesh_, type, n, connectivity, index_base, tag, "frame",
-                  "rollcon_contact_set_frame_nodes");
+  append_elements(mesh_, type, n, connectivity, index_base, tag, "frame", "rollcon_contact_set_frame_nodes");
   if (n > 0) ++revision.mesh;
 }
 
@@ -78,9 +74,7 @@ void Scene::set_axes(const double* origin, const double* rolling, const double* 
   for (std::size_t i = 0; i < 3; ++i) axes.t2[i] -= leftover * axes.n[i];
   axes.t2 = unit(axes.t2.data(), "rolling");
   axes.t1 = cross(axes.t2, axes.n);
-  if (axes.origin == axes_.origin && axes.t1 == axes_.t1 && axes.t2 == axes_.t2 &&
-      axes.n == axes_.n)
-    return;
+  if (axes.origin == axes_.origin && axes.t1 == axes_.t1 && axes.t2 == axes_.t2 && axes.n == axes_.n) return;
   axes_ = axes;
   ++revision.axes;
 }

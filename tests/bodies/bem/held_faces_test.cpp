@@ -1,5 +1,4 @@
-// A frame may lie on a face whose supports leave it free along its normal, and on no other: on
-// every side of a block.
+// A frame may lie on a face whose supports leave it free along its normal, and on no other: on every side of a block.
 
 #include <gtest/gtest.h>
 
@@ -47,8 +46,7 @@ std::string refusal(const SurfaceMesh& block, std::int32_t tag, std::int32_t hel
 }
 
 TEST(held_faces, carry_a_frame_unless_held_along_their_normal) {
-  const SurfaceMesh block =
-      surfaces::block(surfaces::brick({2, 2, 2}, {2, 2, 2}), ElementType::quad4);
+  const SurfaceMesh block = surfaces::block(surfaces::brick({2, 2, 2}, {2, 2, 2}), ElementType::quad4);
   for (std::int32_t tag = 1; tag <= 6; ++tag) {
     const std::int32_t normal = 1 << ((tag - 1) / 2);
     for (std::int32_t held = 1; held <= all_components; ++held) {

@@ -59,22 +59,17 @@ double midside_error(const LiftedSurface& lifted, const std::function<double(con
 
 TEST(LiftedSurface, quadratic_fields_on_flat_faces_are_exact) {
   for (const ElementType type : linear_types) {
-    const SurfaceMesh brick =
-        surfaces::distort(surfaces::block(surfaces::brick({5, 4, 3}, {5, 3, 2}), type), 0.2, 3);
+    const SurfaceMesh brick = surfaces::distort(surfaces::block(surfaces::brick({5, 4, 3}, {5, 3, 2}), type), 0.2, 3);
     const LiftedSurface lifted = lift(held_nowhere(brick), 40);
     const std::string what = surfaces::name_of(type) + " brick, ";
     // Triangles at a face's corner have too few nodes around them.
-    expect_error(what + "sides that stay straight", 1 - bent_part(lifted),
-                 type == ElementType::quad4 ? 0 : 0.1);
-    expect_error(what + "linear field",
-                 midside_error(lifted, [](const Vec3& x) { return x[0] - 2 * x[1] + x[2]; }),
+    expect_error(what + "sides that stay straight", 1 - bent_part(lifted), type == ElementType::quad4 ? 0 : 0.1);
+    expect_error(what + "linear field", midside_error(lifted, [](const Vec3& x) { return x[0] - 2 * x[1] + x[2]; }),
                  1e-12);
-    expect_error(what + "quadratic field",
-                 midside_error(lifted,
-                               [](const Vec3& x) {
-                                 return x[0] * x[0] + x[0] * x[1] - x[1] * x[2] + 2 * x[2] * x[2];
-                               }),
-                 1e-10);
+    expect_error(
+        what + "quadratic field",
+        midside_error(lifted, [](const Vec3& x) { return x[0] * x[0] + x[0] * x[1] - x[1] * x[2] + 2 * x[2] * x[2]; }),
+        1e-10);
   }
 }
 
@@ -83,31 +78,27 @@ TEST(LiftedSurface, curved_faces_are_nearer_to_the_sphere_and_turn_rigidly) {
     const LiftedSurface lifted = lift(held_nowhere(surfaces::cube_sphere(type, 6, 1)), 40);
     double chord = 0, curved = 0;
     for (std::size_t m = 0; m + 1 < lifted.start.size(); ++m)
-      curved = std::max(
-          curved,
-          std::abs(1 - length(lifted.mesh.node[static_cast<std::size_t>(lifted.nodes) + m])));
+      curved = std::max(curved, std::abs(1 - length(lifted.mesh.node[static_cast<std::size_t>(lifted.nodes) + m])));
     const SurfaceMesh& mesh = lifted.mesh;
     for (std::int64_t e = 0; e < mesh.elements(); ++e) {
       const auto node = mesh.element(e);
-      const Vec3 middle = 0.5 * (mesh.node[static_cast<std::size_t>(node[0])] +
-                                 mesh.node[static_cast<std::size_t>(node[1])]);
+      const Vec3 middle =
+          0.5 * (mesh.node[static_cast<std::size_t>(node[0])] + mesh.node[static_cast<std::size_t>(node[1])]);
       chord = std::max(chord, 1 - length(middle));
     }
     const std::string what = surfaces::name_of(type) + " sphere, ";
     expect_error(what + "depth of midside nodes over that of chords", curved / chord, 0.35);
-    expect_error(
-        what + "turned",
-        midside_error(lifted, [](const Vec3& x) { return 0.3 * x[0] - 0.5 * x[1] + x[2]; }), 1e-12);
+    expect_error(what + "turned", midside_error(lifted, [](const Vec3& x) { return 0.3 * x[0] - 0.5 * x[1] + x[2]; }),
+                 1e-12);
   }
 }
 
 /// Elements of length L beside elements of length 1 along x.
 SurfaceMesh graded_block(ElementType type, double ratio, double unit) {
-  return surfaces::transform(surfaces::block(surfaces::brick({2, 2, 2}, {2, 2, 2}), type),
-                             [&](const Vec3& x) {
-                               const double along = std::min(x[0], 1.0) * (ratio - 1) + x[0];
-                               return unit * Vec3{along, x[1], x[2]};
-                             });
+  return surfaces::transform(surfaces::block(surfaces::brick({2, 2, 2}, {2, 2, 2}), type), [&](const Vec3& x) {
+    const double along = std::min(x[0], 1.0) * (ratio - 1) + x[0];
+    return unit * Vec3{along, x[1], x[2]};
+  });
 }
 
 // Weights in sum 1 at a ratio of 2 and 2 at one of 4: no limit on them lets rounding choose.
@@ -125,8 +116,7 @@ TEST(LiftedSurface, graded_meshes_do_not_hang_on_rounding) {
         return lift(held_nowhere(graded_block(type, ratio * (1 + change), unit)), 40);
       };
       const LiftedSurface even = lifted(0, 1);
-      const std::string what =
-          surfaces::name_of(type) + " graded by " + std::to_string(static_cast<int>(ratio));
+      const std::string what = surfaces::name_of(type) + " graded by " + std::to_string(static_cast<int>(ratio));
       for (const double unit : {1e-3, 1e3, 1e-25})
         expect_error(what + ", in other units", differ(lifted(0, unit), even), 1e-12);
       for (const double change : {-1e-9, 1e-9})
@@ -142,11 +132,9 @@ TEST(LiftedSurface, thin_bodies_of_linear_elements_bend_exactly) {
     return Vec3{x[0] * z, -poisson * y * z, (poisson * (y * y - z * z) - x[0] * x[0]) / 2};
   };
   for (const ElementType type : linear_types) {
-    statics::StaticBody plate(surfaces::block(surfaces::brick({4, 2, 2}, {8, 2, 1}), type), young,
-                              poisson);
+    statics::StaticBody plate(surfaces::block(surfaces::brick({4, 2, 2}, {8, 2, 1}), type), young, poisson);
     plate.hold_tags({1, 2}, 7, bent).solve();
-    expect_error(surfaces::name_of(type) + " plate bent by its ends",
-                 plate.displacement_error(bent), 1e-5);
+    expect_error(surfaces::name_of(type) + " plate bent by its ends", plate.displacement_error(bent), 1e-5);
   }
 }
 

@@ -93,8 +93,7 @@ TEST(Meshes, a_cavity_is_a_second_closed_surface_seen_from_inside) {
   const SurfaceMesh mesh = surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad8, 6, 2, 1),
                                                  surfaces::icosphere(ElementType::tri6, 4, 1, 2));
   expect_closed(mesh, 4);
-  expect_error("thick sphere, volume", relative(surfaces::facts(mesh).volume, 4 * pi / 3 * 7),
-               3e-4);
+  expect_error("thick sphere, volume", relative(surfaces::facts(mesh).volume, 4 * pi / 3 * 7), 3e-4);
 }
 
 TEST(Meshes, ring_of_the_first_example_has_the_papers_counts) {
@@ -123,8 +122,7 @@ TEST(Meshes, all_nodes_of_a_ring_lie_on_it) {
       const std::int32_t tag = mesh.tag[static_cast<std::size_t>(e)];
       for (const std::int32_t k : mesh.element(e)) {
         const Vec3& x = mesh.node[static_cast<std::size_t>(k)];
-        if (tag <= 3)
-          error = std::max(error, std::abs(std::hypot(x[0], x[2]) - (tag == 3 ? 25 : 50)));
+        if (tag <= 3) error = std::max(error, std::abs(std::hypot(x[0], x[2]) - (tag == 3 ? 25 : 50)));
         if (tag > 3) error = std::max(error, std::abs(x[1] - (tag == 4 ? -4 : 4)));
         if (tag == 2) {
           EXPECT_LE(std::abs(50 * std::atan2(x[0], x[2])), 1.2 + 1e-9);
@@ -144,8 +142,7 @@ TEST(Meshes, wheel_of_the_fourth_example_has_the_papers_counts) {
   EXPECT_EQ(mesh.elements(), 1952);
   expect_closed(mesh, 2);
   EXPECT_EQ(surfaces::elements_with_tag(mesh, 2).size(), 14u * 15u);
-  expect_error("zone of the wheel, area", relative(zone_area(mesh), 5.49 * 7 * std::hypot(1, 0.05)),
-               1e-4);
+  expect_error("zone of the wheel, area", relative(zone_area(mesh), 5.49 * 7 * std::hypot(1, 0.05)), 1e-4);
   const SurfaceMesh crowned = surfaces::wheel(300, ElementType::quad8);
   expect_closed(crowned, 2);
   double error = 0;
@@ -153,16 +150,14 @@ TEST(Meshes, wheel_of_the_fourth_example_has_the_papers_counts) {
     for (const std::int64_t e : surfaces::elements_with_tag(crowned, tag))
       for (const std::int32_t k : crowned.element(e)) {
         const Vec3& x = crowned.node[static_cast<std::size_t>(k)];
-        error = std::max(
-            error, std::abs(std::hypot(x[0], x[2]) - (355.6 - 0.05 * x[1] - x[1] * x[1] / 600)));
+        error = std::max(error, std::abs(std::hypot(x[0], x[2]) - (355.6 - 0.05 * x[1] - x[1] * x[1] / 600)));
       }
   expect_error("distance of nodes from cone and crown", error, 1e-10);
 }
 
 TEST(Meshes, block_with_a_fine_zone) {
   for (const ElementType type : all_types) {
-    const surfaces::ZoneBlock shape{
-        .side = 3, .depth = 2, .zone = 0.4, .n = 6, .grade = 4, .deep = 5};
+    const surfaces::ZoneBlock shape{.side = 3, .depth = 2, .zone = 0.4, .n = 6, .grade = 4, .deep = 5};
     const SurfaceMesh mesh = surfaces::zone_block(shape, type);
     expect_closed(mesh, 2);
     expect_error(name_of(type) + " volume", relative(surfaces::facts(mesh).volume, 18), 1e-13);

@@ -1,5 +1,5 @@
-// Reactions of nodes that are held alone, without a held face, on elements with nodes between their
-// corners: the same whichever corner an element's list of nodes begins at.
+// Reactions of nodes that are held alone, without a held face, on elements with nodes between their corners: the same
+// whichever corner an element's list of nodes begins at.
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,7 @@ SurfaceMesh begun_elsewhere(SurfaceMesh mesh) {
     std::int32_t* node = mesh.connectivity.data() + mesh.offset[k];
     const int by = 1 + static_cast<int>(e % (corners - 1));
     std::rotate(node, node + by, node + corners);
-    if (is_quadratic(mesh.type[k]))
-      std::rotate(node + corners, node + corners + by, node + 2 * corners);
+    if (is_quadratic(mesh.type[k])) std::rotate(node + corners, node + corners + by, node + 2 * corners);
   }
   return mesh;
 }
@@ -37,8 +36,7 @@ class NodeHeldAlone : public ::testing::TestWithParam<ElementType> {};
 TEST_P(NodeHeldAlone, moves_alike_whichever_corner_elements_begin_at) {
   constexpr double accuracy = 1e-8, bound = 1e-6;
   const SurfaceMesh block = surfaces::block(surfaces::brick({3, 2, 2}, {3, 2, 2}), GetParam());
-  const std::array<std::int32_t, 3> held{surfaces::node_at(block, {1, 1, 0}),
-                                         surfaces::node_at(block, {2, 1, 0}),
+  const std::array<std::int32_t, 3> held{surfaces::node_at(block, {1, 1, 0}), surfaces::node_at(block, {2, 1, 0}),
                                          surfaces::node_at(block, {2, 2, 1})};
   std::vector<Vec3> u[2];
   Vec3 reaction[2];
@@ -61,8 +59,7 @@ TEST_P(NodeHeldAlone, moves_alike_whichever_corner_elements_begin_at) {
 }
 
 INSTANTIATE_TEST_SUITE_P(types, NodeHeldAlone,
-                         ::testing::Values(ElementType::tri6, ElementType::quad8,
-                                           ElementType::quad9),
+                         ::testing::Values(ElementType::tri6, ElementType::quad8, ElementType::quad9),
                          [](const auto& info) { return surfaces::name_of(info.param); });
 
 }  // namespace

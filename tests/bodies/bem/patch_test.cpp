@@ -1,5 +1,5 @@
-// Uniform strain and pure bending: fields that the elements hold exactly, so that what is left is
-// the error of the integrals and of the linear algebra.
+// Uniform strain and pure bending: fields that the elements hold exactly, so that what is left is the error of the
+// integrals and of the linear algebra.
 
 #include <gtest/gtest.h>
 
@@ -32,16 +32,13 @@ std::vector<MeshCase> meshes() {
   for (const ElementType type : surfaces::all_types) {
     const std::string text = surfaces::name_of(type);
     cases.push_back({text + " cube", surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), type)});
-    cases.push_back(
-        {text + " distorted brick",
-         surfaces::distort(surfaces::block(surfaces::brick({3, 2, 3}, {3, 0.7, 1.5}), type), 0.2,
-                           11)});
+    cases.push_back({text + " distorted brick",
+                     surfaces::distort(surfaces::block(surfaces::brick({3, 2, 3}, {3, 0.7, 1.5}), type), 0.2, 11)});
   }
   for (const bool quadratic : {false, true})
     cases.push_back(
         {quadratic ? "mixed quadratic, distorted" : "mixed linear, distorted",
-         surfaces::distort(surfaces::mixed_block(surfaces::brick({3, 2, 2}, {2, 1, 1}), quadratic),
-                           0.15, 7)});
+         surfaces::distort(surfaces::mixed_block(surfaces::brick({3, 2, 2}, {2, 1, 1}), quadratic), 0.15, 7)});
   return cases;
 }
 
@@ -49,8 +46,7 @@ struct Errors {
   double displacement = 0, traction = 0, condition = 0;
 };
 
-Errors patch_error(const SurfaceMesh& mesh, Given given, const Tensor& stress, double poisson,
-                   double accuracy) {
+Errors patch_error(const SurfaceMesh& mesh, Given given, const Tensor& stress, double poisson, double accuracy) {
   const UniformStress exact(stress, young, poisson);
   StaticBody body(mesh, young, poisson, accuracy);
   statics::give(body, given, exact);
@@ -87,24 +83,22 @@ TEST_P(Patch, uniform_strain_with_standard_accuracy) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, Patch, ::testing::Range(std::size_t{0}, meshes().size()),
-                         [](const auto& param) {
-                           std::string name = meshes()[param.param].name;
-                           std::erase_if(name, [](char c) { return c == ','; });
-                           for (char& c : name)
-                             if (c == ' ') c = '_';
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Bodies, Patch, ::testing::Range(std::size_t{0}, meshes().size()), [](const auto& param) {
+  std::string name = meshes()[param.param].name;
+  std::erase_if(name, [](char c) { return c == ','; });
+  for (char& c : name)
+    if (c == ' ') c = '_';
+  return name;
+});
 
 TEST(PatchMaterials, from_auxetic_to_incompressible) {
-  const SurfaceMesh mesh = surfaces::distort(
-      surfaces::block(surfaces::brick({2, 2, 2}, {1, 1.2, 0.8}), ElementType::quad8), 0.15, 3);
+  const SurfaceMesh mesh =
+      surfaces::distort(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1.2, 0.8}), ElementType::quad8), 0.15, 3);
   for (const double poisson : {-0.9, 0.0, 0.49, 0.4999, 0.5})
     for (const auto& [given, what] : givens) {
       // With all displacements given, an incompressible body has any pressure.
       if (given == Given::displacements && poisson > 0.49) continue;
-      const Errors e =
-          patch_error(mesh, given, statics::uniform_stresses[0].stress, poisson, 1e-10);
+      const Errors e = patch_error(mesh, given, statics::uniform_stresses[0].stress, poisson, 1e-10);
       const std::string text = "nu " + std::to_string(poisson) + ", " + what;
       expect_error(text + ": u", e.displacement, 1e-8);
       expect_error(text + ": t", e.traction, 1e-7);
@@ -112,13 +106,11 @@ TEST(PatchMaterials, from_auxetic_to_incompressible) {
 }
 
 TEST(PatchMaterials, the_error_follows_the_accuracy_asked_for) {
-  const SurfaceMesh mesh = surfaces::distort(
-      surfaces::block(surfaces::brick({3, 2, 2}, {1, 1, 1}), ElementType::quad8), 0.2, 5);
+  const SurfaceMesh mesh =
+      surfaces::distort(surfaces::block(surfaces::brick({3, 2, 2}, {1, 1, 1}), ElementType::quad8), 0.2, 5);
   for (const double accuracy : {1e-3, 1e-5, 1e-7, 1e-9}) {
-    const Errors e =
-        patch_error(mesh, Given::clamped_face, statics::uniform_stresses[3].stress, 0.3, accuracy);
-    expect_error("accuracy " + std::to_string(std::lround(std::log10(accuracy))) + ": t",
-                 e.traction, 30 * accuracy);
+    const Errors e = patch_error(mesh, Given::clamped_face, statics::uniform_stresses[3].stress, 0.3, accuracy);
+    expect_error("accuracy " + std::to_string(std::lround(std::log10(accuracy))) + ": t", e.traction, 30 * accuracy);
   }
 }
 
@@ -126,29 +118,24 @@ TEST(PatchMaterials, the_error_follows_the_accuracy_asked_for) {
 TEST(PatchBending, quadratic_elements_bend_exactly) {
   constexpr double poisson = 0.3, radius = 40;
   const auto exact = [](const Vec3& x) {
-    return (1 / radius) * Vec3{x[0] * x[2], -poisson * x[1] * x[2],
-                               -0.5 * (x[0] * x[0] + poisson * (x[2] * x[2] - x[1] * x[1]))};
+    return (1 / radius) *
+           Vec3{x[0] * x[2], -poisson * x[1] * x[2], -0.5 * (x[0] * x[0] + poisson * (x[2] * x[2] - x[1] * x[1]))};
   };
-  const auto stress = [](const Vec3& x) {
-    return Tensor{{{young * x[2] / radius, 0, 0}, {0, 0, 0}, {0, 0, 0}}};
-  };
+  const auto stress = [](const Vec3& x) { return Tensor{{{young * x[2] / radius, 0, 0}, {0, 0, 0}, {0, 0, 0}}}; };
   for (const ElementType type : surfaces::all_types) {
     if (!is_quadratic(type)) continue;
-    const SurfaceMesh mesh = surfaces::transform(
-        surfaces::block(surfaces::brick({4, 2, 2}, {4, 1, 1}), type), [](const Vec3& x) {
+    const SurfaceMesh mesh =
+        surfaces::transform(surfaces::block(surfaces::brick({4, 2, 2}, {4, 1, 1}), type), [](const Vec3& x) {
           return x - Vec3{0, 0.5, 0.5};
         });
     // The other end's tractions vary: it is given as a displacement too.
     StaticBody body(mesh, young, poisson, 1e-10);
     body.hold_tags({1, 2}, 7, exact).solve();
-    expect_error(surfaces::name_of(type) + " bent between its ends: u",
-                 body.displacement_error(exact), 1e-8);
-    expect_error(surfaces::name_of(type) + " bent between its ends: t", body.traction_error(stress),
-                 1e-7);
+    expect_error(surfaces::name_of(type) + " bent between its ends: u", body.displacement_error(exact), 1e-8);
+    expect_error(surfaces::name_of(type) + " bent between its ends: t", body.traction_error(stress), 1e-7);
     StaticBody whole(mesh, young, poisson, 1e-10);
     whole.hold_tags({1, 2, 3, 4, 5, 6}, 7, exact).solve();
-    expect_error(surfaces::name_of(type) + " bent by all faces: t", whole.traction_error(stress),
-                 1e-7);
+    expect_error(surfaces::name_of(type) + " bent by all faces: t", whole.traction_error(stress), 1e-7);
   }
 }
 
@@ -168,8 +155,7 @@ TEST(RigidMotion, the_body_follows_the_face_that_is_held) {
       turned.hold_tags({held}, 7, turn).solve();
       double reaction = 0;
       for (std::int64_t f = 0; f < shifted.body().traction_nodes().size(); ++f)
-        reaction =
-            std::max({reaction, length(shifted.traction_at(f)), length(turned.traction_at(f))});
+        reaction = std::max({reaction, length(shifted.traction_at(f)), length(turned.traction_at(f))});
       expect_error(text + " shifted: u", shifted.displacement_error(shift), 1e-11);
       expect_error(text + " turned: u", turned.displacement_error(turn), 1e-8);
       expect_error(text + " shifted, turned: reactions over E", reaction / young, 1e-7);

@@ -1,5 +1,5 @@
-// What holds for every elastic body at rest: equilibrium, linearity, independence of axes and
-// units; supports that do not hold it; edges where held faces meet.
+// What holds for every elastic body at rest: equilibrium, linearity, independence of axes and units; supports that do
+// not hold it; edges where held faces meet.
 
 #include <gtest/gtest.h>
 
@@ -50,8 +50,7 @@ TEST_P(Statics, reactions_balance_the_load_as_the_mesh_refines) {
   const bool quadratic = is_quadratic(GetParam());
   expect_error(what + " ring, force, coarse", error[0][0], quadratic ? 0.01 : 0.12);
   expect_error(what + " ring, force, fine", error[0][1], quadratic ? 0.0015 : 0.07);
-  expect_order(what + " ring, force", observed_order(error[0][0], error[0][1], 2, 1),
-               quadratic ? 2 : 0.7);
+  expect_order(what + " ring, force", observed_order(error[0][0], error[0][1], 2, 1), quadratic ? 2 : 0.7);
   expect_error(what + " ring, moment, fine", error[1][1], quadratic ? 0.001 : 0.1);
 }
 
@@ -86,8 +85,8 @@ TEST_P(Statics, axes_and_units_do_not_matter) {
     const Vec3 a{c * v[0] - s * v[1], s * v[0] + c * v[1], v[2]};
     return Vec3{c * a[0] + s * a[2], a[1], -s * a[0] + c * a[2]};
   };
-  const auto compare = [&](const char* what, const StaticBody& other,
-                           const std::function<Vec3(const Vec3&)>& expected, double bound) {
+  const auto compare = [&](const char* what, const StaticBody& other, const std::function<Vec3(const Vec3&)>& expected,
+                           double bound) {
     double error = 0, size = 0;
     for (std::int32_t k = 0; k < mesh.nodes(); ++k) {
       const Vec3 u = expected(reference->displacement(k));
@@ -109,9 +108,8 @@ TEST_P(Statics, axes_and_units_do_not_matter) {
        {std::tuple{"m and Pa", 1e-3, 1e6}, std::tuple{"um and GPa", 1e3, 1e-3},
         std::tuple{"extreme units", 1e-20, 1e30}}) {
     const double scale = length_unit;
-    const auto other =
-        solve(surfaces::transform(mesh, [scale](const Vec3& x) { return scale * x; }),
-              stress_unit * young, stress_unit * Vec3{1, 2, -5});
+    const auto other = solve(surfaces::transform(mesh, [scale](const Vec3& x) { return scale * x; }),
+                             stress_unit * young, stress_unit * Vec3{1, 2, -5});
     compare(
         unit, *other, [scale](const Vec3& u) { return scale * u; }, 1e-8);
   }
@@ -132,16 +130,16 @@ TEST_P(Statics, the_error_of_the_integrals_follows_the_accuracy_asked_for) {
       size = std::max(size, length(exact->displacement(k)));
       error = std::max(error, length(exact->displacement(k) - body->displacement(k)));
     }
-    expect_error(surfaces::name_of(GetParam()) + " ring, accuracy 1e" +
-                     std::to_string(std::lround(std::log10(accuracy))),
-                 error / size, 2 * accuracy);
+    expect_error(
+        surfaces::name_of(GetParam()) + " ring, accuracy 1e" + std::to_string(std::lround(std::log10(accuracy))),
+        error / size, 2 * accuracy);
   }
 }
 
 // Reactions of all held faces where two and three of them meet in edges and corners.
 TEST_P(Statics, clamped_edges_and_corners_are_well_conditioned) {
-  const SurfaceMesh brick = surfaces::distort(
-      surfaces::block(surfaces::brick({4, 3, 3}, {2, 1, 1}), GetParam()), 0.15, 4);
+  const SurfaceMesh brick =
+      surfaces::distort(surfaces::block(surfaces::brick({4, 3, 3}, {2, 1, 1}), GetParam()), 0.15, 4);
   const struct {
     const char* what;
     std::initializer_list<std::int32_t> held;
@@ -168,8 +166,7 @@ TEST_P(Statics, clamped_edges_and_corners_are_well_conditioned) {
 INSTANTIATE_TEST_SUITE_P(Bodies, Statics, ::testing::Values(ElementType::tri6, ElementType::quad4),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 INSTANTIATE_TEST_SUITE_P(Bodies_long, Statics,
-                         ::testing::Values(ElementType::tri3, ElementType::quad8,
-                                           ElementType::quad9),
+                         ::testing::Values(ElementType::tri3, ElementType::quad8, ElementType::quad9),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 
 /// The message, after checking the status.
@@ -192,15 +189,12 @@ void expect_refused(const std::string& what, StaticBody& body) {
 }
 
 TEST(Supports, bodies_that_can_move_are_refused_with_the_remedy) {
-  const auto cube = [] {
-    return surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad8);
-  };
+  const auto cube = [] { return surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad8); };
   StaticBody loose(cube(), young, poisson);
   expect_refused("no supports", loose.traction(6, {0, 0, 1}));
 
   StaticBody hinged(cube(), young, poisson);
-  const auto edge =
-      surfaces::nodes_where(hinged.mesh(), [](const Vec3& x) { return x[0] == 0 && x[1] == 0; });
+  const auto edge = surfaces::nodes_where(hinged.mesh(), [](const Vec3& x) { return x[0] == 0 && x[1] == 0; });
   expect_refused("held along an edge", hinged.hold(edge));
 
   StaticBody pinned(cube(), young, poisson);
@@ -210,20 +204,17 @@ TEST(Supports, bodies_that_can_move_are_refused_with_the_remedy) {
   StaticBody sliding(cube(), young, poisson);
   expect_refused("held along z only", sliding.hold_tags({1, 2, 3, 4, 5, 6}, 4));
 
-  StaticBody spinning(
-      surfaces::ring({.around = 12, .zone_around = 4, .across = 2, .deep = 2}, ElementType::quad4),
-      young, poisson);
+  StaticBody spinning(surfaces::ring({.around = 12, .zone_around = 4, .across = 2, .deep = 2}, ElementType::quad4),
+                      young, poisson);
   expect_refused("ring between planes", spinning.hold_tags({4, 5}, 2));
 }
 
 TEST(Supports, a_refused_body_can_be_mended) {
-  StaticBody body(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad4), young,
-                  poisson);
+  StaticBody body(surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), ElementType::quad4), young, poisson);
   body.traction(2, {1, 0, 0});
   expect_refused("no supports", body);
   body.hold_tags({1}, 1).hold_tags({3}, 2).hold_tags({5}, 4).solve();
-  expect_error("mended cube, stretch", body.displacement(Vec3{1, 1, 1})[0] - 1 / young,
-               1e-5 / young);
+  expect_error("mended cube, stretch", body.displacement(Vec3{1, 1, 1})[0] - 1 / young, 1e-5 / young);
 }
 
 }  // namespace

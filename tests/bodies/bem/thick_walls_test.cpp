@@ -32,8 +32,7 @@ double cylinder_error(ElementType type, int n, double poisson) {
   StaticBody body(surfaces::block(walls::quarter_cylinder(n), type), walls::young, poisson);
   walls::press_cylinder(body);
   body.solve();
-  return body.displacement_error(
-      [poisson](const Vec3& x) { return walls::cylinder_displacement(x, poisson); });
+  return body.displacement_error([poisson](const Vec3& x) { return walls::cylinder_displacement(x, poisson); });
 }
 
 struct Walls {
@@ -63,22 +62,20 @@ TEST_P(ThickWalls, converge_to_lame) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, ThickWalls,
-                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+INSTANTIATE_TEST_SUITE_P(Bodies, ThickWalls, ::testing::Values(ElementType::tri6, ElementType::quad4),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 INSTANTIATE_TEST_SUITE_P(Bodies_long, ThickWalls,
-                         ::testing::Values(ElementType::tri3, ElementType::quad8,
-                                           ElementType::quad9),
+                         ::testing::Values(ElementType::tri3, ElementType::quad8, ElementType::quad9),
                          [](const auto& param) { return surfaces::name_of(param.param); });
 
 TEST(ThickWallsMaterials, from_cork_to_incompressible) {
   for (const double poisson : {0.0, 0.49, 0.4999, 0.5})
-    expect_error("tri6 thick cylinder, nu " + std::to_string(poisson),
-                 cylinder_error(ElementType::tri6, 2, poisson), 8e-4);
+    expect_error("tri6 thick cylinder, nu " + std::to_string(poisson), cylinder_error(ElementType::tri6, 2, poisson),
+                 8e-4);
 }
 
-// With tractions given on a cavity's surface the equation loses its hold on the cavity's volume as
-// nu -> 0.5: the single layer of a normal traction vanishes, errors grow like 1 / (1 - 2 nu).
+// With tractions given on a cavity's surface the equation loses its hold on the cavity's volume as nu -> 0.5: the
+// single layer of a normal traction vanishes, errors grow like 1 / (1 - 2 nu).
 TEST(ThickWallsMaterials, a_pressed_cavity_needs_compressible_material) {
   expect_error("quad8 thick sphere, nu 0", sphere_error(ElementType::quad8, 4, 0), 4e-3);
   expect_error("quad8 thick sphere, nu 0.45", sphere_error(ElementType::quad8, 4, 0.45), 1e-2);
@@ -87,15 +84,13 @@ TEST(ThickWallsMaterials, a_pressed_cavity_needs_compressible_material) {
     ADD_FAILURE() << "a nearly incompressible body with a free cavity was taken";
   } catch (const Error& error) {
     EXPECT_EQ(error.status(), Status::err_unsupported);
-    EXPECT_NE(std::string(error.what()).find("cavity of element 96"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("cavity of element 96"), std::string::npos) << error.what();
   }
   // Held, it is no trouble.
   const auto exact = [](const Vec3& x) { return (1 / std::pow(length(x), 3)) * x; };
-  StaticBody body(
-      surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad8, 4, walls::outer, 1),
-                            surfaces::cube_sphere(ElementType::quad8, 4, walls::inner, 2)),
-      walls::young, 0.5);
+  StaticBody body(surfaces::with_cavity(surfaces::cube_sphere(ElementType::quad8, 4, walls::outer, 1),
+                                        surfaces::cube_sphere(ElementType::quad8, 4, walls::inner, 2)),
+                  walls::young, 0.5);
   body.hold_tags({2}, 7, exact);
   EXPECT_NO_THROW(body.solve());
 }

@@ -1,5 +1,5 @@
-// The order of a boundary-element body's unknowns: what frames ask for stands at the end, so that
-// only the end of solutions is worked out.
+// The order of a boundary-element body's unknowns: what frames ask for stands at the end, so that only the end of
+// solutions is worked out.
 
 #include "bodies/bem/unknowns.hpp"
 
@@ -33,8 +33,7 @@ double asked_part(const BodyMesh& body, std::int32_t tag) {
   const auto faces = surfaces::elements_with_tag(body.surface, tag);
   for (const std::int32_t k : nodes_around(body.surface, faces))
     for (std::size_t c = 0; c < 3; ++c)
-      if (const std::int32_t column = u.displacement[3 * static_cast<std::size_t>(k) + c];
-          column >= 0)
+      if (const std::int32_t column = u.displacement[3 * static_cast<std::size_t>(k) + c]; column >= 0)
         first = std::min(first, column);
   return 1 - static_cast<double>(first) / static_cast<double>(u.columns);
 }
@@ -43,8 +42,8 @@ TEST(unknowns, of_a_fine_zone_are_the_last) {
   for (const ElementType type : surfaces::all_types) {
     BodyMesh body = block_with_zone(type);
     const auto faces = surfaces::elements_with_tag(body.surface, 2);
-    const auto wanted = static_cast<double>(nodes_around(body.surface, faces).size()) /
-                        static_cast<double>(body.surface.nodes());
+    const auto wanted =
+        static_cast<double>(nodes_around(body.surface, faces).size()) / static_cast<double>(body.surface.nodes());
     const double found = asked_part(body, 2);
     body.contact_tag = {2};
     const double named = asked_part(body, 2);

@@ -49,25 +49,22 @@ TEST_P(FemCantilever, its_root_carries_the_load) {
                length(reaction.moment + cross(at, force)) / length(cross(at, force)), 1e-10);
 }
 
-INSTANTIATE_TEST_SUITE_P(Bodies, FemCantilever,
-                         ::testing::Values(VolumeType::hex8, VolumeType::tet10),
+INSTANTIATE_TEST_SUITE_P(Bodies, FemCantilever, ::testing::Values(VolumeType::hex8, VolumeType::tet10),
                          [](const auto& param) { return volumes::name_of(param.param); });
 INSTANTIATE_TEST_SUITE_P(Bodies_long, FemCantilever,
-                         ::testing::Values(VolumeType::tet4, VolumeType::wedge6,
-                                           VolumeType::wedge15, VolumeType::hex20),
+                         ::testing::Values(VolumeType::tet4, VolumeType::wedge6, VolumeType::wedge15,
+                                           VolumeType::hex20),
                          [](const auto& param) { return volumes::name_of(param.param); });
 
-// Clamped flat, uniform end traction, nu = 0.3: Timoshenko's beam but for the root, whose clamped
-// section cannot contract or warp: 0.9 % stiffer at 8 heights, 0.4 % at 20.
+// Clamped flat, uniform end traction, nu = 0.3: Timoshenko's beam but for the root, whose clamped section cannot
+// contract or warp: 0.9 % stiffer at 8 heights, 0.4 % at 20.
 TEST(FemCantileverTheory, sinks_as_a_timoshenko_beam) {
   constexpr double slender = 20, poisson = 0.3;
   for (const VolumeType type : {VolumeType::hex20, VolumeType::wedge15, VolumeType::tet10}) {
     StaticBody bent = body(type, slender, 20, 2, poisson);
     bent.hold_tags({1}).traction(2, {0, 0, beam::force / (beam::width * beam::height)}).solve();
-    expect_error(
-        volumes::name_of(type) + " cantilever against Timoshenko",
-        relative(bent.displacement(Vec3{slender, 0, 0})[2], beam::timoshenko(slender, poisson)),
-        1e-2);
+    expect_error(volumes::name_of(type) + " cantilever against Timoshenko",
+                 relative(bent.displacement(Vec3{slender, 0, 0})[2], beam::timoshenko(slender, poisson)), 1e-2);
   }
 }
 

@@ -47,8 +47,7 @@ inline const std::array<Formulation, 7> all{{{VolumeType::tet4},
                                              {VolumeType::hex8},
                                              {VolumeType::hex8, Hex8::b_bar},
                                              {VolumeType::hex20}}};
-inline const std::array<Formulation, 3> quadratic{
-    {{VolumeType::tet10}, {VolumeType::wedge15}, {VolumeType::hex20}}};
+inline const std::array<Formulation, 3> quadratic{{{VolumeType::tet10}, {VolumeType::wedge15}, {VolumeType::hex20}}};
 
 using Nodes = std::vector<Vec3>;
 using Map = std::function<Vec3(const Vec3&)>;
@@ -61,9 +60,7 @@ inline Nodes mapped(VolumeType type, const Map& map) {
 }
 
 inline Nodes box(VolumeType type, const Vec3& edge) {
-  return mapped(type, [&](const Vec3& r) {
-    return Vec3{edge[0] * r[0], edge[1] * r[1], edge[2] * r[2]};
-  });
+  return mapped(type, [&](const Vec3& r) { return Vec3{edge[0] * r[0], edge[1] * r[1], edge[2] * r[2]}; });
 }
 
 /// A parallelepiped of no special shape.
@@ -84,8 +81,7 @@ inline Nodes distorted(VolumeType type) {
   if (is_quadratic(type)) {
     std::size_t middle = static_cast<std::size_t>(corner_count(type));
     for (const auto& edge : edges_of(type))
-      x[middle++] =
-          0.5 * (x[static_cast<std::size_t>(edge[0])] + x[static_cast<std::size_t>(edge[1])]);
+      x[middle++] = 0.5 * (x[static_cast<std::size_t>(edge[0])] + x[static_cast<std::size_t>(edge[1])]);
   }
   return x;
 }

@@ -57,8 +57,7 @@ std::vector<double> boundary_loads(VolumeType type, const Nodes& x, const Matrix
       const Vec3 area = cross(along, across);
       for (std::size_t i = 0; i < n; ++i)
         for (std::size_t a = 0; a < 3; ++a)
-          load[3 * static_cast<std::size_t>(face.node[i]) + a] +=
-              rule.w[q] * shape.value[i] * dot(sigma[a], area);
+          load[3 * static_cast<std::size_t>(face.node[i]) + a] += rule.w[q] * shape.value[i] * dot(sigma[a], area);
     }
   }
   return load;
@@ -69,13 +68,10 @@ class ElementPatch : public ::testing::TestWithParam<Formulation> {};
 TEST_P(ElementPatch, constant_strain_gives_the_loads_of_constant_stress) {
   const VolumeType type = GetParam().type;
   const Matrix gradient{{{0.3, -1.1, 0.4}, {0.2, 0.7, -0.5}, {-0.9, 0.6, 0.8}}};
-  const auto field = [&](const Vec3& p) {
-    return Vec3{dot(gradient[0], p), dot(gradient[1], p), dot(gradient[2], p)};
-  };
+  const auto field = [&](const Vec3& p) { return Vec3{dot(gradient[0], p), dot(gradient[1], p), dot(gradient[2], p)}; };
   for (double poisson : {-0.5, 0.3, 0.4999999}) {
     double worst = 0;
-    for (const Nodes& x :
-         {elements::slanted(type), elements::distorted(type), elements::curved(type)}) {
+    for (const Nodes& x : {elements::slanted(type), elements::distorted(type), elements::curved(type)}) {
       const Stiffness k = elements::stiffness(GetParam(), x, poisson);
       const auto force = k.times(elements::at_nodes(x, field));
       const auto load = boundary_loads(type, x, stress(gradient, poisson));
@@ -89,25 +85,21 @@ TEST_P(ElementPatch, constant_strain_gives_the_loads_of_constant_stress) {
 TEST_P(ElementPatch, constant_shear_at_nearly_one_half) {
   const VolumeType type = GetParam().type;
   const Matrix gradient{{{1, 0.4, 0}, {0.2, -0.3, 0.5}, {0.1, 0, -0.7}}};
-  const auto field = [&](const Vec3& p) {
-    return Vec3{dot(gradient[0], p), dot(gradient[1], p), dot(gradient[2], p)};
-  };
+  const auto field = [&](const Vec3& p) { return Vec3{dot(gradient[0], p), dot(gradient[1], p), dot(gradient[2], p)}; };
   const Nodes x = elements::curved(type);
   const double poisson = 0.499999;
-  const auto force =
-      elements::stiffness(GetParam(), x, poisson).times(elements::at_nodes(x, field));
+  const auto force = elements::stiffness(GetParam(), x, poisson).times(elements::at_nodes(x, field));
   // Rounding of the nodes' displacements is magnified by the bulk modulus.
   expect_error(GetParam().name() + " sheared, nu 0.499999",
-               elements::difference(force, boundary_loads(type, x, stress(gradient, poisson))),
-               4e-9);
+               elements::difference(force, boundary_loads(type, x, stress(gradient, poisson))), 4e-9);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fem, ElementPatch, ::testing::ValuesIn(elements::all),
                          [](const auto& param) { return param.param.name(); });
 
 /// Integral of sigma : grad u of a field over a parallelepiped.
-double strain_energy(const Formulation& f, const Nodes& x,
-                     const std::function<Matrix(const Vec3&)>& gradient, double poisson) {
+double strain_energy(const Formulation& f, const Nodes& x, const std::function<Matrix(const Vec3&)>& gradient,
+                     double poisson) {
   const VolumeRule rule = volume_rule(f.type, 6);
   double sum = 0;
   for (std::size_t q = 0; q < rule.size(); ++q) {
@@ -193,9 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Fem, QuadraticElement, ::testing::ValuesIn(elements::qu
 // Bulk moduli of the dilatation's constant and varying part, told apart by their energies.
 TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
   for (const Formulation& f : elements::quadratic) {
-    const double cap = f.type == VolumeType::tet10     ? 4
-                       : f.type == VolumeType::wedge15 ? 8
-                                                       : INFINITY;
+    const double cap = f.type == VolumeType::tet10 ? 4 : f.type == VolumeType::wedge15 ? 8 : INFINITY;
     const Nodes x = elements::slanted(f.type);
     QuadraticField field;
     field.h[0][0][0] = 1;  // u = (x^2 / 2, 0, 0), dilatation x
@@ -203,8 +193,7 @@ TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
     // Energies of G and of K alone follow from two Poisson's ratios below every cap.
     const auto shear = [](double nu) { return 1 / (2 * (1 + nu)); };
     const auto bulk = [](double nu) { return 1 / (3 * (1 - 2 * nu)); };
-    const double e0 = strain_energy(f, x, gradient, 0) / shear(0),
-                 e1 = strain_energy(f, x, gradient, 0.3) / shear(0.3);
+    const double e0 = strain_energy(f, x, gradient, 0) / shear(0), e1 = strain_energy(f, x, gradient, 0.3) / shear(0.3);
     const double k0 = bulk(0) / shear(0), k1 = bulk(0.3) / shear(0.3);
     const double per_bulk = (e1 - e0) / (k1 - k0), per_shear = e0 - k0 * per_bulk;
     // The constant part: the mean of x.
@@ -217,36 +206,32 @@ TEST(ElementDilatation, its_varying_part_is_capped_where_it_would_lock) {
       for (std::size_t i = 0; i < f.nodes(); ++i) moment += rule.w[q] * shape.value[i] * x[i][0];
     }
     const double mean = moment / volume;
-    const double jacobian =
-        2 * (1.5 * 0.9 - 0.6 * 0.3) - 0.5 * (0.4 * 0.9 + 0.6 * 0.2) - 0.3 * (0.4 * 0.3 + 1.5 * 0.2);
+    const double jacobian = 2 * (1.5 * 0.9 - 0.6 * 0.3) - 0.5 * (0.4 * 0.9 + 0.6 * 0.2) - 0.3 * (0.4 * 0.3 + 1.5 * 0.2);
     const double constant = mean * mean * volume * jacobian;
     for (double poisson : {0.3, 0.45, 0.499}) {
       const double k_over_g = bulk(poisson) / shear(poisson);
-      const double expected = shear(poisson) * (per_shear + k_over_g * constant +
-                                                std::min(k_over_g, cap) * (per_bulk - constant));
+      const double expected =
+          shear(poisson) * (per_shear + k_over_g * constant + std::min(k_over_g, cap) * (per_bulk - constant));
       const double energy = elements::stiffness(f, x, poisson).energy(elements::at_nodes(x, field));
-      expect_error(f.name() + ", linear dilatation" + elements::with(poisson),
-                   relative(energy, expected), 1e-11);
+      expect_error(f.name() + ", linear dilatation" + elements::with(poisson), relative(energy, expected), 1e-11);
     }
   }
 }
 
-// Pure bending of one brick with free sides: u = (x z, -nu y z, ...). Deflections and contraction
-// along z, quadratic, are left to the incompatible modes. Twice its energy is E I per length.
+// Pure bending of one brick with free sides: u = (x z, -nu y z, ...). Deflections and contraction along z, quadratic,
+// are left to the incompatible modes. Twice its energy is E I per length.
 TEST(ElementBending, of_one_enhanced_hexahedron_is_exact) {
   const Formulation enhanced{VolumeType::hex8}, b_bar{VolumeType::hex8, Hex8::b_bar};
   for (double aspect : {1.0, 10.0, 1000.0})
     for (double poisson : {0.0, 0.3, 0.4999999}) {
       const Nodes x = elements::box(VolumeType::hex8, {aspect, 2, 1});
       const double exact = 8 * aspect * 2 * 1.0 / 3;  // integral of z^2
-      const auto u = elements::at_nodes(x, [&](const Vec3& p) {
-        return Vec3{p[0] * p[2], -poisson * p[1] * p[2], 0};
-      });
+      const auto u = elements::at_nodes(x, [&](const Vec3& p) { return Vec3{p[0] * p[2], -poisson * p[1] * p[2], 0}; });
       char what[64];
       std::snprintf(what, sizeof what, " bent, aspect %g, nu %.9g", aspect, poisson);
       // Shear of a slender brick, (aspect)^2 times as stiff, cancels in the condensation.
-      expect_error(std::string("hex8") + what,
-                   relative(elements::stiffness(enhanced, x, poisson).energy(u), exact), 1e-8);
+      expect_error(std::string("hex8") + what, relative(elements::stiffness(enhanced, x, poisson).energy(u), exact),
+                   1e-8);
       report(std::string("hex8_b_bar") + what + ": energy over exact",
              elements::stiffness(b_bar, x, poisson).energy(u) / exact);
     }

@@ -36,8 +36,7 @@ class Element : public ::testing::TestWithParam<Formulation> {
  protected:
   std::vector<Nodes> shapes() const {
     const VolumeType type = GetParam().type;
-    return {elements::box(type, {1, 1, 1}), elements::slanted(type), elements::distorted(type),
-            elements::curved(type)};
+    return {elements::box(type, {1, 1, 1}), elements::slanted(type), elements::distorted(type), elements::curved(type)};
   }
 };
 
@@ -49,8 +48,7 @@ TEST_P(Element, resists_no_rigid_motion) {
       for (std::size_t motion = 0; motion < 6; ++motion) {
         Vec3 axis{};
         axis[motion % 3] = 1;
-        const auto u = elements::at_nodes(
-            x, [&](const Vec3& p) { return motion < 3 ? axis : cross(axis, p); });
+        const auto u = elements::at_nodes(x, [&](const Vec3& p) { return motion < 3 ? axis : cross(axis, p); });
         for (double force : k.times(u)) worst = std::max(worst, std::abs(force) / k.largest());
       }
     }
@@ -72,14 +70,12 @@ TEST_P(Element, has_six_zero_eigenvalues_and_no_more) {
   EXPECT_GT(least, 2e-5);
 }
 
-// Eigenvalues of bricks of aspect a spread over a^4; a further zero one would be as large as the
-// sixth.
+// Eigenvalues of bricks of aspect a spread over a^4; a further zero one would be as large as the sixth.
 TEST_P(Element, keeps_its_rank_when_flat_or_slender) {
   const double thin = 1e-3;
   double worst = 0;
-  for (const Vec3& edge :
-       {Vec3{thin, 1, 1}, Vec3{1, thin, 1}, Vec3{1, 1, thin}, Vec3{1, thin, thin},
-        Vec3{thin, 1, thin}, Vec3{thin, thin, 1}, Vec3{1, 0.03, thin}}) {
+  for (const Vec3& edge : {Vec3{thin, 1, 1}, Vec3{1, thin, 1}, Vec3{1, 1, thin}, Vec3{1, thin, thin},
+                           Vec3{thin, 1, thin}, Vec3{thin, thin, 1}, Vec3{1, 0.03, thin}}) {
     const Nodes x = elements::box(GetParam().type, edge);
     const std::vector<double> value = eigenvalues(elements::stiffness(GetParam(), x, 0.3));
     worst = std::max(worst, std::abs(value[5]) / value[6]);
@@ -118,8 +114,7 @@ TEST_P(Element, turns_with_its_nodes) {
             expected[(i + a / 3) * k.n + j + b / 3] +=
                 turn[a / 3][a % 3] * k(i + a % 3, j + b % 3) * turn[b / 3][b % 3];
     expect_error(GetParam().name() + " turned" + elements::with(poisson),
-                 elements::difference(elements::stiffness(GetParam(), y, poisson).k, expected),
-                 1e-12);
+                 elements::difference(elements::stiffness(GetParam(), y, poisson).k, expected), 1e-12);
   }
 }
 
@@ -163,8 +158,7 @@ TEST_P(Element, does_not_care_where_numbering_starts) {
       const Stiffness k = elements::stiffness(GetParam(), x, poisson);
       std::vector<double> expected;
       for (std::size_t r = 0; r < k.n; ++r)
-        for (std::size_t c = 0; c < k.n; ++c)
-          expected.push_back(k(3 * from[r / 3] + r % 3, 3 * from[c / 3] + c % 3));
+        for (std::size_t c = 0; c < k.n; ++c) expected.push_back(k(3 * from[r / 3] + r % 3, 3 * from[c / 3] + c % 3));
       const Stiffness renumbered = elements::stiffness(GetParam(), y, poisson);
       worst = std::max(worst, elements::difference(renumbered.k, expected));
     }

@@ -29,8 +29,7 @@ Felt felt(const SurfaceMesh& surface, double share, const std::vector<double>& t
   std::vector<std::int32_t> column(t.size());
   std::iota(column.begin(), column.end(), 0);
   const std::vector<double> shares(face.size(), share);
-  const fem::FeltTractions f =
-      fem::felt_tractions(surface, face, shares, coupling, column, ROLLCON_BUILD_CHOLMOD != 0);
+  const fem::FeltTractions f = fem::felt_tractions(surface, face, shares, coupling, column, ROLLCON_BUILD_CHOLMOD != 0);
   Felt result;
   for (std::int64_t i = 0; i < f.traction.rows(); ++i) {
     double value = 0;
@@ -66,8 +65,7 @@ TEST_P(FeltTractionsOf, coarse_faces_are_smoother_with_the_same_resultant) {
     const Felt found = felt(surface, share, rough);
     of_rough = std::max(of_rough, std::abs(found.force - force));
     const double now = roughness(found.traction);
-    std::printf("%d nodes per face, share %.1f: roughness %.4g\n", node_count(GetParam()), share,
-                now);
+    std::printf("%d nodes per face, share %.1f: roughness %.4g\n", node_count(GetParam()), share, now);
     if (share == 0) {
       for (std::size_t k = 0; k < n; ++k) EXPECT_NEAR(found.traction[k], rough[k], 1e-10);
     } else {

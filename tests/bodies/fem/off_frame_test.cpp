@@ -1,5 +1,5 @@
-// Displacements off a frame that is made of the body's own faces: they go down as those of a
-// half-space do, and agree with those under a frame that reaches as far.
+// Displacements off a frame that is made of the body's own faces: they go down as those of a half-space do, and agree
+// with those under a frame that reaches as far.
 
 #include <cmath>
 #include <optional>
@@ -21,8 +21,7 @@ using validation::expect_error;
 const closed_forms::Elastic material{.shear = 1, .poisson = 0.3};
 constexpr double width = 0.5, rim = width / 2;
 /// On the rim, then one and two of the frame's widths away from it, straight and along a diagonal.
-const std::vector<double> points{rim, 0, rim + width, 0,          rim + 2 * width,
-                                 0,   0, rim + width, rim + 0.35, rim + 0.35};
+const std::vector<double> points{rim, 0, rim + width, 0, rim + 2 * width, 0, 0, rim + width, rim + 0.35, rim + 0.35};
 
 /// Displacements of body `which` at the points under a rigid ball without friction.
 std::vector<double> pressed(RollingPair& pair, int which) {
@@ -41,8 +40,7 @@ class OffFrame : public ::testing::TestWithParam<Case> {};
 // The block is 40 times as wide as its frame.
 TEST_P(OffFrame, a_large_block_moves_like_a_half_space) {
   const auto [type, which] = GetParam();
-  scenes::MeshedBody block =
-      scenes::meshed(volumes::zone_block({20, 10, width, 6, 5, 6}, type), material);
+  scenes::MeshedBody block = scenes::meshed(volumes::zone_block({20, 10, width, 6, 5, 6}, type), material);
   block.held_tag = {3};
   block.contact_tag = {2};
   const scenes::AnyBody elastic = block, rigid = scenes::RigidBody{};
@@ -52,11 +50,10 @@ TEST_P(OffFrame, a_large_block_moves_like_a_half_space) {
   pair.frame_from_body(which, 2);
   RollingPair flat(which == 1 ? std::optional(material) : std::nullopt,
                    which == 1 ? std::nullopt : std::optional(material), 1);
-  flat.frame(frames::rectangle(ElementType::quad4, uniform_lines(-rim, rim, 6),
-                               uniform_lines(-rim, rim, 6)));
+  flat.frame(frames::rectangle(ElementType::quad4, uniform_lines(-rim, rim, 6), uniform_lines(-rim, rim, 6)));
   const std::vector<double> u = pressed(pair, which), reference = pressed(flat, which);
-  const std::vector<std::string> place{"on the rim", "one width away", "two widths away",
-                                       "one width aside", "on the diagonal"};
+  const std::vector<std::string> place{"on the rim", "one width away", "two widths away", "one width aside",
+                                       "on the diagonal"};
   const double on_rim = std::abs(reference[2]);
   ASSERT_LT(std::abs(reference[8]), 0.25 * on_rim) << "two widths away nearly nothing is left";
   // Coarse faces around the frame and far supports add a nearly constant part.
@@ -66,16 +63,12 @@ TEST_P(OffFrame, a_large_block_moves_like_a_half_space) {
                    (u[3 * k + c] - reference[3 * k + c]) / on_rim, 0.12);
 }
 
-INSTANTIATE_TEST_SUITE_P(Types, OffFrame, ::testing::Values(Case{VolumeType::hex8, 1}),
+INSTANTIATE_TEST_SUITE_P(Types, OffFrame, ::testing::Values(Case{VolumeType::hex8, 1}), [](const auto& param) {
+  return volumes::name_of(param.param.type) + "_body_" + std::to_string(param.param.body);
+});
+INSTANTIATE_TEST_SUITE_P(Types_long, OffFrame, ::testing::Values(Case{VolumeType::hex8, 2}, Case{VolumeType::hex20, 1}),
                          [](const auto& param) {
-                           return volumes::name_of(param.param.type) + "_body_" +
-                                  std::to_string(param.param.body);
-                         });
-INSTANTIATE_TEST_SUITE_P(Types_long, OffFrame,
-                         ::testing::Values(Case{VolumeType::hex8, 2}, Case{VolumeType::hex20, 1}),
-                         [](const auto& param) {
-                           return volumes::name_of(param.param.type) + "_body_" +
-                                  std::to_string(param.param.body);
+                           return volumes::name_of(param.param.type) + "_body_" + std::to_string(param.param.body);
                          });
 
 // A block so small that its supports and sides are felt.

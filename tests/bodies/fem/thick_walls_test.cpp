@@ -1,5 +1,5 @@
-// Lame's thick sphere and thick cylinder of finite elements under pressure from inside: error,
-// observed order, and no locking as nu tends to 1/2.
+// Lame's thick sphere and thick cylinder of finite elements under pressure from inside: error, observed order, and no
+// locking as nu tends to 1/2.
 
 #include <gtest/gtest.h>
 
@@ -21,15 +21,13 @@ using validation::observed_order;
 double sphere_error(VolumeType type, int n, double poisson) {
   StaticBody body(volumes::block(walls::part_of_sphere(n), type), walls::young, poisson);
   walls::press_sphere(body, poisson);
-  return body.solve().displacement_error(
-      [poisson](const Vec3& x) { return walls::sphere_displacement(x, poisson); });
+  return body.solve().displacement_error([poisson](const Vec3& x) { return walls::sphere_displacement(x, poisson); });
 }
 
 double cylinder_error(VolumeType type, int n, double poisson) {
   StaticBody body(volumes::block(walls::quarter_cylinder(n), type), walls::young, poisson);
   walls::press_cylinder(body);
-  return body.solve().displacement_error(
-      [poisson](const Vec3& x) { return walls::cylinder_displacement(x, poisson); });
+  return body.solve().displacement_error([poisson](const Vec3& x) { return walls::cylinder_displacement(x, poisson); });
 }
 
 struct Walls {
@@ -38,8 +36,8 @@ struct Walls {
 };
 constexpr Walls walls_of_both_kinds[] = {{"sphere", sphere_error}, {"cylinder", cylinder_error}};
 
-/// Bounds of the error of the coarse mesh and of the one twice as fine, and of the order; n: parts
-/// of the coarse mesh through the wall. Six slender tetrahedra fill what is one hexahedron.
+/// Bounds of the error of the coarse mesh and of the one twice as fine, and of the order; n: parts of the coarse mesh
+/// through the wall. Six slender tetrahedra fill what is one hexahedron.
 struct Quality {
   VolumeType type;
   int n;
@@ -66,12 +64,12 @@ TEST_P(FemThickWalls, do_not_lock) {
   for (const Walls& w : walls_of_both_kinds) {
     const double usual = w.error(q.type, q.n, 0.3);
     for (const double poisson : {0.0, 0.49, 0.499, 0.4999})
-      expect_error(volumes::name_of(q.type) + " thick " + w.name + ", nu " +
-                       std::to_string(poisson) + ": error over that at 0.3",
+      expect_error(volumes::name_of(q.type) + " thick " + w.name + ", nu " + std::to_string(poisson) +
+                       ": error over that at 0.3",
                    w.error(q.type, q.n, poisson) / usual, 2);
     const double e1 = w.error(q.type, q.n, 0.4999), e2 = w.error(q.type, 2 * q.n, 0.4999);
-    expect_order(volumes::name_of(q.type) + " thick " + w.name + ", nu 0.4999",
-                 observed_order(e1, e2, 2, 1), is_quadratic(q.type) ? 2 : 1.7);
+    expect_order(volumes::name_of(q.type) + " thick " + w.name + ", nu 0.4999", observed_order(e1, e2, 2, 1),
+                 is_quadratic(q.type) ? 2 : 1.7);
   }
 }
 

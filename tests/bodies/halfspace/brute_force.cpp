@@ -21,8 +21,7 @@ void shape(ElementType type, Point p, Real* n, Real* nu, Real* nv) {
     if (k == 1) return std::array<Real, 2>{1 - t * t, -2 * t};
     return std::array<Real, 2>{t * (t + 1) / 2, t + 0.5};
   };
-  static constexpr int column[9] = {0, 2, 2, 0, 1, 2, 1, 0, 1},
-                       row[9] = {0, 0, 2, 2, 0, 1, 2, 1, 1};
+  static constexpr int column[9] = {0, 2, 2, 0, 1, 2, 1, 0, 1}, row[9] = {0, 0, 2, 2, 0, 1, 2, 1, 1};
   switch (type) {
     case ElementType::tri3:
       n[0] = w, n[1] = u, n[2] = v;
@@ -107,9 +106,8 @@ class Adaptive {
       area += (e.x[i] * e.y[(i + 1) % n] - e.x[(i + 1) % n] * e.y[i]) / 2;
     size_ = area / std::max(distance, std::hypot(*x1 - *x0, *y1 - *y0) / 2);
     const bool triangle = corner_count(e.type) == 3;
-    const std::vector<Point> corner = triangle
-                                          ? std::vector<Point>{{0, 0}, {1, 0}, {0, 1}}
-                                          : std::vector<Point>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+    const std::vector<Point> corner =
+        triangle ? std::vector<Point>{{0, 0}, {1, 0}, {0, 1}} : std::vector<Point>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
     // Triangles apex, a, b with points apex + s (a + t (b - a) - apex).
     for (std::size_t i = 0; i < corner.size(); ++i) {
       const Point apex = on ? Point{on->xi, on->eta} : corner[0];
@@ -144,19 +142,16 @@ class Adaptive {
           xu += nu[k] * ax, xv += nv[k] * ax, yu += nu[k] * ay, yv += nv[k] * ay;
         }
         const Real dx = px_ - x, dy = py_ - y, r = std::sqrt(dx * dx + dy * dy);
-        const Real w =
-            line.w[i] * line.w[j] * (s1 - s0) * (t1 - t0) * s * area_ * (xu * yv - xv * yu);
-        const Real kernel[5] = {1 / r, dx * dx / (r * r * r), dx * dy / (r * r * r), dx / (r * r),
-                                dy / (r * r)};
+        const Real w = line.w[i] * line.w[j] * (s1 - s0) * (t1 - t0) * s * area_ * (xu * yv - xv * yu);
+        const Real kernel[5] = {1 / r, dx * dx / (r * r * r), dx * dy / (r * r * r), dx / (r * r), dy / (r * r)};
         for (std::size_t k = 0; k < 5; ++k)
-          for (std::size_t m = 0; m < static_cast<std::size_t>(nodes_); ++m)
-            sum[k][m] += w * kernel[k] * n[m];
+          for (std::size_t m = 0; m < static_cast<std::size_t>(nodes_); ++m) sum[k][m] += w * kernel[k] * n[m];
       }
     return sum;
   }
 
-  /// Rays from the observer to an edge that may be very close: the edge is cut at the foot of the
-  /// observer, and towards it into halves; along the rays everything is smooth.
+  /// Rays from the observer to an edge that may be very close: the edge is cut at the foot of the observer, and towards
+  /// it into halves; along the rays everything is smooth.
   void graded() {
     Real n[9], nu[9], nv[9], xu = 0, xv = 0, yu = 0, yv = 0;
     shape(e_.type, apex_, n, nu, nv);
@@ -165,10 +160,9 @@ class Adaptive {
       yu += nu[k] * e_.y[k], yv += nv[k] * e_.y[k];
     }
     auto tangent = [&](Real u, Real v) { return Point{xu * u + xv * v, yu * u + yv * v}; };
-    const Point edge = tangent(b_.u - a_.u, b_.v - a_.v),
-                out = tangent(apex_.u - a_.u, apex_.v - a_.v);
-    const Real foot = std::clamp(
-        (out.u * edge.u + out.v * edge.v) / (edge.u * edge.u + edge.v * edge.v), Real(0), Real(1));
+    const Point edge = tangent(b_.u - a_.u, b_.v - a_.v), out = tangent(apex_.u - a_.u, apex_.v - a_.v);
+    const Real foot =
+        std::clamp((out.u * edge.u + out.v * edge.v) / (edge.u * edge.u + edge.v * edge.v), Real(0), Real(1));
     for (const Real end : {Real(0), Real(1)}) {
       Real far = 1;
       for (int k = 0; k < 48 && end != foot; ++k) {
@@ -184,8 +178,7 @@ class Adaptive {
 
   void refine(Real s0, Real s1, Real t0, Real t1, const Values& whole, int depth) {
     const Real sm = (s0 + s1) / 2, tm = (t0 + t1) / 2;
-    const Values part[4] = {rule(s0, sm, t0, tm), rule(sm, s1, t0, tm), rule(s0, sm, tm, t1),
-                            rule(sm, s1, tm, t1)};
+    const Values part[4] = {rule(s0, sm, t0, tm), rule(sm, s1, t0, tm), rule(s0, sm, tm, t1), rule(sm, s1, tm, t1)};
     Real change = 0;
     for (std::size_t k = 0; k < 5; ++k)
       for (std::size_t m = 0; m < static_cast<std::size_t>(nodes_); ++m) {
@@ -229,8 +222,7 @@ Frame frame_of(const Element& element) {
 std::array<double, 2> position(const Element& element, Reference at) {
   Real n[9], nu[9], nv[9], x = 0, y = 0;
   shape(element.type, {at.xi, at.eta}, n, nu, nv);
-  for (std::size_t i = 0; i < element.x.size(); ++i)
-    x += n[i] * element.x[i], y += n[i] * element.y[i];
+  for (std::size_t i = 0; i < element.x.size(); ++i) x += n[i] * element.x[i], y += n[i] * element.y[i];
   return {static_cast<double>(x), static_cast<double>(y)};
 }
 
@@ -238,8 +230,7 @@ Integrals integrate(const Element& element, double px, double py, std::optional<
   const Adaptive adaptive(element, px, py, on);
   Integrals result{};
   for (std::size_t k = 0; k < 5; ++k)
-    for (std::size_t i = 0; i < element.x.size(); ++i)
-      result[k][i] = static_cast<double>(adaptive.total()[k][i]);
+    for (std::size_t i = 0; i < element.x.size(); ++i) result[k][i] = static_cast<double>(adaptive.total()[k][i]);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
-/// Independent reference for the half-space integrals over one element: adaptive nested Gauss
-/// rules, with the reference domain cut into triangles at the observer's own point when it lies on
-/// the element. Shares nothing with the library but the numbering of the nodes.
+/// Independent reference for the half-space integrals over one element: adaptive nested Gauss rules, with the reference
+/// domain cut into triangles at the observer's own point when it lies on the element. Shares nothing with the library
+/// but the numbering of the nodes.
 
 #include <array>
 #include <optional>
@@ -26,9 +26,9 @@ struct Reference {
 /// Position of a reference point.
 std::array<double, 2> position(const Element& element, Reference at);
 
-/// value[k][i]: integrals of N_i times 1/r, dx^2/r^3, dx dy/r^3, dx/r^2, dy/r^2, d = observer -
-/// source. on: the observer's reference point if it is on the element (the observer is then its
-/// exact image, px and py being that image rounded).
+/// value[k][i]: integrals of N_i times 1/r, dx^2/r^3, dx dy/r^3, dx/r^2, dy/r^2, d = observer - source. on: the
+/// observer's reference point if it is on the element (the observer is then its exact image, px and py being that image
+/// rounded).
 using Integrals = std::array<std::array<double, max_element_nodes>, 5>;
 Integrals integrate(const Element& element, double px, double py, std::optional<Reference> on = {});
 

@@ -1,5 +1,5 @@
-// The half-space compliance as the contact sees it: block against apply, threads, instruction sets,
-// what is computed and what is not.
+// The half-space compliance as the contact sees it: block against apply, threads, instruction sets, what is computed
+// and what is not.
 
 #include "bodies/model/compliance.hpp"
 
@@ -26,8 +26,7 @@ Frame mixed_frame() {
   const SurfaceMesh other[] = {
       frames::bend_midsides(frames::paper_disc(ElementType::tri6, 0.4), 0.05, 9),
       frames::perturb(frames::o_grid(ElementType::quad4, 4, 2, 0.5, 0.5), 0.1, 4),
-      frames::rectangle(ElementType::tri3, frames::uniform_lines(-0.3, 0.3, 3),
-                        frames::uniform_lines(-0.3, 0.3, 3))};
+      frames::rectangle(ElementType::tri3, frames::uniform_lines(-0.3, 0.3, 3), frames::uniform_lines(-0.3, 0.3, 3))};
   double shift = 2.5;
   for (const SurfaceMesh& part : other) {
     const auto first = static_cast<std::int32_t>(mesh.nodes());
@@ -130,8 +129,7 @@ TEST(halfspace_compliance, a_row_does_not_depend_on_the_rows_beside_it) {
   const std::size_t p = at.x.size() / 2, n = static_cast<std::size_t>(frame.nodes());
   const Blocks row = blocks(*compliance, {{&at.x[p], 1}, {&at.y[p], 1}});
   for (std::size_t k = 0; k < 9; ++k)
-    EXPECT_TRUE(std::equal(row[k].begin(), row[k].end(),
-                           all[k].begin() + static_cast<std::ptrdiff_t>(p * n)));
+    EXPECT_TRUE(std::equal(row[k].begin(), row[k].end(), all[k].begin() + static_cast<std::ptrdiff_t>(p * n)));
 }
 
 TEST(halfspace_compliance, instruction_sets_agree) {
@@ -150,8 +148,8 @@ TEST(halfspace_compliance, instruction_sets_agree) {
     std::vector<double> u(3 * at.x.size());
     compliance->apply(at.points(), t.data(), u.data());
     error = std::max(error, difference(u, product(reference, t, at.x.size())));
-    std::printf("%s against baseline: %.1e (bound 1e-12)\n",
-                halfspace::kernels(rollcon::instruction_set()).name, error);
+    std::printf("%s against baseline: %.1e (bound 1e-12)\n", halfspace::kernels(rollcon::instruction_set()).name,
+                error);
     EXPECT_LE(error, 1e-12);
   }
   rollcon::force_instruction_set(InstructionSet::avx512);
@@ -163,8 +161,7 @@ TEST(halfspace_compliance_long, mixed_elements_meet_the_tolerance_in_every_row) 
   const auto n = static_cast<std::size_t>(frame.nodes());
   const Blocks fine = blocks(*make_halfspace_compliance(frame, {1, 1, 1}, 1e-11, 1), at.points());
   for (const double tolerance : {1e-6, 1e-9}) {
-    const Blocks a =
-        blocks(*make_halfspace_compliance(frame, {1, 1, 1}, tolerance, 1), at.points());
+    const Blocks a = blocks(*make_halfspace_compliance(frame, {1, 1, 1}, tolerance, 1), at.points());
     double worst = 0;
     for (std::size_t p = 0; p < at.x.size(); ++p) {
       double error = 0, size = 0;
@@ -212,8 +209,8 @@ TEST(halfspace_compliance, slender_triangles_cost_little_more) {
     return compliance->kernel_evaluations();
   };
   const auto round = evaluations(1), slender = evaluations(1e4);
-  std::printf("evaluations %lld round, %lld at 1e4, bound 300 times\n",
-              static_cast<long long>(round), static_cast<long long>(slender));
+  std::printf("evaluations %lld round, %lld at 1e4, bound 300 times\n", static_cast<long long>(round),
+              static_cast<long long>(slender));
   EXPECT_LT(slender, 300 * round);
 }
 
@@ -234,8 +231,7 @@ TEST(halfspace_compliance, only_wanted_blocks_are_written) {
 }
 
 TEST(halfspace_constants, follow_the_materials) {
-  const HalfspaceConstants c = halfspace_constants(2.6, 0.3, 1),
-                           d = halfspace_constants(2.6, 0.3, -1);
+  const HalfspaceConstants c = halfspace_constants(2.6, 0.3, 1), d = halfspace_constants(2.6, 0.3, -1);
   EXPECT_NEAR(c.cn, 0.7 / (2 * std::numbers::pi), 1e-15);
   EXPECT_NEAR(c.cv, 0.3 / (2 * std::numbers::pi), 1e-15);
   EXPECT_NEAR(c.ck, 0.4 / (4 * std::numbers::pi), 1e-15);
@@ -259,8 +255,7 @@ TEST(halfspace_constants, rigid_and_uncoupled_pairs) {
   const Blocks b = blocks(*make_halfspace_compliance(frame, {1, 0.4, 0.2}, 1e-6, 1), at.points());
   for (const std::size_t zero : {2u, 5u, 6u, 7u})
     for (const double value : a[zero]) ASSERT_EQ(value, 0);
-  for (const std::size_t same : {0u, 1u, 3u, 4u, 8u})
-    EXPECT_LE(difference(a[same], b[same]), 1e-14);
+  for (const std::size_t same : {0u, 1u, 3u, 4u, 8u}) EXPECT_LE(difference(a[same], b[same]), 1e-14);
 }
 
 }  // namespace

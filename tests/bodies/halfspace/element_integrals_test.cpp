@@ -1,5 +1,5 @@
-// The five integrals over single elements of every type, for observers on, near and far from them,
-// against adaptive brute force.
+// The five integrals over single elements of every type, for observers on, near and far from them, against adaptive
+// brute force.
 
 #include <gtest/gtest.h>
 
@@ -25,8 +25,7 @@ Element straight_quadratic_triangle() {
   return {ElementType::tri6, {0.1, 1.2, 0.3, 0.65, 0.75, 0.2}, {-0.2, 0.1, 0.9, -0.05, 0.5, 0.35}};
 }
 Element curved_triangle() {
-  return {
-      ElementType::tri6, {0.1, 1.2, 0.3, 0.64, 0.84, 0.15}, {-0.2, 0.1, 0.9, -0.12, 0.58, 0.37}};
+  return {ElementType::tri6, {0.1, 1.2, 0.3, 0.64, 0.84, 0.15}, {-0.2, 0.1, 0.9, -0.12, 0.58, 0.37}};
 }
 Element square() {
   return {ElementType::quad4, {0, 1, 1, 0}, {0, 0, 1, 1}};
@@ -38,9 +37,7 @@ Element stretched_quad() {
   return {ElementType::quad4, {0, 1, 1.02, 0.01}, {0, 0, 0.011, 0.010}};
 }
 Element curved_quad8() {
-  return {ElementType::quad8,
-          {0, 1.1, 0.9, 0.1, 0.55, 1.06, 0.5, 0.0},
-          {0, 0.1, 0.9, 1.0, -0.04, 0.5, 1.02, 0.52}};
+  return {ElementType::quad8, {0, 1.1, 0.9, 0.1, 0.55, 1.06, 0.5, 0.0}, {0, 0.1, 0.9, 1.0, -0.04, 0.5, 1.02, 0.52}};
 }
 Element curved_quad9() {
   Element e = curved_quad8();
@@ -80,8 +77,8 @@ class ElementIntegrals : public ::testing::TestWithParam<Case> {
     worst.tight = std::max(worst.tight, brute_force::relative_error(tight, reference));
   }
   void report(const char* where, const Worst& worst) {
-    std::printf("%s, %s: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", GetParam().name, where,
-                worst.loose, worst.tight);
+    std::printf("%s, %s: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", GetParam().name, where, worst.loose,
+                worst.tight);
     EXPECT_LE(worst.loose, 1e-6);
     EXPECT_LE(worst.tight, 1e-9);
   }
@@ -127,8 +124,7 @@ TEST_P(ElementIntegrals, observer_just_outside_and_near) {
   const auto p = brute_force::position(element, edge), q = brute_force::position(element, in);
   const double length = std::hypot(p[0] - q[0], p[1] - q[1]);
   const double nx = (p[0] - q[0]) / length, ny = (p[1] - q[1]) / length;
-  for (const double d : {1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.6, 1.0, 1.7})
-    compare(worst, p[0] + d * nx, p[1] + d * ny);
+  for (const double d : {1e-8, 1e-4, 1e-2, 0.1, 0.3, 0.6, 1.0, 1.7}) compare(worst, p[0] + d * nx, p[1] + d * ny);
   const double cx = element.x[1], cy = element.y[1];  // past a corner
   for (const double d : {1e-6, 1e-2, 0.2, 0.9}) compare(worst, cx + d, cy - 0.3 * d);
   report("just outside and near", worst);
@@ -142,15 +138,14 @@ TEST_P(ElementIntegrals, observer_far_away) {
   report("far", worst);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    shapes, ElementIntegrals,
-    ::testing::Values(Case{"tri3", straight_triangle}, Case{"tri3_1_to_100", stretched_triangle},
-                      Case{"tri6", straight_quadratic_triangle},
-                      Case{"tri6_curved", curved_triangle}, Case{"quad4_square", square},
-                      Case{"quad4_skewed", skewed_quad}, Case{"quad4_1_to_100", stretched_quad},
-                      Case{"quad8_curved", curved_quad8}, Case{"quad9_curved", curved_quad9},
-                      Case{"quad8_ring", ring_quad8}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(shapes, ElementIntegrals,
+                         ::testing::Values(Case{"tri3", straight_triangle}, Case{"tri3_1_to_100", stretched_triangle},
+                                           Case{"tri6", straight_quadratic_triangle},
+                                           Case{"tri6_curved", curved_triangle}, Case{"quad4_square", square},
+                                           Case{"quad4_skewed", skewed_quad}, Case{"quad4_1_to_100", stretched_quad},
+                                           Case{"quad8_curved", curved_quad8}, Case{"quad9_curved", curved_quad9},
+                                           Case{"quad8_ring", ring_quad8}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 }  // namespace
 }  // namespace rollcon

@@ -40,8 +40,7 @@ TEST(FarGroup, scale_is_the_largest_area_over_distance) {
     double expected = 0;
     for (std::int64_t e = 0; e < group.size(); ++e) {
       const CellShape& s = group.shape(e).shape;
-      expected = std::max(expected,
-                          s.area / std::sqrt(distance2(s, px, py) + s.half_length * s.half_length));
+      expected = std::max(expected, s.area / std::sqrt(distance2(s, px, py) + s.half_length * s.half_length));
     }
     error = std::max(error, std::abs(group.scale(px, py) / expected - 1));
   }
@@ -49,8 +48,8 @@ TEST(FarGroup, scale_is_the_largest_area_over_distance) {
   EXPECT_LE(error, 1e-14);
 }
 
-// Rules of n = 2, 3, ... points in each direction are exact to degree 2n - 1; m loses that of shape
-// function times Jacobian, 1 for rectangles.
+// Rules of n = 2, 3, ... points in each direction are exact to degree 2n - 1; m loses that of shape function times
+// Jacobian, 1 for rectangles.
 TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
   const FarGroup group = group_off_the_origin();
   frames::Random random(5);
@@ -68,8 +67,7 @@ TEST(FarGroup, the_first_rule_within_the_tolerance_is_taken) {
       bool close_call = std::abs(d / (2.5 * a) - 1) < 1e-12;
       while (expected < group.levels()) {
         const int m = 2 * (expected + 2) - 1;
-        const double share =
-            halfspace::far_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
+        const double share = halfspace::far_constant * s.area / d * std::pow(a / (1.9 * d), m) / tolerance;
         close_call = close_call || std::abs(share - 1) < 1e-10;
         if (share <= 1) break;
         ++expected;

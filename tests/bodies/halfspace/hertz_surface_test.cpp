@@ -20,8 +20,7 @@ double surface_error(ElementType type, int rings) {
   const auto count = frames::ring_counts(radius);
   const Frame frame = build_frame(frames::ring_disc(type, radius, count), Axes{});
   const double nu = 0.3, p0 = 1, g = 1;
-  const auto compliance =
-      make_halfspace_compliance(frame, halfspace_constants(2 * (1 + nu) * g, nu, 1), 1e-8, 1);
+  const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2 * (1 + nu) * g, nu, 1), 1e-8, 1);
   std::vector<double> t(3 * frame.x.size(), 0.0), x, y, exact;
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
     const double r2 = frame.x[k] * frame.x[k] + frame.y[k] * frame.y[k];
@@ -43,12 +42,11 @@ double surface_error(ElementType type, int rings) {
 }
 
 TEST(hertz_surface, is_a_paraboloid_to_second_order_or_better) {
-  for (const auto& [type, bound] :
-       {std::pair{ElementType::tri3, 4e-3}, {ElementType::tri6, 2e-4}}) {
+  for (const auto& [type, bound] : {std::pair{ElementType::tri3, 4e-3}, {ElementType::tri6, 2e-4}}) {
     const double coarse = surface_error(type, 8), fine = surface_error(type, 16);
     const double order = std::log2(coarse / fine);
-    std::printf("%d nodes: error %.1e, %.1e (bound %.0e), order %.2f (at least 1.7)\n",
-                node_count(type), coarse, fine, bound, order);
+    std::printf("%d nodes: error %.1e, %.1e (bound %.0e), order %.2f (at least 1.7)\n", node_count(type), coarse, fine,
+                bound, order);
     EXPECT_LE(fine, bound);
     EXPECT_GE(order, 1.7);
   }

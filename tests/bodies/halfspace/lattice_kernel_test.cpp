@@ -20,8 +20,7 @@ struct Integrals {
   std::vector<double> value[integral_count];
 };
 
-Integrals row(const LatticeIntegrals& lattice, std::int64_t j, std::int64_t first,
-              std::int64_t count) {
+Integrals row(const LatticeIntegrals& lattice, std::int64_t j, std::int64_t first, std::int64_t count) {
   Integrals out;
   double* pointer[integral_count];
   for (int k = 0; k < integral_count; ++k) {
@@ -40,19 +39,17 @@ struct Kind {
   Hat x, y;
   int at_x, at_y;  ///< node of a frame of 8 x 8 cells with this hat
 };
-const Kind kinds[] = {{Hat::whole, Hat::whole, 4, 4},  {Hat::after, Hat::whole, 0, 4},
-                      {Hat::before, Hat::whole, 8, 4}, {Hat::whole, Hat::after, 4, 0},
-                      {Hat::whole, Hat::before, 4, 8}, {Hat::after, Hat::after, 0, 0},
-                      {Hat::before, Hat::after, 8, 0}, {Hat::after, Hat::before, 0, 8},
-                      {Hat::before, Hat::before, 8, 8}};
+const Kind kinds[] = {
+    {Hat::whole, Hat::whole, 4, 4},  {Hat::after, Hat::whole, 0, 4},  {Hat::before, Hat::whole, 8, 4},
+    {Hat::whole, Hat::after, 4, 0},  {Hat::whole, Hat::before, 4, 8}, {Hat::after, Hat::after, 0, 0},
+    {Hat::before, Hat::after, 8, 0}, {Hat::after, Hat::before, 0, 8}, {Hat::before, Hat::before, 8, 8}};
 
-/// Largest difference over the largest integral; the compliance of a frame gives the five
-/// integrals when its constants pick them out.
+/// Largest difference over the largest integral; the compliance of a frame gives the five integrals when its constants
+/// pick them out.
 double error_against_compliance(double dx, double dy, double shift_x, double shift_y) {
-  const Frame frame =
-      build_frame(frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 8 * dx, 8),
-                                    frames::uniform_lines(0, 8 * dy, 8)),
-                  Axes{});
+  const Frame frame = build_frame(
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 8 * dx, 8), frames::uniform_lines(0, 8 * dy, 8)),
+      Axes{});
   std::vector<double> px, py;
   for (const int j : samples)
     for (const int i : samples) {
@@ -71,23 +68,20 @@ double error_against_compliance(double dx, double dy, double shift_x, double shi
   make_halfspace_compliance(frame, {0, 1, 1}, 1e-13, 1)->block({px, py}, out);
   double worst = 0;
   for (const Kind& kind : kinds) {
-    const LatticeIntegrals lattice({dx, dy, kind.x, kind.y}, shift_x, shift_y, all_terms,
-                                   {reach + 8, reach + 8});
+    const LatticeIntegrals lattice({dx, dy, kind.x, kind.y}, shift_x, shift_y, all_terms, {reach + 8, reach + 8});
     std::size_t node = nodes;
     for (std::size_t k = 0; k < nodes; ++k)
-      if (std::abs(frame.x[k] - kind.at_x * dx) < 1e-9 * dx &&
-          std::abs(frame.y[k] - kind.at_y * dy) < 1e-9 * dy)
+      if (std::abs(frame.x[k] - kind.at_x * dx) < 1e-9 * dx && std::abs(frame.y[k] - kind.at_y * dy) < 1e-9 * dy)
         node = k;
     EXPECT_LT(node, nodes);
     double largest = 0, error = 0;
     std::size_t p = 0;
     for (const int j : samples) {
-      const Integrals value =
-          row(lattice, j + 4 - kind.at_y, -reach + 4 - kind.at_x, 2 * reach + 1);
+      const Integrals value = row(lattice, j + 4 - kind.at_y, -reach + 4 - kind.at_x, 2 * reach + 1);
       for (const int i : samples) {
         const std::size_t at = p++ * nodes + node;
-        const double expected[] = {block[0][0][at] + block[1][1][at], block[0][0][at],
-                                   block[0][1][at], block[0][2][at], block[1][2][at]};
+        const double expected[] = {block[0][0][at] + block[1][1][at], block[0][0][at], block[0][1][at], block[0][2][at],
+                                   block[1][2][at]};
         for (int k = 0; k < integral_count; ++k) {
           const double found = value.value[k][static_cast<std::size_t>(i + reach)];
           largest = std::max(largest, std::abs(expected[k]));
@@ -139,16 +133,14 @@ TEST(LatticeKernel, WorkFollowsTheOffsetsAskedForNotTheCells) {
 TEST(LatticeKernel, EveryInstructionSet) {
   const InstructionSet best = best_instruction_set();
   const LatticeIntegrals lattice({0.3, 0.2}, 0.1, 0, all_terms, {60, 60});
-  for (const InstructionSet set :
-       {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
+  for (const InstructionSet set : {InstructionSet::baseline, InstructionSet::avx2, InstructionSet::avx512})
     for (const std::int64_t j : {0, 3, 17, 60}) {
       const Integrals expected = row(lattice, j, -33, 79);
       force_instruction_set(set);
       const Integrals value = row(lattice, j, -33, 79);
       force_instruction_set(best);
       for (int k = 0; k < integral_count; ++k)
-        for (std::size_t m = 0; m < 79; ++m)
-          EXPECT_NEAR(value.value[k][m], expected.value[k][m], 1e-15);
+        for (std::size_t m = 0; m < 79; ++m) EXPECT_NEAR(value.value[k][m], expected.value[k][m], 1e-15);
     }
 }
 
@@ -160,8 +152,7 @@ TEST(LatticeKernel, IntegralsThatAreNotWantedAreLeftAlone) {
       const Integrals expected = row(all, j, -30, 61), value = row(some, j, -30, 61);
       for (int k = 0; k < integral_count; ++k) {
         const bool wanted = k == 0 || (k < 3 ? (terms & with_shear) : (terms & with_coupling)) != 0;
-        for (std::size_t m = 0; m < 61; ++m)
-          EXPECT_NEAR(value.value[k][m], wanted ? expected.value[k][m] : 0, 1e-15);
+        for (std::size_t m = 0; m < 61; ++m) EXPECT_NEAR(value.value[k][m], wanted ? expected.value[k][m] : 0, 1e-15);
       }
     }
   }
@@ -174,23 +165,18 @@ TEST(LatticeKernel, HatRulesIntegratePolynomials) {
       ASSERT_EQ(rule.x.size(), static_cast<std::size_t>(n));
       for (int degree = 0; degree < 2 * n; ++degree) {
         double sum = 0;
-        for (std::size_t q = 0; q < rule.x.size(); ++q)
-          sum += rule.w[q] * std::pow(rule.x[q], degree);
+        for (std::size_t q = 0; q < rule.x.size(); ++q) sum += rule.w[q] * std::pow(rule.x[q], degree);
         // integral of x^d (1 - x) on [0, 1], and of its mirror image
         const double half = 1.0 / ((degree + 1) * (degree + 2)), mirror = degree % 2 == 0 ? 1 : -1;
-        const double expected = hat == Hat::after    ? half
-                                : hat == Hat::before ? mirror * half
-                                                     : (1 + mirror) * half;
+        const double expected = hat == Hat::after ? half : hat == Hat::before ? mirror * half : (1 + mirror) * half;
         EXPECT_NEAR(sum, expected, 1e-15) << n << " " << degree;
       }
     }
 }
 
 TEST(LatticeKernel, ACompliancePassesItsConstantsOn) {
-  const Frame frame =
-      build_frame(frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2),
-                                    frames::uniform_lines(0, 1, 2)),
-                  Axes{});
+  const Frame frame = build_frame(
+      frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2), frames::uniform_lines(0, 1, 2)), Axes{});
   HalfspaceConstants sum;
   EXPECT_TRUE(make_halfspace_compliance(frame, {0.5, 0.25, -0.125}, 1e-6, 1)->halfspace(sum));
   EXPECT_EQ(sum.cn, 0.5);

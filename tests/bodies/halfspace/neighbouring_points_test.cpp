@@ -1,5 +1,5 @@
-/// Integrals of points that differ by rounding alone: at the corners of slender elements and on the
-/// nodes of grids, where rules change, slip divides their difference by a short step.
+/// Integrals of points that differ by rounding alone: at the corners of slender elements and on the nodes of grids,
+/// where rules change, slip divides their difference by a short step.
 
 #include <gtest/gtest.h>
 
@@ -32,8 +32,7 @@ TEST(neighbouring_points, have_the_same_integrals) {
       const auto compliance = make_halfspace_compliance(frame, {0.7, 0.3, 0}, 1e-6, 1);
       std::vector<double> traction(3 * frame.x.size());
       for (std::size_t i = 0; i < traction.size(); ++i)
-        traction[i] = -std::sqrt(
-            std::max(0.0, 1 - std::pow(frame.x[i / 3], 2) - std::pow(frame.y[i / 3], 2)));
+        traction[i] = -std::sqrt(std::max(0.0, 1 - std::pow(frame.x[i / 3], 2) - std::pow(frame.y[i / 3], 2)));
       double worst = 0;
       for (const double x : lines)
         for (const double y : lines) {
@@ -42,12 +41,11 @@ TEST(neighbouring_points, have_the_same_integrals) {
           for (const double far : {-2.0, 2.0}) {
             const double px = std::nextafter(x, far), py = std::nextafter(y, far);
             compliance->apply({{&px, 1}, {&py, 1}}, traction.data(), beside);
-            for (std::size_t c = 0; c < 3; ++c)
-              worst = std::max(worst, std::abs(beside[c] / at[c] - 1));
+            for (std::size_t c = 0; c < 3; ++c) worst = std::max(worst, std::abs(beside[c] / at[c] - 1));
           }
         }
-      std::printf("%d corners, %s grid: apart by %.1e (bound %.0e)\n", corner_count(type),
-                  even ? "even" : "graded", worst, bound);
+      std::printf("%d corners, %s grid: apart by %.1e (bound %.0e)\n", corner_count(type), even ? "even" : "graded",
+                  worst, bound);
       EXPECT_LT(worst, bound);
     }
 }

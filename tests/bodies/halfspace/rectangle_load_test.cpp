@@ -40,8 +40,8 @@ double antiderivative(int kernel, double u, double v) {
 /// Integral over the rectangle [x0,x1] x [y0,y1] of a kernel of d = observer - source.
 double rectangle(int kernel, double x0, double x1, double y0, double y1, double px, double py) {
   const double a = px - x1, b = px - x0, c = py - y1, d = py - y0;
-  return antiderivative(kernel, b, d) - antiderivative(kernel, a, d) -
-         antiderivative(kernel, b, c) + antiderivative(kernel, a, c);
+  return antiderivative(kernel, b, d) - antiderivative(kernel, a, d) - antiderivative(kernel, b, c) +
+         antiderivative(kernel, a, c);
 }
 
 brute_force::Element rectangle_element(double x0, double x1, double y0, double y1) {
@@ -52,9 +52,8 @@ TEST(rectangle_load, uniform_load_matches_love) {
   double worst[2] = {0, 0};
   for (const double side : {1.0, 0.01}) {  // square and 1 : 100
     const auto element = rectangle_element(-0.5, 0.5, -0.5 * side, 0.5 * side);
-    const double points[][2] = {{0, 0},      {0.5, 0.5},  {0.21, -0.34}, {0.5, 0.1},
-                                {0.7, 0.2},  {-0.2, 0.9}, {3, 4},        {0.5 + 1e-7, 0.3},
-                                {-40, 12.0}, {1e4, -7e3}};
+    const double points[][2] = {{0, 0},      {0.5, 0.5}, {0.21, -0.34},     {0.5, 0.1},  {0.7, 0.2},
+                                {-0.2, 0.9}, {3, 4},     {0.5 + 1e-7, 0.3}, {-40, 12.0}, {1e4, -7e3}};
     for (const auto& point : points) {
       const double px = point[0], py = side * point[1];
       const double tolerance[] = {1e-6, 1e-9};
@@ -66,28 +65,24 @@ TEST(rectangle_load, uniform_load_matches_love) {
         for (std::size_t j = 0; j < 5; ++j) {
           double sum = 0;
           for (std::size_t i = 0; i < 4; ++i) sum += value[j][i];
-          const double exact =
-              rectangle(static_cast<int>(j), -0.5, 0.5, -0.5 * side, 0.5 * side, px, py);
+          const double exact = rectangle(static_cast<int>(j), -0.5, 0.5, -0.5 * side, 0.5 * side, px, py);
           if (lost < 1e-10) worst[k] = std::max(worst[k], std::abs(sum - exact) / scale);
-          if (lost > 1e-10 && j == 0)
-            worst[k] = std::max(worst[k], std::abs(sum * distance / side - 1) - 1 / distance);
+          if (lost > 1e-10 && j == 0) worst[k] = std::max(worst[k], std::abs(sum * distance / side - 1) - 1 / distance);
         }
       }
     }
   }
-  std::printf("uniform rectangle: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", worst[0],
-              worst[1]);
+  std::printf("uniform rectangle: error %.1e (bound 1e-6), %.1e (bound 1e-9)\n", worst[0], worst[1]);
   EXPECT_LE(worst[0], 1e-6);
   EXPECT_LE(worst[1], 1e-9);
 }
 
 TEST(rectangle_load, bilinear_load_matches_closed_form) {
-  // u/r, v/r and uv/r have the antiderivatives (v r + u^2 log(v + r))/2, the same with u and v
-  // exchanged, and r^3/3; a corner's shape function is bilinear in u and v.
+  // u/r, v/r and uv/r have the antiderivatives (v r + u^2 log(v + r))/2, the same with u and v exchanged, and r^3/3; a
+  // corner's shape function is bilinear in u and v.
   const auto element = rectangle_element(0, 1.4, 0, 0.6);
   double worst = 0;
-  for (const auto& [px, py] :
-       {std::pair{0.0, 0.0}, {0.7, 0.3}, {1.4, 0.2}, {2.0, -0.4}, {0.3, 0.7}}) {
+  for (const auto& [px, py] : {std::pair{0.0, 0.0}, {0.7, 0.3}, {1.4, 0.2}, {2.0, -0.4}, {0.3, 0.7}}) {
     auto f = [](double u, double v) {
       const double r = std::hypot(u, v);
       return (v * r + (u == 0 ? 0 : u * u * log_sum(v, u))) / 2;
@@ -97,8 +92,7 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
     };
     const double one = rectangle(0, 0, 1.4, 0, 0.6, px, py);
     const double u = difference(f), v = difference([&](double a, double b) { return f(b, a); });
-    const double uv =
-        difference([](double a, double b) { return std::pow(std::hypot(a, b), 3) / 3; });
+    const double uv = difference([](double a, double b) { return std::pow(std::hypot(a, b), 3) / 3; });
     const auto value = brute_force::from_library(element, px, py, 1e-9);
     // x = px - u, y = py - v in the shape functions.
     for (std::size_t i = 0; i < 4; ++i) {
@@ -116,16 +110,15 @@ TEST(rectangle_load, bilinear_load_matches_closed_form) {
 TEST(rectangle_load, unit_square_matches_contact_reference) {
   // G = 1, nu = 0.28, unit square, unit pressures along x and n: u_x and u_n at the centre.
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
-  const auto compliance =
-      make_halfspace_compliance(frame, halfspace_constants(2.56, 0.28, 1), 1e-9, 1);
+  const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.56, 0.28, 1), 1e-9, 1);
   const double x[] = {0}, y[] = {0};
   double t[12], u[3];
   for (int i = 0; i < 12; ++i) t[i] = i % 3 == 1 ? 0 : 1;
   compliance->apply({x, y}, t, u);
   const double closed_n = (1 - 0.28) / (2 * std::numbers::pi) * 4 * std::asinh(1.0);
   const double closed_x = (1 - 0.28 / 2) / (2 * std::numbers::pi) * 4 * std::asinh(1.0);
-  std::printf("unit square: u_n %.6f (table .403982), u_x %.6f (table .482073, closed form %.6f)\n",
-              u[2], u[0], closed_x);
+  std::printf("unit square: u_n %.6f (table .403982), u_x %.6f (table .482073, closed form %.6f)\n", u[2], u[0],
+              closed_x);
   EXPECT_NEAR(u[2], closed_n, 1e-9);
   EXPECT_NEAR(u[0], closed_x, 1e-9);
   EXPECT_NEAR(u[2], 0.403982, 1.5e-5);
@@ -136,16 +129,14 @@ TEST(rectangle_load, unit_square_matches_contact_reference) {
 TEST(rectangle_load, normal_force_pulls_surface_points_towards_it) {
   // u_r = -(1 - 2 nu) P / (4 pi G r) for a compressive force P on body 1, t_n = -P.
   const Frame frame = brute_force::frame_of(rectangle_element(-0.5, 0.5, -0.5, 0.5));
-  const auto compliance =
-      make_halfspace_compliance(frame, halfspace_constants(2.6, 0.3, 1), 1e-9, 1);
+  const auto compliance = make_halfspace_compliance(frame, halfspace_constants(2.6, 0.3, 1), 1e-9, 1);
   const double x[] = {1000}, y[] = {0};
   const double t[12] = {0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1};
   double u[3];
   compliance->apply({x, y}, t, u);
   const double radial = -(1 - 0.6) / (4 * std::numbers::pi * 1000);
   const double normal = -(1 - 0.3) / (2 * std::numbers::pi * 1000);
-  std::printf("point force: u_r %.6e (%.6e), u_n %.6e (%.6e), relative bound 1e-6\n", u[0], radial,
-              u[2], normal);
+  std::printf("point force: u_r %.6e (%.6e), u_n %.6e (%.6e), relative bound 1e-6\n", u[0], radial, u[2], normal);
   EXPECT_NEAR(u[0] / radial, 1, 1e-6);
   EXPECT_NEAR(u[2] / normal, 1, 1e-6);
 }

@@ -33,8 +33,7 @@ SurfaceMesh reflected(SurfaceMesh mesh) {
     const auto first = mesh.connectivity.begin() + mesh.offset[static_cast<std::size_t>(e)];
     const int corners = corner_count(mesh.type[static_cast<std::size_t>(e)]);
     std::reverse(first + 1, first + corners);
-    if (is_quadratic(mesh.type[static_cast<std::size_t>(e)]))
-      std::reverse(first + corners, first + 2 * corners);
+    if (is_quadratic(mesh.type[static_cast<std::size_t>(e)])) std::reverse(first + corners, first + 2 * corners);
   }
   return mesh;
 }
@@ -62,8 +61,7 @@ TEST_P(Symmetry, reflection_changes_signs_and_nothing_else) {
       error = std::max(error, std::abs(a[k][m] - sign * b[k][m]));
     }
   }
-  std::printf("%d nodes: reflection error %.1e (bound 1e-13)\n", node_count(GetParam()),
-              error / size);
+  std::printf("%d nodes: reflection error %.1e (bound 1e-13)\n", node_count(GetParam()), error / size);
   EXPECT_LE(error / size, 1e-13);
 }
 
@@ -81,14 +79,13 @@ TEST_P(Symmetry, scale_of_length_is_the_scale_of_the_integrals) {
         error = std::max(error, std::abs(a[k][m] - b[k][m] / scale));
       }
   }
-  std::printf("%d nodes: scale 1e-6 and 1e6, error %.1e (bound 1e-12)\n", node_count(GetParam()),
-              error / size);
+  std::printf("%d nodes: scale 1e-6 and 1e6, error %.1e (bound 1e-12)\n", node_count(GetParam()), error / size);
   EXPECT_LE(error / size, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(types, Symmetry,
-                         ::testing::Values(ElementType::tri3, ElementType::tri6, ElementType::quad4,
-                                           ElementType::quad8, ElementType::quad9),
+                         ::testing::Values(ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                           ElementType::quad9),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 
 TEST(reciprocity, work_of_two_loads_is_mutual_as_the_outer_rule_refines) {
@@ -140,8 +137,7 @@ TEST(reciprocity, work_of_two_loads_is_mutual_as_the_outer_rule_refines) {
     }
     error[refinement] = std::abs(work12 - work21) / size;
   }
-  std::printf("reciprocity: error %.1e, %.1e (bounds 2e-4, and a third of the first)\n", error[0],
-              error[1]);
+  std::printf("reciprocity: error %.1e, %.1e (bounds 2e-4, and a third of the first)\n", error[0], error[1]);
   EXPECT_LE(error[0], 2e-4);
   EXPECT_LE(error[1], error[0] / 3);
 }

@@ -31,10 +31,7 @@ TEST(context_log, lines_are_formatted_and_long_ones_cut) {
   std::string line;
   context.set_log(
       static_cast<std::int32_t>(rollcon::LogLevel::info),
-      [](std::int32_t, const char* message, void* user) {
-        *static_cast<std::string*>(user) = message;
-      },
-      &line);
+      [](std::int32_t, const char* message, void* user) { *static_cast<std::string*>(user) = message; }, &line);
   context.log(rollcon::LogLevel::info, "%d nodes", 7);
   EXPECT_EQ(line, "7 nodes");
   context.log(rollcon::LogLevel::debug, "not wanted");

@@ -14,10 +14,9 @@ using namespace rollcon::capi;
 
 TEST(guard, every_status_thrown_inside_comes_out_with_its_text) {
   for (const Status status :
-       {Status::err_argument, Status::err_handle, Status::err_nonfinite, Status::err_mesh,
-        Status::err_state, Status::err_option, Status::err_capacity, Status::err_singular,
-        Status::err_memory, Status::err_unsupported, Status::err_busy, Status::err_load,
-        Status::err_io, Status::err_internal}) {
+       {Status::err_argument, Status::err_handle, Status::err_nonfinite, Status::err_mesh, Status::err_state,
+        Status::err_option, Status::err_capacity, Status::err_singular, Status::err_memory, Status::err_unsupported,
+        Status::err_busy, Status::err_load, Status::err_io, Status::err_internal}) {
     Context context;
     EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { fail(status, "entry %d", 7); }),
               static_cast<std::int32_t>(status));
@@ -26,13 +25,12 @@ TEST(guard, every_status_thrown_inside_comes_out_with_its_text) {
 }
 
 TEST(guard, positive_statuses_pass_without_a_text) {
-  for (const Status status : {Status::ok, Status::not_converged, Status::no_contact,
-                              Status::cancelled, Status::rim_contact, Status::coarse}) {
+  for (const Status status : {Status::ok, Status::not_converged, Status::no_contact, Status::cancelled,
+                              Status::rim_contact, Status::coarse}) {
     Context context;
     set_last_error(nullptr, "an older one");
     context.set_latch(true);
-    EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { return status; }),
-              static_cast<std::int32_t>(status));
+    EXPECT_EQ(guarded("rollcon_some_call", &context, [&] { return status; }), static_cast<std::int32_t>(status));
     EXPECT_STREQ(last_error(), "an older one");
     EXPECT_EQ(context.tell_kept(), status) << "the latch keeps what is no failure, too";
   }
@@ -63,8 +61,7 @@ TEST(handle_table, slots_come_back_in_turn_and_never_with_an_old_number) {
   table.release(Kind::body, second);
   table.release(Kind::body, first);
   const void* third = table.insert(Kind::contact, object);
-  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(third) & 0xffff,
-            reinterpret_cast<std::uintptr_t>(second) & 0xffff);
+  EXPECT_EQ(reinterpret_cast<std::uintptr_t>(third) & 0xffff, reinterpret_cast<std::uintptr_t>(second) & 0xffff);
   EXPECT_EQ(table.find(Kind::body, second), nullptr);
   EXPECT_EQ(table.find(Kind::body, third), nullptr);
   EXPECT_EQ(table.find(Kind::contact, third), object);

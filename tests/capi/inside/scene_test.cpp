@@ -15,8 +15,8 @@ using namespace rollcon;
 namespace {
 
 bool same(const Revisions& a, const Revisions& b) {
-  return a.mesh == b.mesh && a.axes == b.axes && a.gap == b.gap && a.kinematics == b.kinematics &&
-         a.load == b.load && a.friction == b.friction;
+  return a.mesh == b.mesh && a.axes == b.axes && a.gap == b.gap && a.kinematics == b.kinematics && a.load == b.load &&
+         a.friction == b.friction;
 }
 
 void set_triangle(Scene& scene) {

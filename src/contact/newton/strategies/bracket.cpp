@@ -1,5 +1,5 @@
-/// One prescribed load, found from the outside: given motions converge where given forces get
-/// stuck, and a tangential load falls as its motion grows, the normal one grows with the approach.
+/// One prescribed load, found from the outside: given motions converge where given forces get stuck, and a tangential
+/// load falls as its motion grows, the normal one grows with the approach.
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +16,7 @@ constexpr int most_doublings = 40;     // every node slides long before that
 constexpr double close_enough = 1e-4;  // of the load's terms: Newton's step takes over
 
 // Motion m of the part, from `from` on in steps of `scale`.
-Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double scale,
-                double tolerance) {
+Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double scale, double tolerance) {
   Solve& s = newton.solve();
   const Problem& p = *s.problem;
   Iterate& it = *s.iterate;
@@ -37,8 +36,7 @@ Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double s
     }
     const double load = load_on_body1(p, m, it.lambda).value;
     // Forces that friction cannot carry yet: the bodies are still too far apart.
-    if (m == approach && outcome == Outcome::no_solution && load < target)
-      outcome = Outcome::converged;
+    if (m == approach && outcome == Outcome::no_solution && load < target) outcome = Outcome::converged;
     return m == approach ? target - load : load - target;
   };
   double low = from, high = low, step = scale;
@@ -89,8 +87,8 @@ Outcome bracket_creep(NewtonIteration& newton) {
     }
   if (m < 0) return Outcome::not_converged;
   newton.return_to_best();
-  return bracket(newton, m, s.goal, s.iterate->motion[at(m)],
-                 creep_scale(*s.problem, s.given, *s.iterate, m), s.tolerance);
+  return bracket(newton, m, s.goal, s.iterate->motion[at(m)], creep_scale(*s.problem, s.given, *s.iterate, m),
+                 s.tolerance);
 }
 
 Outcome bracket_approach(NewtonIteration& newton, Part part, double tolerance) {

@@ -1,5 +1,4 @@
-/// The problem reached by way of others: another scale of slip, one part after the other, more or
-/// less friction.
+/// The problem reached by way of others: another scale of slip, one part after the other, more or less friction.
 
 #include <algorithm>
 #include <array>
@@ -72,13 +71,11 @@ Outcome continue_in_friction(NewtonIteration& newton, bool from_above) {
   const double loose = std::max(s.tolerance, 1e-6);
   start_cold(p, s.given, it);
   guess_start(p, s.given, it);
-  Outcome outcome =
-      newton.run(Part::normal, s.given, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
+  Outcome outcome = newton.run(Part::normal, s.given, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
   if (s.goal == Part::tangential && outcome != Outcome::converged) return outcome;
   if (from_above && outcome == Outcome::converged) {
     set(0);
-    outcome =
-        newton.run(s.goal, given, {.tolerance = loose, .stick_first = true, .rehearsal = true});
+    outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = true, .rehearsal = true});
   }
   double done = 0, step = 0.25;
   std::vector<double> lambda[3];
@@ -88,8 +85,8 @@ Outcome continue_in_friction(NewtonIteration& newton, bool from_above) {
     motion = it.motion;
     const double next = std::min(1.0, done + step);
     set(next);
-    outcome = next == 1 ? newton.run(s.goal, s.given)
-                        : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
+    outcome =
+        next == 1 ? newton.run(s.goal, s.given) : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
     if (outcome == Outcome::converged) {
       done = next;
       step *= 1.5;

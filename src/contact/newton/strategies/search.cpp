@@ -1,5 +1,5 @@
-/// Several prescribed tangential loads, found from the outside: given motions converge where given
-/// forces get stuck. Few unknowns, so a Newton iteration with differences does.
+/// Several prescribed tangential loads, found from the outside: given motions converge where given forces get stuck.
+/// Few unknowns, so a Newton iteration with differences does.
 
 #include <algorithm>
 #include <array>
@@ -51,27 +51,23 @@ bool solve_few(std::size_t count, FewRows a, Few b, Few& x) {
 }
 
 // Broyden's update: the slope that also explains the step from x to next.
-void update(std::size_t count, const Few& x, const Few& next, const Few& before, const Few& after,
-            FewRows& slope) {
+void update(std::size_t count, const Few& x, const Few& next, const Few& before, const Few& after, FewRows& slope) {
   double square = 0;
   for (std::size_t c = 0; c < count; ++c) square += (next[c] - x[c]) * (next[c] - x[c]);
   for (std::size_t r = 0; r < count; ++r) {
     double foretold = before[r];
     for (std::size_t c = 0; c < count; ++c) foretold += slope[r][c] * (next[c] - x[c]);
-    for (std::size_t c = 0; c < count; ++c)
-      slope[r][c] += (after[r] - foretold) * (next[c] - x[c]) / square;
+    for (std::size_t c = 0; c < count; ++c) slope[r][c] += (after[r] - foretold) * (next[c] - x[c]) / square;
   }
 }
 
-/// The search's loads and the motions that belong to them; spin counts as the creepage at a frame's
-/// length.
+/// The search's loads and the motions that belong to them; spin counts as the creepage at a frame's length.
 class CreepSearch {
  public:
   explicit CreepSearch(NewtonIteration& newton)
       : newton_(newton), s_(newton.solve()), given_(s_.given), for_others_(s_.iterations_left / 2) {
     for (const int m : {xi1, xi2, spin})
-      if (given_.by_force[static_cast<std::size_t>(m)])
-        motion_[count_++] = static_cast<std::size_t>(m);
+      if (given_.by_force[static_cast<std::size_t>(m)]) motion_[count_++] = static_cast<std::size_t>(m);
   }
   std::size_t loads() const { return count_; }
   /// scale: the creepage at which friction saturates.
@@ -98,8 +94,7 @@ class CreepSearch {
   std::vector<double> kept_[3];
 };
 
-// No tangential tractions; where pressures depend on them a new guess of those too, else those that
-// were found.
+// No tangential tractions; where pressures depend on them a new guess of those too, else those that were found.
 void CreepSearch::start_anew() {
   Iterate& it = *s_.iterate;
   if (s_.goal == Part::full) {
@@ -114,8 +109,7 @@ void CreepSearch::start_anew() {
 // Loads beyond those wanted. False: none were found, or they are no numbers.
 bool CreepSearch::excess(const Few& at, Few& error) {
   Iterate& it = *s_.iterate;
-  for (std::size_t i = 0; i < count_; ++i)
-    given_.value[motion_[i]] = it.motion[motion_[i]] = at[i] * unit_[i];
+  for (std::size_t i = 0; i < count_; ++i) given_.value[motion_[i]] = it.motion[motion_[i]] = at[i] * unit_[i];
   outcome_ = newton_.run(s_.goal, given_, {.free_steps = 1, .rehearsal = true});
   ++evaluations_;
   if (outcome_ == Outcome::not_converged && !kept_[0].empty() && s_.iterations_left > 0) {
@@ -142,8 +136,7 @@ bool CreepSearch::find_slope(double reach) {
     Few beside = x_, change{};
     beside[c] += difference * reach;
     if (!excess(beside, change)) return false;
-    for (std::size_t r = 0; r < count_; ++r)
-      slope_[r][c] = (change[r] - error_[r]) / (beside[c] - x_[c]);
+    for (std::size_t r = 0; r < count_; ++r) slope_[r][c] = (change[r] - error_[r]) / (beside[c] - x_[c]);
   }
   return true;
 }

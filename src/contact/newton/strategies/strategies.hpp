@@ -1,37 +1,36 @@
 #pragma once
-/// What is tried where the full step gets stuck. Each works on a copy of what is prescribed; none
-/// changes the problem that is finally solved.
+/// What is tried where the full step gets stuck. Each works on a copy of what is prescribed; none changes the problem
+/// that is finally solved.
 
 #include "contact/newton/iteration.hpp"
 
 namespace rollcon {
 
-/// One prescribed tangential load, found by bracketing its motion from the outside: given motions
-/// converge where given forces get stuck, and a load falls as its motion grows.
+/// One prescribed tangential load, found by bracketing its motion from the outside: given motions converge where given
+/// forces get stuck, and a load falls as its motion grows.
 Outcome bracket_creep(NewtonIteration& newton);
 /// The prescribed normal load likewise, from the first touch on; for the part.
 Outcome bracket_approach(NewtonIteration& newton, Part part, double tolerance);
-/// Several prescribed tangential loads, found from the outside likewise: few unknowns, so a Newton
-/// iteration with differences does.
+/// Several prescribed tangential loads, found from the outside likewise: few unknowns, so a Newton iteration with
+/// differences does.
 Outcome search_creep(NewtonIteration& newton);
 /// Relaxation node by node: slow, but it does not cycle between states as Newton's steps may.
 Outcome relax(NewtonIteration& newton);
-/// The scale r_t does not change the solution but it does change the path: a cycle between two
-/// states of a few nodes is often left with another scale.
+/// The scale r_t does not change the solution but it does change the path: a cycle between two states of a few nodes is
+/// often left with another scale.
 Outcome rescale_slip(NewtonIteration& newton);
-/// Normal and tangential problems in turn, each with the other's tractions held, which contracts
-/// for moderate friction; then the full step again.
+/// Normal and tangential problems in turn, each with the other's tractions held, which contracts for moderate friction;
+/// then the full step again.
 Outcome alternate(NewtonIteration& newton);
-/// Friction and the tangential loads change together, each step starting from the last solution:
-/// from none upwards, or down from friction so high that nearly all sticks. The way down is for
-/// friction that is small against the strains that pressures alone cause in unlike bodies.
+/// Friction and the tangential loads change together, each step starting from the last solution: from none upwards, or
+/// down from friction so high that nearly all sticks. The way down is for friction that is small against the strains
+/// that pressures alone cause in unlike bodies.
 Outcome continue_in_friction(NewtonIteration& newton, bool from_above);
 
 /// Of pressures under sliding.
 inline constexpr double sliding_tolerance = 1e-6;
-/// The share of the loads in friction when every node slides in the direction in which that falls
-/// short of them most, under the pressures of that sliding. Shares of 0: not found. Leaves the
-/// iterate anywhere.
+/// The share of the loads in friction when every node slides in the direction in which that falls short of them most,
+/// under the pressures of that sliding. Shares of 0: not found. Leaves the iterate anywhere.
 FrictionShare slide_against_loads(NewtonIteration& newton);
 
 }  // namespace rollcon

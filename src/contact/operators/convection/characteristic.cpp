@@ -15,15 +15,14 @@ bool quadratic_quad(ElementType type) {
   return type == ElementType::quad8 || type == ElementType::quad9;
 }
 
-// Area of the frame that a node stands for: its dual cell. In quadratic quadrilaterals the parts
-// that equally spaced nodes have (corner 1/16, midside 1/8, centre 1/4): the dual cells of their
-// linear cells differ by 2.5 between midside nodes and corners, and so would the steps. Two thirds
-// of them: tractions that are quadratic between the nodes want steps that much shorter (measured:
-// 0.4 of the spacing halves the error of friction forces on quad8 and quad9 against 0.6).
+// Area of the frame that a node stands for: its dual cell. In quadratic quadrilaterals the parts that equally spaced
+// nodes have (corner 1/16, midside 1/8, centre 1/4): the dual cells of their linear cells differ by 2.5 between midside
+// nodes and corners, and so would the steps. Two thirds of them: tractions that are quadratic between the nodes want
+// steps that much shorter (measured: 0.4 of the spacing halves the error of friction forces on quad8 and quad9 against
+// 0.6).
 std::vector<double> area_of_nodes(const Frame& frame) {
   const auto type = [&](std::int64_t e) { return frame.mesh.type[static_cast<std::size_t>(e)]; };
-  if (std::none_of(frame.mesh.type.begin(), frame.mesh.type.end(), quadratic_quad))
-    return projected_cell_area(frame);
+  if (std::none_of(frame.mesh.type.begin(), frame.mesh.type.end(), quadratic_quad)) return projected_cell_area(frame);
   const LinearCells all = split_elements(frame.mesh);
   LinearCells others;
   for (std::int64_t c = 0; c < all.size(); ++c) {
@@ -72,8 +71,8 @@ std::vector<double> spacing_along_flow(const Frame& frame) {
   return spacing;
 }
 
-// Where the traction of a node acts along the flow, as seen from it: mean and mean square of the
-// distance upstream, weighted by the squares of the shape functions (which have no negative lobes).
+// Where the traction of a node acts along the flow, as seen from it: mean and mean square of the distance upstream,
+// weighted by the squares of the shape functions (which have no negative lobes).
 struct Spread {
   double mean = 0, square = 0;
 };
@@ -82,17 +81,16 @@ std::vector<Spread> spread_along_flow(const Frame& frame) {
   constexpr int degree = 11;  // N^2 x^2 and the Jacobian of curved quadratic elements
   std::vector<Spread> spread(static_cast<std::size_t>(frame.nodes()));
   std::vector<double> sum(spread.size(), 0.0);
-  integrate_projection(frame, degree,
-                       [&](auto nodes, const Shape& shape, double x, double /*y*/, double area) {
-                         for (std::size_t i = 0; i < nodes.size(); ++i) {
-                           const auto k = static_cast<std::size_t>(nodes[i]);
-                           const double w = std::abs(area) * shape.value[i] * shape.value[i];
-                           const double ahead = x - frame.x[k];
-                           sum[k] += w;
-                           spread[k].mean += w * ahead;
-                           spread[k].square += w * ahead * ahead;
-                         }
-                       });
+  integrate_projection(frame, degree, [&](auto nodes, const Shape& shape, double x, double /*y*/, double area) {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      const auto k = static_cast<std::size_t>(nodes[i]);
+      const double w = std::abs(area) * shape.value[i] * shape.value[i];
+      const double ahead = x - frame.x[k];
+      sum[k] += w;
+      spread[k].mean += w * ahead;
+      spread[k].square += w * ahead * ahead;
+    }
+  });
   for (std::size_t k = 0; k < spread.size(); ++k)
     if (sum[k] > 0) spread[k].mean /= sum[k], spread[k].square /= sum[k];
   return spread;
@@ -100,24 +98,21 @@ std::vector<Spread> spread_along_flow(const Frame& frame) {
 
 }  // namespace
 
-// Steps upstream: a part of the spacing. A node's own traction must move the surface there less
-// than at the node, or slip grows with the friction that opposes it. Where it acts upstream of its
-// node, as on the rim that material leaves and where elements grow fast, the step passes that place
-// by more than the node's distance from it. Inside, elements that grow threefold from one to the
-// next do not need that yet. Regular grids have the same step everywhere, so that all rows are
-// alike.
+// Steps upstream: a part of the spacing. A node's own traction must move the surface there less than at the node, or
+// slip grows with the friction that opposes it. Where it acts upstream of its node, as on the rim that material leaves
+// and where elements grow fast, the step passes that place by more than the node's distance from it. Inside, elements
+// that grow threefold from one to the next do not need that yet. Regular grids have the same step everywhere, so that
+// all rows are alike.
 std::vector<double> characteristic_steps(const Frame& frame, double part) {
   constexpr double uniform = 10;  // squared spacing over the mean square, on a uniform grid
   constexpr double further_on_rim = 0.8, further_inside = 0.3;
   const auto n = static_cast<std::size_t>(frame.nodes());
   const std::optional<Lattice> lattice = find_lattice(frame);
-  if (lattice && lattice->has_inner_node())
-    return std::vector<double>(n, part * lattice->spacing_along_flow());
+  if (lattice && lattice->has_inner_node()) return std::vector<double>(n, part * lattice->spacing_along_flow());
   std::vector<double> step = spacing_along_flow(frame);
   const std::vector<Spread> spread = spread_along_flow(frame);
   // frame.rim leaves out a body's own edges, where elements end all the same.
-  const std::vector<std::uint8_t> rim =
-      rim_nodes(frame.nodes(), sorted_sides(split_elements(frame.mesh)));
+  const std::vector<std::uint8_t> rim = rim_nodes(frame.nodes(), sorted_sides(split_elements(frame.mesh)));
   for (std::size_t k = 0; k < n; ++k) {
     if (!frame.used[k]) continue;
     const double further = rim[k] ? further_on_rim : further_inside;

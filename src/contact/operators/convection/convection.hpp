@@ -1,6 +1,6 @@
 #pragma once
-/// Discrete convective derivative on the contact frame (docs/theory.md, section 5): rows of the
-/// operator D with (D w)_I ~ v . grad w at node I for unit speed, v = -(ex, ey).
+/// Discrete convective derivative on the contact frame (docs/theory.md, section 5): rows of the operator D with (D w)_I
+/// ~ v . grad w at node I for unit speed, v = -(ex, ey).
 
 #include <cstdint>
 #include <string>
@@ -19,13 +19,13 @@ struct SparseRows {
 
 enum class Scheme { godunov, least_squares, characteristic };
 
-/// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at
-/// samples, which are the nodes and, for some schemes, one point ahead (upstream) of each.
+/// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at samples, which are the
+/// nodes and, for some schemes, one point ahead (upstream) of each.
 struct Convection {
   SparseRows rows;  ///< by node; column n + j: the sample ahead of node j of n
   /// Of each row's sum: samples that lie close are subtracted before, lest digits are lost.
   std::vector<double> factor;
-  std::vector<double> ahead;  ///< distances along t1, in the projection; empty: no such samples
+  std::vector<double> ahead;           ///< distances along t1, in the projection; empty: no such samples
   std::vector<double> slip_x, slip_y;  ///< where the rigid slip of each row is taken
 };
 
@@ -33,31 +33,27 @@ struct Convection {
 Scheme scheme_of(const std::string& name);
 const char* name_of(Scheme scheme);
 
-/// step: distance ahead over the local spacing along the flow, characteristic scheme only. On a
-/// curved frame derivatives are taken along the surface: those in the projection times
+/// step: distance ahead over the local spacing along the flow, characteristic scheme only. On a curved frame
+/// derivatives are taken along the surface: those in the projection times
 /// t1 . (rolling direction).
 Convection make_convection(const Frame& frame, Scheme scheme, double step);
 
-/// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them.
-/// Tangential components.
-void convect(const Convection& convection, const double* w, const double* ahead,
-             std::vector<double> (&slip)[2]);
+/// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them. Tangential components.
+void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]);
 
-/// First-order Godunov flux on median-dual cells, equations (41)-(42). (ex, ey): unit rolling
-/// direction in the frame's axes. The row of a node without inflow is empty.
+/// First-order Godunov flux on median-dual cells, equations (41)-(42). (ex, ey): unit rolling direction in the frame's
+/// axes. The row of a node without inflow is empty.
 SparseRows godunov(const Frame& frame, double ex, double ey);
 
-/// Upwind least-squares gradient, equations (43)-(45), over neighbours along edges of the linear
-/// cells. Exact for linear fields at every node whose path upstream enters the frame. Where the fit
-/// over upwind neighbours would let errors grow along the path, two neighbours that enclose the
-/// path are interpolated instead (upwind ones out of two rings first); where the path leaves the
-/// frame, the fit may widen to two rings, and Godunov's row is the last choice. The row of a node
-/// without upwind neighbour is empty.
+/// Upwind least-squares gradient, equations (43)-(45), over neighbours along edges of the linear cells. Exact for
+/// linear fields at every node whose path upstream enters the frame. Where the fit over upwind neighbours would let
+/// errors grow along the path, two neighbours that enclose the path are interpolated instead (upwind ones out of two
+/// rings first); where the path leaves the frame, the fit may widen to two rings, and Godunov's row is the last choice.
+/// The row of a node without upwind neighbour is empty.
 SparseRows least_squares(const Frame& frame, double ex, double ey);
 
-/// Characteristic scheme: distance from each node to its upstream point, in the projection. part:
-/// of the node spacing along the flow (t1); nodes whose own traction acts upstream of them get
-/// more.
+/// Characteristic scheme: distance from each node to its upstream point, in the projection. part: of the node spacing
+/// along the flow (t1); nodes whose own traction acts upstream of them get more.
 std::vector<double> characteristic_steps(const Frame& frame, double part);
 
 }  // namespace rollcon

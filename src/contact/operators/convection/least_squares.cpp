@@ -7,32 +7,30 @@
 #include "contact/operators/convection/rows.hpp"
 #include "mesh/topology.hpp"
 
-/// Fit of the gradient over upwind neighbours, equations (43)-(45), in coordinates along the path:
-/// d = s e + t (e turned by 90 degrees), so that the row is minus the gradient's component along e.
+/// Fit of the gradient over upwind neighbours, equations (43)-(45), in coordinates along the path: d = s e + t (e
+/// turned by 90 degrees), so that the row is minus the gradient's component along e.
 ///
-/// The fit is weighted by (cos theta / |d|)^2, theta the angle between d and e. Neighbours across
-/// the flow (ties) then enter and leave without a jump as the flow turns, and both sides alike;
-/// they keep a small weight, because next to a single oblique neighbour they alone determine the
-/// gradient. Two neighbours are interpolated whatever their weights. With equal weights, ties
-/// couple nodes across the flow to one another and the march down the stick zone can become
+/// The fit is weighted by (cos theta / |d|)^2, theta the angle between d and e. Neighbours across the flow (ties) then
+/// enter and leave without a jump as the flow turns, and both sides alike; they keep a small weight, because next to a
+/// single oblique neighbour they alone determine the gradient. Two neighbours are interpolated whatever their weights.
+/// With equal weights, ties couple nodes across the flow to one another and the march down the stick zone can become
 /// singular (measured on squares with diagonal neighbours, crossed at 45 degrees).
 ///
-/// Neighbours are those along edges: along lines of nodes the row is then the plain upwind
-/// difference, and nothing smears across the flow. With the diagonals of quadrilaterals the error
-/// of D for a smooth field rose by 15 % on squares along their lines (0 to 15 % oblique) and by 15
-/// to 30 % on most sheared ones; what they improve, oblique marches and irregular quadrilaterals,
-/// is left to the wider stencils below.
+/// Neighbours are those along edges: along lines of nodes the row is then the plain upwind difference, and nothing
+/// smears across the flow. With the diagonals of quadrilaterals the error of D for a smooth field rose by 15 % on
+/// squares along their lines (0 to 15 % oblique) and by 15 to 30 % on most sheared ones; what they improve, oblique
+/// marches and irregular quadrilaterals, is left to the wider stencils below.
 
 namespace rollcon {
 namespace {
 
 /// cos^2 of a tie in the weights.
 constexpr double tie_weight = 1e-6;
-/// Growth of an error in w per step of the march downstream, sum |c_J| / |sum c_J|: what a stencil
-/// may have where one without growth exists, and where the path leaves the frame next to the node.
+/// Growth of an error in w per step of the march downstream, sum |c_J| / |sum c_J|: what a stencil may have where one
+/// without growth exists, and where the path leaves the frame next to the node.
 constexpr double usable_growth = 1.5, tolerable_growth = 4;
-/// Amplification sum |c_J| |x_J - x_I| (1 for a node straight upstream) up to which the
-/// neighbours' own fit is taken without a look at wider stencils.
+/// Amplification sum |c_J| |x_J - x_I| (1 for a node straight upstream) up to which the neighbours' own fit is taken
+/// without a look at wider stencils.
 constexpr double good_amplification = 2.5;
 
 struct Neighbour {
@@ -91,8 +89,8 @@ std::optional<Stencil> fit(std::span<const Neighbour> upwind) {
   return stencil;
 }
 
-/// Two neighbours with the path between them: e = alpha d_J + beta d_K, alpha, beta >= 0. Exact for
-/// linear fields without growth. The pair with the least truncation.
+/// Two neighbours with the path between them: e = alpha d_J + beta d_K, alpha, beta >= 0. Exact for linear fields
+/// without growth. The pair with the least truncation.
 std::optional<Stencil> enclosing_pair(std::span<const Neighbour> neighbours) {
   std::optional<Stencil> best;
   for (const Neighbour& j : neighbours)
@@ -125,13 +123,10 @@ Stencil along_neighbours(std::span<const Neighbour> upwind) {
 class LeastSquares {
  public:
   LeastSquares(const Frame& frame, double ex, double ey)
-      : frame_(frame),
-        ex_(ex),
-        ey_(ey),
-        near_(neighbours(frame.nodes(), split_elements(frame.mesh), false)) {}
+      : frame_(frame), ex_(ex), ey_(ey), near_(neighbours(frame.nodes(), split_elements(frame.mesh), false)) {}
 
-  /// The candidates but i itself, seen from node i. Rounding beside the path or across it is taken
-  /// out: on lines of nodes it must not decide which stencil encloses the path.
+  /// The candidates but i itself, seen from node i. Rounding beside the path or across it is taken out: on lines of
+  /// nodes it must not decide which stencil encloses the path.
   std::vector<Neighbour> around(std::int32_t i, std::span<const std::int32_t> candidates) const {
     std::vector<Neighbour> found;
     const auto a = static_cast<std::size_t>(i);
@@ -171,8 +166,7 @@ class LeastSquares {
 /// Those upstream or across the flow; none if nothing lies upstream.
 std::vector<Neighbour> upwind_of(std::vector<Neighbour> neighbours) {
   std::erase_if(neighbours, [](const Neighbour& j) { return j.s < 0; });
-  const bool upstream =
-      std::any_of(neighbours.begin(), neighbours.end(), [](const Neighbour& j) { return j.s > 0; });
+  const bool upstream = std::any_of(neighbours.begin(), neighbours.end(), [](const Neighbour& j) { return j.s > 0; });
   if (!upstream) neighbours.clear();
   return neighbours;
 }
@@ -210,8 +204,8 @@ SparseRows least_squares(const Frame& frame, double ex, double ey) {
     }
     const std::vector<Neighbour> wide = upwind_of(scheme.around(i, scheme.two_rings(i)));
     std::optional<Stencil> chosen = better(own, enclosing_pair(wide), usable_growth);
-    // On slender cells a path can enter between a neighbour upstream and one that counts as
-    // downstream only because the half plane of (x_J - x_I) . v < 0 does not follow the stretching.
+    // On slender cells a path can enter between a neighbour upstream and one that counts as downstream only because the
+    // half plane of (x_J - x_I) . v < 0 does not follow the stretching.
     if (!chosen) chosen = enclosing_pair(ring);
     // The path leaves the frame next to the node.
     if (!chosen) chosen = better(own, fit(wide), tolerable_growth);

@@ -15,9 +15,7 @@ class RowBuilder {
  public:
   explicit RowBuilder(std::int64_t rows) : rows_(rows) {}
   /// Adds to entry (row, column).
-  void add(std::int32_t row, std::int32_t column, double value) {
-    entry_.push_back({row, column, value});
-  }
+  void add(std::int32_t row, std::int32_t column, double value) { entry_.push_back({row, column, value}); }
   /// Sorted, entries of one place summed. The builder is empty afterwards.
   SparseRows finish();
 

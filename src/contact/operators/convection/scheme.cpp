@@ -43,8 +43,7 @@ struct Row {
 constexpr Row schemes[] = {
     {Scheme::least_squares, "least_squares",
      [](const Frame& frame, double) { return with_rows(frame, least_squares(frame, 1, 0)); }},
-    {Scheme::godunov, "godunov",
-     [](const Frame& frame, double) { return with_rows(frame, godunov(frame, 1, 0)); }},
+    {Scheme::godunov, "godunov", [](const Frame& frame, double) { return with_rows(frame, godunov(frame, 1, 0)); }},
     {Scheme::characteristic, "characteristic",
      [](const Frame& frame, double step) {
        const std::vector<double> ahead = characteristic_steps(frame, step);
@@ -83,8 +82,7 @@ Convection make_convection(const Frame& frame, Scheme scheme, double step) {
   return c;
 }
 
-void convect(const Convection& convection, const double* w, const double* ahead,
-             std::vector<double> (&slip)[2]) {
+void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]) {
   const SparseRows& d = convection.rows;
   const std::size_t n = convection.slip_x.size();
   for (std::size_t c = 0; c < 2; ++c) {

@@ -13,8 +13,7 @@ std::int64_t reach_of(std::int64_t nodes, const HatPiece& sources) {
 
 }  // namespace
 
-Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries,
-                         const HatPiece& sources)
+Convolution::Convolution(const Lattice& lattice, const LatticeEntries& entries, const HatPiece& sources)
     : lattice_(lattice),
       reach_x_(reach_of(lattice.nx, sources)),
       reach_y_(reach_of(lattice.ny, sources)),
@@ -50,11 +49,9 @@ void Convolution::fill_rows(const LatticeEntries& entries) {
   const std::int64_t reach_x = reach_x_, reach_y = reach_y_;
   const std::int64_t count = 2 * reach_x + 1;
   const std::size_t kinds = kinds_.kind.size();
-  std::vector<std::vector<double>> value(kinds,
-                                         std::vector<double>(static_cast<std::size_t>(count)));
+  std::vector<std::vector<double>> value(kinds, std::vector<double>(static_cast<std::size_t>(count)));
   double* entry[3][3] = {};
-  for (std::size_t k = 0; k < kinds; ++k)
-    entry[kinds_.kind[k].r][kinds_.kind[k].c] = value[k].data();
+  for (std::size_t k = 0; k < kinds; ++k) entry[kinds_.kind[k].r][kinds_.kind[k].c] = value[k].data();
   AlignedArray<double> row(px_);
   std::fill_n(row.data(), px_, 0.0);
   const auto lines = static_cast<std::int64_t>(kinds) * block;
@@ -69,18 +66,15 @@ void Convolution::fill_rows(const LatticeEntries& entries) {
       entries.row(j, -reach_x, count, entry, w);
       for (std::size_t k = 0; k < kinds; ++k) {
         for (std::int64_t i = 0; i < count; ++i)
-          row.data()[i < reach_x ? px_ + i - reach_x : i - reach_x] =
-              scale * value[k][static_cast<std::size_t>(i)];
-        along_.forward(row.data(),
-                       half.data() + (static_cast<std::int64_t>(k) * block + j - first) * stride);
+          row.data()[i < reach_x ? px_ + i - reach_x : i - reach_x] = scale * value[k][static_cast<std::size_t>(i)];
+        along_.forward(row.data(), half.data() + (static_cast<std::int64_t>(k) * block + j - first) * stride);
       }
     }
     for (std::size_t k = 0; k < kinds; ++k) {
       const Complex* from = half.data() + static_cast<std::int64_t>(k) * block * stride;
       Complex* to = spectrum_[k].data() + (first < 0 ? py_ + first : first);
       for (std::int64_t x = 0; x < columns_; ++x)
-        for (std::int64_t j = 0; j <= last - first; ++j)
-          to[x * kept_stride_ + j] = from[j * stride + x];
+        for (std::int64_t j = 0; j <= last - first; ++j) to[x * kept_stride_ + j] = from[j * stride + x];
     }
     first = last + 1;
   }
@@ -110,8 +104,7 @@ Convolution::Workspace::Workspace(const Convolution& owner)
 }
 
 std::size_t Convolution::Workspace::bytes() const {
-  return row.bytes() + waves.bytes() + half.bytes() + column.bytes() + sum.bytes() +
-         3 * loaded[0].size();
+  return row.bytes() + waves.bytes() + half.bytes() + column.bytes() + sum.bytes() + 3 * loaded[0].size();
 }
 
 std::size_t Convolution::bytes() const {
@@ -143,8 +136,8 @@ void Convolution::transform_rows(int c, const double* lambda, Workspace& w) cons
   }
 }
 
-void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3],
-                                   const bool (&target)[3], Workspace& w) const {
+void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3],
+                                   Workspace& w) const {
   const std::int64_t ny = lattice_.ny, count = std::min(block, columns_ - first);
   for (int c = 0; c < 3; ++c) {
     if (!source[c]) continue;
@@ -177,8 +170,7 @@ void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3],
 }
 
 /// Spectrum of image r at kx; false: it is zero. fields: of component c at c * block columns.
-bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields,
-                           Complex* sum) const {
+bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields, Complex* sum) const {
   SpectrumProduct job, mirror;
   for (int c = 0; c < 3; ++c) {
     const EntryKinds::Use& use = kinds_.use[r][c];
@@ -206,8 +198,7 @@ bool Convolution::multiply(int r, std::int64_t kx, const bool (&source)[3], cons
   return true;
 }
 
-void Convolution::run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w,
-                      bool add) const {
+void Convolution::run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w, bool add) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   bool source[3], target[3];
   for (int c = 0; c < 3; ++c) {
@@ -215,8 +206,7 @@ void Convolution::run(const double* const (&lambda)[3], double* const (&image)[3
     target[c] = image[c] != nullptr;
     if (source[c]) transform_rows(c, lambda[c], w);
   }
-  for (std::int64_t first = 0; first < columns_; first += block)
-    convolve_columns(first, source, target, w);
+  for (std::int64_t first = 0; first < columns_; first += block) convolve_columns(first, source, target, w);
   double* row = w.row.data();
   for (int r = 0; r < 3; ++r) {
     if (!target[r]) continue;

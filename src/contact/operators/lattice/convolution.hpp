@@ -1,6 +1,6 @@
 #pragma once
-/// Convolution of nodal fields on a lattice with the operators' entries, by FFT. Sources are the
-/// nodes with one shape of hat, targets all nodes.
+/// Convolution of nodal fields on a lattice with the operators' entries, by FFT. Sources are the nodes with one shape
+/// of hat, targets all nodes.
 
 #include <complex>
 #include <cstdint>
@@ -28,17 +28,16 @@ class Convolution {
 
    private:
     friend class Convolution;
-    AlignedArray<double> row;                  ///< one padded row
-    AlignedArray<std::complex<double>> waves;  ///< and its transform
-    AlignedArray<std::complex<double>>
-        half;  ///< [component][block of kx][iy][kx]: rows transformed
+    AlignedArray<double> row;                   ///< one padded row
+    AlignedArray<std::complex<double>> waves;   ///< and its transform
+    AlignedArray<std::complex<double>> half;    ///< [component][block of kx][iy][kx]: rows transformed
     AlignedArray<std::complex<double>> column;  ///< [component][kx of a block][ky]
     AlignedArray<std::complex<double>> sum;     ///< [kx of a block][ky]
     std::vector<std::uint8_t> loaded[3];        ///< rows with any source
   };
 
-  /// image[r], at all nodes that have a place, = sum over c of the entries times lambda[c] at the
-  /// sources; both in the frame's numbering. Null lambda: zero. Null image: not wanted.
+  /// image[r], at all nodes that have a place, = sum over c of the entries times lambda[c] at the sources; both in the
+  /// frame's numbering. Null lambda: zero. Null image: not wanted.
   void apply(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w) const {
     run(lambda, image, w, false);
   }
@@ -54,23 +53,20 @@ class Convolution {
   static constexpr std::int64_t block = 8;  ///< columns transformed together
   /// Where block k of component c begins in Workspace::half.
   std::int64_t tile(int c, std::int64_t k) const { return (c * blocks_ + k) * lattice_.ny * block; }
-  void run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w,
-           bool add) const;
+  void run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w, bool add) const;
   void fill_rows(const LatticeEntries& entries);
   void transform_spectra();
   void transform_rows(int c, const double* lambda, Workspace& w) const;
-  void convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3],
-                        Workspace& w) const;
-  bool multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields,
-                Complex* sum) const;
+  void convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3], Workspace& w) const;
+  bool multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields, Complex* sum) const;
 
   const Lattice& lattice_;
   std::int64_t reach_x_, reach_y_;    ///< largest offsets between a source and a node
   std::vector<std::int32_t> source_;  ///< of each place: the frame's node that is one; -1: none
   std::int64_t px_, py_;              ///< padded lengths
   std::int64_t columns_;              ///< px / 2 + 1
-  bool mirrored_;      ///< spectra at -ky are those at ky up to the sign: half of them is kept
-  std::int64_t kept_;  ///< values of ky kept
+  bool mirrored_;                     ///< spectra at -ky are those at ky up to the sign: half of them is kept
+  std::int64_t kept_;                 ///< values of ky kept
   std::int64_t blocks_, column_stride_, kept_stride_;
   RealFft<double> along_;
   ComplexFft<double> across_;

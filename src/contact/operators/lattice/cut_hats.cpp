@@ -4,8 +4,7 @@
 
 namespace rollcon {
 
-CutHats::CutHats(const Lattice& lattice, HalfspaceConstants c, double delta)
-    : lattice_(lattice), c_(c), delta_(delta) {
+CutHats::CutHats(const Lattice& lattice, HalfspaceConstants c, double delta) : lattice_(lattice), c_(c), delta_(delta) {
   for (HatPiece& piece : hat_pieces(lattice))
     if (!piece.whole()) part_.push_back({std::move(piece), nullptr});
 }
@@ -35,8 +34,7 @@ std::size_t CutHats::bytes() const {
   const std::lock_guard guard(making_);
   std::size_t sum = sizeof *this;
   for (const Part& part : part_)
-    sum += part.piece.places.size() * sizeof(std::int32_t) +
-           (part.columns ? part.columns->bytes() : 0);
+    sum += part.piece.places.size() * sizeof(std::int32_t) + (part.columns ? part.columns->bytes() : 0);
   return sum;
 }
 

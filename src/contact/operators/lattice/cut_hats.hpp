@@ -1,6 +1,6 @@
 #pragma once
-/// Columns of nodes whose hats are cut, on a lattice's rim and beside its holes: a convolution for
-/// each shape of hat, made when the first such node carries traction. Few scenes ever ask for one.
+/// Columns of nodes whose hats are cut, on a lattice's rim and beside its holes: a convolution for each shape of hat,
+/// made when the first such node carries traction. Few scenes ever ask for one.
 
 #include <memory>
 #include <mutex>

@@ -11,17 +11,11 @@ std::vector<HatPiece> hat_pieces(const Lattice& lattice) {
     Hat x, y;
     int cells;
   };
-  constexpr int ll = Lattice::low_low, hl = Lattice::high_low, lh = Lattice::low_high,
-                hh = Lattice::high_high;
-  constexpr Kind kinds[] = {{Hat::whole, Hat::whole, Lattice::all},
-                            {Hat::whole, Hat::before, ll | hl},
-                            {Hat::whole, Hat::after, lh | hh},
-                            {Hat::before, Hat::whole, ll | lh},
-                            {Hat::after, Hat::whole, hl | hh},
-                            {Hat::before, Hat::before, ll},
-                            {Hat::after, Hat::before, hl},
-                            {Hat::before, Hat::after, lh},
-                            {Hat::after, Hat::after, hh}};
+  constexpr int ll = Lattice::low_low, hl = Lattice::high_low, lh = Lattice::low_high, hh = Lattice::high_high;
+  constexpr Kind kinds[] = {
+      {Hat::whole, Hat::whole, Lattice::all}, {Hat::whole, Hat::before, ll | hl}, {Hat::whole, Hat::after, lh | hh},
+      {Hat::before, Hat::whole, ll | lh},     {Hat::after, Hat::whole, hl | hh},  {Hat::before, Hat::before, ll},
+      {Hat::after, Hat::before, hl},          {Hat::before, Hat::after, lh},      {Hat::after, Hat::after, hh}};
   std::vector<HatPiece> all;
   for (const Kind& kind : kinds) all.push_back({kind.x, kind.y, {}});
   for (std::size_t at = 0; at < lattice.cells.size(); ++at) {

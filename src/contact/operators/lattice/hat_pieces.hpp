@@ -1,6 +1,6 @@
 #pragma once
-/// Hats of a lattice's nodes by their shape: whole where all four cells around a node are there,
-/// else a sum of halves and quarters.
+/// Hats of a lattice's nodes by their shape: whole where all four cells around a node are there, else a sum of halves
+/// and quarters.
 
 #include <cstdint>
 #include <vector>

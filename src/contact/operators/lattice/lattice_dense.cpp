@@ -19,19 +19,17 @@ class Part {
       low_x = std::min(low_x, place % lattice.nx);
       high_x = std::max(high_x, place % lattice.nx);
     }
-    const std::int64_t low_y = sources.places.front() / lattice.nx,
-                       high_y = sources.places.back() / lattice.nx;
+    const std::int64_t low_y = sources.places.front() / lattice.nx, high_y = sources.places.back() / lattice.nx;
     const std::int64_t first_i = -high_x, first_j = -high_y;
     const std::int64_t height = lattice.ny - low_y + high_y;
     width_ = lattice.nx - low_x + high_x;
     middle_ = -first_j * width_ - first_i;
     for (const std::int32_t place : sources.places)
-      source_.push_back({lattice.node[static_cast<std::size_t>(place)],
-                         place / lattice.nx * width_ + place % lattice.nx});
+      source_.push_back(
+          {lattice.node[static_cast<std::size_t>(place)], place / lattice.nx * width_ + place % lattice.nx});
     const LatticeEntries entries(lattice, c, delta, sources.x, sources.y);
     kinds_ = entries.kinds();
-    value_.assign(kinds_.kind.size(),
-                  std::vector<double>(static_cast<std::size_t>(width_ * height)));
+    value_.assign(kinds_.kind.size(), std::vector<double>(static_cast<std::size_t>(width_ * height)));
     LatticeEntries::Workspace w;
     for (std::int64_t line = 0; line < height; ++line) {
       double* entry[3][3] = {};
@@ -41,13 +39,11 @@ class Part {
     }
   }
 
-  /// Adds the entries (r, c) of these sources to the row of node (tx, ty); row in the frame's
-  /// numbering.
+  /// Adds the entries (r, c) of these sources to the row of node (tx, ty); row in the frame's numbering.
   void add(std::int64_t tx, std::int64_t ty, int r, int c, double* row) const {
     const EntryKinds::Use& use = kinds_.use[r][c];
     if (use.kind < 0) return;
-    const double* value =
-        value_[static_cast<std::size_t>(use.kind)].data() + middle_ + ty * width_ + tx;
+    const double* value = value_[static_cast<std::size_t>(use.kind)].data() + middle_ + ty * width_ + tx;
     for (const Source& s : source_) row[s.node] += use.sign * value[-s.offset];
   }
 
@@ -64,24 +60,21 @@ class Part {
 
 }  // namespace
 
-void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool want_tangential,
-                            ContactOperators& op) {
+void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool want_tangential, ContactOperators& op) {
   const std::int64_t n = lattice.frame_nodes();
   op.nodes = n;
   op.coupled = c.ck != 0;
   bool wanted[3][3];
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)
-      wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled)
-                            : want_tangential && (k < 2 || op.coupled);
+      wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled) : want_tangential && (k < 2 || op.coupled);
   require_operator_memory(op, wanted, n);
   const double delta = op.convection.ahead.empty() ? 0 : op.convection.ahead[0];
   std::vector<Part> parts;
   for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, c, delta, piece);
   std::vector<std::int64_t> place(static_cast<std::size_t>(n), -1);
   for (std::size_t at = 0; at < lattice.node.size(); ++at)
-    if (lattice.node[at] >= 0)
-      place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
+    if (lattice.node[at] >= 0) place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
   const auto write = [&](std::int64_t node, int r, int k, double* row) {
     std::fill_n(row, n, 0.0);
     const std::int64_t at = place[static_cast<std::size_t>(node)];

@@ -17,8 +17,8 @@ halfspace::OffsetReach reach_of(const Lattice& lattice, std::int64_t margin) {
 
 }  // namespace
 
-LatticeEntries::LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x,
-                               Hat y, std::int64_t margin)
+LatticeEntries::LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x, Hat y,
+                               std::int64_t margin)
     : c_(c),
       e_(lattice.ex),
       s_(lattice.ey),
@@ -51,8 +51,8 @@ EntryKinds LatticeEntries::kinds() const {
   return k;
 }
 
-void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count,
-                         double* const (&entry)[3][3], Workspace& w) const {
+void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&entry)[3][3],
+                         Workspace& w) const {
   check_interrupt();
   const auto n = static_cast<std::size_t>(count);
   double *here[integral_count], *slip[integral_count];
@@ -85,15 +85,9 @@ void LatticeEntries::row(std::int64_t j, std::int64_t first, std::int64_t count,
   const double cn = c_.cn, cv = c_.cv, ck = c_.ck;
   const double *i0 = slip[0], *xx = slip[1], *xy = slip[2], *jx = slip[3], *jy = slip[4];
   if (cv != 0) {
-    fill(0, 0, [=](std::size_t m) {
-      return cn * i0[m] + cv * (ee * xx[m] - 2 * es * xy[m] + ss * (i0[m] - xx[m]));
-    });
-    fill(1, 1, [=](std::size_t m) {
-      return cn * i0[m] + cv * (ss * xx[m] + 2 * es * xy[m] + ee * (i0[m] - xx[m]));
-    });
-    const auto mixed = [=](std::size_t m) {
-      return cv * (es * (2 * xx[m] - i0[m]) + (ee - ss) * xy[m]);
-    };
+    fill(0, 0, [=](std::size_t m) { return cn * i0[m] + cv * (ee * xx[m] - 2 * es * xy[m] + ss * (i0[m] - xx[m])); });
+    fill(1, 1, [=](std::size_t m) { return cn * i0[m] + cv * (ss * xx[m] + 2 * es * xy[m] + ee * (i0[m] - xx[m])); });
+    const auto mixed = [=](std::size_t m) { return cv * (es * (2 * xx[m] - i0[m]) + (ee - ss) * xy[m]); };
     fill(0, 1, mixed);
     fill(1, 0, mixed);
   } else {

@@ -1,6 +1,5 @@
 #pragma once
-/// Entries of a contact's operators on a lattice: between two nodes they depend on the offset
-/// alone.
+/// Entries of a contact's operators on a lattice: between two nodes they depend on the offset alone.
 
 #include <cstdint>
 #include <vector>
@@ -28,20 +27,18 @@ struct EntryKinds {
 
 class LatticeEntries {
  public:
-  /// delta: distance to the upstream point of the characteristic scheme; then rows 0 and 1 are its
-  /// slip (w(x) - w(x + delta t1)) / delta. Zero: they are the tangential displacements w. x, y:
-  /// hats of the sources, along the lattice's axes. Offsets reach across the lattice and this
-  /// margin.
-  LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x = Hat::whole,
-                 Hat y = Hat::whole, std::int64_t margin = 0);
+  /// delta: distance to the upstream point of the characteristic scheme; then rows 0 and 1 are its slip (w(x) - w(x +
+  /// delta t1)) / delta. Zero: they are the tangential displacements w. x, y: hats of the sources, along the lattice's
+  /// axes. Offsets reach across the lattice and this margin.
+  LatticeEntries(const Lattice& lattice, HalfspaceConstants c, double delta, Hat x = Hat::whole, Hat y = Hat::whole,
+                 std::int64_t margin = 0);
 
   struct Workspace {
     std::vector<double> here[halfspace::integral_count], ahead[halfspace::integral_count];
   };
   /// entry[r][c][m], m < count, null: not wanted: of a source at the origin on the node
   /// (first + m, j) away, as ComplianceBlock and ContactOperators have them.
-  void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&entry)[3][3],
-           Workspace& w) const;
+  void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&entry)[3][3], Workspace& w) const;
 
   /// False where the entry is zero at every offset.
   bool present(int r, int c) const {

@@ -48,8 +48,7 @@ struct LatticeOperator::Workspace {
 
 namespace {
 
-/// A node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes
-/// this far off.
+/// A node's slip as a sum of displacements (or of the characteristic scheme's own slip) at nodes this far off.
 struct Term {
   std::int64_t i, j;
   double factor;
@@ -71,8 +70,7 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
   const std::int64_t nx = lattice.nx, middle = inner_place(lattice);
   std::vector<std::int64_t> place(static_cast<std::size_t>(lattice.frame_nodes()), -1);
   for (std::size_t at = 0; at < lattice.node.size(); ++at)
-    if (lattice.node[at] >= 0)
-      place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
+    if (lattice.node[at] >= 0) place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
   const auto row = static_cast<std::size_t>(lattice.node[static_cast<std::size_t>(middle)]);
   std::vector<Term> terms;
   for (auto k = static_cast<std::size_t>(convection.start[row]);
@@ -87,14 +85,12 @@ std::vector<Term> interior_stencil(const Lattice& lattice, const SparseRows& con
 
 /// Own entries and norms of the row of a node in the middle.
 void LatticeOperator::Shared::measure() {
-  const std::vector<Term> terms =
-      delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
+  const std::vector<Term> terms = delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
   const LatticeEntries entries(lattice, c, delta, Hat::whole, Hat::whole, margin);
   // Entries at the offsets of all nodes from the middle one, and the margin around them.
-  const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1),
-                     low_y = lattice.ny / 2 - (lattice.ny - 1);
+  const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1), low_y = lattice.ny / 2 - (lattice.ny - 1);
   const std::int64_t width = lattice.nx + 2 * margin, height = lattice.ny + 2 * margin;
   std::vector<double> ring[3][3];
   double sum[2] = {};
@@ -115,8 +111,7 @@ void LatticeOperator::Shared::measure() {
           double value = 0;
           for (const Term& t : terms) {
             const std::int64_t at = (line - margin + t.j) % lines;
-            value += t.factor *
-                     ring[r][k][static_cast<std::size_t>(at * width + i + t.i - low_x + margin)];
+            value += t.factor * ring[r][k][static_cast<std::size_t>(at * width + i + t.i - low_x + margin)];
           }
           if (k < 2) sum[r] += value * value;
           if (i == 0 && j == 0) entry[r][k] = value;
@@ -128,11 +123,10 @@ void LatticeOperator::Shared::measure() {
   entries.row(0, 0, 1, normal_row, w);
 }
 
-LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta,
-                                 SparseRows convection) {
+LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection) {
   if (!lattice.has_inner_node())
-    fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node",
-         static_cast<long long>(lattice.nx), static_cast<long long>(lattice.ny));
+    fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node", static_cast<long long>(lattice.nx),
+         static_cast<long long>(lattice.ny));
   shared_ = std::make_unique<Shared>(std::move(lattice), c, delta, std::move(convection));
   idle_.push_back(std::make_unique<Workspace>(*shared_));
 }
@@ -174,8 +168,7 @@ void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&im
     const double* displacement = work->displacement[r].data();
     for (std::size_t k = 0; k + 1 < rows.start.size(); ++k) {
       double sum = 0;
-      for (auto m = static_cast<std::size_t>(rows.start[k]);
-           m < static_cast<std::size_t>(rows.start[k + 1]); ++m)
+      for (auto m = static_cast<std::size_t>(rows.start[k]); m < static_cast<std::size_t>(rows.start[k + 1]); ++m)
         sum += rows.value[m] * displacement[rows.column[m]];
       image[r][k] = sum;
     }

@@ -1,6 +1,6 @@
 #pragma once
-/// A contact's operators on a lattice above half-spaces: applied in n log n time and O(n) memory by
-/// convolution, exact to rounding. docs/theory.md, section 3.
+/// A contact's operators on a lattice above half-spaces: applied in n log n time and O(n) memory by convolution, exact
+/// to rounding. docs/theory.md, section 3.
 
 #include <atomic>
 #include <memory>
@@ -16,9 +16,9 @@ namespace rollcon {
 
 class LatticeOperator final : public FieldOperator {
  public:
-  /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes).
-  /// delta = 0: `convection` holds the rows of an upwind scheme. The lattice needs an inner
-  /// node. Throws Error(err_unsupported) in a build without FFTW.
+  /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes). delta = 0: `convection`
+  /// holds the rows of an upwind scheme. The lattice needs an inner node. Throws Error(err_unsupported) in a build
+  /// without FFTW.
   LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection);
   ~LatticeOperator() override;
 

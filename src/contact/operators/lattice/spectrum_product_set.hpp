@@ -1,5 +1,5 @@
-// The products, written once and compiled for each instruction set by the spectrum_product_*.cpp
-// files. Internal linkage throughout; only tables of functions leave the file.
+// The products, written once and compiled for each instruction set by the spectrum_product_*.cpp files. Internal
+// linkage throughout; only tables of functions leave the file.
 #pragma once
 
 #include <cstring>
@@ -27,8 +27,7 @@ Vector load(const double* p) {
   return v;
 }
 
-/// Part 0 (real) or 1 (imaginary) of each number at both its places; reversed: numbers from the
-/// last to the first.
+/// Part 0 (real) or 1 (imaginary) of each number at both its places; reversed: numbers from the last to the first.
 template <int part, bool reversed, class V, int... i>
 V spread(V v, std::integer_sequence<int, i...>) {
   constexpr int last = static_cast<int>(sizeof...(i)) - 2;

@@ -12,8 +12,7 @@ void unpack(const std::vector<double>& packed, std::size_t first, std::size_t co
     for (std::size_t j = 0; j < columns; ++j)
       for (std::size_t c = 0; c < 3; ++c)
         for (std::size_t i = 0; i < 3; ++i)
-          rows.value[(3 * (first + p) + i) * 3 * columns + 3 * j + c] =
-              packed[((3 * j + c) * 3 + i) * bem::lanes + p];
+          rows.value[(3 * (first + p) + i) * 3 * columns + 3 * j + c] = packed[((3 * j + c) * 3 + i) * bem::lanes + p];
 }
 
 }  // namespace
@@ -32,8 +31,7 @@ std::vector<bem::CollocationPoint> all_nodes(const SurfaceMesh& mesh) {
 }
 
 System assemble(const bem::BoundaryIntegrals& integrals, const SurfaceMesh& mesh,
-                std::span<const bem::CollocationPoint> points, bool double_layer,
-                bool single_layer) {
+                std::span<const bem::CollocationPoint> points, bool double_layer, bool single_layer) {
   const auto columns = mesh.node.size(), size = 9 * columns * points.size();
   System system;
   system.h.columns = system.g.columns = mesh.nodes();
@@ -42,8 +40,8 @@ System assemble(const bem::BoundaryIntegrals& integrals, const SurfaceMesh& mesh
   std::vector<double> h(9 * bem::lanes * columns), g(h.size());
   for (std::size_t first = 0; first < points.size(); first += bem::lanes) {
     const std::size_t count = std::min<std::size_t>(bem::lanes, points.size() - first);
-    integrals.rows(points.subspan(first, count), double_layer ? h.data() : nullptr,
-                   mesh.connectivity.data(), mesh.nodes(), single_layer ? g.data() : nullptr);
+    integrals.rows(points.subspan(first, count), double_layer ? h.data() : nullptr, mesh.connectivity.data(),
+                   mesh.nodes(), single_layer ? g.data() : nullptr);
     if (double_layer) unpack(h, first, count, system.h);
     if (single_layer) unpack(g, first, count, system.g);
   }

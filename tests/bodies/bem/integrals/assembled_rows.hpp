@@ -12,8 +12,8 @@ struct Rows {
   std::int64_t columns = 0;
   std::vector<double> value;  ///< [(3 * point + i) * 3 * columns + 3 * column + c]
   double operator()(std::size_t point, int i, std::size_t column, int c) const {
-    return value[(3 * point + static_cast<std::size_t>(i)) * 3 * static_cast<std::size_t>(columns) +
-                 3 * column + static_cast<std::size_t>(c)];
+    return value[(3 * point + static_cast<std::size_t>(i)) * 3 * static_cast<std::size_t>(columns) + 3 * column +
+                 static_cast<std::size_t>(c)];
   }
   double largest() const;
 };
@@ -25,8 +25,7 @@ struct System {
   Rows h, g;
 };
 System assemble(const bem::BoundaryIntegrals& integrals, const SurfaceMesh& mesh,
-                std::span<const bem::CollocationPoint> points, bool double_layer,
-                bool single_layer);
+                std::span<const bem::CollocationPoint> points, bool double_layer, bool single_layer);
 /// Largest difference of two.
 double difference(const Rows& a, const Rows& b);
 

@@ -1,5 +1,4 @@
-// Rows as a whole: instruction sets, units, incompressible bodies, points of a layer, unwanted
-// columns, tolerance.
+// Rows as a whole: instruction sets, units, incompressible bodies, points of a layer, unwanted columns, tolerance.
 
 #include <gtest/gtest.h>
 
@@ -49,8 +48,8 @@ TEST_P(BoundaryRows, instruction_sets_agree) {
 }
 
 TEST_P(BoundaryRows, every_entry_keeps_the_tolerance) {
-  const SurfaceMesh mesh = surfaces::distort(
-      surfaces::block(surfaces::brick({4, 2, 2}, {6, 2, 0.4}), GetParam()), 0.2, 3);
+  const SurfaceMesh mesh =
+      surfaces::distort(surfaces::block(surfaces::brick({4, 2, 2}, {6, 2, 0.4}), GetParam()), 0.2, 3);
   const System exact = whole_system(mesh, 0.3, 1e-11);
   for (const double tolerance : {1e-3, 1e-6}) {
     const System rows = whole_system(mesh, 0.3, tolerance);
@@ -66,12 +65,11 @@ TEST_P(BoundaryRows, every_entry_keeps_the_tolerance) {
 TEST_P(BoundaryRows, units) {
   const SurfaceMesh mesh = surfaces::cube_sphere(GetParam(), 2, 1);
   const System one = whole_system(mesh, 0.3, 1e-6);
-  // A power of two changes nothing but exponents; otherwise a choice of rules that hangs by a hair
-  // may turn out differently, with an effect well below the tolerance.
+  // A power of two changes nothing but exponents; otherwise a choice of rules that hangs by a hair may turn out
+  // differently, with an effect well below the tolerance.
   const struct {
     double unit, bound;
-  } cases[] = {{0x1p-200, 1e-15}, {0x1p+200, 1e-15}, {1e-60, 1e-9},
-               {1e-6, 1e-9},      {1e6, 1e-9},       {1e60, 1e-9}};
+  } cases[] = {{0x1p-200, 1e-15}, {0x1p+200, 1e-15}, {1e-60, 1e-9}, {1e-6, 1e-9}, {1e6, 1e-9}, {1e60, 1e-9}};
   for (const auto& [unit, bound] : cases) {
     const System other = whole_system(scaled(mesh, unit), 0.3, 1e-6);
     double g = 0;
@@ -133,15 +131,13 @@ TEST(BoundaryRows, single_layer_off_the_nodes) {
       for (std::size_t j = 0; j < mesh.node.size(); ++j)
         for (std::size_t i = 0; i < 9; ++i) {
           largest = std::max(largest, std::abs(exact[9 * j + i]));
-          const double d = std::abs(g(p, static_cast<int>(i % 3), j, static_cast<int>(i / 3)) -
-                                    exact[9 * j + i]);
+          const double d = std::abs(g(p, static_cast<int>(i % 3), j, static_cast<int>(i / 3)) - exact[9 * j + i]);
           error = d <= error ? error : d;
         }
       worst = error / largest <= worst ? worst : error / largest;
     }
   }
-  std::printf("points of a layer: error of g %.1e of the row's largest (bound %.0e)\n", worst,
-              tolerance);
+  std::printf("points of a layer: error of g %.1e of the row's largest (bound %.0e)\n", worst, tolerance);
   EXPECT_LE(worst, tolerance);
 }
 
@@ -162,8 +158,7 @@ TEST(BoundaryRows, unwanted_columns_and_lanes) {
   std::vector<std::int32_t> every(column.size());
   for (std::size_t k = 0; k < every.size(); ++k) every[k] = static_cast<std::int32_t>(k);
   std::vector<double> all(block * every.size());
-  integrals.rows({points.data() + 5, 3}, nullptr, every.data(),
-                 static_cast<std::int64_t>(every.size()), all.data());
+  integrals.rows({points.data() + 5, 3}, nullptr, every.data(), static_cast<std::int64_t>(every.size()), all.data());
   double worst = 0, largest = 0;
   for (std::size_t k = 0; k < column.size(); ++k)
     for (std::size_t i = 0; i < block && column[k] >= 0; ++i) {

@@ -48,8 +48,7 @@ class Sum {
     const double jacobian = length(s.normal);
     const auto f = kelvin(s.x - x_, (1 / jacobian) * s.normal, nu_);
     for (std::size_t k = 0; k < mesh_.node.size(); ++k) {
-      const double n = s.shape.value[k] * weight * jacobian,
-                   m = (s.shape.value[k] - less_[k]) * weight * jacobian;
+      const double n = s.shape.value[k] * weight * jacobian, m = (s.shape.value[k] - less_[k]) * weight * jacobian;
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t c = 0; c < 3; ++c) {
           result.t[3 * c + i][k] += m * f[3 * i + c];
@@ -103,16 +102,14 @@ void integrate_part(const SurfaceMesh& mesh, const Part& part, const Vec3& x, Su
       }
     return;
   }
-  const Reference a{part.a.xi / 2, part.a.eta / 2}, b{part.b.xi / 2, part.b.eta / 2},
-      c = part.corner;
+  const Reference a{part.a.xi / 2, part.a.eta / 2}, b{part.b.xi / 2, part.b.eta / 2}, c = part.corner;
   auto child = [&](Reference corner, Reference u, Reference v, bool triangle) {
     integrate_part(mesh, {corner, u, v, triangle}, x, sum, depth + 1);
   };
   const Reference ca{c.xi + a.xi, c.eta + a.eta}, cb{c.xi + b.xi, c.eta + b.eta};
   if (part.triangle) {
     // Across the longest side.
-    const Reference v[3] = {
-        c, {c.xi + part.a.xi, c.eta + part.a.eta}, {c.xi + part.b.xi, c.eta + part.b.eta}};
+    const Reference v[3] = {c, {c.xi + part.a.xi, c.eta + part.a.eta}, {c.xi + part.b.xi, c.eta + part.b.eta}};
     auto place = [&](int k) { return evaluate(mesh, v[k].xi, v[k].eta).x; };
     int longest = 0;
     double most = 0;
@@ -127,8 +124,7 @@ void integrate_part(const SurfaceMesh& mesh, const Part& part, const Vec3& x, Su
     child(r, {m.xi - r.xi, m.eta - r.eta}, {q.xi - r.xi, q.eta - r.eta}, true);
     return;
   }
-  const double first = length(where(1, 0.5) - where(0, 0.5)),
-               second = length(where(0.5, 1) - where(0.5, 0));
+  const double first = length(where(1, 0.5) - where(0, 0.5)), second = length(where(0.5, 1) - where(0.5, 0));
   if (first > 1.5 * second) {
     child(c, a, part.b, false);
     child(ca, a, part.b, false);
@@ -144,20 +140,15 @@ void integrate_part(const SurfaceMesh& mesh, const Part& part, const Vec3& x, Su
 }
 
 /// Triangle from the point to begin..end: cut across until the edge is short against its distance.
-void integrate_fan(const SurfaceMesh& mesh, Reference apex, Reference begin, Reference end,
-                   Sum& sum, int depth) {
-  const double area =
-      (begin.xi - apex.xi) * (end.eta - apex.eta) - (begin.eta - apex.eta) * (end.xi - apex.xi);
+void integrate_fan(const SurfaceMesh& mesh, Reference apex, Reference begin, Reference end, Sum& sum, int depth) {
+  const double area = (begin.xi - apex.xi) * (end.eta - apex.eta) - (begin.eta - apex.eta) * (end.xi - apex.xi);
   if (!(area > 1e-20)) return;
   const Vec3 x = evaluate(mesh, apex.xi, apex.eta).x;
   const Reference middle{(begin.xi + end.xi) / 2, (begin.eta + end.eta) / 2};
   // In the tangent map: the edge's middle may bend towards the point.
   auto near = [&](Reference p) {
     constexpr double h = 1e-4;
-    return length(
-               evaluate(mesh, apex.xi + h * (p.xi - apex.xi), apex.eta + h * (p.eta - apex.eta)).x -
-               x) /
-           h;
+    return length(evaluate(mesh, apex.xi + h * (p.xi - apex.xi), apex.eta + h * (p.eta - apex.eta)).x - x) / h;
   };
   const double edge = near({apex.xi + end.xi - begin.xi, apex.eta + end.eta - begin.eta});
   if (edge > 0.7 * near(middle) && depth < 45) {
@@ -171,20 +162,18 @@ void integrate_fan(const SurfaceMesh& mesh, Reference apex, Reference begin, Ref
     for (std::size_t i = 0; i < g.x.size(); ++i)
       for (std::size_t j = 0; j < g.x.size(); ++j) {
         const double s = (piece + 0.5 * (1 + g.x[i])) / pieces, t = 0.5 * (1 + g.x[j]);
-        const Reference p{begin.xi + t * (end.xi - begin.xi),
-                          begin.eta + t * (end.eta - begin.eta)};
+        const Reference p{begin.xi + t * (end.xi - begin.xi), begin.eta + t * (end.eta - begin.eta)};
         sum.add(apex.xi + s * (p.xi - apex.xi), apex.eta + s * (p.eta - apex.eta),
                 0.25 / pieces * g.w[i] * g.w[j] * area * s);
       }
 }
 
-Integrals library(const SurfaceMesh& mesh, const Vec3& point, const bem::OnElement& on,
-                  double poisson, double tolerance_t, double tolerance_u) {
+Integrals library(const SurfaceMesh& mesh, const Vec3& point, const bem::OnElement& on, double poisson,
+                  double tolerance_t, double tolerance_u) {
   const bem::ElementGeometry element = bem::element_geometry(mesh, 0, 1);
   bem::NearWorkspace workspace;
   bem::NearIntegrals found;
-  bem::near_integrals(element, point, on, {tolerance_t, tolerance_u}, bem::both_layers,
-                      bem::KelvinConstants(poisson),
+  bem::near_integrals(element, point, on, {tolerance_t, tolerance_u}, bem::both_layers, bem::KelvinConstants(poisson),
                       bem::kelvin_kernels(rollcon::instruction_set()), workspace, found);
   static constexpr int entry[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
   Integrals result;
@@ -207,8 +196,7 @@ std::array<double, 18> kelvin(const Vec3& r, const Vec3& n, double nu) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) {
       const double same = i == j ? 1 : 0;
-      f[3 * i + j] = -(dn * ((1 - 2 * nu) * same + 3 * e[i] * e[j]) -
-                       (1 - 2 * nu) * (e[i] * n[j] - e[j] * n[i])) /
+      f[3 * i + j] = -(dn * ((1 - 2 * nu) * same + 3 * e[i] * e[j]) - (1 - 2 * nu) * (e[i] * n[j] - e[j] * n[i])) /
                      (8 * pi * (1 - nu) * distance * distance);
       f[9 + 3 * i + j] = ((3 - 4 * nu) * same + e[i] * e[j]) / (16 * pi * (1 - nu) * distance);
     }
@@ -228,23 +216,22 @@ Integrals integrate_on(const SurfaceMesh& element, Reference at, double poisson)
   Sum sum(element, position(element, at), poisson);
   sum.subtract(at);
   const bool triangle = corner_count(element.type[0]) == 3;
-  const std::vector<Reference> corner =
-      triangle ? std::vector<Reference>{{0, 0}, {1, 0}, {0, 1}}
-               : std::vector<Reference>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const std::vector<Reference> corner = triangle ? std::vector<Reference>{{0, 0}, {1, 0}, {0, 1}}
+                                                 : std::vector<Reference>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   for (std::size_t i = 0; i < corner.size(); ++i)
     integrate_fan(element, at, corner[i], corner[(i + 1) % corner.size()], sum, 0);
   return sum.result;
 }
 
-Integrals from_library(const SurfaceMesh& element, const Vec3& point, double poisson,
-                       double tolerance_t, double tolerance_u) {
+Integrals from_library(const SurfaceMesh& element, const Vec3& point, double poisson, double tolerance_t,
+                       double tolerance_u) {
   return library(element, point, {}, poisson, tolerance_t, tolerance_u);
 }
 
-Integrals from_library_on(const SurfaceMesh& element, Reference at, double poisson,
-                          double tolerance_t, double tolerance_u) {
-  Integrals result = library(element, position(element, at), {true, {at.xi, at.eta}}, poisson,
-                             tolerance_t, tolerance_u);
+Integrals from_library_on(const SurfaceMesh& element, Reference at, double poisson, double tolerance_t,
+                          double tolerance_u) {
+  Integrals result =
+      library(element, position(element, at), {true, {at.xi, at.eta}}, poisson, tolerance_t, tolerance_u);
   Shape s;
   evaluate_shape(element.type[0], at.xi, at.eta, s);
   for (auto& row : result.t) {
@@ -255,13 +242,12 @@ Integrals from_library_on(const SurfaceMesh& element, Reference at, double poiss
   return result;
 }
 
-Integrals from_far_field(const SurfaceMesh& mesh, const Vec3& point, double poisson, int terms,
-                         double tolerance) {
+Integrals from_far_field(const SurfaceMesh& mesh, const Vec3& point, double poisson, int terms, double tolerance) {
   const bem::ElementGeometry element = bem::element_geometry(mesh, 0, 1);
   const bem::FarField field({element}, tolerance);
   Integrals result;
-  const bem::FarRule rule = field.rule(0, length(point - element.shape.centre), terms,
-                                       bem::FarField::PackFactors(tolerance));
+  const bem::FarRule rule =
+      field.rule(0, length(point - element.shape.centre), terms, bem::FarField::PackFactors(tolerance));
   if (rule.first == 0) return result;
   const bem::RuleTable& table = bem::rule_table(element.type, rule.first, rule.second);
   result.points = table.n;
@@ -295,8 +281,7 @@ double largest(const double (&a)[9][max_element_nodes]) {
   return worst;
 }
 
-double difference(const double (&a)[9][max_element_nodes],
-                  const double (&b)[9][max_element_nodes]) {
+double difference(const double (&a)[9][max_element_nodes], const double (&b)[9][max_element_nodes]) {
   double worst = 0;
   for (std::size_t i = 0; i < 9; ++i)
     for (std::size_t k = 0; k < max_element_nodes; ++k) {
@@ -306,8 +291,7 @@ double difference(const double (&a)[9][max_element_nodes],
   return worst;
 }
 
-SurfaceMesh one_element(ElementType type, double aspect, double distortion, double curvature,
-                        std::uint32_t seed) {
+SurfaceMesh one_element(ElementType type, double aspect, double distortion, double curvature, std::uint32_t seed) {
   frames::Random random(seed);
   SurfaceMesh mesh;
   mesh.type = {type};
@@ -322,8 +306,7 @@ SurfaceMesh one_element(ElementType type, double aspect, double distortion, doub
     y += distortion * spacing * random();
     const double z = curvature * ((1 - x * x) + 0.5 * x * y / aspect + 0.3 * (1 - y * y) / aspect);
     y /= aspect;
-    mesh.node.push_back(
-        {0.48 * x - 0.8 * y + 0.36 * z, 0.64 * x + 0.6 * y + 0.48 * z, -0.6 * x + 0.8 * z});
+    mesh.node.push_back({0.48 * x - 0.8 * y + 0.36 * z, 0.64 * x + 0.6 * y + 0.48 * z, -0.6 * x + 0.8 * z});
     mesh.connectivity.push_back(k++);
   }
   mesh.offset = {0, k};

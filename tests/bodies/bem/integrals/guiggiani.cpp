@@ -33,9 +33,8 @@ Point evaluate(const SurfaceMesh& mesh, double xi, double eta) {
 Integrals finite_part(const SurfaceMesh& mesh, Reference at, double poisson) {
   Integrals result;
   const bool triangle = corner_count(mesh.type[0]) == 3;
-  const std::vector<Reference> corner =
-      triangle ? std::vector<Reference>{{0, 0}, {1, 0}, {0, 1}}
-               : std::vector<Reference>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
+  const std::vector<Reference> corner = triangle ? std::vector<Reference>{{0, 0}, {1, 0}, {0, 1}}
+                                                 : std::vector<Reference>{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   const Point centre = evaluate(mesh, at.xi, at.eta);
   const Vec3 normal0 = cross(centre.u, centre.v);
   const LineRule angle = gauss_legendre(40), radius = gauss_legendre(24);
@@ -56,8 +55,8 @@ Integrals finite_part(const SurfaceMesh& mesh, Reference at, double poisson) {
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k)
           for (std::size_t n = 0; n < mesh.node.size(); ++n)
-            result.t[3 * k + i][n] += weight * leading[3 * i + k] / (stretch * stretch) *
-                                      centre.shape.value[n] * std::log(end * stretch);
+            result.t[3 * k + i][n] +=
+                weight * leading[3 * i + k] / (stretch * stretch) * centre.shape.value[n] * std::log(end * stretch);
       for (std::size_t r = 0; r < radius.x.size(); ++r) {
         const double rho = 0.5 * end * (1 + radius.x[r]), w = weight * 0.5 * end * radius.w[r];
         const Point p = evaluate(mesh, at.xi + rho * c, at.eta + rho * s);
@@ -65,9 +64,8 @@ Integrals finite_part(const SurfaceMesh& mesh, Reference at, double poisson) {
         for (std::size_t i = 0; i < 3; ++i)
           for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t n = 0; n < mesh.node.size(); ++n)
-              result.t[3 * k + i][n] +=
-                  w * (f[3 * i + k] * rho * p.shape.value[n] -
-                       leading[3 * i + k] / (stretch * stretch) * centre.shape.value[n] / rho);
+              result.t[3 * k + i][n] += w * (f[3 * i + k] * rho * p.shape.value[n] -
+                                             leading[3 * i + k] / (stretch * stretch) * centre.shape.value[n] / rho);
       }
     }
   }

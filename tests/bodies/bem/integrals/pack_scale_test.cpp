@@ -1,6 +1,5 @@
-// The accuracy of the single layer is measured by the largest integral of an element whose traction
-// is wanted, wherever a pack's points stand: middles of edges are as far from their elements'
-// middle as the scale's own length.
+// The accuracy of the single layer is measured by the largest integral of an element whose traction is wanted, wherever
+// a pack's points stand: middles of edges are as far from their elements' middle as the scale's own length.
 
 #include <gtest/gtest.h>
 
@@ -16,8 +15,7 @@ namespace rollcon {
 namespace {
 
 /// Single layer at the first of a pack's points.
-std::vector<double> single_layer(const SurfaceMesh& mesh, const std::vector<Vec3>& points,
-                                 double tolerance) {
+std::vector<double> single_layer(const SurfaceMesh& mesh, const std::vector<Vec3>& points, double tolerance) {
   const bem::BoundaryIntegrals integrals(mesh, 0.3, tolerance);
   std::vector<bem::CollocationPoint> pack;
   for (const Vec3& x : points) pack.push_back({x, -1, -1, 0, 0});
@@ -53,8 +51,8 @@ TEST_P(PackScale, serves_points_on_edges_and_within_and_off_the_elements) {
       error = off <= error ? error : off;  // a NaN stays
       largest = std::max(largest, std::abs(exact[k]));
     }
-    std::printf("%s, %s: error of the single layer %.1e (bound %.0e)\n",
-                surfaces::name_of(GetParam()).c_str(), where, error / largest, tolerance);
+    std::printf("%s, %s: error of the single layer %.1e (bound %.0e)\n", surfaces::name_of(GetParam()).c_str(), where,
+                error / largest, tolerance);
     EXPECT_LE(error, tolerance * largest) << where;
   }
 }

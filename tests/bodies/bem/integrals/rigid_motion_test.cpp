@@ -1,5 +1,4 @@
-// Rigid motions leave no traction: rows of h times a translation vanish to rounding, times a
-// rotation to the tolerance.
+// Rigid motions leave no traction: rows of h times a translation vanish to rounding, times a rotation to the tolerance.
 
 #include <gtest/gtest.h>
 
@@ -20,8 +19,7 @@ struct Residual {
   double translation = 0, rotation = 0;
 };
 
-Residual rigid_residual(const SurfaceMesh& mesh, std::span<const bem::CollocationPoint> points,
-                        double radius) {
+Residual rigid_residual(const SurfaceMesh& mesh, std::span<const bem::CollocationPoint> points, double radius) {
   const bem::BoundaryIntegrals integrals(mesh, 0.3, tolerance);
   const auto system = assembled_rows::assemble(integrals, mesh, points, true, false);
   Residual worst;
@@ -34,8 +32,7 @@ Residual rigid_residual(const SurfaceMesh& mesh, std::span<const bem::Collocatio
         for (std::size_t j = 0; j < mesh.node.size(); ++j) {
           const Vec3 u = cross(w, mesh.node[j]);
           translation += system.h(p, i, j, static_cast<int>(axis));
-          for (int c = 0; c < 3; ++c)
-            rotation += system.h(p, i, j, c) * u[static_cast<std::size_t>(c)];
+          for (int c = 0; c < 3; ++c) rotation += system.h(p, i, j, c) * u[static_cast<std::size_t>(c)];
         }
         worst.translation = std::max(worst.translation, std::abs(translation));
         worst.rotation = std::max(worst.rotation, std::abs(rotation));
@@ -44,8 +41,8 @@ Residual rigid_residual(const SurfaceMesh& mesh, std::span<const bem::Collocatio
 }
 
 void check(const char* what, ElementType type, const Residual& r) {
-  std::printf("%s %s: translation %.1e (bound 1e-13), rotation %.1e (bound %.0e)\n",
-              surfaces::name_of(type).c_str(), what, r.translation, r.rotation, tolerance);
+  std::printf("%s %s: translation %.1e (bound 1e-13), rotation %.1e (bound %.0e)\n", surfaces::name_of(type).c_str(),
+              what, r.translation, r.rotation, tolerance);
   EXPECT_LE(r.translation, 1e-13);
   EXPECT_LE(r.rotation, tolerance);
 }
@@ -80,20 +77,16 @@ TEST_P(RigidMotionRows, at_points_inside_elements_and_on_their_edges) {
   check("points of the sphere", GetParam(), rigid_residual(sphere, points, 1));
 }
 
-INSTANTIATE_TEST_SUITE_P(types, RigidMotionRows,
-                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+INSTANTIATE_TEST_SUITE_P(types, RigidMotionRows, ::testing::Values(ElementType::tri6, ElementType::quad4),
                          [](const auto& info) { return surfaces::name_of(info.param); });
 INSTANTIATE_TEST_SUITE_P(types_long, RigidMotionRows,
-                         ::testing::Values(ElementType::tri3, ElementType::quad8,
-                                           ElementType::quad9),
+                         ::testing::Values(ElementType::tri3, ElementType::quad8, ElementType::quad9),
                          [](const auto& info) { return surfaces::name_of(info.param); });
 
 TEST(RigidMotionRows, mixed_elements) {
   for (const bool quadratic : {false, true}) {
-    const SurfaceMesh mesh =
-        surfaces::mixed_block(surfaces::brick({3, 3, 3}, {1, 1, 1}), quadratic);
-    check(quadratic ? "and others, mixed" : "and triangles, mixed",
-          quadratic ? ElementType::quad8 : ElementType::quad4,
+    const SurfaceMesh mesh = surfaces::mixed_block(surfaces::brick({3, 3, 3}, {1, 1, 1}), quadratic);
+    check(quadratic ? "and others, mixed" : "and triangles, mixed", quadratic ? ElementType::quad8 : ElementType::quad4,
           rigid_residual(mesh, assembled_rows::all_nodes(mesh), 1));
   }
 }

@@ -1,7 +1,6 @@
-// The selector of rules: a sweep over the foot's place on and beside the element, the height above
-// it, aspect ratio, distortion and curvature; each integral against brute force. Errors of T are
-// relative to the free term of a smooth point, 1/2, the largest entry of a row; those of U to the
-// element's own largest integral.
+// The selector of rules: a sweep over the foot's place on and beside the element, the height above it, aspect ratio,
+// distortion and curvature; each integral against brute force. Errors of T are relative to the free term of a smooth
+// point, 1/2, the largest entry of a row; those of U to the element's own largest integral.
 
 #include <gtest/gtest.h>
 
@@ -84,9 +83,7 @@ TEST_P(KelvinRules, beside_and_above_the_element) {
         const auto reference = element_reference::integrate(element, x, 0.3);
         const double scale = element_reference::largest(reference.u);
         for (int k = 0; k < 3; ++k)
-          compare(k,
-                  element_reference::from_library(element, x, 0.3, free_term * tolerance[k],
-                                                  scale * tolerance[k]),
+          compare(k, element_reference::from_library(element, x, 0.3, free_term * tolerance[k], scale * tolerance[k]),
                   reference);
       }
   });
@@ -108,9 +105,7 @@ TEST_P(KelvinRules, on_the_element) {
       const auto reference = element_reference::integrate_on(element, at, 0.3);
       const double scale = element_reference::largest(reference.u);
       for (int k = 0; k < 3; ++k)
-        compare(k,
-                element_reference::from_library_on(element, at, 0.3, free_term * tolerance[k],
-                                                   scale * tolerance[k]),
+        compare(k, element_reference::from_library_on(element, at, 0.3, free_term * tolerance[k], scale * tolerance[k]),
                 reference);
     }
     points.resize(given);
@@ -121,17 +116,15 @@ TEST_P(KelvinRules, on_the_element) {
 /// A point that lies on the element without the library being told so: U only.
 TEST_P(KelvinRules, single_layer_at_an_unknown_place_on_the_element) {
   constexpr double not_wanted = 1e300;
-  const std::vector<Reference> points =
-      triangle() ? std::vector<Reference>{{0.3, 0.3}, {0.05, 0.4}, {0.5, 1e-9}}
-                 : std::vector<Reference>{{0.1, -0.2}, {0.97, 0.4}, {-1, 0.3}};
+  const std::vector<Reference> points = triangle() ? std::vector<Reference>{{0.3, 0.3}, {0.05, 0.4}, {0.5, 1e-9}}
+                                                   : std::vector<Reference>{{0.1, -0.2}, {0.97, 0.4}, {-1, 0.3}};
   for_all_shapes([&](const SurfaceMesh& element) {
     for (const Reference& at : points) {
       const auto reference = element_reference::integrate_on(element, at, 0.3);
       const double scale = element_reference::largest(reference.u);
       for (int k = 0; k < 3; ++k) {
-        auto found =
-            element_reference::from_library(element, element_reference::position(element, at), 0.3,
-                                            not_wanted, scale * tolerance[k]);
+        auto found = element_reference::from_library(element, element_reference::position(element, at), 0.3, not_wanted,
+                                                     scale * tolerance[k]);
         std::copy_n(&reference.t[0][0], 9 * max_element_nodes, &found.t[0][0]);
         compare(k, found, reference);
       }
@@ -151,15 +144,12 @@ TEST_P(KelvinRules, far_field) {
       for (int direction = 0; direction < 7; ++direction) {
         // The coordinate axes and others, in the element's plane and out of it.
         const double a = 0.9 * direction, b = 0.45 * direction;
-        const Vec3 x =
-            centre + d * Vec3{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
+        const Vec3 x = centre + d * Vec3{std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)};
         const auto reference = element_reference::integrate(element, x, 0.3);
         const double scale = element_reference::largest(reference.u);
         for (int k = 0; k < 3; ++k) {
-          auto found = element_reference::from_far_field(element, x, 0.3, bem::double_layer,
-                                                         free_term * tolerance[k]);
-          const auto u = element_reference::from_far_field(element, x, 0.3, bem::single_layer,
-                                                           scale * tolerance[k]);
+          auto found = element_reference::from_far_field(element, x, 0.3, bem::double_layer, free_term * tolerance[k]);
+          const auto u = element_reference::from_far_field(element, x, 0.3, bem::single_layer, scale * tolerance[k]);
           if (found.points == 0 || u.points == 0) {
             ++left_to_near_field;
             continue;
@@ -172,16 +162,13 @@ TEST_P(KelvinRules, far_field) {
   });
   check("far field");
   std::printf("%lld of %lld left to the near field\n", static_cast<long long>(left_to_near_field),
-              static_cast<long long>(left_to_near_field + result_[0].cases + result_[1].cases +
-                                     result_[2].cases));
+              static_cast<long long>(left_to_near_field + result_[0].cases + result_[1].cases + result_[2].cases));
 }
 
-INSTANTIATE_TEST_SUITE_P(types, KelvinRules,
-                         ::testing::Values(ElementType::tri6, ElementType::quad4),
+INSTANTIATE_TEST_SUITE_P(types, KelvinRules, ::testing::Values(ElementType::tri6, ElementType::quad4),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 INSTANTIATE_TEST_SUITE_P(types_long, KelvinRules,
-                         ::testing::Values(ElementType::tri3, ElementType::quad8,
-                                           ElementType::quad9),
+                         ::testing::Values(ElementType::tri3, ElementType::quad8, ElementType::quad9),
                          [](const auto& info) { return std::to_string(node_count(info.param)); });
 
 }  // namespace

@@ -1,6 +1,5 @@
-// The strongly singular block with its free term, from rigid-body motion in the library, against
-// Guiggiani's direct evaluation plus the known free term: 1/2 at smooth points, flat and curved;
-// at a cube's edges and corners
+// The strongly singular block with its free term, from rigid-body motion in the library, against Guiggiani's direct
+// evaluation plus the known free term: 1/2 at smooth points, flat and curved; at a cube's edges and corners
 //   c_ij = integral over the directions into the body of ((1-2nu) d_ij + 3 e_i e_j)/(8 pi (1-nu)).
 
 #include <gtest/gtest.h>
@@ -37,30 +36,26 @@ SurfaceMesh extract(const SurfaceMesh& mesh, std::int64_t e) {
   return one;
 }
 
-/// Blocks of all nodes for the point, but for the free term: elements with `at` directly, the
-/// others by brute force. on[e]: where the point lies on element e, or nothing.
-std::vector<std::array<double, 9>> direct_row(
-    const SurfaceMesh& mesh, const Vec3& x,
-    const std::function<const Reference*(std::int64_t)>& on) {
+/// Blocks of all nodes for the point, but for the free term: elements with `at` directly, the others by brute force.
+/// on[e]: where the point lies on element e, or nothing.
+std::vector<std::array<double, 9>> direct_row(const SurfaceMesh& mesh, const Vec3& x,
+                                              const std::function<const Reference*(std::int64_t)>& on) {
   std::vector<std::array<double, 9>> row(mesh.node.size(), std::array<double, 9>{});
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
     const SurfaceMesh one = extract(mesh, e);
     const Reference* at = on(e);
-    const Integrals part = at ? guiggiani::finite_part(one, *at, poisson)
-                              : element_reference::integrate(one, x, poisson);
+    const Integrals part =
+        at ? guiggiani::finite_part(one, *at, poisson) : element_reference::integrate(one, x, poisson);
     const auto nodes = mesh.element(e);
     for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (std::size_t i = 0; i < 9; ++i)
-        row[static_cast<std::size_t>(nodes[k])][i] += part.t[i][k];
+      for (std::size_t i = 0; i < 9; ++i) row[static_cast<std::size_t>(nodes[k])][i] += part.t[i][k];
   }
   return row;
 }
 
-/// Largest difference of the library's row from the direct one, free term c[3 * c + i] times
-/// share[node] included.
-double compare(const SurfaceMesh& mesh, const bem::CollocationPoint& point,
-               std::vector<std::array<double, 9>> direct, const std::array<double, 9>& c,
-               const std::vector<double>& share) {
+/// Largest difference of the library's row from the direct one, free term c[3 * c + i] times share[node] included.
+double compare(const SurfaceMesh& mesh, const bem::CollocationPoint& point, std::vector<std::array<double, 9>> direct,
+               const std::array<double, 9>& c, const std::vector<double>& share) {
   const bem::BoundaryIntegrals integrals(mesh, poisson, tolerance);
   const auto h = assembled_rows::assemble(integrals, mesh, {&point, 1}, true, false).h;
   double worst = 0;
@@ -81,9 +76,8 @@ class StrongSingularity : public ::testing::TestWithParam<ElementType> {};
 TEST_P(StrongSingularity, inside_an_element) {
   const Reference at = corner_count(GetParam()) == 3 ? Reference{0.3, 0.25} : Reference{0.35, -0.2};
   for (const bool curved : {false, true}) {
-    const SurfaceMesh mesh =
-        curved ? surfaces::cube_sphere(GetParam(), 2, 1)
-               : surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), GetParam());
+    const SurfaceMesh mesh = curved ? surfaces::cube_sphere(GetParam(), 2, 1)
+                                    : surfaces::block(surfaces::brick({2, 2, 2}, {1, 1, 1}), GetParam());
     const std::int32_t element = 3;
     bem::CollocationPoint point{{}, -1, element, at.xi, at.eta};
     point.x = element_reference::position(extract(mesh, element), at);
@@ -91,14 +85,12 @@ TEST_P(StrongSingularity, inside_an_element) {
     Shape s;
     evaluate_shape(GetParam(), at.xi, at.eta, s);
     const auto nodes = mesh.element(element);
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      share[static_cast<std::size_t>(nodes[k])] = s.value[k];
-    const double error = compare(
-        mesh, point,
-        direct_row(mesh, point.x, [&](std::int64_t e) { return e == element ? &at : nullptr; }),
-        half, share);
-    std::printf("%s, %s: error %.1e (bound %.0e)\n", surfaces::name_of(GetParam()).c_str(),
-                curved ? "curved" : "flat", error, tolerance);
+    for (std::size_t k = 0; k < nodes.size(); ++k) share[static_cast<std::size_t>(nodes[k])] = s.value[k];
+    const double error =
+        compare(mesh, point, direct_row(mesh, point.x, [&](std::int64_t e) { return e == element ? &at : nullptr; }),
+                half, share);
+    std::printf("%s, %s: error %.1e (bound %.0e)\n", surfaces::name_of(GetParam()).c_str(), curved ? "curved" : "flat",
+                error, tolerance);
     EXPECT_LE(error, tolerance);
   }
 }
@@ -125,9 +117,8 @@ TEST_P(StrongSingularity, nodes_of_a_cube) {
     const char* what;
     Vec3 x;
     std::array<int, 3> into;
-  } cases[] = {{"face", {0.5, 0.5, 1}, {0, 0, -1}},
-               {"edge", {1, 0.5, 0}, {-1, 0, 1}},
-               {"corner", {1, 0, 1}, {-1, 1, -1}}};
+  } cases[] = {
+      {"face", {0.5, 0.5, 1}, {0, 0, -1}}, {"edge", {1, 0.5, 0}, {-1, 0, 1}}, {"corner", {1, 0, 1}, {-1, 1, -1}}};
   for (const auto& point : cases) {
     const std::int32_t node = surfaces::node_at(mesh, point.x);
     std::vector<double> share(mesh.node.size(), 0.0);
@@ -143,10 +134,10 @@ TEST_P(StrongSingularity, nodes_of_a_cube) {
         }
       return nullptr;
     };
-    const double error = compare(mesh, {point.x, node, -1, 0, 0}, direct_row(mesh, point.x, on),
-                                 free_term(point.into), share);
-    std::printf("%s, cube's %s: error %.1e (bound %.0e)\n", surfaces::name_of(GetParam()).c_str(),
-                point.what, error, tolerance);
+    const double error =
+        compare(mesh, {point.x, node, -1, 0, 0}, direct_row(mesh, point.x, on), free_term(point.into), share);
+    std::printf("%s, cube's %s: error %.1e (bound %.0e)\n", surfaces::name_of(GetParam()).c_str(), point.what, error,
+                tolerance);
     EXPECT_LE(error, tolerance);
   }
 }
