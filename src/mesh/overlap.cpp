@@ -104,27 +104,35 @@ Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::s
     }
     return true;
   };
+  const auto cover = [&](double px, double py, auto own) {
+    std::int64_t other = -1;
+    tree.any_at(px, py, [&](std::int64_t d) {
+      if (own(d) || !inside(d, px, py)) return false;
+      other = d;
+      return true;
+    });
+    return other;
+  };
+  constexpr std::int64_t unknown = -2;
+  std::vector<std::int64_t> over(x.size(), unknown);  // another cell that covers the vertex; -1: none
   Overlap result;
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto own = cells[c];
     std::int64_t other = -1;
-    auto covered = [&](double px, double py, std::int32_t vertex) {
-      return tree.any_at(px, py, [&](std::int64_t d) {
-        const auto n = cells[d];
-        if (d == c || std::find(n.begin(), n.end(), vertex) != n.end() || !inside(d, px, py)) return false;
-        other = d;
-        return true;
-      });
-    };
     double cx = 0, cy = 0;
-    bool found = false;
-    for (std::int32_t k : own) {
-      const double px = x[static_cast<std::size_t>(k)], py = y[static_cast<std::size_t>(k)];
-      cx += px / static_cast<double>(own.size());
-      cy += py / static_cast<double>(own.size());
-      found = found || covered(px, py, k);
+    for (const std::int32_t k : own) {
+      const auto v = static_cast<std::size_t>(k);
+      cx += x[v] / static_cast<double>(own.size());
+      cy += y[v] / static_cast<double>(own.size());
+      if (over[v] == unknown)
+        over[v] = cover(x[v], y[v], [&](std::int64_t d) {
+          const auto n = cells[d];
+          return std::find(n.begin(), n.end(), k) != n.end();
+        });
+      if (other < 0) other = over[v];
     }
-    if (!found && !covered(cx, cy, -1)) continue;
+    if (other < 0) other = cover(cx, cy, [&](std::int64_t d) { return d == c; });
+    if (other < 0) continue;
     if (result.count++ == 0) result.first = c, result.second = other;
   }
   return result;

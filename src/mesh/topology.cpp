@@ -44,16 +44,25 @@ LinearCells split_elements(const SurfaceMesh& mesh) {
   return cells;
 }
 
+// By the lower node in one pass: only the few sides of one node are left to be sorted.
 std::vector<Side> sorted_sides(const LinearCells& cells) {
-  std::vector<Side> side;
-  side.reserve(cells.node.size());
-  for (std::int64_t c = 0; c < cells.size(); ++c) {
-    const auto n = cells[c];
-    for (std::size_t i = 0; i < n.size(); ++i) side.push_back({n[i], n[(i + 1) % n.size()], c});
-  }
-  std::sort(side.begin(), side.end(), [](const Side& a, const Side& b) {
-    return std::tuple(a.low(), a.high(), a.cell) < std::tuple(b.low(), b.high(), b.cell);
-  });
+  const auto low_end = [](std::int32_t a, std::int32_t b) { return static_cast<std::size_t>(std::min(a, b)); };
+  std::size_t nodes = 0;
+  for (const std::int32_t k : cells.node) nodes = std::max(nodes, static_cast<std::size_t>(k) + 1);
+  std::vector<std::size_t> place(nodes + 1, 0);
+  const auto each = [&](auto f) {
+    for (std::int64_t c = 0; c < cells.size(); ++c) {
+      const auto n = cells[c];
+      for (std::size_t i = 0; i < n.size(); ++i) f(n[i], n[(i + 1) % n.size()], c);
+    }
+  };
+  each([&](std::int32_t a, std::int32_t b, std::int64_t) { ++place[low_end(a, b) + 1]; });
+  for (std::size_t k = 0; k < nodes; ++k) place[k + 1] += place[k];
+  std::vector<Side> side(cells.node.size());
+  each([&](std::int32_t a, std::int32_t b, std::int64_t c) { side[place[low_end(a, b)]++] = {a, b, c}; });
+  for (std::size_t k = 0, begin = 0; k < nodes; begin = place[k++])  // place[k] is now the end of k's sides
+    std::sort(side.begin() + static_cast<std::ptrdiff_t>(begin), side.begin() + static_cast<std::ptrdiff_t>(place[k]),
+              [](const Side& a, const Side& b) { return std::tuple(a.high(), a.cell) < std::tuple(b.high(), b.cell); });
   return side;
 }
 

@@ -285,6 +285,36 @@ TEST(friction_limit, quad8_frames_do_not_carry_more_than_mu_fn) {
     }
 }
 
+// A node at the origin has no moment: none that is asked for is carried whatever the spin, any other is not.
+TEST(friction_limit, one_node_at_the_origin_has_no_moment) {
+  for (const double young2 : {2.1e5, 1e4})
+    for (const int n : {20, 48, 60})
+      for (const double moment : {0.0, 1e-5}) {
+        Pair pair(2.1e5, 0.3, young2, 0.3);
+        const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);
+        pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
+        Scene& scene = pair.contact->scene;
+        scene.set_gap_quadratic(0.01, 0.011, 0.001);
+        pair.friction(0.25);
+        scene.prescribe(3, 2, 1e-3);
+        scene.prescribe(1, 2, 0.2 * 0.25 * 1e-3);
+        scene.prescribe(4, 2, moment);
+        const Ended e = solve(pair);
+        if (moment != 0) {
+          EXPECT_EQ(e.status, Status::err_load) << n << ": " << e.text;
+          continue;
+        }
+        ASSERT_EQ(e.status, Status::coarse) << n << ": " << e.text;
+        const auto carried = loads(pair);
+        std::printf("%d x %d cells, E2 %g: F1 off by %.1e, moment %.1e of F1 length, %lld steps\n", n, n, young2,
+                    std::abs(carried.force[0] / 5e-5 - 1), std::abs(carried.moment[2] / 5e-5),
+                    static_cast<long long>(e.steps));
+        EXPECT_NEAR(carried.force[0] / 5e-5, 1, 1e-9);
+        EXPECT_NEAR(carried.moment[2] / 5e-5, 0, 1e-9);
+        EXPECT_LE(e.steps, 30);
+      }
+}
+
 // Unlike bodies and an approach given: friction changes the load that bounds it.
 TEST(friction_limit, refusals_do_not_take_many_times_a_solve) {
   for (const double share : {1.1, 1.5}) {

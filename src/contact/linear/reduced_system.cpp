@@ -62,7 +62,15 @@ void ReducedSystem::gather_borders(const Problem& problem, const Prescribed& giv
   borders_ = 0;
   if (tangential())
     for (const int m : {xi1, xi2, spin})
-      if (given.by_force[static_cast<std::size_t>(m)]) add_border(problem, given, m, lambda);
+      if (given.by_force[static_cast<std::size_t>(m)]) {
+        add_border(problem, given, m, lambda);
+        // No active node has a part in the load, and none is asked for: one node at the origin has no moment. The
+        // motion is zero, as motion() says then.
+        const Border& last = border_[static_cast<std::size_t>(borders_ - 1)];
+        const bool carried =
+            std::any_of(std::begin(last.row), std::end(last.row), [](auto& row) { return !row.empty(); });
+        if (!carried && last.right == 0 && given.value[static_cast<std::size_t>(m)] == 0) --borders_;
+      }
   if (normal() && given.by_force[approach]) add_border(problem, given, approach, lambda);
   size_ = count_ * active() + borders_;
 }

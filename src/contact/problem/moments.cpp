@@ -1,13 +1,36 @@
 #include "contact/problem/moments.hpp"
 
+#include <cmath>
+#include <utility>
+
 #include "mesh/plane_quadrature.hpp"
 #include "mesh/surface_quadrature.hpp"
 
 namespace rollcon {
 namespace {
 
-void curved_moments(const Frame& frame, std::vector<double>& mx, std::vector<double>& my, std::vector<double>& mz) {
-  mz.assign(static_cast<std::size_t>(frame.nodes()), 0.0);
+/// Sums by node, with those of their terms' magnitudes: what rounding leaves of a sum that vanishes is no moment arm.
+/// With it a contact of one node at the origin would answer a moment of zero by a spin beyond all measure.
+class NodeSums {
+ public:
+  explicit NodeSums(std::int64_t nodes)
+      : sum_(static_cast<std::size_t>(nodes), 0.0), magnitude_(static_cast<std::size_t>(nodes), 0.0) {}
+  void add(std::size_t node, double term) {
+    sum_[node] += term;
+    magnitude_[node] += std::abs(term);
+  }
+  std::vector<double> take() {
+    constexpr double rounding = 1e-12;
+    for (std::size_t k = 0; k < sum_.size(); ++k)
+      if (std::abs(sum_[k]) <= rounding * magnitude_[k]) sum_[k] = 0;
+    return std::move(sum_);
+  }
+
+ private:
+  std::vector<double> sum_, magnitude_;
+};
+
+void curved_moments(const Frame& frame, NodeSums& mx, NodeSums& my, NodeSums& mz) {
   const Axes& axes = frame.axes;
   integrate_surface(frame.mesh, [&](std::int64_t e, const Shape& shape, const Vec3& x, double area) {
     const Vec3 r = x - axes.origin;
@@ -15,9 +38,9 @@ void curved_moments(const Frame& frame, std::vector<double>& mx, std::vector<dou
     const auto nodes = frame.mesh.element(e);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       const auto k = static_cast<std::size_t>(nodes[i]);
-      mx[k] += shape.value[i] * a;
-      my[k] += shape.value[i] * b;
-      mz[k] += shape.value[i] * c;
+      mx.add(k, shape.value[i] * a);
+      my.add(k, shape.value[i] * b);
+      mz.add(k, shape.value[i] * c);
     }
   });
 }
@@ -26,17 +49,23 @@ void curved_moments(const Frame& frame, std::vector<double>& mx, std::vector<dou
 
 void moment_weights(const Frame& frame, std::vector<double>& mx, std::vector<double>& my, std::vector<double>& mz) {
   constexpr int degree = 7;  // N x J of a quad9: 2 + 2 + 3 in each variable
-  mx.assign(static_cast<std::size_t>(frame.nodes()), 0.0);
-  my.assign(static_cast<std::size_t>(frame.nodes()), 0.0);
+  NodeSums x_sums(frame.nodes()), y_sums(frame.nodes());
   mz.clear();
-  if (frame.curved()) return curved_moments(frame, mx, my, mz);
-  integrate_projection(frame, degree, [&](auto nodes, const Shape& shape, double x, double y, double area) {
-    for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const auto i = static_cast<std::size_t>(nodes[k]);
-      mx[i] += area * shape.value[k] * x;
-      my[i] += area * shape.value[k] * y;
-    }
-  });
+  if (frame.curved()) {
+    NodeSums z_sums(frame.nodes());
+    curved_moments(frame, x_sums, y_sums, z_sums);
+    mz = z_sums.take();
+  } else {
+    integrate_projection(frame, degree, [&](auto nodes, const Shape& shape, double x, double y, double area) {
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const auto i = static_cast<std::size_t>(nodes[k]);
+        x_sums.add(i, area * shape.value[k] * x);
+        y_sums.add(i, area * shape.value[k] * y);
+      }
+    });
+  }
+  mx = x_sums.take();
+  my = y_sums.take();
 }
 
 }  // namespace rollcon
