@@ -1,10 +1,13 @@
 /// A meshed body's displacements between its nodes: what is local, and what is interpolated.
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/meshed_compliance_class.hpp"
 #include "bodies/remainder_compliance.hpp"
+#include "mesh/quadratic_fit.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -70,12 +73,76 @@ MeshedCompliance::Interpolation MeshedCompliance::locate(double x, double y) con
   evaluate_shape(mesh.type[at(point.element)], point.xi, point.eta, shape);
   Interpolation where;
   where.beyond = !hit;
-  for (const std::int32_t k : mesh.element(point.element)) {
-    where.weight[where.count] = shape.value[static_cast<std::size_t>(where.count)];
-    where.row[where.count] = row_of_body_node_[at(k)];
-    ++where.count;
-  }
+  const auto nodes = mesh.element(point.element);
+  for (std::size_t a = 0; a < nodes.size(); ++a) where.add(row_of_body_node_[at(nodes[a])], shape.value[a]);
+  if (!curvature_.empty() && !is_quadratic(mesh.type[at(point.element)])) bend(x, y, where);
   return where;
+}
+
+// A smooth displacement lies off what a linear face makes of its nodal values by half the mean, by the shape functions,
+// of its second differences from the point to the nodes. Its curvatures are found at the nodes, so that it has no step
+// between faces.
+void MeshedCompliance::bend(double x, double y, Interpolation& where) const {
+  const std::size_t own = where.size();
+  for (std::size_t a = 0; a < own; ++a) {
+    const std::size_t node = at(where.row[a]);
+    const double dx = zone_x_[node] - x, dy = zone_y_[node] - y, half = -0.5 * where.weight[a];
+    const Curvature& curvature = curvature_[node];
+    for (std::size_t k = 0; k < curvature.row.size(); ++k) {
+      const auto [xx, xy, yy] = curvature.weight[k];
+      where.add(curvature.row[k], half * (xx * dx * dx + 2 * xy * dx * dy + yy * dy * dy));
+    }
+  }
+}
+
+// From the nodes of the faces around a node; from those around these, too, where it stands at an edge. Not from walls
+// of the body, whose nodes stand below each other, and not where two materials meet, whose displacements have a kink.
+void MeshedCompliance::find_curvatures(std::span<const std::int64_t> elements) {
+  constexpr double steepest = 0.1;
+  const BodyMesh& body = body_.mesh();
+  const SurfaceMesh& mesh = body.surface;
+  const Vec3 out = (which_ == 0 ? 1.0 : -1.0) * pose_.turn_back(frame_.axes.n);
+  const auto material = [&](std::int64_t e) {
+    return body.origin.empty() ? 0 : body.volume.tag[at(body.origin[at(e)].element)];
+  };
+  std::vector<std::vector<std::int64_t>> around(zone_x_.size());
+  std::vector<std::int64_t> first(zone_x_.size(), -1);
+  std::vector<std::uint8_t> kink(zone_x_.size(), 0);
+  for (const std::int64_t e : elements) {
+    const auto nodes = mesh.element(e);
+    const auto corner = [&](std::size_t i) { return mesh.node[at(nodes[i])]; };
+    const std::size_t last = at(corner_count(mesh.type[at(e)])) - 1;
+    const Vec3 normal = cross(corner(1) - corner(0), corner(last) - corner(0));
+    if (dot(normal, out) < steepest * std::sqrt(dot(normal, normal))) continue;
+    for (const std::int32_t a : nodes) {
+      const std::size_t row = at(row_of_body_node_[at(a)]);
+      if (first[row] < 0) first[row] = e;
+      kink[row] = kink[row] || material(e) != material(first[row]);
+      for (const std::int32_t b : nodes) around[row].push_back(row_of_body_node_[at(b)]);
+    }
+  }
+  const auto sort = [](std::vector<std::int64_t>& rows) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  };
+  for (auto& rows : around) sort(rows);
+  curvature_.resize(around.size());
+  std::vector<double> x, y;
+  for (std::size_t r = 0; r < around.size(); ++r) {
+    if (kink[r]) continue;
+    Curvature& found = curvature_[r];
+    found.row = around[r];
+    for (int rings = 1; rings <= 2; ++rings) {
+      x.clear(), y.clear();
+      for (const std::int64_t k : found.row) x.push_back(zone_x_[at(k)]), y.push_back(zone_y_[at(k)]);
+      found.weight = curvature_weights(x, y);
+      if (!found.weight.empty() || rings == 2) break;
+      for (const std::int64_t k : around[r])
+        found.row.insert(found.row.end(), around[at(k)].begin(), around[at(k)].end());
+      sort(found.row);
+    }
+    if (found.weight.empty()) found.row.clear();
+  }
 }
 
 std::array<MeshedCompliance::Others, 2> MeshedCompliance::others(Points points) const {

@@ -40,6 +40,7 @@ MeshedCompliance::MeshedCompliance(const Frame& frame, const PairOfBodies& pair,
   }
   zone_ = std::make_unique<SurfaceSearch>(body_.mesh().surface, usable);
   depth_ = mean_depth(body_.mesh().surface, usable);
+  if (!on_body_.of_faces() && !body_.traits().smooth_difference && !by_shape_functions()) find_curvatures(usable);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
     if (!frame.used[at(k)]) continue;
     node_at_[{frame.x[at(k)], frame.y[at(k)]}] = k;
@@ -62,7 +63,7 @@ bool MeshedCompliance::resolves_frame() const {
   for (std::int64_t k = 0; k < frame_.nodes(); ++k) {
     if (!frame_.used[at(k)]) continue;
     const Interpolation where = locate(frame_.x[at(k)], frame_.y[at(k)]);
-    for (int a = 0; a < where.count; ++a) moves[at(where.row[a])] = 1;
+    for (std::size_t a = 0; a < where.size(); ++a) moves[at(where.row[a])] = 1;
   }
   return std::count(frame_.used.begin(), frame_.used.end(), 1) <= std::count(moves.begin(), moves.end(), 1);
 }
@@ -151,7 +152,7 @@ void MeshedCompliance::block(Points points, const ComplianceBlock& out) const {
           double* to = destination(i, j, group.point[b]);
           if (part.local) std::copy_n(local.row(i, j, b), n, to);
           const Interpolation& where = group.where[b];
-          for (int a = 0; a < where.count; ++a)
+          for (std::size_t a = 0; a < where.size(); ++a)
             add(part.smooth->row(3 * where.row[a] + static_cast<std::int64_t>(i)) + j, where.weight[a], to);
         }
   }
@@ -174,7 +175,7 @@ void MeshedCompliance::apply(Points points, const double* traction, double* disp
       const Interpolation& where = group.where[b];
       for (std::size_t i = 0; i < 3; ++i) {
         double u = local[3 * b + i];
-        for (int a = 0; a < where.count; ++a) u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
+        for (std::size_t a = 0; a < where.size(); ++a) u += where.weight[a] * smooth[at(3 * where.row[a]) + i];
         displacement[3 * group.point[b] + i] = u;
       }
     }

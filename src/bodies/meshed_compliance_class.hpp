@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,11 +47,15 @@ class MeshedCompliance final : public Compliance {
   /// Zone rows and weights that interpolate to a point of the surface.
   struct Interpolation {
     bool beyond = false;  ///< the point is over no element of the zone
-    int count = 0;
-    std::int64_t row[max_element_nodes];
-    double weight[max_element_nodes];
+    std::vector<std::int64_t> row;
+    std::vector<double> weight;
+
+    std::size_t size() const { return row.size(); }
+    void add(std::int64_t to, double value) { row.push_back(to), weight.push_back(value); }
   };
   Interpolation locate(double x, double y) const;
+  void bend(double x, double y, Interpolation& where) const;
+  void find_curvatures(std::span<const std::int64_t> elements);
   /// Row of the frame node that stands exactly here and is a node of the body; -1: none.
   std::int64_t row_of_node(double x, double y) const;
   /// What block and apply need of the body; it factorises and condenses for it.
@@ -84,7 +89,13 @@ class MeshedCompliance final : public Compliance {
   std::vector<std::int64_t> row_of_body_node_;
   std::map<std::pair<double, double>, std::int64_t> node_at_;  ///< frame nodes that are used
   std::unique_ptr<SurfaceSearch> zone_;
-  double depth_ = 0;  ///< thickness of the body under the zone over the length of its faces
+  /// Second derivatives xx, xy, yy of a field at a zone row, by the rows around it.
+  struct Curvature {
+    std::vector<std::int64_t> row;
+    std::vector<std::array<double, 3>> weight;
+  };
+  std::vector<Curvature> curvature_;  ///< of each zone row, where displacements are to bend between linear faces' nodes
+  double depth_ = 0;                  ///< thickness of the body under the zone over the length of its faces
   // Made when first asked for: condensed, written out, and at points between nodes.
   mutable std::unique_ptr<const SurfaceOutline> outline_;
   mutable RowMatrix<double> response_;  ///< (3 rows) x (3 frame nodes), local components

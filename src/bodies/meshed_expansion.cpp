@@ -33,16 +33,14 @@ SparseMatrix MeshedCompliance::local_displacements(Points points) const {
   for (std::size_t p = 0; p < points.size(); ++p) {
     Interpolation where;
     if (const std::int64_t row = row_of_node(points.x[p], points.y[p]); row >= 0) {
-      where.count = 1;
-      where.row[0] = row;
-      where.weight[0] = 1;
+      where.add(row, 1);
     } else {
       where = locate(points.x[p], points.y[p]);
     }
-    LocalAxes local[max_element_nodes];  // at the body's nodes, as in the response
-    for (int a = 0; a < where.count; ++a) local[a] = local_axes(zone_x_[at(where.row[a])], zone_y_[at(where.row[a])]);
+    std::vector<LocalAxes> local;  // at the body's nodes, as in the response
+    for (const std::int64_t row : where.row) local.push_back(local_axes(zone_x_[at(row)], zone_y_[at(row)]));
     for (std::size_t i = 0; i < 3; ++i) {
-      for (int a = 0; a < where.count; ++a)
+      for (std::size_t a = 0; a < where.size(); ++a)
         for (std::size_t b = 0; b < 3; ++b)
           if (const std::int64_t u = loads_->unknown[3 * at(where.row[a]) + b]; u >= 0)
             writer.add(u, where.weight[a] * local[a][i][b]);
@@ -58,7 +56,7 @@ void MeshedCompliance::subtract_interpolated(const Others& group, RowMatrix<doub
     for (std::int64_t i = 0; i < 3; ++i) {
       double* row = direct.row(3 * static_cast<std::int64_t>(group.point[b]) + i);
       const Interpolation& where = group.where[b];
-      for (int a = 0; a < where.count; ++a)
+      for (std::size_t a = 0; a < where.size(); ++a)
         axpy(-where.weight[a], halfspace_on_zone_.row(3 * where.row[a] + i), row, direct.columns());
     }
 }

@@ -9,40 +9,12 @@
 #include <utility>
 
 #include "contact/solution.hpp"
+#include "mesh/quadratic_fit.hpp"
 #include "mesh/topology.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
 namespace {
-
-constexpr std::size_t terms = 6;  // of a quadratic polynomial
-using Coefficients = std::array<double, terms>;
-
-Coefficients monomials(double x, double y) {
-  return {1, x, y, x * x, x * y, y * y};
-}
-
-// Solves the normal equations by elimination with pivoting; false: the points do not determine a quadratic polynomial.
-bool solve(std::array<std::array<double, terms + 1>, terms>& a, Coefficients& c) {
-  constexpr double least_pivot = 1e-10;
-  for (std::size_t i = 0; i < terms; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t r = i + 1; r < terms; ++r)
-      if (std::abs(a[r][i]) > std::abs(a[pivot][i])) pivot = r;
-    std::swap(a[i], a[pivot]);
-    if (!(std::abs(a[i][i]) > least_pivot)) return false;
-    for (std::size_t r = i + 1; r < terms; ++r) {
-      const double factor = a[r][i] / a[i][i];
-      for (std::size_t j = i; j <= terms; ++j) a[r][j] -= factor * a[i][j];
-    }
-  }
-  for (std::size_t i = terms; i-- > 0;) {
-    c[i] = a[i][terms];
-    for (std::size_t j = i + 1; j < terms; ++j) c[i] -= a[i][j] * c[j];
-    c[i] /= a[i][i];
-  }
-  return true;
-}
 
 // A triangle or quadrilateral of the frame.
 struct Patch {
@@ -121,35 +93,24 @@ class Middle {
     for (const std::int32_t k : corner) patch_.insert(patch_.end(), next_[k].begin(), next_[k].end());
     std::sort(patch_.begin(), patch_.end());
     patch_.erase(std::unique(patch_.begin(), patch_.end()), patch_.end());
-    double rx = 0, ry = 0;
+    for (auto& v : at_) v.clear();
     for (const std::int32_t k : patch_) {
-      rx = std::max(rx, std::abs(frame_.x[at(k)] - x));
-      ry = std::max(ry, std::abs(frame_.y[at(k)] - y));
+      at_[0].push_back(frame_.x[at(k)]);
+      at_[1].push_back(frame_.y[at(k)]);
+      at_[2].push_back(field[at(k)]);
     }
-    if (!(rx > 0) || !(ry > 0)) return mean;
-    const auto row = [&](std::int32_t k) { return monomials((frame_.x[at(k)] - x) / rx, (frame_.y[at(k)] - y) / ry); };
-    std::array<std::array<double, terms + 1>, terms> normal{};
-    for (const std::int32_t k : patch_) {
-      const Coefficients m = row(k);
-      for (std::size_t i = 0; i < terms; ++i) {
-        for (std::size_t j = 0; j < terms; ++j) normal[i][j] += m[i] * m[j];
-        normal[i][terms] += m[i] * (field[at(k)] - mean);
-      }
-    }
-    Coefficients c{};
-    if (!solve(normal, c)) return mean;
+    const auto fit = fit_quadratic(x, y, at_[0], at_[1], at_[2]);
+    if (!fit) return mean;
     double fitted_mean = 0;
-    for (const std::int32_t k : corner) {
-      const Coefficients m = row(k);
-      fitted_mean += share * std::inner_product(m.begin(), m.end(), c.begin(), 0.0);
-    }
-    return mean + c[0] - fitted_mean;
+    for (const std::int32_t k : corner) fitted_mean += share * (*fit)(frame_.x[at(k)], frame_.y[at(k)]);
+    return mean + fit->c[0] - fitted_mean;
   }
 
  private:
   const Frame& frame_;
   Neighbours next_;
   std::vector<std::int32_t> patch_;
+  std::vector<double> at_[3];  ///< x, y and field of the patch
 };
 
 // Without the tangential components, whose integrals cost as much again.

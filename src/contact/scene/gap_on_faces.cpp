@@ -1,12 +1,6 @@
-/// Measured gaps on frames finer than the linear faces of a body, which stand for a smooth surface:
-///
-/// - No smooth displacement fits into the edges of facets. A gap measured from them is taken from
-///   the smooth surface instead.
-/// - Finite elements of linear faces move between their nodes as the faces interpolate, and so
-///   cannot close a gap that is smooth there. The share of it that such a body closes, by its
-///   compliance, keeps the facets.
-///
-/// Else the difference would come out as ripples of the pressure.
+/// Gaps measured from linear faces, which stand for a smooth surface: no smooth displacement fits into the edges of
+/// facets, and their difference would come out as ripples of the pressure. The gap is taken from the smooth surface
+/// instead.
 
 #include "bodies/missed_nodes.hpp"
 #include "contact/scene/geometry.hpp"
@@ -39,16 +33,6 @@ double height_over_facet(const Body& body, const SurfacePoint& p, const Vec3& ou
   return sum;
 }
 
-bool moves_as_its_faces(const Body& body) {
-  return body.kind() == BodyKind::fem || (body.kind() == BodyKind::bem && body.options().between_nodes == 1);
-}
-
-/// Compliance of a half-space of its material.
-double softness(const Body& body) {
-  if (body.rigid()) return 0;
-  return (1 - body.poisson() * body.poisson()) / body.young();
-}
-
 }  // namespace
 
 void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
@@ -56,15 +40,12 @@ void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairO
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     if (!body.meshed() || source.body == b) continue;
-    double part = -1;
-    if (moves_as_its_faces(body)) part += softness(body) / (softness(*pair.body[0]) + softness(*pair.body[1]));
-    if (part == 0) continue;
     const Pose& pose = pair.pose[at(b)];
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!frame.used[k]) continue;
       const Vec3 n = frame.triad(k).n;
       const auto found = meet_contact_faces(frame, k, n, body, pose, b);
-      if (found) gap[k] += part * height_over_facet(body, *found, pose.turn_back((b == 0 ? 1.0 : -1.0) * n));
+      if (found) gap[k] -= height_over_facet(body, *found, pose.turn_back((b == 0 ? 1.0 : -1.0) * n));
     }
   }
 }

@@ -23,8 +23,8 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 /// through the axes' origin normal to n. Throws err_mesh likewise.
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
-/// Makes of a gap measured as above the one that the bodies' displacements can close between nodes of their linear
-/// faces (gap_on_faces.cpp). Nothing changes at those nodes.
+/// Makes of a gap measured as above from linear faces that from the smooth surface for which they stand
+/// (gap_on_faces.cpp). Nothing changes at their nodes.
 void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
                       std::vector<double>& gap);
 
