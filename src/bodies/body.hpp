@@ -76,6 +76,9 @@ class Body {
   const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }
 
+  /// Its contact faces, in its axes; null: the body takes the plane of the contact's axes. Of a prepared body.
+  const Surface* surface() const { return model_->surface.get(); }
+
   // Of a prepared body with a mesh.
   const TractionNodes& traction_nodes() const { return model_->traction_nodes; }
   /// Fans that tags and supports do not divide: normals of the surface itself.

@@ -10,7 +10,7 @@
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/surface_response.hpp"
 #include "bodies/thinness.hpp"
-#include "geometry/surface_search.hpp"
+#include "geometry/mesh_surface.hpp"
 #include "mesh/traction_nodes.hpp"
 
 namespace rollcon {
@@ -29,6 +29,7 @@ struct BodyModel {
   Elastic contact_material;  ///< of most of the contact faces; before: as given last
   TractionNodes traction_nodes, smooth_fans;
   std::unique_ptr<SurfaceSearch> search;
+  std::unique_ptr<Surface> surface;
   Thinness thin;
   std::unique_ptr<SurfaceResponse> response;  ///< safe for several threads
 };

@@ -66,6 +66,7 @@ void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
   std::fill(parts.tag.begin(), parts.tag.end(), 0);
   model.smooth_fans = split_at_edges(parts, model.options.edge_angle);
   model.search = std::make_unique<SurfaceSearch>(mesh.surface, contact_elements(mesh));
+  model.surface = std::make_unique<MeshSurface>(mesh.surface, model.smooth_fans, *model.search);
   if (!traits.make_response) return;
 
   require_supports(mesh);

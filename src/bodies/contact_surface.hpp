@@ -2,8 +2,6 @@
 /// The surface that carries the contact: whose normals the frame's local axes follow, and where a point of the frame's
 /// plane lies on a body.
 
-#include <optional>
-
 #include "bodies/body.hpp"
 #include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
@@ -15,21 +13,13 @@ struct PairOfBodies {
   std::array<Pose, 2> pose{};
 };
 
-/// Smooth outward unit normal of a body at a point found on it: mean normals of the fans at the element's nodes,
-/// interpolated. In the body's axes.
-Vec3 smooth_normal(const Body& body, const SurfacePoint& point);
-
-/// The same where a line meets the contact faces that look towards `facing`; at a sharp edge the mean of the faces that
-/// meet there. Nothing when it meets none. All in the body's axes.
-std::optional<Vec3> normal_along(const Body& body, const Vec3& from, const Vec3& direction, const Vec3& facing);
-
-/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a mesh, else minus those
-/// of body 2. They follow the profile across the rolling direction, but along it all have the inclination found at the
-/// origin: the bodies flatten each other there, so that pressure acts along one direction and radial displacements are
-/// no slip (docs/theory.md, section 11).
+/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a surface of its own,
+/// else minus those of body 2. They follow the profile across the rolling direction, but along it all have the
+/// inclination found at the origin: the bodies flatten each other there, so that pressure acts along one direction and
+/// radial displacements are no slip (docs/theory.md, section 11).
 class NormalField {
  public:
-  /// One body at least must have a mesh.
+  /// One body at least must have a surface.
   NormalField(const Axes& axes, const PairOfBodies& pair);
   Vec3 at(double x, double y) const;
   /// Gives a normal, in space, the inclination along the rolling direction that all have.
@@ -39,7 +29,7 @@ class NormalField {
   Vec3 surface_normal(double x, double y) const;
 
   Axes axes_;
-  const Body* body_ = nullptr;
+  const Surface* surface_ = nullptr;
   Pose pose_;
   double sign_ = 1;
   double sine_ = 0, cosine_ = 1;  ///< of that inclination

@@ -215,7 +215,6 @@ void read_gap(SolverState& state, const Scene& scene) {
   if (measured) {
     p.gap = undeformed_gap(on.frame, on.frame_source, on.pair);
     refuse_deep_overlap(on.frame, p.gap, on.pair);
-    fit_gap_to_faces(on.frame, on.frame_source, on.pair, p.gap);
   } else {
     p.gap.resize(at(p.nodes));
     for (std::size_t k = 0; k < p.gap.size(); ++k)

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bodies/missed_nodes.hpp"
+#include "geometry/surface.hpp"
 
 namespace rollcon {
 namespace {
@@ -39,7 +40,7 @@ std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
 
 int normal_source(const PairOfBodies& pair) {
   for (int b = 0; b < 2; ++b)
-    if (pair.body[static_cast<std::size_t>(b)]->meshed()) return b;
+    if (pair.body[static_cast<std::size_t>(b)]->surface()) return b;
   return -1;
 }
 
@@ -58,9 +59,9 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::size_t k = 0; k < normal.size(); ++k) {
     if (!frame.used[k]) continue;
-    const auto n =
-        look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
-                   [&](const Vec3& from) { return normal_along(body, from, direction, outward(which, direction)); });
+    const auto n = look_aside(
+        pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
+        [&](const Vec3& from) { return body.surface()->normal(from, direction, outward(which, direction)); });
     if (n)
       normal[k] = field.level(outward(which, pose.turn(*n)));
     else
@@ -72,22 +73,22 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
   std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0);
-  for (int body = 0; body < 2; ++body) {
-    if (source.body == body) continue;  // the nodes are on it
-    const Body& surface = *pair.body[static_cast<std::size_t>(body)];
-    const Pose& pose = pair.pose[static_cast<std::size_t>(body)];
-    const double sign = body == 0 ? -1 : 1;
-    MissedNodes missed(frame, surface, pose, body);
+  const Plane plane(frame.axes.origin, frame.axes.n);
+  for (int b = 0; b < 2; ++b) {
+    if (source.body == b) continue;  // the nodes are on it
+    const Body& body = *pair.body[static_cast<std::size_t>(b)];
+    const Surface& surface = body.surface() ? *body.surface() : plane;
+    const Pose pose = body.surface() ? pair.pose[static_cast<std::size_t>(b)] : Pose{};
+    const double sign = b == 0 ? -1 : 1;
+    MissedNodes missed(frame, body, pose, b);
     for (std::size_t k = 0; k < gap.size(); ++k) {
       if (!frame.used[k]) continue;
-      const Vec3 n = frame.triad(k).n;
-      if (!surface.meshed()) {
-        gap[k] -= sign * frame.z[k] / dot(n, frame.axes.n);
-        continue;
-      }
-      const auto hit = meet_contact_faces(frame, k, n, surface, pose, body);
-      if (hit)
-        gap[k] += sign * hit->distance;
+      const Vec3 n = frame.triad(k).n, direction = pose.turn_back(n);
+      const auto met =
+          look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
+                     [&](const Vec3& from) { return surface.distance(from, direction, outward(b, direction)); });
+      if (met)
+        gap[k] += sign * *met;
       else
         missed.add(k, n);
     }

@@ -9,24 +9,19 @@
 
 namespace rollcon {
 
-/// Body (0 or 1) whose surface gives the normals: the first that has a mesh; -1: none has.
+/// Body (0 or 1) whose surface gives the normals: the first that has one of its own; -1: none has.
 int normal_source(const PairOfBodies& pair);
 
-/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it has a mesh, else
+/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it has one of its own, else
 /// minus those of body 2. At nodes that were taken from that body the mean normal of the fan of its faces, else what
-/// the line along the axes' normal meets (smooth_normal). One body at least must have a mesh. Throws err_mesh naming
+/// the line along the axes' normal meets. One body at least must have a surface. Throws err_mesh naming
 /// the frame nodes that do not lie over the body's contact faces, see MissedNodes.
 std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 
 /// Distance from the surface of body 1 to that of body 2 along the normals of the frame's nodes (the axes' on a flat
-/// frame), negative where they overlap; 0 at nodes of no element. The surface of a body without a mesh is the plane
-/// through the axes' origin normal to n. Throws err_mesh likewise.
+/// frame), negative where they overlap; 0 at nodes of no element. The surface of a body that has none of its own is the
+/// plane through the axes' origin normal to n. Throws err_mesh likewise.
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
-
-/// Makes of a gap measured as above from linear faces that from the smooth surface for which they stand
-/// (gap_on_faces.cpp). Nothing changes at their nodes.
-void fit_gap_to_faces(const Frame& frame, const FrameSource& source, const PairOfBodies& pair,
-                      std::vector<double>& gap);
 
 /// Frame nodes where the bodies overlap before they approach each other, and the greatest depth.
 struct InitialOverlap {

@@ -1,0 +1,35 @@
+#pragma once
+/// Surfaces that a line can hit: where bodies are before they deform. A kind of surface is one file of this folder.
+
+#include <optional>
+
+#include "mesh/vec3.hpp"
+
+namespace rollcon {
+
+/// Lines are from + t * direction (unit). They meet the surface where |t| is least, among the parts that look towards
+/// `facing`; the zero vector: any.
+class Surface {
+ public:
+  virtual ~Surface() = default;
+  /// t there; none if the line misses the surface.
+  virtual std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
+  /// Outward unit normal there.
+  virtual std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
+  virtual Vec3 nearest(const Vec3& point) const = 0;
+};
+
+class Plane final : public Surface {
+ public:
+  Plane(const Vec3& origin, const Vec3& normal) : origin_(origin), normal_(normal) {}
+  std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3&) const override {
+    return dot(origin_ - from, normal_) / dot(direction, normal_);
+  }
+  std::optional<Vec3> normal(const Vec3&, const Vec3&, const Vec3&) const override { return normal_; }
+  Vec3 nearest(const Vec3& point) const override { return point + dot(origin_ - point, normal_) * normal_; }
+
+ private:
+  Vec3 origin_, normal_;
+};
+
+}  // namespace rollcon
