@@ -141,27 +141,6 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                    return pair;
                  },
                  solve});
-  all.push_back({"total sliding", "case (b) at 20 % creepage, 10 new creepages",
-                 [=](bool with) {
-                   auto pair = case_b(n, 0, t);
-                   pair->creep(0.2, 0, 0).option("total_sliding", std::int64_t{with});
-                   return pair;
-                 },
-                 [](RollingPair& pair, bool) {
-                   for (int i = 1; i <= 10; ++i) pair.creep(0.2, 0.01 * i, 0).solve();
-                 },
-                 solve});
-  all.push_back({"total sliding", "the same, each from nothing",
-                 [=](bool with) {
-                   auto pair = case_b(n, 0, t);
-                   pair->creep(0.2, 0, 0).option("total_sliding", std::int64_t{with});
-                   pair->option("warm_start", std::int64_t{0});
-                   return pair;
-                 },
-                 [](RollingPair& pair, bool) {
-                   for (int i = 1; i <= 10; ++i) pair.creep(0.2, 0.01 * i, 0).solve();
-                 },
-                 solve});
   all.push_back({"equal constants", "case (b), nu of body 2 off by 2e-11",
                  [=](bool with) { return case_b(n, with ? 0 : 2e-11, t); }, solve});
   all.push_back({"same body twice", "example 1, boundary elements",

@@ -84,8 +84,7 @@ class Watch final : public Monitor {
 void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   LinearSolver& linear = s.newton.linear();
   s.newton.use(s.procedure);
-  s.newton.look_for_sliding = options.total_sliding != 0;
-  s.newton.predict = options.prediction != 0;
+  s.newton.predict = options.warm_start == 2;
   linear.unknowns = 0;  // where nothing needs a system
   s.linear_iterations = -linear.iterations;
   s.right_sides = -linear.right_sides;
@@ -95,7 +94,7 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
                             options.max_iterations, monitor);
   // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
-  while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
+  while (s.report.outcome != Outcome::cancelled && bring_back(s)) {
     const NewtonReport before = s.report;
     s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
                               options.max_iterations, monitor);

@@ -171,7 +171,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
-  require_operators(s, scene.options);
+  require_operators(s);
   const Rates& r = find_rates(s, parameter);
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);

@@ -149,7 +149,6 @@ constexpr Statistic table[] = {
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
     {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
     {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},
-    {"sliding_steps", [](SolverState& s) { return number(s.report.sliding_steps); }},
     {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
     {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},
     {"compliance_builds", [](SolverState& s) { return number(s.work.compliances); }},

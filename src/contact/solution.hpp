@@ -105,7 +105,6 @@ struct Prepared {
   std::shared_ptr<Compliance> compliance;  ///< of the pair
   double accuracy = 0;
   Scheme scheme = Scheme::characteristic;
-  double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;
   /// From displacements of the bodies without any contact traction; empty: none.
   std::vector<double> offset_depth, offset_slip[2];
   /// The frame as a regular grid; nothing: see no_lattice.
@@ -170,9 +169,9 @@ struct SolverState {
 /// Brings everything that depends on the scene up to date; only what changed is done again.
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
 /// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
-void require_operators(SolverState& state, const Options& options);
+void require_operators(SolverState& state);
 /// Rows of these nodes too (wanted[k] != 0; empty: of all), for what needs them after a solve.
-void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted);
+void require_rows(SolverState& state, std::span<const std::uint8_t> wanted);
 
 /// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the linear systems do.
 void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);

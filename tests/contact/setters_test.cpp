@@ -132,9 +132,6 @@ std::vector<Change> changes() {
        nothing},
       {"accuracy", real("accuracy", 1e-7), whole_compliance},
       {"convection", text("convection", "least_squares"), scheme},
-      {"characteristic_step", real("characteristic_step", 0.5), scheme},
-      {"normal_scale", real("normal_scale", 2), {"scale_builds"}},
-      {"tangential_scale", real("tangential_scale", 0.5), {"scale_builds"}},
       {"reach", integer("reach", 0), rows},
       {"monolithic", text("system", "monolithic"), {"scale_builds", "kernel_evaluations"}, 1e-9},
       {"published", text("jacobian", "simplified"), rows, 1e-9},
@@ -154,22 +151,20 @@ std::vector<Change> changes() {
       {"linear_solver_lu", text("linear_solver", "lu")},
       {"linear_solver_gmres", text("linear_solver", "gmres")},
       {"warm_start", integer("warm_start", 0)},
-      {"total_sliding", integer("total_sliding", 0)},
       {"linear_tolerance",
        [](Contact& c) {
          c.scene.options.set_text("linear_solver", "gmres");
          c.scene.options.set_real("linear_tolerance", 1e-8);
        }},
-      {"linear_tolerance_max",
+      {"adaptive_tolerance",
        [](Contact& c) {
          c.scene.options.set_text("linear_solver", "gmres_adaptive");
-         c.scene.options.set_real("linear_tolerance_max", 1e-3);
-         c.scene.options.set_real("linear_tolerance_gamma", 0.5);
+         c.scene.options.set_real("linear_tolerance", 1e-3);
        }},
       {"preconditioner",
        [](Contact& c) {
          c.scene.options.set_text("linear_solver", "gmres");
-         c.scene.options.set_text("preconditioner", "diagonal");
+         c.scene.options.set_text("preconditioner", "kept_lu");
        }},
   };
   for (const auto& [name, apply] : free) list.push_back({name, apply, nothing});

@@ -118,7 +118,7 @@ void CaseSolver::derivatives(std::span<const Parameter> parameter, const double*
     if (parameter[j] == Parameter::friction && !frictionless_) unit = value[j];
     if (unit == 0) continue;  // one-sided: not in the system of a frictionless solution
     try {
-      if (s.procedure.monolithic) require_operators(s, options_);
+      if (s.procedure.monolithic) require_operators(s);
       const Rates& r = find_rates(s, parameter[j]);
       std::copy(r.force.begin(), r.force.end(), d);
       std::copy(r.moment.begin(), r.moment.end(), d + 3);
@@ -161,7 +161,7 @@ double CaseSolver::number(CaseNumber which) {
       break;
   }
   if (s.frictionless) return 0;
-  if (!s.prepared->problem.op.tangential && !s.images_known) require_operators(s, options_);
+  if (!s.prepared->problem.op.tangential && !s.images_known) require_operators(s);
   return sum_in_contact([&](std::size_t k) {
     const auto i = static_cast<std::int64_t>(k);
     const auto& it = s.iterate;

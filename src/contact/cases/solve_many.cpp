@@ -337,7 +337,7 @@ void reach_for_cases(SolverState& s, const Options& options, const CaseList& lis
   }
   try {
     choose_reach(s, options);
-    require_rows(s, options, s.reach.wanted);
+    require_rows(s, s.reach.wanted);
   } catch (...) {
     s.given = given;
     throw;
@@ -354,7 +354,7 @@ Status solve_cases(SolverState& s, const Options& options, const CaseList& cases
     many.run(s, options, host.context.threads());
   }
   if (many.any_again() && !host.cancel.load()) {
-    require_rows(s, options, {});
+    require_rows(s, {});
     const BlasThreads blas(1);
     many.run(s, options, host.context.threads());
   }

@@ -109,7 +109,7 @@ void Variant::assemble(const SolverState& s, bool tangential) {
     loosen_held_tangents(op);
     move_given_slip(s);
   }
-  set_scales(problem_, 1, 1);
+  set_scales(problem_);
 }
 
 Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) {

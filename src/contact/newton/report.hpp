@@ -55,7 +55,6 @@ struct NewtonReport {
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
   std::int64_t refuted = 0;                 ///< successes of a part that the last guard did not let pass
   std::int64_t predictions = 0;             ///< parts that began from a predicted iterate
-  std::int64_t sliding_steps = 0;           ///< of total sliding; 0: the scene did not give that
 
   std::int64_t& iterations_of(Part part) {
     return part == Part::normal       ? normal_iterations
@@ -71,7 +70,6 @@ struct NewtonReport {
     for (std::size_t k = 0; k < rungs; ++k) saved[k] += earlier.saved[k];
     refuted += earlier.refuted;
     predictions += earlier.predictions;
-    sliding_steps += earlier.sliding_steps;
   }
 };
 

@@ -42,7 +42,7 @@ const char* obstacle_to_fft(const SolverState& s) {
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
   HalfspaceConstants c;
   s.prepared->compliance->halfspace(c);
-  const double delta = op.convection.ahead.empty() ? 0 : s.prepared->characteristic_step * lattice.spacing_along_flow();
+  const double delta = op.convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
   op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection.rows);
   op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
@@ -77,7 +77,7 @@ void choose_table(SolverState& s, bool wanted) {
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    op.convection = make_convection(frame, scheme, s.prepared->characteristic_step);
+    op.convection = make_convection(frame, scheme);
     fill_operators(s, lattice, op);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};

@@ -200,7 +200,7 @@ std::int64_t find_doubtful(SolverState& s) {
   return doubtful;
 }
 
-bool bring_back(SolverState& s, const Options& options) {
+bool bring_back(SolverState& s) {
   Reach& r = s.reach;
   const Problem& p = s.prepared->problem;
   if (!r.on) return false;
@@ -222,7 +222,7 @@ bool bring_back(SolverState& s, const Options& options) {
   const std::vector<std::uint8_t> before = p.op.there;
   for (std::size_t k = 0; k < r.wanted.size(); ++k) r.wanted[k] = r.batches >= most_batches || !(gap_at(p, k) > level);
   if (r.batches >= most_batches) r.why_all = wanders;
-  require_rows(s, options, r.wanted);
+  require_rows(s, r.wanted);
   bool open = true;
   for (std::size_t k = 0; k < before.size(); ++k) {
     if (before[k] || !p.used[k]) continue;

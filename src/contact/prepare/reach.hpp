@@ -17,7 +17,7 @@ void choose_reach(SolverState& state, const Options& options);
 void take_reach(SolverState& state);
 /// After a solve: proves that all nodes left out are open. True: some were not, their rows are there now, and the solve
 /// has to go on.
-bool bring_back(SolverState& state, const Options& options);
+bool bring_back(SolverState& state);
 /// Nodes that have no proof yet of being open at the solution, left in `reach.wanted`.
 std::int64_t find_doubtful(SolverState& state);
 

@@ -86,29 +86,22 @@ void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) 
   if (!state.procedure.monolithic) state.published.reset();
 }
 
-void choose_scales(SolverState& state, const Options& o) {
+void choose_scales(SolverState& state) {
   const bool estimate = !state.procedure.standard();
   Preparation& preparation = *state.preparation;
-  Prepared& on = *preparation.made;
-  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, o.normal_scale,
-                                o.tangential_scale, estimate))
-    return;
-  if (estimate)
-    estimate_scales(on.problem, o.normal_scale, o.tangential_scale);
-  else
-    set_scales(on.problem, o.normal_scale, o.tangential_scale);
+  Problem& problem = preparation.made->problem;
+  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, estimate)) return;
+  estimate ? estimate_scales(problem) : set_scales(problem);
   ++state.work.scales;
-  on.normal_scale = o.normal_scale;
-  on.tangential_scale = o.tangential_scale;
   state.newton.operators_changed();
   state.published.reset();
 }
 
-void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted) {
+void require_rows(SolverState& state, std::span<const std::uint8_t> wanted) {
   if (!state.preparation) fail(Status::err_internal, "rows of operators that are shared cannot be added");
   try {
     assemble_missing(state, wanted);
-    choose_scales(state, options);
+    choose_scales(state);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
     ContactOperators& op = state.preparation->made->problem.op;
@@ -121,8 +114,8 @@ void require_rows(SolverState& state, const Options& options, std::span<const st
   state.images_known = false;
 }
 
-void require_operators(SolverState& state, const Options& options) {
-  require_rows(state, options, state.reach.wanted);
+void require_operators(SolverState& state) {
+  require_rows(state, state.reach.wanted);
 }
 
 }  // namespace rollcon

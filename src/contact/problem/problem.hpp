@@ -125,9 +125,9 @@ void sum_tractions(const Problem& problem, const Frame& frame, const std::vector
 
 /// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2). A
 /// node whose rows vanish gets the mean of the others.
-void set_scales(Problem& problem, double normal_factor, double tangential_factor);
+void set_scales(Problem& problem);
 /// Likewise, of half-spaces on cells of the frame's size: without a look at any operator, so that both forms of the
 /// published system walk the same path.
-void estimate_scales(Problem& problem, double normal_factor, double tangential_factor);
+void estimate_scales(Problem& problem);
 
 }  // namespace rollcon

@@ -161,7 +161,7 @@ void check_laws(SolverState& s) {
   // Slip is small when it is small against the slip velocities that occur, or when it would change the traction by
   // little of the friction bound (zero creepage has no velocity to compare with).
   const auto relative = [&](double speed, std::size_t k) {
-    return std::min(speed / speed_max, p.rt[k] / s.prepared->tangential_scale * speed / bound_max);
+    return std::min(speed / speed_max, p.rt[k] * speed / bound_max);
   };
   double normal = 0, friction = 0, slip = 0;
   for (std::size_t k = 0; k < n; ++k) {

@@ -190,11 +190,6 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
-  if (s.report.sliding_steps > 0)
-    line(text,
-         "total sliding given (no node can stick): no stick test, no tangential system; %lld "
-         "step(s) of explicit tractions",
-         static_cast<long long>(s.report.sliding_steps));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
