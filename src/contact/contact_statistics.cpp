@@ -139,7 +139,6 @@ constexpr Statistic table[] = {
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
-    {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op.rows); }},
     {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
     {"operator_applications",
      [](SolverState& s) {
@@ -147,8 +146,6 @@ constexpr Statistic table[] = {
        return number(s.work.applications + (field ? field->applications() : 0));
      }},
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
-    {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
-    {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},
     {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
     {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},
     {"compliance_builds", [](SolverState& s) { return number(s.work.compliances); }},

@@ -34,22 +34,6 @@ struct Work {
   std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
 };
 
-/// Nodes that may carry traction (contact/prepare/reach.hpp).
-struct Reach {
-  bool on = false;                ///< some nodes are left out
-  std::int64_t nodes = 0;         ///< in reach
-  std::int64_t returned = 0;      ///< brought back by checks of the last solve
-  std::int64_t batches = 0;       ///< times that rows were added to those of the first solve
-  bool doubtful = false;          ///< noted where rows are shared and cannot be added
-  const char* why_not = nullptr;  ///< all nodes are in reach; static text
-  const char* why_all = nullptr;  ///< likewise, once all rows are there
-  /// Of the last solution: greatest gap of a node in contact, least gap, approach, load.
-  bool known = false;
-  double edge = 0, low = 0, depth = 0, load = 0;
-  std::vector<double> radius;        ///< of the elements around each node
-  std::vector<std::uint8_t> wanted;  ///< scratch, per node
-};
-
 /// Relative, and of the forces that go with the motions of the solution.
 struct ErrorEstimate {
   bool known = false;
@@ -120,13 +104,12 @@ struct Preparation;  // contact/prepare/preparation.hpp
 struct SolverState {
   Work work;
   std::shared_ptr<const Prepared> prepared;  ///< null: nothing was prepared yet
-  /// Makes it, and adds rows that a solve turns out to need; null where it is shared.
+  /// Makes it; null where it is shared.
   std::shared_ptr<Preparation> preparation;
   std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
   bool frictionless = false;
 
   Prescribed given;
-  Reach reach;
   Iterate iterate;
   Newton newton;
   MakePublished make_published = nullptr;             ///< null: they are not part of this build
@@ -170,8 +153,6 @@ struct SolverState {
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
 /// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
 void require_operators(SolverState& state);
-/// Rows of these nodes too (wanted[k] != 0; empty: of all), for what needs them after a solve.
-void require_rows(SolverState& state, std::span<const std::uint8_t> wanted);
 
 /// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the linear systems do.
 void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);

@@ -27,8 +27,6 @@ std::unique_ptr<SolverState> share(const SolverState& from) {
   to->preparation = can_share(from) ? nullptr : from.preparation;
   to->given = from.given;
   to->frictionless = from.frictionless;
-  to->reach = from.reach;
-  to->reach.known = false;
   to->procedure = from.procedure;
   to->iterate.resize(to->prepared->problem.nodes);
   return to;
@@ -71,7 +69,6 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
-  s.reach.doubtful = false;
   if (!warm_ || options_.warm_start == 0) s.iterate.clear();
   warm_ = false;
   prescribe(parameter, value);
@@ -81,10 +78,6 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   s.outcome = s.report.outcome;
   warm_ = s.outcome == Outcome::converged;
   return status_of(s);
-}
-
-bool CaseSolver::out_of_reach() const {
-  return state_->reach.doubtful;
 }
 
 void CaseSolver::resultant(double* force, double* moment) const {

@@ -32,8 +32,6 @@ class CaseSolver {
   /// Solves one case, starting from the last one of the chain if that converged. parameter: what value[i] is of.
   /// Returns its status >= 0; throws Error.
   Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor);
-  /// After solve() the case turned out to reach nodes whose rows nobody assembled: it has no result.
-  bool out_of_reach() const;
 
   // Of the last case.
   void resultant(double* force, double* moment) const;

@@ -61,8 +61,6 @@ struct CaseHost {
 struct SolverState;
 struct Options;
 
-/// Rows for the largest load (or approach) and friction of the list, so that no case lacks any.
-void reach_for_cases(SolverState& state, const Options& options, const CaseList& cases);
 /// Solves the cases of the prepared scene over threads; the status is that of Contact::solve_many.
 Status solve_cases(SolverState& state, const Options& options, const CaseList& cases, const CaseResults& results,
                    const CaseHost& host);

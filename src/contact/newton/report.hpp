@@ -61,16 +61,6 @@ struct NewtonReport {
            : part == Part::tangential ? tangential_iterations
                                       : full_iterations;
   }
-  /// Iterations of an earlier part of the same solve.
-  void add(const NewtonReport& earlier) {
-    normal_iterations += earlier.normal_iterations;
-    tangential_iterations += earlier.tangential_iterations;
-    full_iterations += earlier.full_iterations;
-    fallbacks += earlier.fallbacks;
-    for (std::size_t k = 0; k < rungs; ++k) saved[k] += earlier.saved[k];
-    refuted += earlier.refuted;
-    predictions += earlier.predictions;
-  }
 };
 
 }  // namespace rollcon

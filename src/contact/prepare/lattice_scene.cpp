@@ -56,8 +56,6 @@ void forget_rows(SolverState& s) {
   for (auto& row : op.block)
     for (auto& block : row) block.release();
   op.normal = op.tangential = op.coupling_vanished = false;
-  op.there.clear();
-  op.rows = 0;
   s.newton.operators_changed();
   s.published.reset();
 }
@@ -103,7 +101,6 @@ void build_lattice_operators(SolverState& s, const Options& options) {
   if (op.field && (op.tangential || s.frictionless)) return;
   const Stopwatch watch(s.timings.compliance);
   forget_rows(s);
-  op.rows = s.prepared->frame.nodes();
   fill_operators(s, *s.prepared->lattice, op);
   s.iterate.invalidate();
   ++s.preparation->rows;
@@ -117,8 +114,6 @@ bool fill_from_table(SolverState& s) {
   fill_lattice_operators(*s.prepared->lattice, c, !s.frictionless || op.tangential, op);
   op.normal = true;
   op.tangential = op.tangential || !s.frictionless;
-  op.rows = op.nodes;
-  op.there.clear();
   return true;
 }
 

@@ -58,8 +58,8 @@ struct Preparation {
 
 /// What there is so far; empty at first.
 Prepared& begin_preparation(SolverState& state);
-/// Rows of the nodes with wanted[k] != 0 (empty: of all) that are not there yet.
-void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted);
+/// The dense operators that the scene needs and that are not there yet.
+void assemble_missing(SolverState& state);
 void choose_scales(SolverState& state);
 
 }  // namespace rollcon

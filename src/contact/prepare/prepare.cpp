@@ -6,7 +6,6 @@
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
-#include "contact/prepare/reach.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -116,8 +115,7 @@ void build_stencils(SolverState& state, const Scene& scene) {
 
 void build_operators(SolverState& state, const Scene& scene) {
   build_lattice_operators(state, scene.options);
-  choose_reach(state, scene.options);
-  if (!state.procedure.monolithic) assemble_missing(state, state.reach.wanted);
+  if (!state.procedure.monolithic) assemble_missing(state);
   choose_scales(state);
 }
 

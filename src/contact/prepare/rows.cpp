@@ -5,7 +5,6 @@
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
-#include "contact/prepare/reach.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -21,10 +20,10 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k] && op.has_row(k)) largest = std::max(largest, diagonal(k));
+    if (frame.used[k]) largest = std::max(largest, diagonal(k));
   long long held = 0, first = -1;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k] && op.has_row(k) && !(diagonal(k) > rounding * largest) && held++ == 0)
+    if (frame.used[k] && !(diagonal(k) > rounding * largest) && held++ == 0)
       first = static_cast<long long>(k) + frame.mesh.index_base;
   if (held > 0)
     fail(Status::err_state,
@@ -44,9 +43,7 @@ void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   const auto row_norm = [&](int r, std::int64_t k) {
     return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
   };
-  const auto there = [&](std::int64_t k) {
-    return frame.used[static_cast<std::size_t>(k)] && op.has_row(static_cast<std::size_t>(k));
-  };
+  const auto there = [&](std::int64_t k) { return frame.used[static_cast<std::size_t>(k)] != 0; };
   double largest = 0;
   for (std::int64_t k = 0; k < n; ++k)
     if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
@@ -59,24 +56,15 @@ void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
   }
 }
 
-bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> wanted) {
-  if (op.rows == op.nodes) return false;
-  if (wanted.empty()) return true;
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (wanted[k] && !op.has_row(k)) return true;
-  return false;
-}
-
 }  // namespace
 
-void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) {
+void assemble_missing(SolverState& state) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   ContactOperators& op = on.problem.op;
-  if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
+  if (op.normal && (state.frictionless || op.tangential)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
-  take_reach(state);
+  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op);
   refuse_held_nodes(on.frame, op);
   loosen_held_tangents(on.frame, op);
   ++state.assemblies;
@@ -97,10 +85,10 @@ void choose_scales(SolverState& state) {
   state.published.reset();
 }
 
-void require_rows(SolverState& state, std::span<const std::uint8_t> wanted) {
-  if (!state.preparation) fail(Status::err_internal, "rows of operators that are shared cannot be added");
+void require_operators(SolverState& state) {
+  if (!state.preparation) fail(Status::err_internal, "operators that are shared cannot be assembled");
   try {
-    assemble_missing(state, wanted);
+    assemble_missing(state);
     choose_scales(state);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
@@ -112,10 +100,6 @@ void require_rows(SolverState& state, std::span<const std::uint8_t> wanted) {
     throw;
   }
   state.images_known = false;
-}
-
-void require_operators(SolverState& state) {
-  require_rows(state, state.reach.wanted);
 }
 
 }  // namespace rollcon

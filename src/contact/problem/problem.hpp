@@ -43,7 +43,7 @@ struct Problem {
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
   std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
-  std::vector<std::uint8_t> used;          ///< nodes within reach that may carry traction
+  std::vector<std::uint8_t> used;          ///< nodes that may carry traction
   double length = 1;                       ///< of the frame; scales spin
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;

@@ -21,7 +21,6 @@ const SettingTable<Options>& table() {
        "the last solution; 0: from nothing."},
       {"operators", &Options::operators, "auto|dense|table|fft",
        "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions."},
-      {"reach", &Options::reach, 0, 1, "1: nodes that cannot touch get no rows of the operators; 0: all nodes do."},
       {"system", &Options::system, "condensed|monolithic",
        "The bodies' own unknowns eliminated, or written out as in (48), (58), (62)."},
       {"jacobian", &Options::jacobian, "exact|b_derivative|simplified|reduced",

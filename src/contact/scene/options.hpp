@@ -20,7 +20,6 @@ struct Options {
   std::string linear_solver = "auto";         // "linear_solver"
   std::int64_t warm_start = 2;                // "warm_start"
   std::string operators = "auto";             // "operators"
-  std::int64_t reach = 1;                     // "reach"
   // Which of the published solution procedures (contact/scene/procedure.hpp).
   std::string system = "condensed";     // "system"
   std::string jacobian = "exact";       // "jacobian"
