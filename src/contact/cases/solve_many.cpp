@@ -169,29 +169,7 @@ void ManyCases::fail_case(std::int64_t i, Status status, const char* message) {
 void ManyCases::keep(CaseSolver& solver, std::int64_t i) {
   double* to = row(i);
   for (const CaseColumn& c : results_.column) {
-    switch (c.kind) {
-      case CaseColumn::Kind::force:
-        solver.resultant(to, nullptr);
-        break;
-      case CaseColumn::Kind::moment:
-        solver.resultant(nullptr, to);
-        break;
-      case CaseColumn::Kind::approach:
-        solver.motion(to, nullptr);
-        break;
-      case CaseColumn::Kind::creep:
-        solver.motion(nullptr, to);
-        break;
-      case CaseColumn::Kind::derivatives:
-        solver.derivatives(list_.parameter, values_of(i), to);
-        break;
-      case CaseColumn::Kind::tractions:
-        solver.tractions(to);
-        break;
-      case CaseColumn::Kind::number:
-        *to = solver.number(c.number);
-        break;
-    }
+    solver.write(c, list_.parameter, values_of(i), to);
     to += c.width;
   }
 }
