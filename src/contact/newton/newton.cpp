@@ -73,7 +73,7 @@ Outcome Newton::attempt(bool cold) {
     outcome = iteration_.run(Part::normal, s.given, {.tolerance = enough});
     if (outcome == Outcome::not_converged && s.iterations_left > 0) {
       ++s.report.fallbacks;
-      outcome = bracket_approach(iteration_, Part::normal, enough);
+      outcome = bracket_approach(iteration_, enough);
       s.report.saved[static_cast<std::size_t>(Rung::approach_of_pressures)] += outcome == Outcome::converged;
     }
     pressures_found_ = outcome == Outcome::converged;
@@ -153,16 +153,12 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  const bool full = solve_.goal == Part::full;
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);
-  if (full)
-    next(Rung::bracket_approach,
-         [](NewtonIteration& newton) { return bracket_approach(newton, Part::full, newton.solve().tolerance); });
   next(Rung::rescale_slip, rescale_slip);
   next(Rung::friction_from_above, [](NewtonIteration& newton) { return continue_in_friction(newton, true); });
-  if (full) next(Rung::alternate, alternate);
+  if (solve_.goal == Part::full) next(Rung::alternate, alternate);
   next(Rung::friction_from_below, [](NewtonIteration& newton) { return continue_in_friction(newton, false); });
   return outcome;
 }

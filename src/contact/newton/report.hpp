@@ -37,13 +37,12 @@ enum class Rung {
   bracket_creep,
   relax,
   search_creep,
-  bracket_approach,
   rescale_slip,
   friction_from_above,
   alternate,
   friction_from_below,
 };
-inline constexpr std::size_t rungs = 10;
+inline constexpr std::size_t rungs = 9;
 
 struct NewtonReport {
   Outcome outcome = Outcome::not_converged;

@@ -60,6 +60,10 @@ struct Preparation {
 Prepared& begin_preparation(SolverState& state);
 /// The dense operators that the scene needs and that are not there yet.
 void assemble_missing(SolverState& state);
+/// A support that keeps a node from moving along a tangent (a plane of symmetry) leaves its slip equation without
+/// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
+/// bound where there is.
+void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op);
 void choose_scales(SolverState& state);
 
 }  // namespace rollcon

@@ -33,30 +33,27 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
          first, frame.mesh.index_base, held);
 }
 
-// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip equation without
-// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
-// bound where there is.
-void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
+}  // namespace
+
+void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op) {
   if (!op.tangential) return;
   constexpr double rounding = 1e-12, looseness = 1e-6;
-  const std::int64_t n = frame.nodes();
+  const std::int64_t n = op.nodes;
   const auto row_norm = [&](int r, std::int64_t k) {
     return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
   };
-  const auto there = [&](std::int64_t k) { return frame.used[static_cast<std::size_t>(k)] != 0; };
   double largest = 0;
   for (std::int64_t k = 0; k < n; ++k)
-    if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+    if (used[static_cast<std::size_t>(k)]) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+  // Both rows vanish at the inflow rim of upwind schemes.
+  const bool upwind = op.convection.ahead.empty();
   for (std::int64_t k = 0; k < n; ++k) {
-    if (!there(k)) continue;
-    const double norm[2] = {row_norm(0, k), row_norm(1, k)};
-    for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
-      if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
-        op.block[r][r].row(k)[k] = looseness * largest;
+    if (!used[static_cast<std::size_t>(k)]) continue;
+    const bool held[2] = {row_norm(0, k) <= rounding * largest, row_norm(1, k) <= rounding * largest};
+    for (int r = 0; r < 2; ++r)
+      if (held[r] && !(upwind && held[1 - r])) op.block[r][r].row(k)[k] = looseness * largest;
   }
 }
-
-}  // namespace
 
 void assemble_missing(SolverState& state) {
   Preparation& preparation = *state.preparation;
@@ -66,7 +63,7 @@ void assemble_missing(SolverState& state) {
   const Stopwatch watch(state.timings.compliance);
   if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op);
   refuse_held_nodes(on.frame, op);
-  loosen_held_tangents(on.frame, op);
+  loosen_held_tangents(on.frame.used, op);
   ++state.assemblies;
   state.iterate.invalidate();
   ++preparation.rows;
