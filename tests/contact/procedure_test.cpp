@@ -9,8 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "support/error.hpp"
-
 namespace rollcon {
 namespace {
 
@@ -20,16 +18,6 @@ Options with(const Texts& texts) {
   Options o;
   for (const auto& [name, value] : texts) o.set_text(name, value);
   return o;
-}
-
-std::string refusal(const Options& o) {
-  try {
-    choose_procedure(o);
-  } catch (const Error& e) {
-    EXPECT_EQ(e.status(), Status::err_option);
-    return e.what();
-  }
-  return "";
 }
 
 TEST(procedure, standard_is_condensed_and_exact) {
@@ -87,32 +75,6 @@ TEST(procedure, one_tolerance_is_that_of_either_gmres) {
   o.set_text("linear_solver", "gmres_adaptive");
   EXPECT_EQ(choose_procedure(o).eta, 0);
   EXPECT_EQ(choose_procedure(o).eta_max, 1e-3);
-}
-
-TEST(procedure, refuses_what_makes_no_sense) {
-  struct Case {
-    Texts texts;
-    std::vector<std::string> words;
-  };
-  for (const Case& c :
-       {Case{{{"slip_estimate", "jacobi"}}, {"slip_estimate", "jacobi", "exact", "reduced"}},
-        Case{{{"jacobian", "reduced"}}, {"reduced", "convection", "characteristic", "godunov"}},
-        Case{{{"preconditioner", "bodies"}, {"linear_solver", "gmres"}}, {"preconditioner", "bodies", "condensed"}},
-        Case{{{"preconditioner", "kept_lu"}}, {"preconditioner", "kept_lu", "gmres"}},
-        Case{{{"preconditioner", "kept_lu"}, {"linear_solver", "gmres"}, {"system", "monolithic"}},
-             {"preconditioner", "kept_lu", "monolithic", "bodies"}},
-        Case{{{"preconditioner", "diagonal"}, {"linear_solver", "gmres"}}, {"preconditioner", "diagonal", "exact"}},
-        Case{{{"line_search", "armijo"}}, {"line_search", "armijo", "exact", "monolithic"}}})
-    for (const std::string& word : c.words)
-      EXPECT_NE(refusal(with(c.texts)).find(word), std::string::npos) << word << " in: " << refusal(with(c.texts));
-  Options o;
-  o.set_real("linear_tolerance", 1e-3);
-  for (const char* solver : {"auto", "lu"}) {
-    o.set_text("linear_solver", solver);
-    EXPECT_NE(refusal(o).find("linear_tolerance is 0.001"), std::string::npos) << refusal(o);
-  }
-  o.set_text("linear_solver", "gmres");
-  EXPECT_EQ(refusal(o), "");
 }
 
 TEST(adaptive_tolerance, begins_with_the_largest) {

@@ -2,7 +2,6 @@
 /// Load cases of one prepared scene, solved by several threads side by side. Each has a solver state of its own, but
 /// operators, compliance and bodies are the scene's, read only.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,7 +37,6 @@ class CaseSolver {
 
   /// What this solver holds beyond what it shares.
   std::size_t bytes() const;
-  const SolverState& state() const { return *state_; }
 
  private:
   void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
