@@ -26,7 +26,7 @@ void add_body(Record& record, const scenes::RollingPair& pair) {
 double warm_seconds(scenes::RollingPair& pair, const scenes::Solution& s) {
   // The first re-solve with creepages given may still size workspaces. Back where it came from, a prediction would be
   // the solution.
-  pair.option("prediction", std::int64_t{0});
+  pair.option("warm_start", std::int64_t{1});
   for (const double factor : {1.0, 1.01, 1.0}) {
     pair.creep(factor * s.creep[0], factor * s.creep[1], factor * s.creep[2]);
     pair.solve();

@@ -84,7 +84,7 @@ void roll(Runner& runner, Study& study, const Frame& frame, const char* scheme) 
 
   // Creepage-driven re-solves, each after 1 % of change; the first one may still size workspaces. Back where it came
   // from, a prediction would be the solution.
-  pair.option("prediction", std::int64_t{0});
+  pair.option("warm_start", std::int64_t{1});
   pair.creep(s.creep[0], s.creep[1], 0);
   pair.solve();
   pair.creep(1.01 * s.creep[0], s.creep[1], 0);

@@ -86,7 +86,7 @@ void resolve(Runner& runner, const std::string& model, const Elastic& body2, dou
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
   rolling::prepare(pair, rolling::grid(13), "b");
   pair.load(0.7 * rolling::hertz.load).option("tolerance", tolerance);
-  pair.option("prediction", std::int64_t{0});
+  pair.option("warm_start", std::int64_t{1});
   pair.solve();
   Record record{.case_name = "guards", .method = "", .model = model};
   record.mesh = "13 x 13";

@@ -45,7 +45,7 @@ void add_resolves(Record& record, scenes::RollingPair& pair, const scenes::Solut
   double fastest = INFINITY, iterations = 0;
   // The first one with creepages given may still size workspaces. Back where it came from, a prediction would be the
   // solution.
-  pair.option("prediction", std::int64_t{0});
+  pair.option("warm_start", std::int64_t{1});
   pair.creep(s.creep[0], s.creep[1], s.creep[2]).solve();
   for (int k = 0; k < (fastest > long_enough && k > 0 ? 2 : most); ++k) {
     const double began = now();

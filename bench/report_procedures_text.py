@@ -14,15 +14,15 @@ brackets are its equations) are options of a contact:
 | | `simplified` | (77)-(83): friction of a sliding pair keeps the direction that it had in the last iterate |
 | | `reduced` | section 11.8: the same, a sliding pair with one unknown traction and a sticking one with estimated displacements; needs `convection` `godunov` or `least_squares` |
 | `slip_estimate` | `jacobi` | (90): displacement that makes the slip vanish, those of the neighbours as they were; the choice of `auto` |
-| | `pseudo_temporal` | (91): a time step of `slip_time_step`, in units of the shortest time in which a particle passes a node |
-| | `extrapolation` | (92): that of (90), extrapolated by `slip_extrapolation` |
+| | `pseudo_temporal` | (91): a time step: the shortest time in which a particle passes a node |
+| | `extrapolation` | (92): that of (90), extrapolated by 1.2 |
 | `linear_solver` | `lu` | every system is factorised: LAPACK where it is dense, UMFPACK where it is sparse |
 | | `gmres` | GMRES to a tolerance `linear_tolerance` (71); 0: chosen from the iteration's progress |
-| | `gmres_adaptive` | tolerance by (72)-(74): `linear_tolerance_max`, `linear_tolerance_gamma` |
-| `preconditioner` | `none`, `diagonal` | of GMRES; diagonal: each pair's own block, of the published procedures each unknown's own entry |
+| | `gmres_adaptive` | tolerance by (72)-(74), at most `linear_tolerance` (0: 0.01) |
+| `preconditioner` | `none`, `diagonal` | of GMRES, not of the standard iteration; diagonal: each unknown's own entry |
 | | `bodies` | the bodies' matrices, factorised once, and the pairs as if on half-spaces; monolithic only, its `auto` |
 | | `kept_lu` | factors of an earlier iteration, made anew when they no longer serve; condensed only, its `auto` |
-| `line_search` | `armijo`, `off` | section 11.1 (III), with `line_search_factor` and `line_search_slope`; `auto`: armijo |
+| `line_search` | `armijo`, `off` | section 11.1 (III); `auto`: armijo |
 
 Combinations that make no sense are refused with the reason. With directions of friction frozen
 (`simplified`, `reduced`) nothing in the system depends on an unknown creepage once every pair slides,
@@ -57,9 +57,9 @@ CHOICE = """## Which to choose
 - `pseudo_temporal` uses one time step for all nodes, that of the fastest passed; nodes on larger cells
   relax slowly, and with least squares the sphere's frame did not converge. The paper's step of 0.15,
   whose unit it does not give, is too small in units of the shortest passing time (no convergence within
-  thousands of iterations); the default is 1. `extrapolation` saves up to a sixth of Jacobi's iterations.
+  thousands of iterations); here it is 1. `extrapolation` saves up to a sixth of Jacobi's iterations.
 - Adaptive tolerance: while the outer iteration converges linearly, (73) stays near its bound
-  `linear_tolerance_max`, and an error of that part of the residual is fed back. With a bound of 0.5
+  `linear_tolerance`, and an error of that part of the residual is fed back. With a bound of 0.5
   `reduced` needs twice the iterations or does not converge; the default is 0.01.
 - `monolithic` needs no compliance of the bodies, and with GMRES, adaptive tolerance and the bodies'
   factors a cold solve costs a few times what the standard's does. It was never faster here, and every

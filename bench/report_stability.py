@@ -176,6 +176,34 @@ def says(records):
                    + table(["when", "status", "in this suite, cold"], rows) + "\n")
 
 
+RUNGS = """## What each fallback saves
+
+Of 12,812 solves (the random and named scenes above on frames of up to 300 nodes, from nothing and from another
+state; forces near what friction carries; friction raised to 0.6 to 10; creepages of 10 to 1e6; small steps of a sequence; small loads
+on quadratic elements; forces given under friction of 1e-6 to 0.1 between unlike bodies) 28 did not converge. A fallback
+(docs/theory.md, section 6) was *tried* in so many, and *solved* so many. Each of those solves was repeated in a copy of the library with that fallback alone switched off: *lost* are solves that then did not converge (fallbacks after it are tried in its place), *gained* those that did
+only then, as iterations were left for others; the last column is the processor time of all of them with it and without it.
+
+| fallback | tried | solved | lost without it | gained | seconds with, without |
+| --- | --- | --- | --- | --- | --- |
+| a cold start after a warm one | 492 | 388 | 7 | 1 | 6.8, 10.7 |
+| pressures: approach bracketed | 53 | 52 | 40 | 0 | 0.02, 0.03 |
+| one load: creepage bracketed | 252 | 166 | 0 | 0 | 4.4, 5.9 |
+| relaxation node by node | 480 | 55 | 3 | 6 | 17.0, 15.9 |
+| several loads: creepages sought | 306 | 200 | 3 | 4 | 11.7, 12.3 |
+| another scale of slip | 247 | 54 | 10 | 2 | 17.5, 15.8 |
+| friction lowered from above | 76 | 16 | 8 | 0 | 3.3, 3.1 |
+| normal and tangential problem in turn | 159 | 20 | 8 | 0 | 15.1, 15.1 |
+| friction grown from none | 154 | 24 | 24 | 0 | 14.4, 9.2 |
+| loads 5 % beyond sliding refused at once | 278 | 278 | 0 | 0 | 0.9, 13.4 |
+| loads beyond sliding refused in the end | 106 | 106 | 106 | 0 | 5.4, 5.2 |
+
+Searches for one creepage and for several are first of all quick: under small friction (1377 solves) those that they solve take 2.0
+and 1.6 times as long without them, and without the first of them and friction lowered from above together 53 are lost. Bracketing the approach of
+coupled problems was tried 103 times and solved three, none of them lost without it: it is gone.
+
+"""
+
 HEAD = """Scenes that are stiff, extreme or degenerate, each judged by laws of contact that are recomputed from what the caller
 gave and what the public functions return, not by the solver's own residuals: displacements at nodes and upstream points by
 `rollcon_contact_get_displacements_at` (from tractions, not from the solver's matrices), gaps from them, the gap of the undeformed bodies
@@ -214,7 +242,7 @@ def main():
             + "\n## From another state\n\nAfter a solve of the same bodies and frame with everything else wildly different: pressed three times as deep with mu = 3 and a thousand times the creepage\n"
             "backwards; with a thousandth of the approach or load, mu = 1e-3 and large spin; with the gap tilted. Difference: of tractions from those found from nothing, over the largest "
             "(several solutions may exist where friction is large between unlike bodies).\n\n" + warm_table(warm) + "\n"
-            + procedures(records, docs) + limits(records) + says(records))
+            + RUNGS + procedures(records, docs) + limits(records) + says(records))
     with open(f"{docs}/stability.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")
 

@@ -86,7 +86,7 @@ void resolve(Runner& runner, Scene& scene, double change, double tolerance) {
   record.threads = runner.threads;
   record.quantity = what;
   record.against = "none";
-  pair.option("tolerance", tolerance).option("prediction", std::int64_t{0});
+  pair.option("tolerance", tolerance).option("warm_start", std::int64_t{1});
   double least = INFINITY, prepare = 0, newton = 0, linear = 0, iterations = 0, gmres = 0, factorizations = 0;
   const int rounds = runner.quick ? 6 : 24;
   for (int k = 0; k < rounds; ++k) {
@@ -249,11 +249,11 @@ void run_table(Runner& runner) {
 }
 
 /// A time loop of a vehicle: load and creepages vary slowly, each with periods of its own.
-void loop(Runner& runner, const std::string& model, const Elastic& body2, double tolerance, std::int64_t prediction) {
+void loop(Runner& runner, const std::string& model, const Elastic& body2, double tolerance, bool prediction) {
   namespace rolling = scenes::steady_rolling;
   scenes::RollingPair pair(rolling::steel, body2, runner.threads);
   rolling::prepare(pair, rolling::grid(13), "b");
-  pair.option("tolerance", tolerance).option("prediction", prediction);
+  pair.option("tolerance", tolerance).option("warm_start", std::int64_t{prediction ? 2 : 1});
   Record record{.case_name = "loop", .method = prediction ? "predicted" : "", .model = model};
   record.mesh = "13 x 13";
   record.threads = runner.threads;
@@ -291,7 +291,7 @@ void run_loop(Runner& runner) {
   namespace rolling = scenes::steady_rolling;
   const Elastic soft{.shear = 41000, .poisson = 0.45};
   for (const double tolerance : {1e-6, 1e-10})
-    for (const std::int64_t prediction : {0, 1}) {
+    for (const bool prediction : {false, true}) {
       loop(runner, "identical half-spaces", rolling::steel, tolerance, prediction);
       loop(runner, "dissimilar half-spaces", soft, tolerance, prediction);
     }

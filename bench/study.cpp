@@ -160,7 +160,7 @@ Solved cold_solve(const Runner& runner, Record& record, const MakePair& make) {
 double warm_solve(const Runner& runner, scenes::RollingPair& pair, const std::array<double, 3>& creep) {
   double best = std::numeric_limits<double>::max(), spent = 0;
   // Back where it came from, a prediction would be the solution.
-  pair.option("prediction", std::int64_t{0});
+  pair.option("warm_start", std::int64_t{1});
   for (int k = 0; k < (runner.quick ? 1 : most_repeats) && spent < repeat_below; ++k) {
     pair.creep(1.01 * creep[0], creep[1], creep[2]);
     pair.solve();

@@ -103,15 +103,6 @@ PairPointer case_b(int n, double other, int threads) {
   return pair;
 }
 
-/// A frame twice as wide as the contact.
-PairPointer wide(int n, int threads) {
-  namespace rolling = scenes::steady_rolling;
-  auto pair = case_b(n, 0, threads);
-  const auto lines = frames::uniform_lines(-2 * rolling::radius, 2 * rolling::radius, n);
-  pair->frame(frames::rectangle(ElementType::quad4, lines, lines)).gap_quadratic(rolling::hertz.A, rolling::hertz.B);
-  return pair;
-}
-
 std::vector<Shortcut> shortcuts(const Runner& runner) {
   const bool quick = runner.quick;
   const int t = runner.threads;
@@ -139,27 +130,6 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                    auto pair = sphere(nodes, t);
                    pair->creep(0, 0, 0).friction(with ? 0 : 1e-13);
                    return pair;
-                 },
-                 solve});
-  all.push_back({"total sliding", "case (b) at 20 % creepage, 10 new creepages",
-                 [=](bool with) {
-                   auto pair = case_b(n, 0, t);
-                   pair->creep(0.2, 0, 0).option("total_sliding", std::int64_t{with});
-                   return pair;
-                 },
-                 [](RollingPair& pair, bool) {
-                   for (int i = 1; i <= 10; ++i) pair.creep(0.2, 0.01 * i, 0).solve();
-                 },
-                 solve});
-  all.push_back({"total sliding", "the same, each from nothing",
-                 [=](bool with) {
-                   auto pair = case_b(n, 0, t);
-                   pair->creep(0.2, 0, 0).option("total_sliding", std::int64_t{with});
-                   pair->option("warm_start", std::int64_t{0});
-                   return pair;
-                 },
-                 [](RollingPair& pair, bool) {
-                   for (int i = 1; i <= 10; ++i) pair.creep(0.2, 0.01 * i, 0).solve();
                  },
                  solve});
   all.push_back({"equal constants", "case (b), nu of body 2 off by 2e-11",
@@ -195,20 +165,6 @@ std::vector<Shortcut> shortcuts(const Runner& runner) {
                      if (with) pair.solve();
                    },
                    example1 ? 2 : 5});
-  const auto reach = [](PairPointer pair, bool with) {
-    pair->option("reach", std::int64_t{with});
-    return pair;
-  };
-  all.push_back({"reach", "example 3", [=](bool with) { return reach(sphere(nodes, t), with); }, solve});
-  all.push_back({"reach", "case (b), 90 % of the width in contact",
-                 [=](bool with) { return reach(case_b(n, 0, t), with); }, solve});
-  all.push_back(
-      {"reach", "case (b), 50 % of the width in contact", [=](bool with) { return reach(wide(n, t), with); }, solve});
-  all.push_back({"reach", "the same, 10 new creepages", [=](bool with) { return reach(wide(n, t), with); },
-                 [](RollingPair& pair, bool) {
-                   for (int i = 1; i <= 10; ++i) pair.creep(-1e-3, 1e-5 * i, 3e-4).solve();
-                 },
-                 solve});
   all.push_back({"regular frame", "case (b), rows from a table",
                  [=](bool with) {
                    auto pair = case_b(n, 0, t);

@@ -7,7 +7,6 @@
 #include "contact/cases/solve_many.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
-#include "contact/prepare/reach.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/solution.hpp"
@@ -84,8 +83,7 @@ class Watch final : public Monitor {
 void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   LinearSolver& linear = s.newton.linear();
   s.newton.use(s.procedure);
-  s.newton.look_for_sliding = options.total_sliding != 0;
-  s.newton.predict = options.prediction != 0;
+  s.newton.predict = options.warm_start == 2;
   linear.unknowns = 0;  // where nothing needs a system
   s.linear_iterations = -linear.iterations;
   s.right_sides = -linear.right_sides;
@@ -94,13 +92,6 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   start_on_lattice(s, monitor);
   s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
                             options.max_iterations, monitor);
-  // Nodes that were left out and touch nevertheless come back, and the iteration goes on.
-  while (s.report.outcome != Outcome::cancelled && bring_back(s, options)) {
-    const NewtonReport before = s.report;
-    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
-                              options.max_iterations, monitor);
-    s.report.add(before);
-  }
   s.images_known = false;
   s.system_unknowns = linear.unknowns;
   s.system_nonzeros = linear.unknowns * linear.unknowns;
@@ -307,7 +298,6 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
     const BlasThreads blas(context_->threads());
     const HostInterrupt interrupt(progress_, progress_user_, cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
-    reach_for_cases(s, scene.options, cases);
     s.settled = true;
   } catch (const Cancelled&) {
     clear_state();

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/sensitivity.hpp"
+#include "contact/results/statistics.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -171,7 +173,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
-  require_operators(s, scene.options);
+  require_operators(s);
   const Rates& r = find_rates(s, parameter);
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
@@ -247,6 +249,28 @@ void Contact::write(const char* path) const {
   derive_fields(*state_);
   arrays.push_back({"status", 1, nullptr, state_->status.data()});
   write_vtu(path, state_->prepared->frame.mesh, arrays);
+}
+
+std::int64_t Contact::stat_count() {
+  return std::ssize(statistics());
+}
+
+const char* Contact::stat_name(std::int64_t i) {
+  if (i < 0 || i >= stat_count())
+    fail(Status::err_argument, "statistic %lld is outside [0, %lld]", static_cast<long long>(i),
+         static_cast<long long>(stat_count() - 1));
+  return statistics()[static_cast<std::size_t>(i)].name;
+}
+
+double Contact::stat(const char* name) const {
+  for (const Statistic& s : statistics())
+    if (std::strcmp(s.name, name) == 0) {
+      if (!state_->solved || state_->revision_solved.mesh != scene.revision.mesh)
+        fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
+      const BlasThreads blas(context_->threads());
+      return s.value(*state_);
+    }
+  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
 }
 
 }  // namespace rollcon

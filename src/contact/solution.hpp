@@ -34,22 +34,6 @@ struct Work {
   std::int64_t fields = 0, laws = 0, displacements = 0, estimates = 0;  ///< asked for
 };
 
-/// Nodes that may carry traction (contact/prepare/reach.hpp).
-struct Reach {
-  bool on = false;                ///< some nodes are left out
-  std::int64_t nodes = 0;         ///< in reach
-  std::int64_t returned = 0;      ///< brought back by checks of the last solve
-  std::int64_t batches = 0;       ///< times that rows were added to those of the first solve
-  bool doubtful = false;          ///< noted where rows are shared and cannot be added
-  const char* why_not = nullptr;  ///< all nodes are in reach; static text
-  const char* why_all = nullptr;  ///< likewise, once all rows are there
-  /// Of the last solution: greatest gap of a node in contact, least gap, approach, load.
-  bool known = false;
-  double edge = 0, low = 0, depth = 0, load = 0;
-  std::vector<double> radius;        ///< of the elements around each node
-  std::vector<std::uint8_t> wanted;  ///< scratch, per node
-};
-
 /// Relative, and of the forces that go with the motions of the solution.
 struct ErrorEstimate {
   bool known = false;
@@ -105,7 +89,6 @@ struct Prepared {
   std::shared_ptr<Compliance> compliance;  ///< of the pair
   double accuracy = 0;
   Scheme scheme = Scheme::characteristic;
-  double characteristic_step = 0, normal_scale = 0, tangential_scale = 0;
   /// From displacements of the bodies without any contact traction; empty: none.
   std::vector<double> offset_depth, offset_slip[2];
   /// The frame as a regular grid; nothing: see no_lattice.
@@ -121,13 +104,12 @@ struct Preparation;  // contact/prepare/preparation.hpp
 struct SolverState {
   Work work;
   std::shared_ptr<const Prepared> prepared;  ///< null: nothing was prepared yet
-  /// Makes it, and adds rows that a solve turns out to need; null where it is shared.
+  /// Makes it; null where it is shared.
   std::shared_ptr<Preparation> preparation;
   std::unique_ptr<Compliance> body_compliance[2];  ///< made when displacements are asked for
   bool frictionless = false;
 
   Prescribed given;
-  Reach reach;
   Iterate iterate;
   Newton newton;
   MakePublished make_published = nullptr;             ///< null: they are not part of this build
@@ -170,9 +152,7 @@ struct SolverState {
 /// Brings everything that depends on the scene up to date; only what changed is done again.
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
 /// The dense operators, which the monolithic form leaves out: for what needs them after a solve.
-void require_operators(SolverState& state, const Options& options);
-/// Rows of these nodes too (wanted[k] != 0; empty: of all), for what needs them after a solve.
-void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted);
+void require_operators(SolverState& state);
 
 /// Solves the prepared scene from state.iterate; fills report and counters. Throws Error as the linear systems do.
 void solve_prepared(SolverState& state, const Options& options, Monitor& monitor);

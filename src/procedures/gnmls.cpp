@@ -11,12 +11,15 @@ namespace rollcon {
 namespace {
 
 constexpr std::size_t merit_window = 5;      // of the exact Jacobian's non-monotone search
+constexpr double shorter = 0.5;              // beta: factor on a step
+constexpr double slope = 1e-4;               // sigma: part of the predicted decrease that it must reach
 constexpr double smallest_step = 1.0 / 256;  // else the best step seen is taken
 constexpr double short_step = 0.25;
 constexpr int warm_patience = 12;  // iterations without progress
 constexpr double progress = 0.7;   // factor on the best residual that counts as progress
 constexpr int patience = 4;        // short steps in a row before a full one is taken
 constexpr double finest_linear_tolerance = 1e-12;
+constexpr double extrapolation = 1.2;  // theta of (92)
 
 /// Values of the laws at a point.
 struct AtPoint {
@@ -108,7 +111,7 @@ void Gnmls::linearise() {
 }
 
 // (90)-(92): displacement of sticking pairs from w + tau (c + D w) = w, with tau the inverse of the derivative's
-// diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all.
+// diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all, the shortest transit of a node.
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
   const SparseRows& d = p.op.convection.rows;
@@ -129,8 +132,8 @@ void Gnmls::estimate_slip() {
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (step_.state[k] != PairState::stick) continue;
     double& tau = step_.reach[k];
-    if (procedure_.estimate == SlipEstimate::extrapolation) tau *= procedure_.extrapolation;
-    if (procedure_.estimate == SlipEstimate::pseudo_temporal) tau = procedure_.time_step / fastest;
+    if (procedure_.estimate == SlipEstimate::extrapolation) tau *= extrapolation;
+    if (procedure_.estimate == SlipEstimate::pseudo_temporal) tau = 1 / fastest;
     const auto i = static_cast<std::int64_t>(k);
     const double s[2] = {p.rigid_slip1(i, known) + z_.slip[0][k], p.rigid_slip2(i, known) + z_.slip[1][k]};
     for (int c = 0; c < 2; ++c) step_.target[c][k] = z_.shift[c][k] - tau * s[c];
@@ -141,7 +144,7 @@ void Gnmls::estimate_slip() {
 double Gnmls::next_tolerance(const Residual& residual, double worst, double tolerance) {
   double eta = procedure_.eta;
   if (procedure_.linear == LinearMethod::gmres_adaptive)
-    eta = adaptive_tolerance(procedure_, residual.merit, last_merit_, eta_);
+    eta = adaptive_tolerance(procedure_.eta_max, residual.merit, last_merit_, eta_);
   else if (!(eta > 0))
     eta = std::clamp(0.05 * tolerance / std::max(worst, tolerance), finest_linear_tolerance, 1e-2);
   last_merit_ = residual.merit;
@@ -160,11 +163,11 @@ double Gnmls::search(double merit, Point& trial) {
     reference = *std::max_element(merits_.begin(), merits_.end());
   }
   double best = 1, best_merit = INFINITY;
-  for (double alpha = 1; alpha >= smallest_step; alpha *= procedure_.shorten) {
+  for (double alpha = 1; alpha >= smallest_step; alpha *= shorter) {
     trial = z_;
     blend(trial, next_, alpha);
     const double there = evaluate(trial, false).merit;
-    if (there <= (1 - 2 * procedure_.slope * alpha) * reference) return alpha;
+    if (there <= (1 - 2 * slope * alpha) * reference) return alpha;
     if (there < best_merit) best = alpha, best_merit = there;
   }
   return best;

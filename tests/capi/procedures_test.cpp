@@ -37,6 +37,7 @@ const Senseless senseless[] = {
     {{{"preconditioner", "none"}}, {"preconditioner", "'none'", "linear_solver", "'auto'"}},
     {{{"preconditioner", "diagonal"}, {"linear_solver", "lu"}},
      {"preconditioner", "'diagonal'", "linear_solver", "'lu'", "gmres"}},
+    {{{"preconditioner", "none"}, {"linear_solver", "gmres"}}, {"preconditioner", "'none'", "jacobian", "'exact'"}},
     {{{"line_search", "armijo"}}, {"line_search", "'armijo'", "jacobian", "'exact'"}},
     {{{"line_search", "off"}}, {"line_search", "'off'", "jacobian", "'exact'"}},
 };
@@ -80,9 +81,9 @@ TEST_F(procedures, combinations_without_sense_are_refused_with_the_reason) {
   }
 }
 
-TEST_F(procedures, a_fixed_tolerance_needs_gmres) {
+TEST_F(procedures, a_tolerance_needs_gmres) {
   set("linear_tolerance", 1e-3);
-  for (const char* solver : {"auto", "lu", "gmres_adaptive"}) {
+  for (const char* solver : {"auto", "lu"}) {
     set("linear_solver", solver);
     EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_OPTION, "linear_tolerance", "0.001", "linear_solver",
                  "gmres");
@@ -112,26 +113,18 @@ TEST_F(procedures, line_searches_belong_to_the_published_ones) {
   EXPECT_LE(worst, 1e-6);
 }
 
-TEST_F(procedures, parameters_do_not_change_the_answer) {
+TEST_F(procedures, tolerances_do_not_change_the_answer) {
   const Results reference = standard();
   struct Case {
     const char *jacobian, *slip_estimate, *linear_solver, *name;
     double value;
   };
   double worst = 0;
-  for (const Case& c : {Case{"reduced", "pseudo_temporal", "lu", "slip_time_step", 0.5},
-                        Case{"reduced", "pseudo_temporal", "lu", "slip_time_step", 1.5},
-                        Case{"reduced", "extrapolation", "lu", "slip_extrapolation", 0.8},
-                        Case{"reduced", "extrapolation", "lu", "slip_extrapolation", 1.5},
-                        Case{"b_derivative", "auto", "gmres", "linear_tolerance", 1e-1},
+  for (const Case& c : {Case{"b_derivative", "auto", "gmres", "linear_tolerance", 1e-1},
                         Case{"b_derivative", "auto", "gmres", "linear_tolerance", 1e-8},
-                        Case{"b_derivative", "auto", "gmres_adaptive", "linear_tolerance_max", 0.9},
-                        Case{"exact", "auto", "gmres_adaptive", "linear_tolerance_max", 0.9},
-                        Case{"simplified", "auto", "gmres_adaptive", "linear_tolerance_gamma", 0.1},
-                        Case{"simplified", "auto", "lu", "line_search_factor", 0.25},
-                        Case{"simplified", "auto", "lu", "line_search_slope", 0.3},
-                        Case{"b_derivative", "auto", "lu", "normal_scale", 5},
-                        Case{"b_derivative", "auto", "lu", "tangential_scale", 0.3}})
+                        Case{"b_derivative", "auto", "gmres_adaptive", "linear_tolerance", 0.9},
+                        Case{"exact", "auto", "gmres_adaptive", "linear_tolerance", 0.9},
+                        Case{"simplified", "auto", "gmres_adaptive", "linear_tolerance", 0.1}})
     for (const char* system : {"condensed", "monolithic"}) {
       double before = 0;
       ASSERT_EQ(rollcon_contact_get_real(contact, c.name, &before), ROLLCON_OK);

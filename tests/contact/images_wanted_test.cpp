@@ -23,10 +23,12 @@ class Noting final : public FieldOperator {
   double entry(int, int) const override { return 1; }
   double row_norm(int) const override { return 1; }
   bool couples() const override { return false; }
+  LatticeInfluence influence() const override { return {lattice_, {}}; }
   std::size_t bytes() const override { return 0; }
   std::int64_t applications() const override { return calls_; }
 
  private:
+  Lattice lattice_;
   mutable std::int64_t calls_ = 0;
 };
 

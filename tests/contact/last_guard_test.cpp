@@ -111,7 +111,7 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   take_frame(p, frame);
   p.op.convection = make_convection(frame, Scheme::characteristic, 0.6);
   assemble_operators(frame, *compliance, true, p.op);
-  set_scales(p, 1, 1);
+  set_scales(p);
   for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
   p.mu.assign(p.gap.size(), 0.3);
   p.stiffness = 5e3;

@@ -39,7 +39,7 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared
   const auto n = at(p.nodes);
   if (dense) {
     assemble_operators(*c.frame, *c.compliance, true, p.op);
-    set_scales(p, 1, 1);
+    set_scales(p);
   } else {  // as if of half-spaces with square cells
     p.rn.resize(n);
     for (std::size_t k = 0; k < n; ++k) p.rn[k] = stress / std::sqrt(p.cell_area[k]);

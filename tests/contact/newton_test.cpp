@@ -43,7 +43,7 @@ TEST(newton, forces_found_give_the_motions_back) {
   }
 }
 
-TEST(newton, linear_solvers_and_scales_do_not_change_the_solution) {
+TEST(newton, linear_solvers_do_not_change_the_solution) {
   for (const Materials& m : pairs) {
     Pair pair(1e4, m.poisson1, 1e4, m.poisson2);
     standard_scene(pair, 14);
@@ -52,17 +52,13 @@ TEST(newton, linear_solvers_and_scales_do_not_change_the_solution) {
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const std::vector<double> reference = pair.tractions();
     double worst = 0;
-    for (const char* solver : {"lu", "gmres"})
-      for (const double normal : {0.5, 3.0})
-        for (const double tangential : {0.3, 3.0}) {
-          scene.options.set_text("linear_solver", solver);
-          scene.options.set_real("normal_scale", normal);
-          scene.options.set_real("tangential_scale", tangential);
-          pair.contact->reset();
-          ASSERT_EQ(pair.contact->solve(), Status::ok);
-          worst = std::max(worst, largest_difference(pair.tractions(), reference));
-        }
-    std::printf("%s: LU, GMRES and scales: difference %.1e (bound 1e-8)\n", m.name, worst);
+    for (const char* solver : {"lu", "gmres", "gmres_adaptive"}) {
+      scene.options.set_text("linear_solver", solver);
+      pair.contact->reset();
+      ASSERT_EQ(pair.contact->solve(), Status::ok);
+      worst = std::max(worst, largest_difference(pair.tractions(), reference));
+    }
+    std::printf("%s: LU and GMRES: difference %.1e (bound 1e-8)\n", m.name, worst);
     EXPECT_LT(worst, 1e-8);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 using scenes::RollingPair;
 namespace steady_rolling = scenes::steady_rolling;
 
-constexpr std::int64_t on = 1, off = 0;
+constexpr std::int64_t on = 2, off = 1;  // warm_start
 const closed_forms::Elastic soft{.shear = 41000, .poisson = 0.45};
 
 struct Work {
@@ -22,10 +22,10 @@ struct Work {
 };
 
 /// Load, creepages and spin vary slowly, each with a period of its own.
-Work time_loop(const closed_forms::Elastic& body2, std::int64_t prediction) {
+Work time_loop(const closed_forms::Elastic& body2, std::int64_t warm_start) {
   RollingPair pair(steady_rolling::steel, body2, 1);
   steady_rolling::prepare(pair, steady_rolling::grid(11), "b");
-  pair.option("prediction", prediction).option("tolerance", 1e-8);
+  pair.option("warm_start", warm_start).option("tolerance", 1e-8);
   Work work;
   for (int k = 0; k < 150; ++k) {
     const double t = 0.002 * k;

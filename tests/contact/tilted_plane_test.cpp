@@ -91,7 +91,7 @@ struct Setting {
     take_frame(p, frame);
     p.op.convection = make_convection(frame, scheme, 0.6);
     assemble_operators(frame, tilted ? *askew_compliance : *flat_compliance, mu > 0, p.op);
-    set_scales(p, 1, 1);
+    set_scales(p);
     for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
     p.mu.assign(p.gap.size(), mu);
     if (!p.op.convection.rows.start.empty())

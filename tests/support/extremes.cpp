@@ -75,7 +75,7 @@ void give_loads(scenes::RollingPair& pair, const Scene& scene) {
   must(rollcon_contact_set_friction_field(pair.handle(), field ? static_cast<std::int64_t>(g.friction.size()) : 0,
                                           g.friction.data()),
        "set_friction_field");
-  pair.option("convection", name_of(g.scheme)).option("characteristic_step", g.step);
+  pair.option("convection", name_of(g.scheme));
   for (const std::pair<std::string, Setting>& option : scene.option)
     std::visit(
         [&](const auto& v) {

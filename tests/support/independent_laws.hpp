@@ -26,7 +26,7 @@ struct Given {
   std::vector<double> friction{0.3};  ///< one coefficient, or one for each node
   std::vector<double> creep_field;    ///< empty, or pairs for each node
   Scheme scheme = Scheme::characteristic;
-  double step = 0.6;     ///< option characteristic_step
+  double step = 0.6;     ///< of the characteristic scheme, over the spacing
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of
   /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows (surface_triads). Neither gap nor quadratic:

@@ -31,7 +31,8 @@ inline std::vector<Procedure> procedures_of(const std::string& system, bool redu
     const bool few_steps = jacobian == "exact" || jacobian == "b_derivative";
     for (const char* solver : {"gmres", "gmres_adaptive"}) {
       all.push_back({system, jacobian, estimate, solver, "auto"});
-      if (plain == Plain::all || few_steps)
+      const bool keeps_factors = system == "condensed" && jacobian == "exact";
+      if (!keeps_factors && (plain == Plain::all || few_steps))
         for (const char* preconditioner : {"none", "diagonal"})
           all.push_back({system, jacobian, estimate, solver, preconditioner});
       const char* own = system == "monolithic" ? "bodies" : "kept_lu";

@@ -36,19 +36,6 @@ TEST(ProceduresLimits, frozen_directions_reach_most_of_friction) {
   compare_procedures("force 85 % of friction", *sphere(0.85), by_lu());
 }
 
-TEST(ProceduresLimits, short_time_steps_of_the_estimate_take_as_many_more) {
-  auto pair = sphere(example3::force_ratio);
-  pair->option("slip_time_step", 0.02);
-  compare_procedures("time step 0.02 of the shortest transit", *pair, by_lu(),
-                     std::vector<Failing>{{.slip_estimate = "pseudo_temporal"}});
-}
-
-TEST(ProceduresLimits, long_steps_of_the_estimate) {
-  auto pair = sphere(example3::force_ratio);
-  pair->option("slip_time_step", 1.8).option("slip_extrapolation", 1.8);
-  compare_procedures("1.8 transits", *pair, by_lu());
-}
-
 /// Rings on each other; without a given lateral force, one that estimates of slip leave behind dies out, sweep by
 /// sweep, over the length that a tyre of the rings' lateral stiffness would roll.
 TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {

@@ -1,11 +1,11 @@
 /// Columns of a list's results, by name.
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 #include <string>
 
 #include "contact/cases/solve_many.hpp"
+#include "contact/results/statistics.hpp"
 
 namespace rollcon {
 
@@ -21,20 +21,18 @@ CaseColumn case_column(const char* name, std::size_t length, std::int64_t parame
                          {"creep", {.kind = Kind::creep, .width = 3}},
                          {"derivatives", {.kind = Kind::derivatives, .width = 10 * parameters}},
                          {"tractions", {.kind = Kind::tractions, .width = 3 * nodes}}};
-  static constexpr std::array<const char*, 9> numbers{
-      "iterations",   "fallbacks",    "residual_normal", "residual_tangential",   "nodes_contact",
-      "contact_area", "max_pressure", "friction_power",  "friction_power_balance"};
   const auto is = [&](const char* other) {
     return std::strlen(other) == length && std::memcmp(other, name, length) == 0;
   };
   std::string allowed;
   for (const Named& n : known) {
     if (is(n.name)) return n.column;
-    allowed += std::string(n.name) + ", ";
+    allowed += (allowed.empty() ? "" : ", ") + std::string(n.name);
   }
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (is(numbers[k])) return {.kind = Kind::number, .number = static_cast<CaseNumber>(k), .width = 1};
-    allowed += std::string(k == 0 ? "" : ", ") + numbers[k];
+  for (const Statistic& s : statistics()) {
+    if (!s.of_cases) continue;
+    if (is(s.name)) return {.kind = Kind::number, .number = s.value, .width = 1};
+    allowed += ", " + std::string(s.name);
   }
   fail(Status::err_option, "columns has '%.*s'; allowed: %s", static_cast<int>(std::min<std::size_t>(length, 60)), name,
        allowed.c_str());

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "contact/cases/solve_many.hpp"
-#include "contact/results/power.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/solution.hpp"
 
@@ -27,8 +26,6 @@ std::unique_ptr<SolverState> share(const SolverState& from) {
   to->preparation = can_share(from) ? nullptr : from.preparation;
   to->given = from.given;
   to->frictionless = from.frictionless;
-  to->reach = from.reach;
-  to->reach.known = false;
   to->procedure = from.procedure;
   to->iterate.resize(to->prepared->problem.nodes);
   return to;
@@ -71,7 +68,6 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
-  s.reach.doubtful = false;
   if (!warm_ || options_.warm_start == 0) s.iterate.clear();
   warm_ = false;
   prescribe(parameter, value);
@@ -83,29 +79,40 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   return status_of(s);
 }
 
-bool CaseSolver::out_of_reach() const {
-  return state_->reach.doubtful;
-}
-
-void CaseSolver::resultant(double* force, double* moment) const {
-  Vec3 f, m;
-  sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
-  if (force) std::copy(f.begin(), f.end(), force);
-  if (moment) std::copy(m.begin(), m.end(), moment);
-}
-
-void CaseSolver::motion(double* depth, double* creep) const {
-  const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->given.approach_of(m, state_->prepared->problem.datum);
-  if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
-}
-
-void CaseSolver::tractions(double* t) const {
-  const auto& lambda = state_->iterate.lambda;
-  for (std::size_t k = 0; k < lambda[0].size(); ++k) {
-    t[3 * k] = lambda[0][k];
-    t[3 * k + 1] = lambda[1][k];
-    t[3 * k + 2] = std::min(lambda[2][k], 0.0);
+void CaseSolver::write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
+                       double* to) {
+  SolverState& s = *state_;
+  const Prepared& on = *s.prepared;
+  const auto& motion = s.iterate.motion;
+  switch (column.kind) {
+    case CaseColumn::Kind::force:
+    case CaseColumn::Kind::moment: {
+      Vec3 force, moment;
+      sum_tractions(on.problem, on.frame, s.iterate.lambda, force, moment);
+      std::copy_n(column.kind == CaseColumn::Kind::force ? force.begin() : moment.begin(), 3, to);
+      break;
+    }
+    case CaseColumn::Kind::approach:
+      *to = s.given.approach_of(motion, on.problem.datum);
+      break;
+    case CaseColumn::Kind::creep:
+      to[0] = motion[xi1], to[1] = motion[xi2], to[2] = motion[spin];
+      break;
+    case CaseColumn::Kind::derivatives:
+      derivatives(parameter, value, to);
+      break;
+    case CaseColumn::Kind::tractions: {
+      const auto& lambda = s.iterate.lambda;
+      for (std::size_t k = 0; k < lambda[0].size(); ++k) {
+        to[3 * k] = lambda[0][k];
+        to[3 * k + 1] = lambda[1][k];
+        to[3 * k + 2] = std::min(lambda[2][k], 0.0);
+      }
+      break;
+    }
+    case CaseColumn::Kind::number:
+      *to = column.number(s);
+      break;
   }
 }
 
@@ -118,7 +125,7 @@ void CaseSolver::derivatives(std::span<const Parameter> parameter, const double*
     if (parameter[j] == Parameter::friction && !frictionless_) unit = value[j];
     if (unit == 0) continue;  // one-sided: not in the system of a frictionless solution
     try {
-      if (s.procedure.monolithic) require_operators(s, options_);
+      if (s.procedure.monolithic) require_operators(s);
       const Rates& r = find_rates(s, parameter[j]);
       std::copy(r.force.begin(), r.force.end(), d);
       std::copy(r.moment.begin(), r.moment.end(), d + 3);
@@ -129,47 +136,6 @@ void CaseSolver::derivatives(std::span<const Parameter> parameter, const double*
       if (error.status() != Status::err_state && error.status() != Status::err_singular) throw;
     }
   }
-}
-
-double CaseSolver::number(CaseNumber which) {
-  SolverState& s = *state_;
-  const NewtonReport& report = s.report;
-  const auto sum_in_contact = [&](auto term) {
-    double sum = 0;
-    for (std::size_t k = 0; k < s.prepared->problem.gap.size(); ++k)
-      if (s.iterate.lambda[2][k] < 0) sum += term(k);
-    return sum;
-  };
-  switch (which) {
-    case CaseNumber::iterations:
-      return static_cast<double>(report.normal_iterations + report.tangential_iterations + report.full_iterations);
-    case CaseNumber::fallbacks:
-      return static_cast<double>(report.fallbacks);
-    case CaseNumber::residual_normal:
-      return report.residual_normal;
-    case CaseNumber::residual_tangential:
-      return report.residual_tangential;
-    case CaseNumber::nodes_contact:
-      return sum_in_contact([](std::size_t) { return 1.0; });
-    case CaseNumber::contact_area:
-      return sum_in_contact([&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
-    case CaseNumber::max_pressure:
-      return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
-    case CaseNumber::friction_power_balance:
-      return power_put_in(s);
-    case CaseNumber::friction_power:
-      break;
-  }
-  if (s.frictionless) return 0;
-  if (!s.prepared->problem.op.tangential && !s.images_known) require_operators(s, options_);
-  return sum_in_contact([&](std::size_t k) {
-    const auto i = static_cast<std::int64_t>(k);
-    const auto& it = s.iterate;
-    s.iterate.update_slip(s.prepared->problem, i);
-    const double s1 = s.prepared->problem.rigid_slip1(i, it.motion) + it.image[0][k];
-    const double s2 = s.prepared->problem.rigid_slip2(i, it.motion) + it.image[1][k];
-    return -s.prepared->problem.cell_area[k] * s.prepared->speed * (it.lambda[0][k] * s1 + it.lambda[1][k] * s2);
-  });
 }
 
 std::size_t CaseSolver::bytes() const {

@@ -2,7 +2,6 @@
 /// Load cases of one prepared scene, solved by several threads side by side. Each has a solver state of its own, but
 /// operators, compliance and bodies are the scene's, read only.
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -32,22 +31,15 @@ class CaseSolver {
   /// Solves one case, starting from the last one of the chain if that converged. parameter: what value[i] is of.
   /// Returns its status >= 0; throws Error.
   Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor);
-  /// After solve() the case turned out to reach nodes whose rows nobody assembled: it has no result.
-  bool out_of_reach() const;
 
-  // Of the last case.
-  void resultant(double* force, double* moment) const;
-  void motion(double* approach, double* creep) const;
-  void tractions(double* t) const;
-  /// Derivatives of force, moment, approach and creepages by each parameter's value, 10 each; NaN where there are none.
-  void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
-  double number(CaseNumber which);
+  /// What a column says of the last case; derivatives by each parameter's value, NaN where there are none.
+  void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value, double* to);
 
   /// What this solver holds beyond what it shares.
   std::size_t bytes() const;
-  const SolverState& state() const { return *state_; }
 
  private:
+  void derivatives(std::span<const Parameter> parameter, const double* value, double* d);
   void prescribe(std::span<const Parameter> parameter, const double* value);
 
   const Options& options_;

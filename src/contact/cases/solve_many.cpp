@@ -21,7 +21,6 @@
 
 #include "contact/cases/case_order.hpp"
 #include "contact/cases/case_solver.hpp"
-#include "contact/prepare/reach.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
@@ -72,16 +71,13 @@ class ManyCases {
         order_(order_cases(list.cases, parameters(), list.value, priority(list.parameter))),
         cancel_(cancel),
         function_(function),
-        user_(user),
-        again_(order_.chain_begin.size(), false) {
+        user_(user) {
     for (const CaseColumn& c : results.column) width_ += c.width;
     clear();
   }
 
-  /// Solves the chains not solved yet. Rethrows what a progress callback threw.
+  /// Solves the chains. Rethrows what a progress callback threw.
   void run(SolverState& scene, const Options& options, int threads);
-  /// Chains whose cases reached beyond the rows that are there; they are to be solved again.
-  bool any_again() const { return std::find(again_.begin(), again_.end(), 1) != again_.end(); }
   /// Copies to the repeated cases, and says what the call returns.
   Status finish();
   std::vector<Failure>& failures() { return failures_; }
@@ -109,7 +105,7 @@ class ManyCases {
   void clear();
   void work(CaseSolver& solver, bool calling);
   void solve_chain(CaseSolver& solver, std::size_t chain, Monitor& monitor, bool calling);
-  bool solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor);
+  void solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor);
   void keep(CaseSolver& solver, std::int64_t i);
   void fail_case(std::int64_t i, Status status, const char* message);
   void forget_results(std::int64_t i);
@@ -125,8 +121,6 @@ class ManyCases {
   void* user_;
   const double start_ = now_seconds();
   std::vector<Status> status_;
-  std::vector<std::uint8_t> again_;
-  std::vector<std::size_t> waiting_;  ///< chains
   std::atomic<std::size_t> next_{0};
   std::atomic<std::int64_t> solved_{0};
   std::mutex mutex_;  ///< of what follows
@@ -139,7 +133,6 @@ class ManyCases {
 
 void ManyCases::clear() {
   status_.assign(static_cast<std::size_t>(list_.cases), Status::cancelled);
-  for (std::size_t chain = 0; chain + 1 < order_.chain_begin.size(); ++chain) waiting_.push_back(chain);
   for (const std::int64_t i : order_.solved) forget_results(i);
 }
 
@@ -176,41 +169,17 @@ void ManyCases::fail_case(std::int64_t i, Status status, const char* message) {
 void ManyCases::keep(CaseSolver& solver, std::int64_t i) {
   double* to = row(i);
   for (const CaseColumn& c : results_.column) {
-    switch (c.kind) {
-      case CaseColumn::Kind::force:
-        solver.resultant(to, nullptr);
-        break;
-      case CaseColumn::Kind::moment:
-        solver.resultant(nullptr, to);
-        break;
-      case CaseColumn::Kind::approach:
-        solver.motion(to, nullptr);
-        break;
-      case CaseColumn::Kind::creep:
-        solver.motion(nullptr, to);
-        break;
-      case CaseColumn::Kind::derivatives:
-        solver.derivatives(list_.parameter, values_of(i), to);
-        break;
-      case CaseColumn::Kind::tractions:
-        solver.tractions(to);
-        break;
-      case CaseColumn::Kind::number:
-        *to = solver.number(c.number);
-        break;
-    }
+    solver.write(c, list_.parameter, values_of(i), to);
     to += c.width;
   }
 }
 
-// False: the whole chain has to wait for more rows.
-bool ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor) {
+void ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor) {
   try {
     const Status status = solver.solve(list_.parameter, values_of(i), monitor);
-    if (solver.out_of_reach()) return false;
     status_[static_cast<std::size_t>(i)] = status;
     if (status != Status::cancelled) keep(solver, i);
-    return true;
+    return;
   } catch (const Error& error) {
     fail_case(i, error.status(), error.what());
   } catch (const std::bad_alloc&) {
@@ -221,7 +190,6 @@ bool ManyCases::solve_case(CaseSolver& solver, std::int64_t i, Monitor& monitor)
     fail_case(i, Status::err_internal, "an unknown exception");
   }
   solver.begin_chain();
-  return true;
 }
 
 void ManyCases::solve_chain(CaseSolver& solver, std::size_t chain, Monitor& monitor, bool calling) {
@@ -229,10 +197,7 @@ void ManyCases::solve_chain(CaseSolver& solver, std::size_t chain, Monitor& moni
   for (std::int64_t k = order_.chain_begin[chain]; k < order_.chain_begin[chain + 1]; ++k) {
     if (cancel_.load()) return;
     const std::int64_t i = order_.solved[static_cast<std::size_t>(k)];
-    if (!solve_case(solver, i, monitor)) {
-      again_[chain] = true;
-      return;
-    }
+    solve_case(solver, i, monitor);
     const std::int64_t done = solved_.fetch_add(1) + 1;
     if (calling) tell(Phase::cases, done, 0);
   }
@@ -244,29 +209,13 @@ void ManyCases::work(CaseSolver& solver, bool calling) {
   Watch watch(*this, calling);
   while (!cancel_.load()) {
     const std::size_t k = next_.fetch_add(1);
-    if (k >= waiting_.size()) break;
-    solve_chain(solver, waiting_[k], watch, calling);
+    if (k + 1 >= order_.chain_begin.size()) break;
+    solve_chain(solver, k, watch, calling);
   }
 }
 
 void ManyCases::run(SolverState& scene, const Options& options, int threads) {
-  if (any_again()) {
-    waiting_.clear();
-    for (std::size_t chain = 0; chain < again_.size(); ++chain) {
-      if (!again_[chain]) continue;
-      again_[chain] = false;
-      waiting_.push_back(chain);
-      for (std::int64_t k = order_.chain_begin[chain]; k < order_.chain_begin[chain + 1]; ++k) {
-        const std::int64_t i = order_.solved[static_cast<std::size_t>(k)];
-        status_[static_cast<std::size_t>(i)] = Status::cancelled;
-        forget_results(i);
-        std::erase_if(failures_, [i](const Failure& f) { return f.number == i; });
-      }
-    }
-  }
-  next_.store(0);
-  const auto chains = static_cast<std::int64_t>(waiting_.size());
-  const auto wanted = can_share(scene) ? std::clamp<std::int64_t>(threads, 1, chains) : 1;
+  const auto wanted = can_share(scene) ? std::clamp<std::int64_t>(threads, 1, order_.chains()) : 1;
   std::vector<std::unique_ptr<CaseSolver>> solver;
   for (std::int64_t t = 0; t < wanted; ++t) solver.push_back(std::make_unique<CaseSolver>(scene, options));
   std::vector<std::thread> helper;
@@ -323,38 +272,11 @@ Status ManyCases::finish() {
 
 }  // namespace
 
-void reach_for_cases(SolverState& s, const Options& options, const CaseList& list) {
-  if (!s.procedure.standard() || s.prepared->problem.op.field || list.cases == 0) return;
-  const Prescribed given = s.given;
-  const auto width = static_cast<std::int64_t>(list.parameter.size());
-  for (std::size_t j = 0; j < list.parameter.size(); ++j) {
-    double most = -INFINITY;
-    for (std::int64_t i = 0; i < list.cases; ++i)
-      most = std::max(most, list.value[i * width + static_cast<std::int64_t>(j)]);
-    if (list.parameter[j] == Parameter::normal)
-      s.given.prescribe_normal(s.given.by_force[approach], most, s.prepared->problem.datum);
-    if (list.parameter[j] == Parameter::friction) s.given.friction = most;
-  }
-  try {
-    choose_reach(s, options);
-    require_rows(s, options, s.reach.wanted);
-  } catch (...) {
-    s.given = given;
-    throw;
-  }
-  s.given = given;
-}
-
 Status solve_cases(SolverState& s, const Options& options, const CaseList& cases, const CaseResults& results,
                    const CaseHost& host) {
   const double start = now_seconds();
   ManyCases many(cases, results, host.cancel, host.progress, host.user);
   {
-    const BlasThreads blas(1);
-    many.run(s, options, host.context.threads());
-  }
-  if (many.any_again() && !host.cancel.load()) {
-    require_rows(s, options, {});
     const BlasThreads blas(1);
     many.run(s, options, host.context.threads());
   }

@@ -11,24 +11,14 @@
 
 namespace rollcon {
 
-/// A number about a case, by the name that statistics have.
-enum class CaseNumber {
-  iterations,
-  fallbacks,
-  residual_normal,
-  residual_tangential,
-  nodes_contact,
-  contact_area,
-  max_pressure,
-  friction_power,
-  friction_power_balance,
-};
+struct SolverState;
+struct Options;
 
 /// Neighbouring numbers in the row of a case, in the axes.
 struct CaseColumn {
   enum class Kind { force, moment, approach, creep, derivatives, tractions, number };
   Kind kind = Kind::force;
-  CaseNumber number = CaseNumber::iterations;  ///< of kind number
+  double (*number)(SolverState&) = nullptr;  ///< a statistic, of kind number
   std::int64_t width = 0;
 };
 /// err_option: unknown name. parameters: those of the list; nodes: those of the frame.
@@ -58,11 +48,6 @@ struct CaseHost {
   std::atomic<bool>& cancel;
 };
 
-struct SolverState;
-struct Options;
-
-/// Rows for the largest load (or approach) and friction of the list, so that no case lacks any.
-void reach_for_cases(SolverState& state, const Options& options, const CaseList& cases);
 /// Solves the cases of the prepared scene over threads; the status is that of Contact::solve_many.
 Status solve_cases(SolverState& state, const Options& options, const CaseList& cases, const CaseResults& results,
                    const CaseHost& host);

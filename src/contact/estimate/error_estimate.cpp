@@ -21,9 +21,7 @@
 namespace rollcon {
 namespace {
 
-// Step of the characteristic scheme that upwind schemes are compared with, in local spacings.
-constexpr double standard_step = 0.6;
-// Step that the characteristic scheme itself is compared with, over its own.
+// Step that the characteristic scheme is compared with, over its own.
 constexpr double longer = 5.0 / 3;
 
 using Tractions = std::vector<double>[3];
@@ -133,10 +131,9 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   if (s.prepared->problem.op.field) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
-  const double step = characteristic ? s.prepared->characteristic_step : standard_step;
 
   // The same nodes, and another scheme.
-  std::optional<Variant> same = solved(s, false, characteristic ? longer * step : step,
+  std::optional<Variant> same = solved(s, false, characteristic ? longer * characteristic_step : characteristic_step,
                                        [&](double d) { return Variant::same_nodes(s, friction, d); });
   if (!same) return;
   const Sums scheme = friction ? difference(s, same->tractions(), solution) : Sums{};
@@ -147,7 +144,7 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
 
   // Fewer nodes, and the same scheme.
   const std::optional<Variant> coarse =
-      solved(s, s.given.by_force[approach], step, [&](double d) { return Variant::coarse(s, d); });
+      solved(s, s.given.by_force[approach], characteristic_step, [&](double d) { return Variant::coarse(s, d); });
   if (!coarse || coarse->space().node.size() == s.prepared->frame.used.size()) return;
   const Sums change = difference(s, coarse->tractions(), friction && !characteristic ? same->tractions() : solution);
   // Errors come from the edge of the contact, which is known to one spacing of the nodes there, and are taken to be

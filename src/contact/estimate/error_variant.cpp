@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/solution.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -17,20 +17,6 @@ constexpr std::int64_t max_iterations = 60;
 struct Silent final : Monitor {
   bool step(const StepRecord&) override { return false; }
 };
-
-// A node that a plane of symmetry holds along a tangent gets a little compliance of its own there.
-void loosen_held_tangents(ContactOperators& op) {
-  constexpr double rounding = 1e-12, looseness = 1e-6;
-  const std::int64_t n = op.nodes;
-  const auto norm = [&](int r, std::int64_t k) {
-    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
-  };
-  double largest = 0;
-  for (std::int64_t k = 0; k < n; ++k) largest = std::max({largest, norm(0, k), norm(1, k)});
-  for (std::int64_t k = 0; k < n; ++k)
-    for (int r = 0; r < 2; ++r)
-      if (norm(r, k) <= rounding * largest) op.block[r][r].row(k)[k] = looseness * largest;
-}
 
 // Rows that take a node and the sample ahead of it alone.
 Convection pick(const TractionSpace& space, const Convection& whole) {
@@ -106,10 +92,10 @@ void Variant::assemble(const SolverState& s, bool tangential) {
   if (s.prepared->problem.op.normal) take_normal_rows(s.prepared->problem.op, *space_, op);
   assemble_operators(space_->frame, *compliance_, tangential, op);
   if (tangential) {
-    loosen_held_tangents(op);
+    loosen_held_tangents(problem_.used, op);
     move_given_slip(s);
   }
-  set_scales(problem_, 1, 1);
+  set_scales(problem_);
 }
 
 Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) {

@@ -10,8 +10,6 @@ namespace rollcon {
 namespace {
 
 constexpr int krylov_space = 60;
-// Without factors.
-constexpr int plain_krylov_space = 200, plain_iterations = 1000;
 // With operators that are not formed: memory for the space grows with the number of nodes.
 constexpr int field_krylov_space = 40, field_iterations = 400;
 constexpr double useful = 0.1;         // residual of a solution that is worth a step
@@ -59,11 +57,9 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count, const s
   unknowns = system.size();
   ++right_sides;
   if (system.field()) return solve_field(system, b, tolerance, useful, x);
-  const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   take(system, x);
   const std::int64_t n = free_.size();
   if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit)) return solve_direct(b, x);
-  if (plain) return solve_plainly(system, b, tolerance, x);
   return solve_with_kept(node_count, b, tolerance, x) || solve_direct(b, x);
 }
 
@@ -118,33 +114,17 @@ bool LinearSolver::solve_with_kept(std::int64_t node_count, const std::vector<do
   return false;
 }
 
-bool LinearSolver::solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance,
-                                 std::vector<double>& x) {
-  const std::int64_t n = system.size();
-  x.resize(static_cast<std::size_t>(n));
-  const int space = static_cast<int>(std::min<std::int64_t>(n, plain_krylov_space));
-  gmres_.reserve(with_room(n), space);
-  pair_blocks_.take(system, preconditioner == Preconditioner::diagonal);
-  const GmresReport report = gmres_.solve(n, system, pair_blocks_, b.data(), x.data(), tolerance, plain_iterations);
-  iterations += report.iterations;
-  return report.converged || solve_direct(b, x);
-}
-
 bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance, double enough,
                                std::vector<double>& x) {
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   gmres_.reserve(with_room(n), field_krylov_space);
-  const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
-  if (!plain && !field_blocks_)
-    if (const auto influence = system.field()->influence())
-      field_blocks_ = make_lattice_preconditioner(influence->lattice, influence->constants);
-  LinearOperator* blocks = plain ? nullptr : field_blocks_.get();
-  if (blocks)
-    field_blocks_->take(system);
-  else
-    pair_blocks_.take(system, preconditioner != Preconditioner::none), blocks = &pair_blocks_;
-  const GmresReport report = gmres_.solve(n, system, *blocks, b.data(), x.data(), tolerance, field_iterations);
+  if (!field_blocks_) {
+    const LatticeInfluence influence = system.field()->influence();
+    field_blocks_ = make_lattice_preconditioner(influence.lattice, influence.constants);
+  }
+  field_blocks_->take(system);
+  const GmresReport report = gmres_.solve(n, system, *field_blocks_, b.data(), x.data(), tolerance, field_iterations);
   iterations += report.iterations;
   return report.converged || report.residual < enough;
 }

@@ -8,7 +8,6 @@
 
 #include "contact/linear/free_system.hpp"
 #include "contact/linear/lattice_preconditioner.hpp"
-#include "contact/linear/pair_blocks.hpp"
 #include "contact/linear/reduced_system.hpp"
 #include "contact/linear/split_factors.hpp"
 #include "contact/scene/linear_method.hpp"
@@ -25,7 +24,6 @@ class LinearSolver {
   static constexpr std::int64_t direct_limit = 60;
 
   LinearMethod method = LinearMethod::automatic;
-  Preconditioner preconditioner = Preconditioner::automatic;  ///< automatic: kept_lu
 
   /// Solves system x = b to a relative residual `tolerance` (LU: to rounding). node_count: of the frame. Returns false
   /// when no usable solution was found (singular to working precision). On return system.product() belongs to x.
@@ -47,8 +45,6 @@ class LinearSolver {
   std::size_t bytes() const;
 
  private:
-  /// GMRES with no preconditioner or the pairs' own blocks.
-  bool solve_plainly(ReducedSystem& system, const std::vector<double>& b, double tolerance, std::vector<double>& x);
   /// GMRES for operators that are not formed.
   /// enough: residual that will do where the tolerance was not reached.
   bool solve_field(ReducedSystem& system, const std::vector<double>& b, double tolerance, double enough,
@@ -65,7 +61,6 @@ class LinearSolver {
   FreeSystem free_;       ///< what is left of the present system
   SplitFactors kept_;
   Gmres gmres_;
-  PairBlocks pair_blocks_;
   std::unique_ptr<FieldPreconditioner> field_blocks_;
   RecyclingGcr gcr_[3];  ///< of solve_exactly(), one per part
   std::vector<double> reduced_, found_, check_;

@@ -120,46 +120,39 @@ void ReducedSystem::add_border(const Problem& problem, const Prescribed& given, 
   }
 }
 
-void ReducedSystem::right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
-                               std::span<const double> known_slip2, std::vector<double>& b) const {
-  const std::size_t na = nodes_.size();
-  b.resize(static_cast<std::size_t>(size_));
-  if (tangential())
-    for (std::size_t a = 0; a < na; ++a) {
-      const TangentialLaw& law = law_[a];
-      const double s1 = rt_[a] * known_slip1[a], s2 = rt_[a] * known_slip2[a];
-      b[a] = law.constant[0] - law.slip[0][0] * s1 - law.slip[0][1] * s2;
-      b[na + a] = law.constant[1] - law.slip[1][0] * s1 - law.slip[1][1] * s2;
-    }
-  if (normal()) {
-    const std::size_t first = static_cast<std::size_t>(count_ - 1) * na;
-    for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * known_gap[a];
-  }
-  for (int k = 0; k < borders_; ++k)
-    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] = border_[static_cast<std::size_t>(k)].right;
-}
-
-void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
-                              std::span<const double> bound1, std::span<const double> bound2,
-                              const std::array<double, 4>& load, std::vector<double>& b) const {
+// constant(a, c): what tangential row c of node a equals; of_load(border): what its load row does.
+template <class Constant, class OfLoad>
+void ReducedSystem::fill_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
+                              Constant constant, OfLoad of_load, std::vector<double>& b) const {
   const std::size_t na = nodes_.size();
   b.resize(static_cast<std::size_t>(size_));
   if (tangential())
     for (std::size_t a = 0; a < na; ++a) {
       const TangentialLaw& law = law_[a];
       const double s1 = rt_[a] * slip1[a], s2 = rt_[a] * slip2[a];
-      b[a] = bound1[a] - law.slip[0][0] * s1 - law.slip[0][1] * s2;
-      b[na + a] = bound2[a] - law.slip[1][0] * s1 - law.slip[1][1] * s2;
+      for (std::size_t c = 0; c < 2; ++c) b[c * na + a] = constant(a, c) - law.slip[c][0] * s1 - law.slip[c][1] * s2;
     }
   if (normal()) {
     const std::size_t first = static_cast<std::size_t>(count_ - 1) * na;
     for (std::size_t a = 0; a < na; ++a) b[first + a] = rn_[a] * gap[a];
   }
-  for (int k = 0; k < borders_; ++k) {
-    const Border& border = border_[static_cast<std::size_t>(k)];
-    b[static_cast<std::size_t>(count_) * na + static_cast<std::size_t>(k)] =
-        border.per_load * load[static_cast<std::size_t>(border.motion)];
-  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(borders_); ++k)
+    b[static_cast<std::size_t>(count_) * na + k] = of_load(border_[k]);
+}
+
+void ReducedSystem::right_side(std::span<const double> known_gap, std::span<const double> known_slip1,
+                               std::span<const double> known_slip2, std::vector<double>& b) const {
+  fill_side(
+      known_gap, known_slip1, known_slip2, [&](std::size_t a, std::size_t c) { return law_[a].constant[c]; },
+      [](const Border& border) { return border.right; }, b);
+}
+
+void ReducedSystem::rate_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
+                              std::span<const double> bound1, std::span<const double> bound2,
+                              const std::array<double, 4>& load, std::vector<double>& b) const {
+  fill_side(
+      gap, slip1, slip2, [&](std::size_t a, std::size_t c) { return c == 0 ? bound1[a] : bound2[a]; },
+      [&](const Border& border) { return border.per_load * load[static_cast<std::size_t>(border.motion)]; }, b);
 }
 
 // Tractions of nodes that are not active stay zero in field_lambda_.

@@ -99,6 +99,9 @@ class ReducedSystem final : public LinearOperator {
     double per_load = 1;            ///< right side per unit of the load
     double right = 0;
   };
+  template <class Constant, class OfLoad>
+  void fill_side(std::span<const double> gap, std::span<const double> slip1, std::span<const double> slip2,
+                 Constant constant, OfLoad of_load, std::vector<double>& b) const;
   void gather_borders(const Problem& problem, const Prescribed& given, const std::vector<double> (&lambda)[3]);
   void add_border(const Problem& problem, const Prescribed& given, int motion, const std::vector<double> (&lambda)[3]);
   void apply_field(const double* x);

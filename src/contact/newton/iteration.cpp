@@ -186,7 +186,7 @@ double NewtonIteration::forcing_of(std::int64_t iteration, const LawResidual& re
                  std::min(1e-2, 0.05 * tolerance / std::max(worst, tolerance)), 1e-2);
   if (procedure.eta > 0) forcing = procedure.eta;
   if (procedure.linear == LinearMethod::gmres_adaptive)
-    forcing = eta_ = adaptive_tolerance(procedure, residual.merit, last_merit_, eta_);
+    forcing = eta_ = adaptive_tolerance(procedure.eta_max, residual.merit, last_merit_, eta_);
   last_worst_ = worst;
   last_merit_ = residual.merit;
   return std::max(forcing, 1e-13);

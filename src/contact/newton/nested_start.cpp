@@ -62,7 +62,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   Problem q;
   take_frame(q, c.frame);
   scene.make_operators(c.frame, c.lattice, q.op);
-  set_scales(q, 1, 1);
+  set_scales(q);
   const auto sample = [&](const std::vector<double>& from, std::vector<double>& to) {
     if (from.empty()) return;
     to.resize(c.fine.size());

@@ -22,13 +22,11 @@ bool finished(Outcome outcome) {
 void Newton::use(const Procedure& procedure) {
   iteration_.procedure = procedure;
   iteration_.linear.method = procedure.linear;
-  iteration_.linear.preconditioner = procedure.preconditioner;
 }
 
 void Newton::operators_changed() {
   iteration_.rows_changed();
   iteration_.prediction.forget();
-  sliding_.operators_changed();
 }
 
 std::size_t Newton::bytes() const {
@@ -69,14 +67,13 @@ void Newton::begin_cold() {
 // Normal first where the problems decouple, all together where they do not.
 Outcome Newton::attempt(bool cold) {
   Solve& s = solve_;
-  const Problem& p = *s.problem;
   Outcome outcome = Outcome::converged;
   if (s.goal != Part::full || cold) {
     const double enough = s.goal == Part::full ? std::max(start_tolerance, s.tolerance) : s.tolerance;
     outcome = iteration_.run(Part::normal, s.given, {.tolerance = enough});
     if (outcome == Outcome::not_converged && s.iterations_left > 0) {
       ++s.report.fallbacks;
-      outcome = bracket_approach(iteration_, Part::normal, enough);
+      outcome = bracket_approach(iteration_, enough);
       s.report.saved[static_cast<std::size_t>(Rung::approach_of_pressures)] += outcome == Outcome::converged;
     }
     pressures_found_ = outcome == Outcome::converged;
@@ -84,9 +81,6 @@ Outcome Newton::attempt(bool cold) {
     judged_approach_ = s.iterate->motion[approach];
   }
   if (outcome != Outcome::converged || s.goal == Part::normal) return outcome;
-  if (look_for_sliding && s.goal == Part::tangential && sliding_.applies(p, s.given, *s.iterate))
-    s.report.sliding_steps += sliding_.solve(p, s.given, *s.iterate, s.tolerance / 2);
-  if (s.report.sliding_steps > 0) iteration_.prediction_ratio = 0;
   // With creepages still unknown there is no slip direction to start from: full stick finds both (15 to 9 iterations on
   // the linear quadrilaterals of the sphere example).
   return iteration_.run(s.goal, s.given,
@@ -159,16 +153,12 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  const bool full = solve_.goal == Part::full;
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);
-  if (full)
-    next(Rung::bracket_approach,
-         [](NewtonIteration& newton) { return bracket_approach(newton, Part::full, newton.solve().tolerance); });
   next(Rung::rescale_slip, rescale_slip);
   next(Rung::friction_from_above, [](NewtonIteration& newton) { return continue_in_friction(newton, true); });
-  if (full) next(Rung::alternate, alternate);
+  if (solve_.goal == Part::full) next(Rung::alternate, alternate);
   next(Rung::friction_from_below, [](NewtonIteration& newton) { return continue_in_friction(newton, false); });
   return outcome;
 }

@@ -7,14 +7,12 @@
 #include <vector>
 
 #include "contact/newton/iteration.hpp"
-#include "contact/newton/total_sliding.hpp"
 
 namespace rollcon {
 
 class Newton {
  public:
-  bool predict = true;           ///< warm starts look along the line of the last change
-  bool look_for_sliding = true;  ///< total sliding needs no linear systems
+  bool predict = true;  ///< warm starts look along the line of the last change
 
   /// Solves from the given iterate (all zero: cold start; the approach is then guessed when the load is a force).
   /// frictionless: mu is zero at every node.
@@ -47,7 +45,6 @@ class Newton {
 
   NewtonIteration iteration_;
   Solve solve_;
-  TotalSliding sliding_;
   std::vector<double> judged_;    ///< pressures that the normal part converged to
   double judged_approach_ = 0;    ///< likewise
   bool pressures_found_ = false;  ///< the normal part converged

@@ -37,13 +37,12 @@ enum class Rung {
   bracket_creep,
   relax,
   search_creep,
-  bracket_approach,
   rescale_slip,
   friction_from_above,
   alternate,
   friction_from_below,
 };
-inline constexpr std::size_t rungs = 10;
+inline constexpr std::size_t rungs = 9;
 
 struct NewtonReport {
   Outcome outcome = Outcome::not_converged;
@@ -55,23 +54,11 @@ struct NewtonReport {
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
   std::int64_t refuted = 0;                 ///< successes of a part that the last guard did not let pass
   std::int64_t predictions = 0;             ///< parts that began from a predicted iterate
-  std::int64_t sliding_steps = 0;           ///< of total sliding; 0: the scene did not give that
 
   std::int64_t& iterations_of(Part part) {
     return part == Part::normal       ? normal_iterations
            : part == Part::tangential ? tangential_iterations
                                       : full_iterations;
-  }
-  /// Iterations of an earlier part of the same solve.
-  void add(const NewtonReport& earlier) {
-    normal_iterations += earlier.normal_iterations;
-    tangential_iterations += earlier.tangential_iterations;
-    full_iterations += earlier.full_iterations;
-    fallbacks += earlier.fallbacks;
-    for (std::size_t k = 0; k < rungs; ++k) saved[k] += earlier.saved[k];
-    refuted += earlier.refuted;
-    predictions += earlier.predictions;
-    sliding_steps += earlier.sliding_steps;
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/operators/operators.hpp"
@@ -38,27 +39,24 @@ Users transpose(const SparseRows& d, std::size_t samples) {
 }
 
 // Adds the displacements of a sample to the slip rows that use it.
-void scatter(const Users& users, std::size_t sample, const double* displacement, std::span<const std::uint8_t> wanted,
-             RowMatrix<double>& out) {
+void scatter(const Users& users, std::size_t sample, const double* displacement, RowMatrix<double>& out) {
   for (auto k = at(users.start[sample]); k < at(users.start[sample + 1]); ++k)
-    if (wanted[at(users.row[k])]) axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
+    axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
 }
 
-double largest(const ContactOperators& op, const RowMatrix<double>& block) {
+double largest(const RowMatrix<double>& block) {
   double value = 0;
-  for (std::int64_t i = 0; i < block.rows(); ++i)
-    for (std::int64_t k = 0; op.has_row(static_cast<std::size_t>(i)) && k < block.columns(); ++k)
-      value = std::max(value, std::abs(block.row(i)[k]));
+  for (std::int64_t i = 0; i < block.rows() * block.columns(); ++i) value = std::max(value, std::abs(block.data()[i]));
   return value;
 }
 
 void drop_vanished_coupling(ContactOperators& op) {
   constexpr double rounding = 1e-12;
   const auto vanishes = [&](double coupling, double direct) { return coupling <= rounding * direct; };
-  const double along = std::max(largest(op, op.block[0][0]), largest(op, op.block[0][1]));
-  const double across = std::max(largest(op, op.block[1][0]), largest(op, op.block[1][1]));
-  if (!vanishes(std::max(largest(op, op.block[2][0]), largest(op, op.block[2][1])), largest(op, op.block[2][2])) ||
-      !vanishes(std::max(largest(op, op.block[0][2]), largest(op, op.block[1][2])), std::max(along, across)))
+  const double along = std::max(largest(op.block[0][0]), largest(op.block[0][1]));
+  const double across = std::max(largest(op.block[1][0]), largest(op.block[1][1]));
+  if (!vanishes(std::max(largest(op.block[2][0]), largest(op.block[2][1])), largest(op.block[2][2])) ||
+      !vanishes(std::max(largest(op.block[0][2]), largest(op.block[1][2])), std::max(along, across)))
     return;
   for (int c = 0; c < 2; ++c) {
     op.block[2][c].release();
@@ -71,37 +69,28 @@ void drop_vanished_coupling(ContactOperators& op) {
 // Which blocks to assemble.
 struct Wanted {
   bool block[3][3] = {};
-  bool any() const {
-    for (const auto& row : block)
-      for (const bool b : row)
-        if (b) return true;
-    return false;
-  }
   bool slip() const { return block[0][0]; }
 };
 
-/// Rows of the nodes in `rows`, of the blocks wanted, as sums over samples.
+/// The blocks wanted, as sums over samples.
 class Assembly {
  public:
-  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted, std::span<const std::uint8_t> rows,
-           ContactOperators& op)
-      : frame_(frame), compliance_(compliance), wanted_(wanted), rows_(rows), op_(op), n_(frame.nodes()) {
+  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted, ContactOperators& op)
+      : frame_(frame), compliance_(compliance), wanted_(wanted), op_(op), n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
         if (op.block[r][c].empty()) op.block[r][c].resize_untouched(n_, n_);
         buffer_[r][c].resize(chunk, n_);
-        for (std::int64_t i = 0; r < 2 && i < n_; ++i)
-          if (rows[at(i)]) std::fill_n(op.block[r][c].row(i), n_, 0.0);
+        if (r < 2) std::fill_n(op.block[r][c].data(), n_ * n_, 0.0);
       }
     if (wanted.slip()) users_ = transpose(op.convection.rows, samples());
   }
 
   void run() {
     const std::size_t nodes = at(n_);
-    std::vector<std::int32_t> needed;
-    for (std::size_t k = 0; k < nodes; ++k)
-      if (rows_[k] || used(k)) needed.push_back(static_cast<std::int32_t>(k));
+    std::vector<std::int32_t> needed(nodes);
+    std::iota(needed.begin(), needed.end(), 0);
     in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_nodes(sample); });
     if (!wanted_.slip()) return;
     needed.clear();
@@ -113,13 +102,8 @@ class Assembly {
 
  private:
   std::size_t samples() const { return at(n_) + op_.convection.ahead.size(); }
-  /// By a slip row that is to be assembled.
-  bool used(std::size_t sample) const {
-    if (!wanted_.slip()) return false;
-    for (auto k = at(users_.start[sample]); k < at(users_.start[sample + 1]); ++k)
-      if (rows_[at(users_.row[k])]) return true;
-    return false;
-  }
+  /// By a slip row.
+  bool used(std::size_t sample) const { return users_.start[sample] < users_.start[sample + 1]; }
 
   template <class Take>
   static void in_chunks(const std::vector<std::int32_t>& sample, Take take) {
@@ -129,17 +113,11 @@ class Assembly {
 
   void take_nodes(std::span<const std::int32_t> node) {
     place(node, [&](std::size_t k) { return frame_.x[k]; });
-    // Rows that need nothing more go where they belong at once.
-    const bool in_place = node.back() - node.front() + 1 == static_cast<std::int32_t>(node.size()) &&
-                          std::all_of(node.begin(), node.end(), [&](std::int32_t k) { return rows_[at(k)] != 0; });
+    // Normal rows need nothing more and go where they belong at once.
     ComplianceBlock out = blocks(3);
     for (int c = 0; c < 3; ++c)
-      if (wanted_.block[2][c] && in_place) out.a[2][c] = op_.block[2][c].row(node[0]);
+      if (wanted_.block[2][c]) out.a[2][c] = op_.block[2][c].row(node[0]);
     compliance_.block({x_, y_}, out);
-    for (int c = 0; c < 3; ++c)
-      for (std::size_t p = 0; wanted_.block[2][c] && !in_place && p < node.size(); ++p)
-        if (rows_[at(node[p])])
-          std::copy_n(buffer_[2][c].row(static_cast<std::int64_t>(p)), n_, op_.block[2][c].row(node[p]));
     add_to_slip(node);
   }
 
@@ -175,7 +153,7 @@ class Assembly {
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         for (std::size_t p = 0; wanted_.block[r][c] && p < sample.size(); ++p)
-          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), rows_, op_.block[r][c]);
+          scatter(users_, at(sample[p]), buffer_[r][c].row(static_cast<std::int64_t>(p)), op_.block[r][c]);
   }
 
   void scale() {
@@ -183,7 +161,7 @@ class Assembly {
       for (int c = 0; c < 3; ++c)
         for (std::int64_t i = 0; wanted_.block[r][c] && i < n_; ++i) {
           const double factor = op_.convection.factor[at(i)];
-          if (!rows_[at(i)] || factor == 1) continue;
+          if (factor == 1) continue;
           double* row = op_.block[r][c].row(i);
           for (std::int64_t k = 0; k < n_; ++k) row[k] *= factor;
         }
@@ -192,7 +170,6 @@ class Assembly {
   const Frame& frame_;
   const Compliance& compliance_;
   const Wanted& wanted_;
-  std::span<const std::uint8_t> rows_;
   ContactOperators& op_;
   std::int64_t n_;
   RowMatrix<double> buffer_[3][3];
@@ -202,43 +179,21 @@ class Assembly {
 
 }  // namespace
 
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op,
-                        std::span<const std::uint8_t> wanted) {
-  const std::int64_t n = frame.nodes();
-  op.nodes = n;
+void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op) {
+  op.nodes = frame.nodes();
   op.coupled = compliance.couples() && !op.coupling_vanished;
-  if (!op.normal) op.rows = 0;
-  if (!op.normal || op.there.empty()) op.there.assign(static_cast<std::size_t>(n), op.normal ? 1 : 0);
-  // Of nodes that have rows: blocks that were not needed before. With coupling, a frictionless scene still needs no
-  // tangential column.
-  const bool slip = want_tangential || op.tangential;
-  Wanted of_old, of_new;
-  of_old.block[2][0] = of_old.block[2][1] = op.normal && op.coupled && want_tangential && op.block[2][0].empty();
-  of_new.block[2][2] = true;
-  of_new.block[2][0] = of_new.block[2][1] = op.coupled && (slip || !op.block[2][0].empty());
+  const bool slip = want_tangential || op.tangential, first = slip && !op.tangential;
+  if (op.normal && !first) return;
+  Wanted wanted;
+  wanted.block[2][2] = !op.normal;
+  // With coupling, a frictionless scene still needs no tangential column.
+  for (int c = 0; c < 2; ++c) wanted.block[2][c] = op.coupled && slip && (!op.normal || op.block[2][c].empty());
   for (int r = 0; r < 2; ++r)
-    for (int c = 0; c < 3; ++c) {
-      of_new.block[r][c] = slip && (c < 2 || op.coupled);
-      of_old.block[r][c] = of_new.block[r][c] && op.normal && !op.tangential;
-    }
-  std::vector<std::uint8_t> missing(static_cast<std::size_t>(n), 0);
-  std::int64_t count = 0;
-  for (std::size_t k = 0; k < missing.size(); ++k)
-    if (!op.has_row(k) && (wanted.empty() || wanted[k])) missing[k] = 1, ++count;
-  if (count == 0 && !of_old.any()) return;
-
-  bool need[3][3];
-  for (int r = 0; r < 3; ++r)
-    for (int c = 0; c < 3; ++c) need[r][c] = of_old.block[r][c] || of_new.block[r][c];
-  require_operator_memory(op, need, op.rows + count);
-  const bool first = !op.tangential && slip;
-  if (of_old.any()) Assembly(frame, compliance, of_old, op.there, op).run();
-  if (count > 0) Assembly(frame, compliance, of_new, missing, op).run();
-  for (std::size_t k = 0; k < missing.size(); ++k)
-    if (missing[k]) op.there[k] = 1;
-  op.rows += count;
+    for (int c = 0; c < 3; ++c) wanted.block[r][c] = first && (c < 2 || op.coupled);
+  require_operator_memory(op, wanted.block);
+  Assembly(frame, compliance, wanted, op).run();
   op.normal = true;
-  if (slip) op.tangential = true;
+  op.tangential = slip;
   // The coupling of half-spaces is known by its constant; under little friction the smallest counts.
   HalfspaceConstants constants;
   if (first && op.coupled && !compliance.halfspace(constants)) drop_vanished_coupling(op);

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "mesh/lattice.hpp"
@@ -29,8 +28,8 @@ class FieldOperator {
   /// 2-norm of the tangential columns of slip row r of a node amid the others.
   virtual double row_norm(int r) const = 0;
   virtual bool couples() const = 0;
-  /// What it convolves with; nothing: something else.
-  virtual std::optional<LatticeInfluence> influence() const { return std::nullopt; }
+  /// What it convolves with.
+  virtual LatticeInfluence influence() const = 0;
   virtual std::size_t bytes() const = 0;
   /// Calls of apply() so far.
   virtual std::int64_t applications() const = 0;

@@ -160,18 +160,11 @@ std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const Traction
 
 void take_normal_rows(const ContactOperators& fine, const TractionSpace& space, ContactOperators& op) {
   const std::int64_t m = space.frame.nodes();
-  op.there.assign(at(m), 0);
-  for (std::int64_t i = 0; i < m; ++i) {
-    if (!fine.has_row(at(space.node[at(i)]))) continue;
-    op.there[at(i)] = 1;
-    ++op.rows;
-  }
   for (int c = 0; c < 3; ++c) {
     const RowMatrix<double>& from = fine.block[2][c];
     if (from.empty()) continue;
     op.block[2][c].resize(m, m);
     for (std::int64_t i = 0; i < m; ++i) {
-      if (!op.has_row(at(i))) continue;
       double* to = op.block[2][c].row(i);
       std::fill_n(to, m, 0.0);
       add_columns(space, from.row(space.node[at(i)]), to);

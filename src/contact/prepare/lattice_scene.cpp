@@ -42,7 +42,7 @@ const char* obstacle_to_fft(const SolverState& s) {
 void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
   HalfspaceConstants c;
   s.prepared->compliance->halfspace(c);
-  const double delta = op.convection.ahead.empty() ? 0 : s.prepared->characteristic_step * lattice.spacing_along_flow();
+  const double delta = op.convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
   op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection.rows);
   op.nodes = lattice.frame_nodes();
   op.coupled = op.field->couples();
@@ -56,8 +56,6 @@ void forget_rows(SolverState& s) {
   for (auto& row : op.block)
     for (auto& block : row) block.release();
   op.normal = op.tangential = op.coupling_vanished = false;
-  op.there.clear();
-  op.rows = 0;
   s.newton.operators_changed();
   s.published.reset();
 }
@@ -77,7 +75,7 @@ void choose_table(SolverState& s, bool wanted) {
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    op.convection = make_convection(frame, scheme, s.prepared->characteristic_step);
+    op.convection = make_convection(frame, scheme);
     fill_operators(s, lattice, op);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};
@@ -103,7 +101,6 @@ void build_lattice_operators(SolverState& s, const Options& options) {
   if (op.field && (op.tangential || s.frictionless)) return;
   const Stopwatch watch(s.timings.compliance);
   forget_rows(s);
-  op.rows = s.prepared->frame.nodes();
   fill_operators(s, *s.prepared->lattice, op);
   s.iterate.invalidate();
   ++s.preparation->rows;
@@ -117,8 +114,6 @@ bool fill_from_table(SolverState& s) {
   fill_lattice_operators(*s.prepared->lattice, c, !s.frictionless || op.tangential, op);
   op.normal = true;
   op.tangential = op.tangential || !s.frictionless;
-  op.rows = op.nodes;
-  op.there.clear();
   return true;
 }
 

@@ -40,26 +40,30 @@ struct Preparation {
   using Poses = std::array<Revision, 2>;
 
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
-  Revision mesh = -1;                                      ///< of the frame
-  Stage<Revision, Revision, Poses> frame;                  ///< mesh, axes, poses that turn or move it
-  Stage<Revision, Poses> rim;                              ///< frame, poses of bodies with a mesh
-  Stage<Revision, double> compliance;                      ///< frame, accuracy
-  Stage<Revision, Scheme, double> convection;              ///< compliance, scheme, step
-  Stage<Revision> offset;                                  ///< convection
-  Stage<Revision, Revision> friction;                      ///< convection, revision
-  Stage<Revision, Revision, Revision, Poses> gap;          ///< frame, offset, revision, poses if measured
-  Stage<Revision, Revision, Revision> slip;                ///< convection, offset, revision
-  Stage<Revision> lattice;                                 ///< frame
-  Stage<Revision, Revision, double, double, bool> scales;  ///< frame, rows, factors, estimated
-  Revision offset_change = 0;                              ///< one is there, or there was one before
-  Revision rows = 0;                                       ///< of the operators were assembled
+  Revision mesh = -1;                              ///< of the frame
+  Stage<Revision, Revision, Poses> frame;          ///< mesh, axes, poses that turn or move it
+  Stage<Revision, Poses> rim;                      ///< frame, poses of bodies with a mesh
+  Stage<Revision, double> compliance;              ///< frame, accuracy
+  Stage<Revision, Scheme> convection;              ///< compliance, scheme
+  Stage<Revision> offset;                          ///< convection
+  Stage<Revision, Revision> friction;              ///< convection, revision
+  Stage<Revision, Revision, Revision, Poses> gap;  ///< frame, offset, revision, poses if measured
+  Stage<Revision, Revision, Revision> slip;        ///< convection, offset, revision
+  Stage<Revision> lattice;                         ///< frame
+  Stage<Revision, Revision, bool> scales;          ///< frame, rows, estimated
+  Revision offset_change = 0;                      ///< one is there, or there was one before
+  Revision rows = 0;                               ///< of the operators were assembled
   SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
 };
 
 /// What there is so far; empty at first.
 Prepared& begin_preparation(SolverState& state);
-/// Rows of the nodes with wanted[k] != 0 (empty: of all) that are not there yet.
-void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted);
-void choose_scales(SolverState& state, const Options& options);
+/// The dense operators that the scene needs and that are not there yet.
+void assemble_missing(SolverState& state);
+/// A support that keeps a node from moving along a tangent (a plane of symmetry) leaves its slip equation without
+/// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
+/// bound where there is.
+void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op);
+void choose_scales(SolverState& state);
 
 }  // namespace rollcon

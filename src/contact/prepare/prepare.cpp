@@ -6,7 +6,6 @@
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
-#include "contact/prepare/reach.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -102,27 +101,22 @@ void build_stencils(SolverState& state, const Scene& scene) {
   ContactOperators& op = on.problem.op;
   op.nodes = on.frame.nodes();
   const Scheme scheme = scheme_of(scene.options.convection);
-  const double step = scene.options.characteristic_step;
-  if (!preparation.convection.enter(preparation.compliance.version(), scheme,
-                                    scheme == Scheme::characteristic ? step : 0))
-    return;
+  if (!preparation.convection.enter(preparation.compliance.version(), scheme)) return;
   const Stopwatch watch(state.timings.convection);
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) op.block[r][c].release();
   op.tangential = false;
-  op.convection = make_convection(on.frame, scheme, step);
+  op.convection = make_convection(on.frame, scheme);
   ++state.work.stencils;
   on.scheme = scheme;
-  on.characteristic_step = step;
   preparation.field_rows = {};
   state.published.reset();
 }
 
 void build_operators(SolverState& state, const Scene& scene) {
   build_lattice_operators(state, scene.options);
-  choose_reach(state, scene.options);
-  if (!state.procedure.monolithic) assemble_missing(state, state.reach.wanted);
-  choose_scales(state, scene.options);
+  if (!state.procedure.monolithic) assemble_missing(state);
+  choose_scales(state);
 }
 
 // The coefficients; 0 on the inflow rim.

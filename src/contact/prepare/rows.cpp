@@ -5,7 +5,6 @@
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
-#include "contact/prepare/reach.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
 
@@ -21,10 +20,10 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k] && op.has_row(k)) largest = std::max(largest, diagonal(k));
+    if (frame.used[k]) largest = std::max(largest, diagonal(k));
   long long held = 0, first = -1;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
-    if (frame.used[k] && op.has_row(k) && !(diagonal(k) > rounding * largest) && held++ == 0)
+    if (frame.used[k] && !(diagonal(k) > rounding * largest) && held++ == 0)
       first = static_cast<long long>(k) + frame.mesh.index_base;
   if (held > 0)
     fail(Status::err_state,
@@ -34,51 +33,37 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
          first, frame.mesh.index_base, held);
 }
 
-// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip equation without
-// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
-// bound where there is.
-void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
+}  // namespace
+
+void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op) {
   if (!op.tangential) return;
   constexpr double rounding = 1e-12, looseness = 1e-6;
-  const std::int64_t n = frame.nodes();
+  const std::int64_t n = op.nodes;
   const auto row_norm = [&](int r, std::int64_t k) {
     return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
   };
-  const auto there = [&](std::int64_t k) {
-    return frame.used[static_cast<std::size_t>(k)] && op.has_row(static_cast<std::size_t>(k));
-  };
   double largest = 0;
   for (std::int64_t k = 0; k < n; ++k)
-    if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+    if (used[static_cast<std::size_t>(k)]) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
+  // Both rows vanish at the inflow rim of upwind schemes.
+  const bool upwind = op.convection.ahead.empty();
   for (std::int64_t k = 0; k < n; ++k) {
-    if (!there(k)) continue;
-    const double norm[2] = {row_norm(0, k), row_norm(1, k)};
-    for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
-      if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
-        op.block[r][r].row(k)[k] = looseness * largest;
+    if (!used[static_cast<std::size_t>(k)]) continue;
+    const bool held[2] = {row_norm(0, k) <= rounding * largest, row_norm(1, k) <= rounding * largest};
+    for (int r = 0; r < 2; ++r)
+      if (held[r] && !(upwind && held[1 - r])) op.block[r][r].row(k)[k] = looseness * largest;
   }
 }
 
-bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> wanted) {
-  if (op.rows == op.nodes) return false;
-  if (wanted.empty()) return true;
-  for (std::size_t k = 0; k < wanted.size(); ++k)
-    if (wanted[k] && !op.has_row(k)) return true;
-  return false;
-}
-
-}  // namespace
-
-void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) {
+void assemble_missing(SolverState& state) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   ContactOperators& op = on.problem.op;
-  if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
+  if (op.normal && (state.frictionless || op.tangential)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
-  take_reach(state);
+  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op);
   refuse_held_nodes(on.frame, op);
-  loosen_held_tangents(on.frame, op);
+  loosen_held_tangents(on.frame.used, op);
   ++state.assemblies;
   state.iterate.invalidate();
   ++preparation.rows;
@@ -86,29 +71,22 @@ void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) 
   if (!state.procedure.monolithic) state.published.reset();
 }
 
-void choose_scales(SolverState& state, const Options& o) {
+void choose_scales(SolverState& state) {
   const bool estimate = !state.procedure.standard();
   Preparation& preparation = *state.preparation;
-  Prepared& on = *preparation.made;
-  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, o.normal_scale,
-                                o.tangential_scale, estimate))
-    return;
-  if (estimate)
-    estimate_scales(on.problem, o.normal_scale, o.tangential_scale);
-  else
-    set_scales(on.problem, o.normal_scale, o.tangential_scale);
+  Problem& problem = preparation.made->problem;
+  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, estimate)) return;
+  estimate ? estimate_scales(problem) : set_scales(problem);
   ++state.work.scales;
-  on.normal_scale = o.normal_scale;
-  on.tangential_scale = o.tangential_scale;
   state.newton.operators_changed();
   state.published.reset();
 }
 
-void require_rows(SolverState& state, const Options& options, std::span<const std::uint8_t> wanted) {
-  if (!state.preparation) fail(Status::err_internal, "rows of operators that are shared cannot be added");
+void require_operators(SolverState& state) {
+  if (!state.preparation) fail(Status::err_internal, "operators that are shared cannot be assembled");
   try {
-    assemble_missing(state, wanted);
-    choose_scales(state, options);
+    assemble_missing(state);
+    choose_scales(state);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
     ContactOperators& op = state.preparation->made->problem.op;
@@ -119,10 +97,6 @@ void require_rows(SolverState& state, const Options& options, std::span<const st
     throw;
   }
   state.images_known = false;
-}
-
-void require_operators(SolverState& state, const Options& options) {
-  require_rows(state, options, state.reach.wanted);
 }
 
 }  // namespace rollcon

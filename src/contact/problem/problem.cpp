@@ -182,22 +182,22 @@ void sum_tractions(const Problem& p, const Frame& frame, const std::vector<doubl
   }
 }
 
-void set_scales(Problem& problem, double normal_factor, double tangential_factor) {
+void set_scales(Problem& problem) {
   const std::int64_t n = problem.nodes;
   const auto size = static_cast<std::size_t>(n);
   if (const FieldOperator* field = problem.op.field.get()) {
-    problem.rn.assign(size, normal_factor / std::abs(field->entry(2, 2)));
+    problem.rn.assign(size, 1 / std::abs(field->entry(2, 2)));
     problem.rt.assign(size, 0.0);
     if (!problem.op.tangential) return;
     const double norm = std::max(field->row_norm(0), field->row_norm(1));
-    problem.rt.assign(size, tangential_factor / norm);
+    problem.rt.assign(size, 1 / norm);
     return;
   }
   problem.rn.assign(size, 0.0);
   for (std::int64_t i = 0; i < n; ++i) {
     const auto k = static_cast<std::size_t>(i);
     if (!problem.used[k]) continue;
-    problem.rn[k] = normal_factor / std::abs(problem.op.block[2][2].row(i)[i]);
+    problem.rn[k] = 1 / std::abs(problem.op.block[2][2].row(i)[i]);
   }
   problem.rt.assign(size, 0.0);
   if (!problem.op.tangential) return;
@@ -211,7 +211,7 @@ void set_scales(Problem& problem, double normal_factor, double tangential_factor
       norm =
           std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n), norm2(problem.op.block[r][1].row(i), n)));
     if (norm > 0) {
-      problem.rt[k] = tangential_factor / norm;
+      problem.rt[k] = 1 / norm;
       mean += problem.rt[k];
       ++counted;
     }
@@ -221,7 +221,7 @@ void set_scales(Problem& problem, double normal_factor, double tangential_factor
     if (problem.used[k] && problem.rt[k] == 0) problem.rt[k] = mean;
 }
 
-void estimate_scales(Problem& p, double normal_factor, double tangential_factor) {
+void estimate_scales(Problem& p) {
   // A square of side h under unit pressure sinks 1.12 h / E*; across it slip per unit speed changes by a part of 1 /
   // E*.
   constexpr double sinking = 1.12, slipping = 0.5;
@@ -230,8 +230,8 @@ void estimate_scales(Problem& p, double normal_factor, double tangential_factor)
   p.rt.assign(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {
     if (!p.used[k]) continue;
-    p.rn[k] = normal_factor * p.stiffness / (sinking * std::sqrt(p.cell_area[k]));
-    p.rt[k] = tangential_factor * p.stiffness * slipping;
+    p.rn[k] = p.stiffness / (sinking * std::sqrt(p.cell_area[k]));
+    p.rt[k] = p.stiffness * slipping;
   }
 }
 

@@ -43,7 +43,7 @@ struct Problem {
   std::vector<double> weight;              ///< integral of N_i: force from tractions
   std::vector<double> moment_x, moment_y;  ///< integrals of N_i x and N_i y: spin moment
   std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
-  std::vector<std::uint8_t> used;          ///< nodes within reach that may carry traction
+  std::vector<std::uint8_t> used;          ///< nodes that may carry traction
   double length = 1;                       ///< of the frame; scales spin
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
@@ -125,9 +125,9 @@ void sum_tractions(const Problem& problem, const Frame& frame, const std::vector
 
 /// rn = 1/diagonal of the normal compliance; rt = 1/(2-norm of the node's slip rows) (docs/theory.md, section 2). A
 /// node whose rows vanish gets the mean of the others.
-void set_scales(Problem& problem, double normal_factor, double tangential_factor);
+void set_scales(Problem& problem);
 /// Likewise, of half-spaces on cells of the frame's size: without a look at any operator, so that both forms of the
 /// published system walk the same path.
-void estimate_scales(Problem& problem, double normal_factor, double tangential_factor);
+void estimate_scales(Problem& problem);
 
 }  // namespace rollcon

@@ -51,40 +51,6 @@ void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> 
   for (std::size_t k = 0; k < n; ++k) normal[k] = u[3 * k + 2];
 }
 
-// Displacements and slip at nodes whose rows are not there, straight from the integrals; others get nothing of use.
-struct Outside {
-  std::vector<double> normal, slip[2];
-};
-
-Outside outside_reach(SolverState& s) {
-  const ContactOperators& op = s.prepared->problem.op;
-  const Convection& convection = op.convection;
-  const Frame& frame = s.prepared->frame;
-  const std::size_t n = at(s.prepared->problem.nodes);
-  std::vector<std::uint8_t> needed(n + convection.ahead.size(), 0);
-  for (std::size_t k = 0; k < n; ++k) {
-    if (op.has_row(k)) continue;
-    needed[k] = 1;
-    for (auto j = at(convection.rows.start[k]); j < at(convection.rows.start[k + 1]); ++j)
-      needed[at(convection.rows.column[j])] = 1;
-  }
-  std::vector<double> x, y;
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (!needed[i]) continue;
-    x.push_back(frame.x[i % n] + (i < n ? 0 : convection.ahead[i - n]));
-    y.push_back(frame.y[i % n]);
-  }
-  const std::vector<double> found = displacements(s, x, y);
-  std::vector<double> u(3 * needed.size(), 0.0);
-  for (std::size_t i = 0, p = 0; i < needed.size(); ++i)
-    if (needed[i]) std::copy_n(&found[3 * p++], 3, &u[3 * i]);
-  Outside out;
-  convect(convection, u.data(), u.data() + 3 * n, out.slip);
-  out.normal.resize(n);
-  for (std::size_t k = 0; k < n; ++k) out.normal[k] = u[3 * k + 2];
-  return out;
-}
-
 }  // namespace
 
 void derive_fields(SolverState& s) {
@@ -99,17 +65,8 @@ void derive_fields(SolverState& s) {
   const bool known = p.op.tangential || p.op.field || s.images_known;
   if (!known) convect(s, displacements(s, s.prepared->frame.x, s.prepared->frame.y), image);
   for (auto& v : s.slip) v.assign(n, 0.0);
-  const Outside outside = s.reach.on ? outside_reach(s) : Outside{};
   for (std::size_t k = 0; k < n; ++k) {
     const auto i = static_cast<std::int64_t>(k);
-    if (s.reach.on && !p.op.has_row(k)) {
-      if (!s.prepared->frame.used[k]) s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
-      s.gap[k] = p.rigid_gap(k, it.motion[approach]) - outside.normal[k];
-      if (!s.prepared->frame.used[k]) continue;
-      s.slip[0][k] = s.prepared->speed * (p.rigid_slip1(i, it.motion) + outside.slip[0][k]);
-      s.slip[1][k] = s.prepared->speed * (p.rigid_slip2(i, it.motion) + outside.slip[1][k]);
-      continue;
-    }
     if (!p.used[k]) {
       s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
       it.update_gap(p, i);
@@ -161,7 +118,7 @@ void check_laws(SolverState& s) {
   // Slip is small when it is small against the slip velocities that occur, or when it would change the traction by
   // little of the friction bound (zero creepage has no velocity to compare with).
   const auto relative = [&](double speed, std::size_t k) {
-    return std::min(speed / speed_max, p.rt[k] / s.prepared->tangential_scale * speed / bound_max);
+    return std::min(speed / speed_max, p.rt[k] * speed / bound_max);
   };
   double normal = 0, friction = 0, slip = 0;
   for (std::size_t k = 0; k < n; ++k) {

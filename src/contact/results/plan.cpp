@@ -99,17 +99,6 @@ void describe_procedure(std::string& text, const SolverState& s, const Options& 
        o.linear_solver.c_str());
 }
 
-void describe_reach(std::string& text, const SolverState& s) {
-  const auto all = static_cast<long long>(s.prepared->problem.nodes);
-  if (s.reach.on)
-    line(text,
-         "reach: %lld of %lld nodes are out of it (a bound proves them open): no rows of the "
-         "operators, no part in the iteration",
-         all - static_cast<long long>(s.reach.nodes), all);
-  else if (s.reach.why_not)
-    line(text, "reach: all %lld nodes (%s)", all, s.reach.why_not);
-}
-
 // How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
 void describe_contact(std::string& text, const SolverState& s) {
   if (s.outcome != Outcome::converged) return;
@@ -190,11 +179,6 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
-  if (s.report.sliding_steps > 0)
-    line(text,
-         "total sliding given (no node can stick): no stick test, no tangential system; %lld "
-         "step(s) of explicit tractions",
-         static_cast<long long>(s.report.sliding_steps));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
@@ -202,11 +186,9 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
-  describe_reach(text, s);
   if (op.normal && !op.field)
-    line(text, "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
-         static_cast<long long>(op.nodes), static_cast<long long>(op.rows), static_cast<double>(op.bytes()) / 1e6,
-         static_cast<long long>(s.assemblies));
+    line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
+         static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
   describe_contact(text, s);
   describe_reuse(text, s);
   line(text, "result: %s", describe_outcome(s).c_str());

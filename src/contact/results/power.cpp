@@ -1,6 +1,7 @@
 #include "contact/results/power.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/solution.hpp"
@@ -86,6 +87,27 @@ double power_put_in(const SolverState& s) {
     if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
   }
   return -s.prepared->speed * work;
+}
+
+double power_at_nodes(SolverState& s) {
+  if (s.frictionless) return 0;
+  const Problem& p = s.prepared->problem;
+  Iterate& it = s.iterate;
+  const bool known = p.op.tangential || p.op.field || s.images_known;
+  if (!known) derive_fields(s);
+  double sum = 0;
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    if (!(it.lambda[2][k] < 0)) continue;
+    std::array<double, 2> slip{known ? 0 : s.slip[0][k], known ? 0 : s.slip[1][k]};
+    if (known) {
+      const auto i = static_cast<std::int64_t>(k);
+      it.update_slip(p, i);
+      slip = {s.prepared->speed * (p.rigid_slip1(i, it.motion) + it.image[0][k]),
+              s.prepared->speed * (p.rigid_slip2(i, it.motion) + it.image[1][k])};
+    }
+    sum -= p.cell_area[k] * (it.lambda[0][k] * slip[0] + it.lambda[1][k] * slip[1]);
+  }
+  return sum;
 }
 
 }  // namespace rollcon

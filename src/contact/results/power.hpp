@@ -5,6 +5,9 @@ namespace rollcon {
 
 struct SolverState;
 
+/// What slip takes, summed over the nodes in contact.
+double power_at_nodes(SolverState& state);
+
 /// What forces, spin moment and the slope of the gap put in, force times speed. Needs no slip.
 double power_put_in(const SolverState& state);
 

@@ -16,22 +16,11 @@ const SettingTable<Options>& table() {
       {"linear_solver", &Options::linear_solver, "auto|lu|gmres|gmres_adaptive",
        "Solver of the linear systems; auto chooses by size. gmres_adaptive: tolerance by "
        "(72)-(74)."},
-      {"characteristic_step", &Options::characteristic_step, 0.01, 1,
-       "Step upstream of the characteristic scheme, as a part of the local node spacing; longer on "
-       "the rim that material leaves and where elements grow fast."},
-      {"normal_scale", &Options::normal_scale, 1e-2, 1e2, "Factor on the augmentation parameter of the normal law."},
-      {"tangential_scale", &Options::tangential_scale, 1e-2, 1e2,
-       "Factor on the augmentation parameter of the friction law."},
-      {"warm_start", &Options::warm_start, 0, 1, "1: a solve starts from the last solution; 0: from nothing."},
-      {"prediction", &Options::prediction, 0, 1,
-       "1: a warm start goes on along the line of the last change where that helps; 0: never."},
+      {"warm_start", &Options::warm_start, 0, 2,
+       "2: a solve starts from the last solution, moved on along the line of the last change where that helps; 1: from "
+       "the last solution; 0: from nothing."},
       {"operators", &Options::operators, "auto|dense|table|fft",
        "Matrices of integrals; on regular frames above half-spaces from a table, or convolutions."},
-      {"reach", &Options::reach, 0, 1, "1: nodes that cannot touch get no rows of the operators; 0: all nodes do."},
-      {"total_sliding", &Options::total_sliding, 0, 1,
-       "1: where creepages let no node stick, tractions come without linear systems; 0: by "
-       "Newton's "
-       "iteration like others."},
       {"system", &Options::system, "condensed|monolithic",
        "The bodies' own unknowns eliminated, or written out as in (48), (58), (62)."},
       {"jacobian", &Options::jacobian, "exact|b_derivative|simplified|reduced",
@@ -39,22 +28,14 @@ const SettingTable<Options>& table() {
        "with the reduced unknowns of its section 11.8."},
       {"slip_estimate", &Options::slip_estimate, "auto|jacobi|pseudo_temporal|extrapolation",
        "Of sticking pairs with jacobian = reduced: (90), (91) or (92)."},
-      {"slip_time_step", &Options::slip_time_step, 1e-3, 2,
-       "Time step of (91), over the shortest time in which a particle passes a node."},
-      {"slip_extrapolation", &Options::slip_extrapolation, 0.1, 2, "Factor theta of (92)."},
       {"linear_tolerance", &Options::linear_tolerance, 0, 0.9,
-       "Relative residual at which gmres stops; 0: chosen by the iteration."},
-      {"linear_tolerance_max", &Options::linear_tolerance_max, 1e-12, 0.9,
-       "Largest tolerance of gmres_adaptive, eta_max of (73)."},
-      {"linear_tolerance_gamma", &Options::linear_tolerance_gamma, 1e-6, 1, "Factor c of gmres_adaptive in (72)."},
+       "Relative residual at which gmres stops, and the largest of gmres_adaptive, eta_max of (73); 0: chosen by the "
+       "iteration, 0.01."},
       {"preconditioner", &Options::preconditioner, "auto|none|diagonal|bodies|kept_lu",
        "Of gmres. bodies: their matrices, factorised once (system = monolithic). kept_lu: the "
        "factors of an earlier iteration (system = condensed)."},
       {"line_search", &Options::line_search, "auto|armijo|off",
        "Of the published iterations, section 11.1; off: full steps."},
-      {"line_search_factor", &Options::line_search_factor, 0.05, 0.95, "Factor beta by which a step is shortened."},
-      {"line_search_slope", &Options::line_search_slope, 1e-12, 0.49,
-       "Part sigma of the predicted decrease that a step must reach."},
   };
   return rows;
 }

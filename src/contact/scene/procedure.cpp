@@ -53,16 +53,10 @@ Procedure choose_procedure(const Options& o) {
   p.monolithic = o.system == "monolithic";
   p.jacobian = find(jacobians, o.jacobian);
   p.estimate = find(estimates, o.slip_estimate);
-  p.time_step = o.slip_time_step;
-  p.extrapolation = o.slip_extrapolation;
   p.linear = find(methods, o.linear_solver);
-  p.eta = o.linear_tolerance;
-  p.eta_max = o.linear_tolerance_max;
-  p.eta_gamma = o.linear_tolerance_gamma;
+  if (o.linear_tolerance > 0) (p.linear == LinearMethod::gmres_adaptive ? p.eta_max : p.eta) = o.linear_tolerance;
   p.preconditioner = find(preconditioners, o.preconditioner);
   p.line_search = find(searches, o.line_search);
-  p.shorten = o.line_search_factor;
-  p.slope = o.line_search_slope;
 
   if (ROLLCON_BUILD_PROCEDURES == 0 && !p.standard())
     fail(Status::err_unsupported,
@@ -88,25 +82,30 @@ Procedure choose_procedure(const Options& o) {
   if (o.preconditioner != "auto" && !iterative(p.linear))
     fail(Status::err_option, "preconditioner is '%s' but linear_solver is '%s': only gmres and gmres_adaptive have one",
          o.preconditioner.c_str(), o.linear_solver.c_str());
-  if (p.eta > 0 && p.linear != LinearMethod::gmres)
-    fail(Status::err_option, "linear_tolerance is %g but linear_solver is '%s': only gmres has a fixed tolerance",
-         p.eta, o.linear_solver.c_str());
+  if (p.standard() && (p.preconditioner == Preconditioner::none || p.preconditioner == Preconditioner::diagonal))
+    fail(Status::err_option,
+         "preconditioner is '%s' but jacobian is 'exact' and system 'condensed', which keep factors: choose jacobian = "
+         "b_derivative, simplified or reduced, or system = monolithic",
+         o.preconditioner.c_str());
+  if (o.linear_tolerance > 0 && !iterative(p.linear))
+    fail(Status::err_option, "linear_tolerance is %g but linear_solver is '%s': only gmres and gmres_adaptive have one",
+         o.linear_tolerance, o.linear_solver.c_str());
   if (p.line_search != LineSearch::automatic && p.standard())
     fail(Status::err_option,
-         "line_search is '%s' but jacobian is 'exact' and system 'condensed', which have a search "
-         "of "
-         "their own: choose jacobian = b_derivative, simplified or reduced, or system = monolithic",
+         "line_search is '%s' but jacobian is 'exact' and system 'condensed', which have a search of their own: choose "
+         "jacobian = b_derivative, simplified or reduced, or system = monolithic",
          o.line_search.c_str());
   return p;
 }
 
-double adaptive_tolerance(const Procedure& p, double merit, double last_merit, double eta) {
+double adaptive_tolerance(double eta_max, double merit, double last_merit, double eta) {
+  constexpr double c = 0.3;          // of (72)
   constexpr double threshold = 0.1;  // below it the safeguard rests
-  if (!(eta > 0)) return p.eta_max;
-  double next = last_merit > 0 ? p.eta_gamma * merit / last_merit : p.eta_max;
-  const double safeguard = p.eta_gamma * eta * eta;
+  if (!(eta > 0)) return eta_max;
+  double next = last_merit > 0 ? c * merit / last_merit : eta_max;
+  const double safeguard = c * eta * eta;
   if (safeguard > threshold) next = std::max(next, safeguard);
-  return std::min(p.eta_max, next);
+  return std::min(eta_max, next);
 }
 
 }  // namespace rollcon

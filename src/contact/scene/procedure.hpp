@@ -17,13 +17,11 @@ struct Procedure {
   bool monolithic = false;
   Jacobian jacobian = Jacobian::exact;
   SlipEstimate estimate = SlipEstimate::jacobi;
-  double time_step = 1, extrapolation = 1.2;
   LinearMethod linear = LinearMethod::automatic;
-  double eta = 0;  ///< 0: chosen by the iteration
-  double eta_max = 0.01, eta_gamma = 0.3;
+  double eta = 0;         ///< 0: chosen by the iteration
+  double eta_max = 0.01;  ///< of gmres_adaptive
   Preconditioner preconditioner = Preconditioner::automatic;
   LineSearch line_search = LineSearch::automatic;
-  double shorten = 0.5, slope = 1e-4;
 
   /// rollcon's own iteration on the condensed system (newton.hpp), the standard.
   bool standard() const { return !monolithic && jacobian == Jacobian::exact; }
@@ -35,7 +33,7 @@ Procedure choose_procedure(const Options& options);
 
 /// Next linear tolerance by (72)-(74) and the safeguard after them. merit: Psi of this and of the last iterate (half
 /// the squared norm of the residual), eta: the last tolerance.
-double adaptive_tolerance(const Procedure& procedure, double merit, double last_merit, double eta);
+double adaptive_tolerance(double eta_max, double merit, double last_merit, double eta);
 
 class PublishedSolver;  // contact/solution.hpp
 /// Makes what solves by the published procedures (src/procedures/).

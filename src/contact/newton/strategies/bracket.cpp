@@ -35,8 +35,6 @@ Outcome bracket(NewtonIteration& newton, int m, Part part, double from, double s
       guess_start(p, given, it);
     }
     const double load = load_on_body1(p, m, it.lambda).value;
-    // Forces that friction cannot carry yet: the bodies are still too far apart.
-    if (m == approach && outcome == Outcome::no_solution && load < target) outcome = Outcome::converged;
     return m == approach ? target - load : load - target;
   };
   double low = from, high = low, step = scale;
@@ -91,13 +89,13 @@ Outcome bracket_creep(NewtonIteration& newton) {
                  s.tolerance);
 }
 
-Outcome bracket_approach(NewtonIteration& newton, Part part, double tolerance) {
+Outcome bracket_approach(NewtonIteration& newton, double tolerance) {
   Solve& s = newton.solve();
   if (!s.given.by_force[approach]) return Outcome::not_converged;
   const GuessedContact guess = guess_contact(*s.problem, s.given);
   if (!(guess.low < INFINITY)) return Outcome::not_converged;
   start_cold(*s.problem, s.given, *s.iterate);
-  return bracket(newton, approach, part, guess.low, guess.half, tolerance);
+  return bracket(newton, approach, Part::normal, guess.low, guess.half, tolerance);
 }
 
 }  // namespace rollcon

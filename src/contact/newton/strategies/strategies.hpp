@@ -9,8 +9,8 @@ namespace rollcon {
 /// One prescribed tangential load, found by bracketing its motion from the outside: given motions converge where given
 /// forces get stuck, and a load falls as its motion grows.
 Outcome bracket_creep(NewtonIteration& newton);
-/// The prescribed normal load likewise, from the first touch on; for the part.
-Outcome bracket_approach(NewtonIteration& newton, Part part, double tolerance);
+/// The prescribed normal load of the normal part likewise, from the first touch on.
+Outcome bracket_approach(NewtonIteration& newton, double tolerance);
 /// Several prescribed tangential loads, found from the outside likewise: few unknowns, so a Newton iteration with
 /// differences does.
 Outcome search_creep(NewtonIteration& newton);

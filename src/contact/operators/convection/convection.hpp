@@ -33,10 +33,13 @@ struct Convection {
 Scheme scheme_of(const std::string& name);
 const char* name_of(Scheme scheme);
 
-/// step: distance ahead over the local spacing along the flow, characteristic scheme only. On a curved frame
+/// Distance ahead over the local spacing along the flow, of the characteristic scheme.
+inline constexpr double characteristic_step = 0.6;
+
+/// step: that distance; other schemes have none. On a curved frame
 /// derivatives are taken along the surface: those in the projection times
 /// t1 . (rolling direction).
-Convection make_convection(const Frame& frame, Scheme scheme, double step);
+Convection make_convection(const Frame& frame, Scheme scheme, double step = characteristic_step);
 
 /// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them. Tangential components.
 void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]);

@@ -68,7 +68,7 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)
       wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled) : want_tangential && (k < 2 || op.coupled);
-  require_operator_memory(op, wanted, n);
+  require_operator_memory(op, wanted);
   const double delta = op.convection.ahead.empty() ? 0 : op.convection.ahead[0];
   std::vector<Part> parts;
   for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, c, delta, piece);
@@ -102,8 +102,6 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
         }
       }
     }
-  op.there.assign(static_cast<std::size_t>(n), 1);
-  op.rows = n;
   op.normal = true;
   if (want_tangential) op.tangential = true;
 }

@@ -185,8 +185,8 @@ double LatticeOperator::row_norm(int r) const {
 bool LatticeOperator::couples() const {
   return shared_->c.ck != 0;
 }
-std::optional<LatticeInfluence> LatticeOperator::influence() const {
-  return LatticeInfluence{shared_->lattice, shared_->c};
+LatticeInfluence LatticeOperator::influence() const {
+  return {shared_->lattice, shared_->c};
 }
 
 std::size_t LatticeOperator::bytes() const {

@@ -26,7 +26,7 @@ class LatticeOperator final : public FieldOperator {
   double entry(int r, int c) const override;
   double row_norm(int r) const override;
   bool couples() const override;
-  std::optional<LatticeInfluence> influence() const override;
+  LatticeInfluence influence() const override;
   std::size_t bytes() const override;
   std::int64_t applications() const override { return applications_.load(); }
 

@@ -1,25 +1,17 @@
-/// Statistics of the last solve by name.
+#include "contact/results/statistics.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
-#include "contact/contact.hpp"
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/results/condition.hpp"
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
 #include "contact/solution.hpp"
-#include "linalg/blas_threads.hpp"
 
 namespace rollcon {
 namespace {
-
-struct Statistic {
-  const char* name;
-  double (*value)(SolverState&);
-};
 
 double count_status(SolverState& s, NodeStatus wanted) {
   derive_fields(s);
@@ -72,16 +64,17 @@ constexpr Statistic table[] = {
     {"iterations",
      [](SolverState& s) {
        return number(s.report.normal_iterations + s.report.tangential_iterations + s.report.full_iterations);
-     }},
+     },
+     true},
     {"normal_iterations", [](SolverState& s) { return number(s.report.normal_iterations); }},
     {"tangential_iterations", [](SolverState& s) { return number(s.report.tangential_iterations); }},
     {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
-    {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }},
+    {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }, true},
     {"predictions", [](SolverState& s) { return number(s.report.predictions); }},
     {"linear_iterations", [](SolverState& s) { return number(s.linear_iterations); }},
     {"factorizations", [](SolverState& s) { return number(s.factorizations); }},
-    {"residual_normal", [](SolverState& s) { return s.report.residual_normal; }},
-    {"residual_tangential", [](SolverState& s) { return s.report.residual_tangential; }},
+    {"residual_normal", [](SolverState& s) { return s.report.residual_normal; }, true},
+    {"residual_tangential", [](SolverState& s) { return s.report.residual_tangential; }, true},
     {"condition", [](SolverState& s) { return find_condition(s); }},
     {"law_normal", [](SolverState& s) { return law(s, 0); }},
     {"law_friction", [](SolverState& s) { return law(s, 1); }},
@@ -91,7 +84,7 @@ constexpr Statistic table[] = {
     {"error_estimate_normal", [](SolverState& s) { return find_error_estimate(s).normal; }},
     {"error_estimate_tangential", [](SolverState& s) { return find_error_estimate(s).tangential; }},
     {"error_estimate_tractions", [](SolverState& s) { return find_error_estimate(s).tractions; }},
-    {"nodes_contact", [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }},
+    {"nodes_contact", [](SolverState& s) { return sum_in_contact(s, [](std::size_t) { return 1.0; }); }, true},
     {"nodes_inside", [](SolverState& s) { return number(nodes_inside(s)); }},
     {"nodes_stick", [](SolverState& s) { return count_status(s, NodeStatus::stick); }},
     {"nodes_slip", [](SolverState& s) { return count_status(s, NodeStatus::slip); }},
@@ -107,20 +100,15 @@ constexpr Statistic table[] = {
     {"overlap_depth",
      [](SolverState& s) { return initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).depth; }},
     {"contact_area",
-     [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; }); }},
-    {"friction_power",
-     [](SolverState& s) {
-       derive_fields(s);
-       return sum_in_contact(s, [&](std::size_t k) {
-         return -s.prepared->problem.cell_area[k] *
-                (s.iterate.lambda[0][k] * s.slip[0][k] + s.iterate.lambda[1][k] * s.slip[1][k]);
-       });
-     }},
-    {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }},
+     [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; }); },
+     true},
+    {"friction_power", [](SolverState& s) { return power_at_nodes(s); }, true},
+    {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }, true},
     {"max_pressure",
      [](SolverState& s) {
        return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));
-     }},
+     },
+     true},
     {"seconds_compliance", [](SolverState& s) { return s.timings.compliance; }},
     {"seconds_convection", [](SolverState& s) { return s.timings.convection; }},
     {"seconds_newton", [](SolverState& s) { return s.timings.newton; }},
@@ -139,7 +127,6 @@ constexpr Statistic table[] = {
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
-    {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op.rows); }},
     {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
     {"operator_applications",
      [](SolverState& s) {
@@ -147,9 +134,6 @@ constexpr Statistic table[] = {
        return number(s.work.applications + (field ? field->applications() : 0));
      }},
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
-    {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
-    {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},
-    {"sliding_steps", [](SolverState& s) { return number(s.report.sliding_steps); }},
     {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
     {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},
     {"compliance_builds", [](SolverState& s) { return number(s.work.compliances); }},
@@ -172,26 +156,8 @@ constexpr Statistic table[] = {
 
 }  // namespace
 
-std::int64_t Contact::stat_count() {
-  return static_cast<std::int64_t>(std::size(table));
-}
-
-const char* Contact::stat_name(std::int64_t i) {
-  if (i < 0 || i >= stat_count())
-    fail(Status::err_argument, "statistic %lld is outside [0, %lld]", static_cast<long long>(i),
-         static_cast<long long>(stat_count() - 1));
-  return table[i].name;
-}
-
-double Contact::stat(const char* name) const {
-  for (const Statistic& s : table)
-    if (std::strcmp(s.name, name) == 0) {
-      if (!state_->solved || state_->revision_solved.mesh != scene.revision.mesh)
-        fail(Status::err_state, "there is no solution: call rollcon_contact_solve first");
-      const BlasThreads blas(context_->threads());
-      return s.value(*state_);
-    }
-  fail(Status::err_option, "unknown statistic '%.60s'; rollcon_stat_name lists them", name);
+std::span<const Statistic> statistics() {
+  return table;
 }
 
 }  // namespace rollcon
