@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
 namespace rollcon {
 namespace {
@@ -261,6 +262,24 @@ std::optional<Lattice> find_lattice(const Frame& frame, std::string* why) {
   Search search(frame, lattice);
   if (!search.run()) return refuse(search.why().c_str());
   return lattice;
+}
+
+bool may_be_lattice(const SurfaceMesh& mesh) {
+  constexpr double least = 0.9;  // of the sides of a cell: nodes may be a little off their places
+  double side[2] = {}, first[2] = {};
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    if (mesh.type[at(e)] != ElementType::quad4) return false;
+    const auto corner = mesh.element(e);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Vec3 along = mesh.node[at(corner[i + 1])] - mesh.node[at(corner[i])];
+      side[i] = std::sqrt(dot(along, along));
+    }
+    if (side[0] > side[1]) std::swap(side[0], side[1]);
+    if (e == 0) std::copy(side, side + 2, first);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (!(side[i] >= least * first[i] && first[i] >= least * side[i])) return false;
+  }
+  return true;
 }
 
 }  // namespace rollcon

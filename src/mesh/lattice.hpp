@@ -50,4 +50,7 @@ inline constexpr double least_lattice_fill = 0.25;
 /// *why. Spacings, axes and origin are those of least squares. Takes O(nodes) time.
 std::optional<Lattice> find_lattice(const Frame& frame, std::string* why = nullptr);
 
+/// False: surely none, by the sides of the elements alone, whose shapes and connections nobody has checked yet.
+bool may_be_lattice(const SurfaceMesh& mesh);
+
 }  // namespace rollcon

@@ -59,10 +59,21 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
   return source;
 }
 
+// Where memory does not hold one block of the operators, nobody waits for the checks of a frame of so many nodes. Grids
+// may do without.
+void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
+  constexpr std::int64_t few = 10'000;
+  if (mesh.nodes() <= few || state.procedure.monolithic || may_be_lattice(mesh)) return;
+  ContactOperators op;
+  op.nodes = mesh.nodes();
+  require_operator_memory(op, {{false, false, false}, {false, false, false}, {false, false, true}});
+}
+
 void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   if (preparation.frame.enter(scene.revision.mesh, scene.revision.axes, poses_of_frame(scene, on.pair))) {
+    refuse_too_many_nodes(state, scene.mesh());
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);
