@@ -139,13 +139,10 @@ constexpr Statistic table[] = {
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
-    {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op.rows); }},
-    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
+    {"rows_assembled", [](SolverState& s) { return number(s.prepared->problem.op->rows); }},
+    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op->bytes()); }},
     {"operator_applications",
-     [](SolverState& s) {
-       const auto& field = s.prepared->problem.op.field;
-       return number(s.work.applications + (field ? field->applications() : 0));
-     }},
+     [](SolverState& s) { return number(s.work.applications + s.prepared->problem.op->applications()); }},
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
     {"nodes_reach", [](SolverState& s) { return number(s.reach.nodes); }},
     {"nodes_returned", [](SolverState& s) { return number(s.reach.returned); }},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/halfspace/far_field.hpp"
+#include "bodies/halfspace/halfspace_kernel.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "quadrature/near_field.hpp"
 #include "quadrature/rules.hpp"
@@ -57,10 +58,7 @@ class HalfspaceCompliance final : public Compliance {
   void set_threads(int threads) override { threads_ = std::max(1, threads); }
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
-  bool halfspace(HalfspaceConstants& sum) const override {
-    sum = c_;
-    return true;
-  }
+  std::shared_ptr<const TranslationKernel> translation() const override { return make_halfspace_kernel(c_); }
   std::int64_t kernel_evaluations() const override { return evaluations_.load(); }
   std::size_t bytes() const override {
     std::size_t sum = sizeof *this;

@@ -161,7 +161,7 @@ double CaseSolver::number(CaseNumber which) {
       break;
   }
   if (s.frictionless) return 0;
-  if (!s.prepared->problem.op.tangential && !s.images_known) require_operators(s, options_);
+  if (!s.prepared->problem.op->tangential && !s.images_known) require_operators(s, options_);
   return sum_in_contact([&](std::size_t k) {
     const auto i = static_cast<std::int64_t>(k);
     const auto& it = s.iterate;

@@ -324,7 +324,7 @@ Status ManyCases::finish() {
 }  // namespace
 
 void reach_for_cases(SolverState& s, const Options& options, const CaseList& list) {
-  if (!s.procedure.standard() || s.prepared->problem.op.field || list.cases == 0) return;
+  if (!s.procedure.standard() || !s.prepared->problem.op->dense() || list.cases == 0) return;
   const Prescribed given = s.given;
   const auto width = static_cast<std::int64_t>(list.parameter.size());
   for (std::size_t j = 0; j < list.parameter.size(); ++j) {

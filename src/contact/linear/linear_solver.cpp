@@ -58,7 +58,7 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count, const s
   const Stopwatch watch(seconds);
   unknowns = system.size();
   ++right_sides;
-  if (system.field()) return solve_field(system, b, tolerance, useful, x);
+  if (!system.formed()) return solve_field(system, b, tolerance, useful, x);
   const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   take(system, x);
   const std::int64_t n = free_.size();
@@ -137,8 +137,8 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
   gmres_.reserve(with_room(n), field_krylov_space);
   const bool plain = preconditioner == Preconditioner::none || preconditioner == Preconditioner::diagonal;
   if (!plain && !field_blocks_)
-    if (const auto influence = system.field()->influence())
-      field_blocks_ = make_lattice_preconditioner(influence->lattice, influence->constants);
+    if (const LatticeInfluence* influence = system.operators().influence())
+      field_blocks_ = make_lattice_preconditioner(*influence);
   LinearOperator* blocks = plain ? nullptr : field_blocks_.get();
   if (blocks)
     field_blocks_->take(system);
@@ -151,7 +151,7 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
 
 bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x) {
   const Stopwatch watch(seconds);
-  if (system.field()) return solve_field(system, b, exact, exact_enough, x);
+  if (!system.formed()) return solve_field(system, b, exact, exact_enough, x);
   take(system, x);
   const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(system.part()) - 2;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -18,11 +19,11 @@ double rigid_speed(const Problem& p, std::int64_t i, const Iterate& it) {
 }
 
 // Largest slip that node i can get from unit tractions of node j.
-double influence(const Problem& p, std::int64_t i, std::int64_t j) {
+double influence(const DenseOperators& op, std::int64_t i, std::int64_t j) {
   double sum = 0;
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 2; ++c) {
-      const double v = p.op.block[r][c].row(i)[j];
+      const double v = op.block[r][c].row(i)[j];
       sum += v * v;
     }
   return std::sqrt(sum);
@@ -32,7 +33,8 @@ double influence(const Problem& p, std::int64_t i, std::int64_t j) {
 
 bool TotalSliding::applies(const Problem& p, const Prescribed& given, const Iterate& it) {
   if (given.by_force[xi1] || given.by_force[xi2] || given.by_force[spin]) return false;
-  if (p.op.field || !p.op.tangential || p.op.coupled) return false;
+  const DenseOperators* rows = p.op->dense();
+  if (!rows || !rows->tangential || rows->coupled) return false;
   loaded_.clear();
   loaded_.reserve(at(p.nodes));
   row_sum_.reserve(at(p.nodes));
@@ -41,7 +43,7 @@ bool TotalSliding::applies(const Problem& p, const Prescribed& given, const Iter
     const double bound = -given.friction * p.mu[at(i)] * it.lambda[2][at(i)];
     if (!(bound > 0)) continue;
     // Its own traction alone: nearly all scenes that do not slide altogether end here.
-    if (influence(p, i, i) * bound > greatest_turn * rigid_speed(p, i, it)) return false;
+    if (influence(*rows, i, i) * bound > greatest_turn * rigid_speed(p, i, it)) return false;
     loaded_.push_back(static_cast<std::int32_t>(i));
   }
   if (loaded_.empty()) return false;
@@ -55,16 +57,17 @@ bool TotalSliding::applies(const Problem& p, const Prescribed& given, const Iter
 // largest: greatest mu p.
 bool TotalSliding::bound_holds(const Problem& p, const Prescribed& given, const Iterate& it, std::int64_t i,
                                double largest) {
+  const DenseOperators& op = *p.op->dense();
   const double most = greatest_turn * rigid_speed(p, i, it);
   double& sum = row_sum_[at(i)];
   if (sum < 0) {
     sum = 0;
-    for (std::int64_t j = 0; j < p.nodes; ++j) sum += influence(p, i, j);
+    for (std::int64_t j = 0; j < p.nodes; ++j) sum += influence(op, i, j);
   }
   if (sum * largest <= most) return true;
   double elastic = 0;
   for (const std::int32_t j : loaded_)
-    elastic -= influence(p, i, j) * given.friction * p.mu[at(j)] * it.lambda[2][at(j)];
+    elastic -= influence(op, i, j) * given.friction * p.mu[at(j)] * it.lambda[2][at(j)];
   return elastic <= most;
 }
 

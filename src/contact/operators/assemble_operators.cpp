@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bodies/halfspace/halfspace.hpp"
-#include "contact/operators/operators.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
-#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -44,7 +42,7 @@ void scatter(const Users& users, std::size_t sample, const double* displacement,
     if (wanted[at(users.row[k])]) axpy(users.value[k], displacement, out.row(users.row[k]), out.columns());
 }
 
-double largest(const ContactOperators& op, const RowMatrix<double>& block) {
+double largest(const DenseOperators& op, const RowMatrix<double>& block) {
   double value = 0;
   for (std::int64_t i = 0; i < block.rows(); ++i)
     for (std::int64_t k = 0; op.has_row(static_cast<std::size_t>(i)) && k < block.columns(); ++k)
@@ -52,7 +50,7 @@ double largest(const ContactOperators& op, const RowMatrix<double>& block) {
   return value;
 }
 
-void drop_vanished_coupling(ContactOperators& op) {
+void drop_vanished_coupling(DenseOperators& op) {
   constexpr double rounding = 1e-12;
   const auto vanishes = [&](double coupling, double direct) { return coupling <= rounding * direct; };
   const double along = std::max(largest(op, op.block[0][0]), largest(op, op.block[0][1]));
@@ -83,9 +81,15 @@ struct Wanted {
 /// Rows of the nodes in `rows`, of the blocks wanted, as sums over samples.
 class Assembly {
  public:
-  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted, std::span<const std::uint8_t> rows,
-           ContactOperators& op)
-      : frame_(frame), compliance_(compliance), wanted_(wanted), rows_(rows), op_(op), n_(frame.nodes()) {
+  Assembly(const Frame& frame, const Compliance& compliance, const Convection& convection, const Wanted& wanted,
+           std::span<const std::uint8_t> rows, DenseOperators& op)
+      : frame_(frame),
+        compliance_(compliance),
+        convection_(convection),
+        wanted_(wanted),
+        rows_(rows),
+        op_(op),
+        n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
@@ -94,7 +98,7 @@ class Assembly {
         for (std::int64_t i = 0; r < 2 && i < n_; ++i)
           if (rows[at(i)]) std::fill_n(op.block[r][c].row(i), n_, 0.0);
       }
-    if (wanted.slip()) users_ = transpose(op.convection.rows, samples());
+    if (wanted.slip()) users_ = transpose(convection.rows, samples());
   }
 
   void run() {
@@ -112,7 +116,7 @@ class Assembly {
   }
 
  private:
-  std::size_t samples() const { return at(n_) + op_.convection.ahead.size(); }
+  std::size_t samples() const { return at(n_) + convection_.ahead.size(); }
   /// By a slip row that is to be assembled.
   bool used(std::size_t sample) const {
     if (!wanted_.slip()) return false;
@@ -146,7 +150,7 @@ class Assembly {
   void take_ahead(std::span<const std::int32_t> sample) {
     place(sample, [&](std::size_t k) {
       const std::size_t node = k - at(n_);
-      return frame_.x[node] + op_.convection.ahead[node];
+      return frame_.x[node] + convection_.ahead[node];
     });
     compliance_.block({x_, y_}, blocks(2));
     add_to_slip(sample);
@@ -182,7 +186,7 @@ class Assembly {
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         for (std::int64_t i = 0; wanted_.block[r][c] && i < n_; ++i) {
-          const double factor = op_.convection.factor[at(i)];
+          const double factor = convection_.factor[at(i)];
           if (!rows_[at(i)] || factor == 1) continue;
           double* row = op_.block[r][c].row(i);
           for (std::int64_t k = 0; k < n_; ++k) row[k] *= factor;
@@ -191,9 +195,10 @@ class Assembly {
 
   const Frame& frame_;
   const Compliance& compliance_;
+  const Convection& convection_;
   const Wanted& wanted_;
   std::span<const std::uint8_t> rows_;
-  ContactOperators& op_;
+  DenseOperators& op_;
   std::int64_t n_;
   RowMatrix<double> buffer_[3][3];
   Users users_;
@@ -202,8 +207,8 @@ class Assembly {
 
 }  // namespace
 
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op,
-                        std::span<const std::uint8_t> wanted) {
+void assemble_operators(const Frame& frame, const Compliance& compliance, const Convection& convection,
+                        bool want_tangential, DenseOperators& op, std::span<const std::uint8_t> wanted) {
   const std::int64_t n = frame.nodes();
   op.nodes = n;
   op.coupled = compliance.couples() && !op.coupling_vanished;
@@ -230,18 +235,17 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   bool need[3][3];
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) need[r][c] = of_old.block[r][c] || of_new.block[r][c];
-  require_operator_memory(op, need, op.rows + count);
+  op.require_memory_for(need, op.rows + count);
   const bool first = !op.tangential && slip;
-  if (of_old.any()) Assembly(frame, compliance, of_old, op.there, op).run();
-  if (count > 0) Assembly(frame, compliance, of_new, missing, op).run();
+  if (of_old.any()) Assembly(frame, compliance, convection, of_old, op.there, op).run();
+  if (count > 0) Assembly(frame, compliance, convection, of_new, missing, op).run();
   for (std::size_t k = 0; k < missing.size(); ++k)
     if (missing[k]) op.there[k] = 1;
   op.rows += count;
   op.normal = true;
   if (slip) op.tangential = true;
-  // The coupling of half-spaces is known by its constant; under little friction the smallest counts.
-  HalfspaceConstants constants;
-  if (first && op.coupled && !compliance.halfspace(constants)) drop_vanished_coupling(op);
+  // A kernel knows whether it couples; under little friction the smallest coupling counts.
+  if (first && op.coupled && !compliance.translation()) drop_vanished_coupling(op);
 }
 
 }  // namespace rollcon

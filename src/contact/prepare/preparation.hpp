@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/operators/dense_operators.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {
@@ -40,6 +41,8 @@ struct Preparation {
   using Poses = std::array<Revision, 2>;
 
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
+  /// The operators of `made` where their rows are formed: more can be added. Else null.
+  std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;                                      ///< of the frame
   Stage<Revision, Revision, Poses> frame;                  ///< mesh, axes, poses that turn or move it
   Stage<Revision, Poses> rim;                              ///< frame, poses of bodies with a mesh
@@ -58,6 +61,8 @@ struct Preparation {
 
 /// What there is so far; empty at first.
 Prepared& begin_preparation(SolverState& state);
+/// No rows are there from then on.
+void forget_operators(Preparation& preparation);
 /// Rows of the nodes with wanted[k] != 0 (empty: of all) that are not there yet.
 void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted);
 void choose_scales(SolverState& state, const Options& options);

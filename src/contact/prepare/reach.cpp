@@ -43,7 +43,7 @@ double sure_part(const SolverState& s) {
 
 const char* reason_against(const SolverState& s, const Options& o) {
   if (o.reach == 0) return "option reach is 0";
-  if (s.prepared->problem.op.field) return "nothing is assembled";
+  if (!s.prepared->problem.op->dense()) return "nothing is assembled";
   if (s.prepared->table) return "rows are copied from a table";
   if (!s.procedure.standard()) return "the published procedures work on all nodes";
   if (s.prepared->problem.nodes < fewest) return "the frame is small";
@@ -112,7 +112,7 @@ void remember(SolverState& s) {
 void choose_reach(SolverState& s, const Options& options) {
   const Problem& p = s.prepared->problem;
   Reach& r = s.reach;
-  const bool first = !p.op.normal;
+  const bool first = !p.op->normal;
   if (first) r = {};
   r.returned = 0;
   r.wanted.clear();
@@ -121,7 +121,7 @@ void choose_reach(SolverState& s, const Options& options) {
     take_reach(s);
     return;
   }
-  if (!first && p.op.rows == p.nodes) {
+  if (!first && p.op->rows == p.nodes) {
     r.why_not = r.why_all ? r.why_all : "all rows are there";
     return;
   }
@@ -135,8 +135,8 @@ void choose_reach(SolverState& s, const Options& options) {
       bool in = !(gap_at(p, k) > up_to);
       for (const auto& lambda : s.iterate.lambda) in = in || lambda[k] != 0;
       r.wanted[k] = in;
-      missing = missing || (in && !(p.op.normal && p.op.has_row(k)));
-      count += in || (p.op.normal && p.op.has_row(k));
+      missing = missing || (in && !(p.op->normal && p.op->has_row(k)));
+      count += in || (p.op->normal && p.op->has_row(k));
     }
     return count;
   };
@@ -156,10 +156,10 @@ void choose_reach(SolverState& s, const Options& options) {
 void take_reach(SolverState& s) {
   Problem& p = s.preparation->made->problem;
   Reach& r = s.reach;
-  r.on = !r.why_not && p.op.normal && p.op.rows < p.nodes;
+  r.on = !r.why_not && p.op->normal && p.op->rows < p.nodes;
   r.nodes = 0;
   for (std::size_t k = 0; k < p.used.size(); ++k) {
-    p.used[k] = s.prepared->frame.used[k] && (!r.on || p.op.has_row(k));
+    p.used[k] = s.prepared->frame.used[k] && (!r.on || p.op->has_row(k));
     r.nodes += p.used[k];
   }
 }
@@ -190,7 +190,7 @@ std::int64_t find_doubtful(SolverState& s) {
   r.wanted.assign(p.gap.size(), 0);
   std::int64_t doubtful = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
-    if (!s.prepared->frame.used[k] || p.op.has_row(k)) continue;
+    if (!s.prepared->frame.used[k] || p.op->has_row(k)) continue;
     const double dx = s.prepared->frame.x[k] - x, dy = s.prepared->frame.y[k] - y;
     const double apart = force > 0 ? sure / std::sqrt(dx * dx + dy * dy + spread) : 0;
     if (p.rigid_gap(k, depth) + apart > 0) continue;
@@ -219,7 +219,7 @@ bool bring_back(SolverState& s, const Options& options) {
     if (r.wanted[k]) level = std::max(level, gap_at(p, k));
   level = low + more * (level - low);
   ++r.batches;
-  const std::vector<std::uint8_t> before = p.op.there;
+  const std::vector<std::uint8_t> before = p.op->there;
   for (std::size_t k = 0; k < r.wanted.size(); ++k) r.wanted[k] = r.batches >= most_batches || !(gap_at(p, k) > level);
   if (r.batches >= most_batches) r.why_all = wanders;
   require_rows(s, options, r.wanted);

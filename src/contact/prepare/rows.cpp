@@ -13,11 +13,11 @@ namespace rollcon {
 namespace {
 
 // A node that a support keeps from moving along its normal can carry any pressure: Newton's iteration would not end.
-void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
+void refuse_held_nodes(const Frame& frame, const Operators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {
     // A corner function of a quad8 has a negative mean: its node may even rise under pressure.
-    return std::abs(op.block[2][2].row(static_cast<std::int64_t>(k))[k]);
+    return std::abs(op.own(2, 2, k));
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
@@ -34,32 +34,7 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
          first, frame.mesh.index_base, held);
 }
 
-// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip equation without
-// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
-// bound where there is.
-void loosen_held_tangents(const Frame& frame, ContactOperators& op) {
-  if (!op.tangential) return;
-  constexpr double rounding = 1e-12, looseness = 1e-6;
-  const std::int64_t n = frame.nodes();
-  const auto row_norm = [&](int r, std::int64_t k) {
-    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
-  };
-  const auto there = [&](std::int64_t k) {
-    return frame.used[static_cast<std::size_t>(k)] && op.has_row(static_cast<std::size_t>(k));
-  };
-  double largest = 0;
-  for (std::int64_t k = 0; k < n; ++k)
-    if (there(k)) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
-  for (std::int64_t k = 0; k < n; ++k) {
-    if (!there(k)) continue;
-    const double norm[2] = {row_norm(0, k), row_norm(1, k)};
-    for (int r = 0; r < 2; ++r)  // both vanish at the inflow rim of upwind schemes
-      if (norm[r] <= rounding * largest && norm[1 - r] > rounding * largest)
-        op.block[r][r].row(k)[k] = looseness * largest;
-  }
-}
-
-bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> wanted) {
+bool rows_missing(const Operators& op, std::span<const std::uint8_t> wanted) {
   if (op.rows == op.nodes) return false;
   if (wanted.empty()) return true;
   for (std::size_t k = 0; k < wanted.size(); ++k)
@@ -72,13 +47,15 @@ bool rows_missing(const ContactOperators& op, std::span<const std::uint8_t> want
 void assemble_missing(SolverState& state, std::span<const std::uint8_t> wanted) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  ContactOperators& op = on.problem.op;
+  if (!preparation.dense) return;  // whole from the start
+  DenseOperators& op = *preparation.dense;
   if (op.normal && (state.frictionless || op.tangential) && !rows_missing(op, wanted)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op, wanted);
+  if (!fill_from_table(state))
+    assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op, wanted);
   take_reach(state);
   refuse_held_nodes(on.frame, op);
-  loosen_held_tangents(on.frame, op);
+  op.loosen_held_tangents(on.frame.used, false);
   ++state.assemblies;
   state.iterate.invalidate();
   ++preparation.rows;
@@ -111,10 +88,7 @@ void require_rows(SolverState& state, const Options& options, std::span<const st
     choose_scales(state, options);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
-    ContactOperators& op = state.preparation->made->problem.op;
-    for (auto& row : op.block)
-      for (auto& block : row) block.release();
-    op.normal = op.tangential = false;
+    forget_operators(*state.preparation);
     state.newton.operators_changed();
     throw;
   }

@@ -169,7 +169,7 @@ void describe_results(std::string& text, const SolverState& s) {
 
 std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1, const Body& body2) {
   std::string text;
-  const ContactOperators& op = s.prepared->problem.op;
+  const Operators& op = *s.prepared->problem.op;
   describe_bodies(text, s, body1, body2);
   describe_frame(text, s, scene, body1.meshed() || body2.meshed());
   if (s.frictionless) {
@@ -203,7 +203,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
   describe_reach(text, s);
-  if (op.normal && !op.field)
+  if (op.normal && op.dense())
     line(text, "operators: %lld nodes, rows of %lld, %.1f MB, assembled %lld time(s) by this contact",
          static_cast<long long>(op.nodes), static_cast<long long>(op.rows), static_cast<double>(op.bytes()) / 1e6,
          static_cast<long long>(s.assemblies));
