@@ -40,7 +40,8 @@ double height_over_facet(const Body& body, const SurfacePoint& p, const Vec3& ou
 }
 
 bool moves_as_its_faces(const Body& body) {
-  return body.kind() == BodyKind::fem || (body.kind() == BodyKind::bem && body.options().between_nodes == 1);
+  const BodyTraits& traits = body.traits();
+  return traits.meshed && traits.elastic && (!traits.smooth_difference || body.options().between_nodes == 1);
 }
 
 /// Compliance of a half-space of its material.
