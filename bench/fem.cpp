@@ -22,8 +22,6 @@ namespace example1 = scenes::example1;
 namespace example2 = scenes::example2;
 namespace example3 = scenes::example3;
 
-constexpr const char* factorizations[] = {"automatic", "CHOLMOD", "UMFPACK"};
-
 void add_body(Record& record, const scenes::RollingPair& pair, int which, const std::string& of) {
   for (const char* phase : {"assembly", "order", "factor", "condense"})
     record.phase_seconds.emplace_back(of + phase, pair.body_stat(which, (std::string("seconds_") + phase).c_str()));
@@ -50,10 +48,9 @@ scenes::MeshedBody contact_block(int nx, int nz) {
   return body;
 }
 
-void press_block(Runner& runner, int nx, int nz, std::int64_t factorization) {
-  scenes::MeshedBody body = contact_block(nx, nz);
-  body.int_option = {{"factorization", factorization}};
-  Record record{.case_name = "fem_growth", .method = factorizations[factorization]};
+void press_block(Runner& runner, int nx, int nz) {
+  const scenes::MeshedBody body = contact_block(nx, nz);
+  Record record{.case_name = "fem_growth", .method = "condensed"};
   record.model = "FEM on rigid";
   record.threads = runner.threads;
   const double began = now();
@@ -78,11 +75,7 @@ void growth(Runner& runner) {
   std::vector<std::pair<int, int>> sizes{{19, 4}, {19, 8}, {20, 16}, {24, 24}, {31, 31}, {40, 40}, {45, 47}};
   if (runner.threads > 1) sizes = {{24, 24}, {40, 40}};
   if (runner.quick) sizes.resize(2);
-  constexpr int most_by_umfpack = 31;
-  for (const std::int64_t factorization : {1, 2})
-    for (const auto& [nx, nz] : sizes)
-      if (factorization == 1 || (runner.threads == 1 && nx <= most_by_umfpack))
-        press_block(runner, nx, nz, factorization);
+  for (const auto& [nx, nz] : sizes) press_block(runner, nx, nz);
 }
 
 void ring_on_halfspace(Runner& runner) {
@@ -255,7 +248,7 @@ void location(Runner& runner) {
 }  // namespace
 
 std::vector<Case> fem_cases() {
-  return {{"fem_growth", "finite elements from 5,000 to 300,000 unknowns, CHOLMOD and UMFPACK", growth},
+  return {{"fem_growth", "finite elements from 5,000 to 300,000 unknowns", growth},
           {"ring_on_halfspace", "ring of finite elements on a half-space, beside long cylinders", ring_on_halfspace},
           {"ring_pairs", "the paper's example 1 by finite and by boundary elements", ring_pairs},
           {"same_block", "one block by finite and by boundary elements: refinement", same_block},

@@ -29,25 +29,24 @@ def growth(records, docs):
     cells, exponents = [], []
     for r in rows:
         unknowns = r["extra"]["unknowns"]
-        cells.append([r["method"], r["threads"], f"{unknowns:.0f}",
+        cells.append([r["threads"], f"{unknowns:.0f}",
                       f"{r['extra']['condensed_unknowns']:.0f}"]
                      + [seconds(r["seconds"][p]) for p in PHASES]
                      + [seconds(r["value"]), megabytes(r["extra"]["peak_bytes"]),
                         f"{r['extra']['factor_nonzeros'] / 1e6:.1f} M"])
-        name = r["method"] + (", 2 threads" if r["threads"] > 1 else "")
+        name = f"{r['threads']} thread(s)"
         time[name].append((unknowns, r["value"]))
         memory[name].append((unknowns, r["extra"]["peak_bytes"] / 1e9))
-    text += table(["by", "threads", "unknowns", "condensed"] + list(PHASES.values())
+    text += table(["threads", "unknowns", "condensed"] + list(PHASES.values())
                   + ["in all", "memory", "nonzeros"], cells)
     for name in time:
         if slope(time[name]) is not None and len(time[name]) > 3:
-            exponents.append(f"{name}: seconds {slope(time[name]):.2f}, "
-                             f"bytes {slope(memory[name]):.2f}")
+            exponents.append(f"seconds {slope(time[name]):.2f}, bytes {slope(memory[name]):.2f}")
     first = plot(f"{docs}/images/accuracy_fem_growth_time.png", "Until condensed", "unknowns",
                  "seconds", time)
     second = plot(f"{docs}/images/accuracy_fem_growth_memory.png", "Until condensed", "unknowns",
                   "peak, GB", memory)
-    return (text + "\nExponents over the larger half. " + "; ".join(exponents)
+    return (text + "\nExponents over the larger half: " + "; ".join(exponents)
             + f".\n\n![time]({first})\n\n![memory]({second})\n")
 
 

@@ -19,9 +19,9 @@ ROOMS = [
     ["procedures"],
     ["capi"],
 ]
-# The same inside a room; "" is what lies flat in it.
+# The same inside a room; "" is what lies flat in it, "*" each folder that is not named.
 INSIDE = {
-    "bodies": [["model"], ["halfspace", "fem", "bem"], [""]],
+    "bodies": [["model"], ["*"], [""]],
     "contact": [
         ["scene", "laws"],
         ["operators"],
@@ -61,7 +61,8 @@ def allowed(user, used, rooms, inside):
     if user[1] == used[1]:
         return True
     levels = inside[user[0]]
-    return levels[used[1]] < levels[user[1]]
+    height = lambda inner: levels.get(inner, levels.get("*"))
+    return height(used[1]) < height(user[1])
 
 
 def main():

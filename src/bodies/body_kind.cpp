@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 #include "bodies/body_model.hpp"
 #include "bodies/contact_surface.hpp"
@@ -69,6 +70,19 @@ constexpr BodyTraits kinds[] = {
 
 }  // namespace
 
+std::span<const BodyTraits> all_kinds() {
+  return kinds;
+}
+
+std::string elastic_kinds() {
+  std::vector<std::string> names;
+  for (const BodyTraits& row : kinds)
+    if (row.elastic) names.emplace_back(row.name);
+  std::string text = names.front();
+  for (std::size_t k = 1; k < names.size(); ++k) text += (k + 1 < names.size() ? ", " : " or ") + names[k];
+  return text;
+}
+
 const BodyTraits* find_traits(BodyKind kind) {
   const auto* found =
       std::find_if(std::begin(kinds), std::end(kinds), [&](const BodyTraits& row) { return row.kind == kind; });
@@ -77,8 +91,10 @@ const BodyTraits* find_traits(BodyKind kind) {
 
 const BodyTraits& traits_of(BodyKind kind) {
   if (const BodyTraits* found = find_traits(kind)) return *found;
-  fail(Status::err_argument, "kind is %d; allowed: 1 (FEM), 2 (BEM), 3 (half-space), 4 (rigid)",
-       static_cast<int>(kind));
+  std::string allowed;
+  for (const BodyTraits& row : kinds)
+    allowed += (allowed.empty() ? "" : ", ") + std::to_string(static_cast<int>(row.kind)) + " (" + row.name + ")";
+  fail(Status::err_argument, "kind is %d; allowed: %s", static_cast<int>(kind), allowed.c_str());
 }
 
 }  // namespace rollcon

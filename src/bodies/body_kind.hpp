@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
 
 #include "mesh/surface_check.hpp"
 
@@ -39,6 +41,9 @@ struct BodyTraits {
   double thin_linear = 0, thin_quadratic = 0;
 };
 
+std::span<const BodyTraits> all_kinds();
+/// "finite-element, ... or half-space": those that deform.
+std::string elastic_kinds();
 /// Null for numbers that are no kind.
 const BodyTraits* find_traits(BodyKind kind);
 /// err_argument for those.

@@ -15,9 +15,6 @@ const SettingTable<BodyOptions>& body_option_table() {
        "Displacements between the nodes of the body. 0: a half-space supplies what the body's mesh "
        "cannot show of the tractions on the frame; "
        "1: by the elements' shape functions alone."},
-      {"factorization", &BodyOptions::factorization, 0, 2,
-       "Finite elements: 0 the best of this build, 1 CHOLMOD (supernodal, condensed within one "
-       "factorisation), 2 UMFPACK."},
       {"hex8", &BodyOptions::hex8, 0, 1,
        "Finite elements: 0 hex8 with incompatible modes, exact in bending; 1 B-bar, constant "
        "dilatation."},

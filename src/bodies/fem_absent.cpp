@@ -8,7 +8,7 @@ namespace rollcon::fem {
 void require_support() {
   fail(Status::err_unsupported,
        "kind is 1 (FEM), but this build of rollcon has no finite-element bodies (component FEM: "
-       "ROLLCON_WITH_FEM is OFF, or neither CHOLMOD nor UMFPACK is built in)");
+       "ROLLCON_WITH_FEM is OFF, or CHOLMOD is not built in)");
 }
 
 // Not reached: there is no body that could ask.

@@ -163,9 +163,8 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, 
       state_(std::make_unique<SolverState>()) {
   state_->make_published = published;
   if (body1_->rigid() && body2_->rigid())
-    fail(Status::err_argument,
-         "body1 and body2 are both rigid: at least one body must be elastic (FEM, BEM or "
-         "HALFSPACE)");
+    fail(Status::err_argument, "body1 and body2 are both rigid: at least one body must be elastic (%s)",
+         elastic_kinds().c_str());
 }
 
 Contact::~Contact() = default;
@@ -193,8 +192,8 @@ void Contact::frame_from_body(std::int32_t which, std::int32_t tag) {
     fail(Status::err_state,
          "body %d has no %selements whose faces could be the frame: call rollcon_body_add_elements "
          "first",
-         which, body.kind() == BodyKind::fem ? "volume " : "");
-  const bool corners = body.kind() == BodyKind::fem && has_tri6(surface, tag);
+         which, body.traits().volume ? "volume " : "");
+  const bool corners = body.traits().volume && has_tri6(surface, tag);
   scene.set_frame_from(which - 1, corners ? corner_elements(surface) : surface, tag);
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-/// What is left of a factorisation for its condensed unknowns alone: the end of a Cholesky factor, or the inverse of
-/// the condensed matrix. It can be kept without the method that made it.
+/// What is left of a factorisation for its condensed unknowns alone: the end of a Cholesky factor. It can be kept
+/// without the method that made it.
 
 #include <cstdint>
 #include <memory>
@@ -16,7 +16,7 @@ void solve_condensed(const CondensedView& view, double* b, std::int64_t count);
 
 /// size: of the whole matrix; unknowns, place and matrix as in CondensedView. It can do no more than solve_condensed().
 /// statistics: what is told of the factorisation, its seconds and bytes aside.
-std::unique_ptr<SparseFactor> make_condensed_factor(std::int64_t size, CondensedForm form, std::int64_t unknowns,
+std::unique_ptr<SparseFactor> make_condensed_factor(std::int64_t size, std::int64_t unknowns,
                                                     std::vector<std::int64_t> place, std::unique_ptr<double[]> matrix,
                                                     const SparseStatistics& statistics);
 

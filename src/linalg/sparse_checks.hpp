@@ -1,5 +1,5 @@
 #pragma once
-/// What both sparse factorisations demand of their matrix and of the machine, and how they judge the result.
+/// What sparse factorisations demand of their matrix and of the machine, and how they judge the result.
 
 #include <cstddef>
 #include <cstdint>

@@ -63,7 +63,7 @@ class CholmodFactor final : public SparseFactor {
     check_diagonal(matrix);
     {
       const Stopwatch watch(statistics_.seconds_order);
-      SparseOrder order = order_unknowns(matrix, condensed, dissect_by_cholmod);
+      SparseOrder order = order_unknowns(matrix, condensed);
       unknown_ = std::move(order.unknown);
       statistics_.peak_bytes = order.peak_bytes;
     }
@@ -77,7 +77,7 @@ class CholmodFactor final : public SparseFactor {
   std::int64_t size() const override { return size_; }
   void solve(double* b, std::int64_t count) override;
   void solve_condensed(double* b, std::int64_t count) override { rollcon::solve_condensed(condensed(), b, count); }
-  CondensedView condensed() const override { return {CondensedForm::cholesky, condensed_, trailing_.get(), place_}; }
+  CondensedView condensed() const override { return {condensed_, trailing_.get(), place_}; }
   void keep_condensed() override {
     factor_.reset();
     cholmod_l_free_work(&common_.c);

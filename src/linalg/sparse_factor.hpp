@@ -1,7 +1,6 @@
 #pragma once
 /// Large sparse symmetric systems, factorised once, with some unknowns condensed: these come last, and the end of the
-/// factor is that of the condensed matrix. By CHOLMOD (LL', positive definite matrices) or by UMFPACK (LU, also
-/// indefinite ones, at three times the work).
+/// factor is that of the condensed matrix. By CHOLMOD: LL' of positive definite matrices.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace rollcon {
 
-/// Thrown when a pivot vanishes (or, by CHOLMOD, is not positive), and when the factorisation passes but the condition
+/// Thrown when a pivot is not positive, and when the factorisation passes but the condition
 /// is that of a singular matrix: then it names the unknown of the smallest pivot.
 class ZeroPivot : public std::exception {
  public:
@@ -33,14 +32,8 @@ struct SparseStatistics {
   std::size_t bytes = 0, peak_bytes = 0;
 };
 
-enum class CondensedForm : std::int32_t {
-  cholesky = 1,  ///< L of K_cc - K_ci K_ii^-1 K_ic = L L'
-  inverse = 2,   ///< the inverse of that matrix, symmetric
-};
-
 /// The dense matrix that solve_condensed works with, column-major; of L only the lower triangle counts.
 struct CondensedView {
-  CondensedForm form = CondensedForm::cholesky;
   std::int64_t unknowns = 0;
   const double* matrix = nullptr;
   std::span<const std::int64_t> place;  ///< of L: row of each unknown, in the order given
@@ -67,9 +60,5 @@ class SparseFactor {
 /// need, err_nonfinite, err_unsupported in a build without the method. BLAS threads are the caller's matter; CHOLMOD
 /// starts no others.
 std::unique_ptr<SparseFactor> factor_by_cholmod(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
-/// threads: for full right sides, which are solved side by side. The first call of solve_condensed or keep_condensed
-/// inverts the condensed matrix; meanwhile one of the two factors is held twice.
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
-                                                int threads = 1);
 
 }  // namespace rollcon

@@ -16,8 +16,7 @@ bool is_permutation(std::span<const std::int64_t> order) {
   return true;
 }
 
-SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
-                           GraphOrder (*dissect)(const SparseGroups&)) {
+SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed) {
   const SparseGroups groups = group_unknowns(matrix, condensed);
   GraphOrder order = dissect(groups);
   move_condensed_last(groups, order.group);

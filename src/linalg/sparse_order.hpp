@@ -17,10 +17,9 @@ struct GraphOrder {
   std::size_t peak_bytes = 0;
 };
 
-/// METIS through either library; minimum degree where it refuses. Throw std::bad_alloc. METIS finds memory or raises a
+/// METIS through CHOLMOD; minimum degree where it refuses. Throws std::bad_alloc. METIS finds memory or raises a
 /// signal that it catches; then it gives no order, and CHOLMOD does not notice.
-GraphOrder dissect_by_cholmod(const SparseGroups& groups);
-GraphOrder dissect_by_umfpack(const SparseGroups& groups);
+GraphOrder dissect(const SparseGroups& groups);
 
 /// Whether each of 0 .. order.size() - 1 comes once.
 bool is_permutation(std::span<const std::int64_t> order);
@@ -30,8 +29,7 @@ struct SparseOrder {
   std::size_t peak_bytes = 0;
 };
 
-SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed,
-                           GraphOrder (*dissect)(const SparseGroups&));
+SparseOrder order_unknowns(const SparseMatrix& matrix, std::span<const std::int64_t> condensed);
 
 /// The matrix in that order; rows are not sorted.
 SparseMatrix permuted(const SparseMatrix& matrix, std::span<const std::int64_t> unknown);

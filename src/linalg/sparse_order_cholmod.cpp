@@ -7,7 +7,7 @@
 
 namespace rollcon {
 
-GraphOrder dissect_by_cholmod(const SparseGroups& groups) {
+GraphOrder dissect(const SparseGroups& groups) {
   GraphOrder out;
   out.group.resize(static_cast<std::size_t>(groups.count));
   std::iota(out.group.begin(), out.group.end(), 0);

@@ -1,6 +1,5 @@
 /// In place of UMFPACK, in a build without it.
 
-#include "linalg/sparse_factor.hpp"
 #include "linalg/sparse_lu.hpp"
 #include "support/error.hpp"
 
@@ -12,11 +11,6 @@ namespace {
 }
 
 }  // namespace
-
-std::unique_ptr<SparseFactor> factor_by_umfpack(const SparseMatrix& /*matrix*/,
-                                                std::span<const std::int64_t> /*condensed*/, int /*threads*/) {
-  refuse();
-}
 
 struct SparseLu::Factors {};
 SparseLu::SparseLu() = default;

@@ -132,7 +132,7 @@ BodiesEquations::Factor BodiesEquations::factor(const BodyEquations& e) {
     good = made.dense.factor();
   } else if (e.symmetric) {
     const SparseMatrix lower = lower_triangle(e.matrix);
-    made.symmetric = ROLLCON_BUILD_CHOLMOD != 0 ? factor_by_cholmod(lower, {}) : factor_by_umfpack(lower, {});
+    made.symmetric = factor_by_cholmod(lower, {});
   } else {
     good = made.sparse.factor(e.matrix);
   }

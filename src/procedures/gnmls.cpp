@@ -61,7 +61,7 @@ bool Gnmls::beyond_friction() {
   constexpr double part_of_friction = 0.05, settling = 2e-3;
   const Problem& p = *problem_;
   const bool moment = given_.by_force[spin], curved = !p.turn.empty() && given_.by_force[approach];
-  const bool known = !p.op.coupled, sum_known = known || friction_sum_known(p, given_, z_.lambda[2]);
+  const bool known = !p.op->coupled, sum_known = known || friction_sum_known(p, given_, z_.lambda[2]);
   const double limit = 1 + (curved ? settling : -1e-12), far = 1 + part_of_friction;
   if (!moment && share_of_forces(p, given_, z_.lambda) < (sum_known ? limit : far)) return false;
   report_.share = share_of_friction(p, given_, z_.lambda);
@@ -114,7 +114,7 @@ void Gnmls::linearise() {
 // diagonal (Jacobi), a multiple of it (extrapolation), or one time step for all, the shortest transit of a node.
 void Gnmls::estimate_slip() {
   const Problem& p = *problem_;
-  const SparseRows& d = p.op.convection.rows;
+  const SparseRows& d = p.convection.rows;
   std::array<double, 4> known{};
   for (std::size_t m = 0; m < 4; ++m) known[m] = given_.by_force[m] ? 0 : given_.value[m];
   double fastest = 0;
@@ -125,7 +125,7 @@ void Gnmls::estimate_slip() {
       largest = std::max(largest, std::abs(d.value[j]));
     }
     // A fit over neighbours may leave a node little weight of its own.
-    own = p.op.convection.factor[k] * std::max(own, 0.1 * largest);
+    own = p.convection.factor[k] * std::max(own, 0.1 * largest);
     step_.reach[k] = own > 0 ? 1 / own : 0;
     fastest = std::max(fastest, own);
   }

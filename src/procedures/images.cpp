@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -19,10 +20,10 @@ bool vanishes(const RowMatrix<double>& a) {
 // visit(point, weight): image r of a node in displacements at the nodes and the points upstream.
 template <class Visit>
 void Images::stencil(std::int64_t k, int r, Visit visit) const {
-  const SparseRows& d = problem_.op.convection.rows;
+  const SparseRows& d = problem_.convection.rows;
   if (r == 2 || kind_ == Tangential::shift) return visit(k, 1.0);
   for (auto e = at(d.start[at(k)]); e < at(d.start[at(k + 1)]); ++e)
-    visit(std::int64_t{d.column[e]}, problem_.op.convection.factor[at(k)] * d.value[e]);
+    visit(std::int64_t{d.column[e]}, problem_.convection.factor[at(k)] * d.value[e]);
 }
 
 Images::Images(const Problem& problem, const Frame& frame, const Compliance& compliance, Tangential kind)
@@ -32,8 +33,8 @@ Images::Images(const Problem& problem, const Frame& frame, const Compliance& com
   for (int r = 0; r < 3; ++r)
     for (int c = 0; c < 3; ++c) {
       if (!wanted(r, c)) continue;
-      block_[at(r)][at(c)] = &problem.op.block[r][c];
-      if (kind != Tangential::shift || r == 2 || (c == 2 && !problem.op.coupled)) continue;
+      block_[at(r)][at(c)] = &problem.op->dense()->block[r][c];
+      if (kind != Tangential::shift || r == 2 || (c == 2 && !problem.op->coupled)) continue;
       own_[r][c].resize(problem.nodes, problem.nodes);
       out.a[r][c] = own_[r][c].data();
       block_[at(r)][at(c)] = &own_[r][c];
@@ -91,7 +92,7 @@ void Images::apply(Point& z) const {
   std::vector<double> w(at(3 * n));
   for (std::size_t k = 0; k < at(n); ++k)
     for (std::size_t c = 0; c < 2; ++c) w[3 * k + c] = z.shift[c][k];
-  convect(problem_.op.convection, w.data(), nullptr, z.slip);
+  convect(problem_.convection, w.data(), nullptr, z.slip);
 }
 
 // Displacements by normal and tangential tractions at a node: of a disc of the node's area near it, of a point force
@@ -103,7 +104,7 @@ Blocks Images::rough(const Frame& frame) {
   const std::int64_t n = p.nodes;
   const auto displacement = [&](std::int64_t point, std::size_t j) {
     const std::size_t k = at(point % n);
-    const double x = frame.x[k] + (point < n ? 0 : p.op.convection.ahead[k]);
+    const double x = frame.x[k] + (point < n ? 0 : p.convection.ahead[k]);
     const double radius = std::sqrt(p.cell_area[j] / std::numbers::pi);
     const double r = std::max(std::hypot(x - frame.x[j], frame.y[k] - frame.y[j]), radius / 2);
     return p.cell_area[j] / (std::numbers::pi * p.stiffness * r);

@@ -27,8 +27,8 @@ bool all_zero(const Point& z) {
 
 ExpandedCompliance write_out(const Problem& problem, const Frame& frame, const Compliance& compliance) {
   std::vector<double> x(frame.x), y(frame.y);
-  for (std::size_t k = 0; k < problem.op.convection.ahead.size(); ++k) {
-    x.push_back(frame.x[k] + problem.op.convection.ahead[k]);
+  for (std::size_t k = 0; k < problem.convection.ahead.size(); ++k) {
+    x.push_back(frame.x[k] + problem.convection.ahead[k]);
     y.push_back(frame.y[k]);
   }
   ExpandedCompliance expanded;

@@ -49,13 +49,14 @@ SurfaceMesh square(ElementType type, int n) {
   return frames::rectangle(type, lines, lines);
 }
 
-ComplianceCase halfspace(ElementType type, double nu) {
+/// Of a kind without a mesh.
+ComplianceCase unmeshed(BodyKind kind, ElementType type, double nu) {
   ComplianceCase c;
-  c.name = "half-space, " + surfaces::name_of(type) + ", nu " + std::to_string(nu).substr(0, 3);
+  c.name = traits_of(kind).name + (", " + surfaces::name_of(type)) + ", nu " + std::to_string(nu).substr(0, 3);
   c.young = young;
-  c.make = [type, nu](int level, const Placement& where) {
+  c.make = [kind, type, nu](int level, const Placement& where) {
     auto context = std::make_shared<Context>();
-    auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace));
+    auto body = std::make_shared<Body>(context, static_cast<std::int32_t>(kind));
     body->set_elastic(0, where.stress * young, nu);
     body->prepare();
     return placed(body, context, scaled(frames::perturb(square(type, 4 << level), 0.15, 3), where.length), where);
@@ -152,6 +153,21 @@ ComplianceCase finite_elements(VolumeType type, bool own_mesh) {
   return c;
 }
 
+/// One case of every kind that deforms.
+std::vector<ComplianceCase> all_models() {
+  std::vector<ComplianceCase> all;
+  for (const BodyTraits& row : all_kinds()) {
+    if (!row.elastic) continue;
+    if (!row.meshed)
+      all.push_back(unmeshed(row.kind, ElementType::quad4, 0.3));
+    else if (row.volume)
+      all.push_back(finite_elements(VolumeType::hex8, false));
+    else
+      all.push_back(boundary_elements(ElementType::quad4, false));
+  }
+  return all;
+}
+
 class BodyModels : public ::testing::TestWithParam<ComplianceCase> {};
 
 TEST_P(BodyModels, superposition) {
@@ -186,19 +202,16 @@ constexpr auto model_name = [](const auto& param) {
   return name;
 };
 
-INSTANTIATE_TEST_SUITE_P(Compliance, BodyModels,
-                         ::testing::Values(halfspace(ElementType::quad4, 0.3),
-                                           boundary_elements(ElementType::quad4, false),
-                                           finite_elements(VolumeType::hex8, false)),
-                         model_name);
+INSTANTIATE_TEST_SUITE_P(Compliance, BodyModels, ::testing::ValuesIn(all_models()), model_name);
 INSTANTIATE_TEST_SUITE_P(
     Compliance_long, BodyModels,
-    ::testing::Values(halfspace(ElementType::tri6, 0.0), boundary_elements(ElementType::tri3, false),
-                      boundary_elements(ElementType::quad8, false), boundary_elements(ElementType::quad4, true),
-                      boundary_elements(ElementType::quad8, true), finite_elements(VolumeType::hex20, false),
-                      finite_elements(VolumeType::tet4, false), finite_elements(VolumeType::tet10, false),
-                      finite_elements(VolumeType::wedge6, false), finite_elements(VolumeType::wedge15, false),
-                      finite_elements(VolumeType::hex8, true), finite_elements(VolumeType::hex20, true)),
+    ::testing::Values(unmeshed(BodyKind::halfspace, ElementType::tri6, 0.0),
+                      boundary_elements(ElementType::tri3, false), boundary_elements(ElementType::quad8, false),
+                      boundary_elements(ElementType::quad4, true), boundary_elements(ElementType::quad8, true),
+                      finite_elements(VolumeType::hex20, false), finite_elements(VolumeType::tet4, false),
+                      finite_elements(VolumeType::tet10, false), finite_elements(VolumeType::wedge6, false),
+                      finite_elements(VolumeType::wedge15, false), finite_elements(VolumeType::hex8, true),
+                      finite_elements(VolumeType::hex20, true)),
     model_name);
 
 // One block, one frame laid on it, finite and boundary elements: the work of smooth loads tends to the same.

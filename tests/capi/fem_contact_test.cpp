@@ -89,26 +89,6 @@ TEST_F(fem_contact, frames_stay_on_faces_that_get_other_numbers) {
   rollcon_contact_release(early);
 }
 
-TEST_F(fem_contact, both_factorisations_agree_and_missing_ones_are_refused) {
-  std::vector<std::array<double, 3>> force;
-  const std::array<const char*, 3> feature{"fem", "cholmod", "umfpack"}, library{"", "CHOLMOD", "UMFPACK"};
-  for (std::size_t which = 0; which < 3; ++which) {
-    rollcon_body_release(body);
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
-    set_block(4);
-    ASSERT_EQ(rollcon_body_set_int(body, "factorization", static_cast<std::int64_t>(which)), ROLLCON_OK);
-    if (!rollcon_has_feature(feature[which])) {
-      EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, library[which]);
-      ASSERT_EQ(rollcon_body_set_int(body, "factorization", 0), ROLLCON_OK);
-    }
-    rollcon_contact* c = roll(context);
-    force.push_back(solved_force(c));
-    rollcon_contact_release(c);
-    expect_same(force.back(), force.front(), 1e-9, feature[which]);
-    EXPECT_EQ(statistic("factorizations"), 1) << feature[which];
-  }
-}
-
 TEST_F(fem_contact, statistics) {
   set_block(4);
   ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);

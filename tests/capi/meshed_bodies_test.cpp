@@ -144,7 +144,7 @@ TEST_P(meshed_bodies, prepared_ones_are_frozen) {
   EXPECT_FAILS(rollcon_body_tag_faces_of_nodes(body, 1, &one, 0, 9), state, "prepared");
   if (!bem()) {
     EXPECT_FAILS(rollcon_body_tag_faces(body, 1, &one, &one, 0, 9), state, "prepared");
-    EXPECT_FAILS(rollcon_body_set_int(body, "factorization", 2), state, "prepared");
+    EXPECT_FAILS(rollcon_body_set_int(body, "hex8", 1), state, "prepared");
     EXPECT_FAILS(rollcon_body_set_int(body, "between_nodes", 1), state, "prepared");
   }
   EXPECT_FAILS(rollcon_body_set_support(body, 1, &one, 0, ROLLCON_DOF_X, nullptr), state, "prepared");

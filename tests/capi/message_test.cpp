@@ -34,7 +34,8 @@ class message : public Api {
 
 TEST_F(message, two_rigid_bodies_names_all_elastic_kinds) {
   rollcon_contact* c = nullptr;
-  EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &c), ROLLCON_ERR_ARGUMENT, "(FEM, BEM or HALFSPACE)");
+  EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &c), ROLLCON_ERR_ARGUMENT,
+               "(finite-element, boundary-element or half-space)");
 }
 
 TEST_F(message, rim_contact_tells_wrong_sign_wrong_units_and_small_frames_apart) {

@@ -32,7 +32,7 @@ struct OfBody {
   static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors", *real = "accuracy",
                               *listed =
                                   "accuracy, edge_angle, keep_factors, between_nodes, "
-                                  "factorization, hex8, prepare";
+                                  "hex8, prepare";
 };
 
 template <class Of>
@@ -58,7 +58,7 @@ TYPED_TEST_SUITE(options, Kinds);
 
 TYPED_TEST(options, are_listed_with_the_standard_that_new_objects_have) {
   using Of = TypeParam;
-  ASSERT_GE(Of::count(), 8);
+  ASSERT_GE(Of::count(), 7);
   for (std::int32_t i = 0; i < Of::count(); ++i) {
     char name[32];
     std::int32_t type = 0;

@@ -47,8 +47,8 @@ Sums sums_on(const Frame& frame) {
     std::vector<double> lambda[3];
     for (auto& l : lambda) l.assign(n, 0.0);
     lambda[component].assign(n, 1.0);
-    problem.op.convection.slip_x = frame.x;
-    problem.op.convection.slip_y = frame.y;
+    problem.convection.slip_x = frame.x;
+    problem.convection.slip_y = frame.y;
     return load_on_body1(problem, motion, lambda).value;
   };
   double moment = 0;  // about t2, of a unit traction along t1 everywhere

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "contact/linear/linear_solver.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "contact/results/condition.hpp"
 #include "linalg/lu.hpp"
 
@@ -33,16 +34,17 @@ struct Example {
     Problem& p = problem;
     const auto n = static_cast<std::size_t>(nodes);
     p.nodes = nodes;
-    p.op.nodes = nodes;
-    p.op.coupled = p.op.normal = p.op.tangential = true;
+    const auto op = std::make_shared<DenseOperators>();
+    p.op = op;
+    op->nodes = nodes;
+    op->coupled = op->normal = op->tangential = true;
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
-        p.op.block[r][c].resize(nodes, nodes);
-        for (std::int64_t k = 0; k < nodes * nodes; ++k) p.op.block[r][c].data()[k] = 0.1 * random();
-        for (std::int64_t k = 0; r == c && k < nodes; ++k) p.op.block[r][c].row(k)[k] += 4;
+        op->block[r][c].resize(nodes, nodes);
+        for (std::int64_t k = 0; k < nodes * nodes; ++k) op->block[r][c].data()[k] = 0.1 * random();
+        for (std::int64_t k = 0; r == c && k < nodes; ++k) op->block[r][c].row(k)[k] += 4;
       }
-    for (auto* v :
-         {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.op.convection.slip_x, &p.op.convection.slip_y})
+    for (auto* v : {&p.rn, &p.rt, &p.weight, &p.moment_x, &p.moment_y, &p.convection.slip_x, &p.convection.slip_y})
       for (std::size_t k = 0; k < n; ++k) v->push_back(1 + 0.3 * random());
     p.used.assign(n, 1);
     for (auto& v : lambda) v.assign(n, 0.0);

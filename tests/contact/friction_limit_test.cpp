@@ -27,8 +27,8 @@ Loaded loaded(const SurfaceMesh& mesh, const std::array<bool, 4>& by_force) {
   Problem& p = l.problem;
   const Frame frame = build_frame(mesh, {});
   take_frame(p, frame);
-  p.op.convection.slip_x = frame.x;
-  p.op.convection.slip_y = frame.y;
+  p.convection.slip_x = frame.x;
+  p.convection.slip_y = frame.y;
   p.mu.assign(frame.x.size(), 0.3);
   l.given.by_force = by_force;
   for (auto& v : l.lambda) v.assign(frame.x.size(), 0.0);
@@ -105,7 +105,7 @@ TEST(friction_limit, no_admissible_tractions_are_beyond) {
         const double centre = 0.3 * random(), turn = 3 * random();
         for (std::size_t k = 0; k < p.mu.size(); ++k) {
           const double angle =
-              std::atan2(p.op.convection.slip_y[k] - centre, p.op.convection.slip_x[k]) + turn + 0.2 * random();
+              std::atan2(p.convection.slip_y[k] - centre, p.convection.slip_x[k]) + turn + 0.2 * random();
           l.lambda[0][k] = -p.mu[k] * l.lambda[2][k] * std::cos(angle);
           l.lambda[1][k] = -p.mu[k] * l.lambda[2][k] * std::sin(angle);
         }

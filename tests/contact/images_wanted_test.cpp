@@ -13,17 +13,17 @@ namespace rollcon {
 namespace {
 
 /// Notes which images it was asked for.
-class Noting final : public FieldOperator {
+class Noting final : public Operators {
  public:
   mutable std::array<int, 3> asked{};
-  void apply(const double* const (&)[3], double* const (&image)[3]) const override {
+  void images(Components wanted, Components, std::span<const std::int32_t>, const std::vector<double> (&)[3],
+              std::vector<double> (&)[3]) const override {
     ++calls_;
-    for (std::size_t r = 0; r < 3; ++r) asked[r] += image[r] != nullptr;
+    for (int r = wanted.first; r <= wanted.last; ++r) ++asked[static_cast<std::size_t>(r)];
   }
-  double entry(int, int) const override { return 1; }
-  double row_norm(int) const override { return 1; }
-  bool couples() const override { return false; }
-  LatticeInfluence influence() const override { return {lattice_, {}}; }
+  bool all_at_once() const override { return true; }
+  double own(int, int, std::size_t) const override { return 1; }
+  double slip_norm(int, std::size_t) const override { return 1; }
   std::size_t bytes() const override { return 0; }
   std::int64_t applications() const override { return calls_; }
 
@@ -38,11 +38,11 @@ struct Images {
   Iterate iterate;
 
   Images(bool coupled, bool tangential) {
-    problem.nodes = problem.op.nodes = 4;
-    problem.op.field = field;
-    problem.op.coupled = coupled;
-    problem.op.normal = true;
-    problem.op.tangential = tangential;
+    problem.nodes = field->nodes = 4;
+    field->coupled = coupled;
+    field->normal = true;
+    field->tangential = tangential;
+    problem.op = field;
     iterate.resize(4);
     iterate.invalidate();
   }

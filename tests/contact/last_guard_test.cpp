@@ -9,6 +9,7 @@
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/cases/solve_many.hpp"
 #include "contact/newton/newton.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "contact/scene_fixture.hpp"
 
 namespace rollcon {
@@ -109,8 +110,10 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   const auto compliance = make_halfspace_compliance(frame, {c.cn + d.cn, c.cv + d.cv, 0}, 1e-8, 1);
   Problem p;
   take_frame(p, frame);
-  p.op.convection = make_convection(frame, Scheme::characteristic, 0.6);
-  assemble_operators(frame, *compliance, true, p.op);
+  p.convection = make_convection(frame, Scheme::characteristic, 0.6);
+  const auto op = std::make_shared<DenseOperators>();
+  assemble_operators(frame, *compliance, p.convection, true, *op);
+  p.op = op;
   set_scales(p);
   for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
   p.mu.assign(p.gap.size(), 0.3);

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "bodies/halfspace/halfspace.hpp"
-#include "contact/operators/operators.hpp"
+#include "bodies/halfspace/halfspace_kernel.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {
@@ -37,10 +37,8 @@ inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, b
   return build_frame(std::move(mesh), Axes{});
 }
 
-inline ContactOperators convection_of(const Frame& frame, Scheme scheme) {
-  ContactOperators op;
-  op.convection = make_convection(frame, scheme, 0.6);
-  return op;
+inline Convection convection_of(const Frame& frame, Scheme scheme) {
+  return make_convection(frame, scheme, 0.6);
 }
 
 inline constexpr HalfspaceConstants alike{0.7, 0.3, 0}, unlike{0.7, 0.3, 0.11}, incompressible{0.7, 0, 0.2};

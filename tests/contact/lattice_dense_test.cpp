@@ -13,7 +13,7 @@ namespace rollcon {
 namespace {
 
 /// Of the rows of nodes that belong to an element.
-double difference(const Frame& frame, const ContactOperators& a, const ContactOperators& b) {
+double difference(const Frame& frame, const DenseOperators& a, const DenseOperators& b) {
   double worst = 0;
   for (int r = 0; r < 3; ++r) {
     double scale = 0, error = 0;
@@ -38,9 +38,10 @@ TEST(LatticeDense, EqualsAssembledOperators) {
       const Frame frame = lattice_frame(c.nx, c.ny, c.dx, c.dy, c.angle, holes);
       const std::optional<Lattice> lattice = find_lattice(frame);
       ASSERT_TRUE(lattice.has_value());
-      ContactOperators assembled = convection_of(frame, scheme), filled = assembled;
-      assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, assembled);
-      fill_lattice_operators(*lattice, c.c, true, filled);
+      const Convection convection = convection_of(frame, scheme);
+      DenseOperators assembled, filled;
+      assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), convection, true, assembled);
+      fill_lattice_operators(*lattice, *make_halfspace_kernel(c.c), convection, true, filled);
       const double error = difference(frame, assembled, filled);
       std::printf("%-30s scheme %d holes %d: error %.1e, bound 1e-12\n", c.name, kind % 3, holes, error);
       EXPECT_LT(error, 1e-12);
@@ -55,11 +56,12 @@ TEST(LatticeDense, SmallestLattices) {
       const Frame frame = lattice_frame(cells, 2, 0.1, 0.2, 0.1);
       const std::optional<Lattice> lattice = find_lattice(frame);
       ASSERT_TRUE(lattice.has_value());
-      ContactOperators assembled = convection_of(frame, scheme), filled = assembled;
+      const Convection convection = convection_of(frame, scheme);
+      DenseOperators assembled, filled;
       if (scheme == Scheme::characteristic && cells == 1)
         continue;  // two nodes along the flow: rim nodes have steps of their own
-      assemble_operators(frame, *make_halfspace_compliance(frame, unlike, 1e-13, 1), true, assembled);
-      fill_lattice_operators(*lattice, unlike, true, filled);
+      assemble_operators(frame, *make_halfspace_compliance(frame, unlike, 1e-13, 1), convection, true, assembled);
+      fill_lattice_operators(*lattice, *make_halfspace_kernel(unlike), convection, true, filled);
       EXPECT_LT(difference(frame, assembled, filled), 1e-12) << cells;
     }
 }

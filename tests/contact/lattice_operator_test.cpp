@@ -24,7 +24,7 @@ struct Fields {
   }
 };
 
-Fields product(const ContactOperators& op, const Fields& lambda) {
+Fields product(const DenseOperators& op, const Fields& lambda) {
   const auto n = static_cast<std::size_t>(op.nodes);
   Fields image(n);
   for (int r = 0; r < 3; ++r)
@@ -56,10 +56,11 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
   const Frame frame = lattice_frame(c.nx, c.ny, c.dx, c.dy, c.angle, holes);
   const std::optional<Lattice> lattice = find_lattice(frame);
   ASSERT_TRUE(lattice.has_value());
-  ContactOperators op = convection_of(frame, scheme);
-  LatticeOperator field(*lattice, c.c, scheme == Scheme::characteristic ? op.convection.ahead[0] : 0.0,
-                        op.convection.rows);
-  assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), true, op);
+  const Convection convection = convection_of(frame, scheme);
+  LatticeOperator field(*lattice, make_halfspace_kernel(c.c),
+                        scheme == Scheme::characteristic ? convection.ahead[0] : 0.0, convection.rows);
+  DenseOperators op;
+  assemble_operators(frame, *make_halfspace_compliance(frame, c.c, 1e-13, 1), convection, true, op);
   frames::Random random(7);
   const auto n = static_cast<std::size_t>(frame.nodes());
   Fields lambda(n), image(n), normal(n);
@@ -94,13 +95,13 @@ void expect_equals_dense(const LatticeCase& c, Scheme scheme, bool cut, bool hol
     for (int k = 0; k < 3; ++k)
       if (!op.block[r][k].empty()) {
         const double scale = std::abs(op.block[r][r].row(middle)[middle]) + 1e-3 * c.c.cn;
-        EXPECT_NEAR(field.entry(r, k), op.block[r][k].row(middle)[middle], 1e-12 * scale) << r << " " << k;
+        EXPECT_NEAR(field.own(r, k, 0), op.block[r][k].row(middle)[middle], 1e-12 * scale) << r << " " << k;
       }
   // Norms differ by the halves of hats that are missing on the rim.
   for (int r = 0; r < 2; ++r) {
     const double norm =
         std::hypot(norm2(op.block[r][0].row(middle), op.nodes), norm2(op.block[r][1].row(middle), op.nodes));
-    EXPECT_NEAR(field.row_norm(r) / norm, 1, 0.03);
+    EXPECT_NEAR(field.slip_norm(r, 0) / norm, 1, 0.03);
   }
 }
 
@@ -115,8 +116,9 @@ TEST(LatticeOperator, EqualsTheDenseOperators) {
 TEST(LatticeOperator, NeedsAnInnerNode) {
   if (!has_fft()) GTEST_SKIP() << "built without FFTW";
   const Frame frame = lattice_frame(4, 1, 0.1, 0.1, 0);
-  const ContactOperators op = convection_of(frame, Scheme::godunov);
-  EXPECT_THROW(LatticeOperator(*find_lattice(frame), alike, 0, op.convection.rows), Error);
+  EXPECT_THROW(LatticeOperator(*find_lattice(frame), make_halfspace_kernel(alike), 0,
+                               convection_of(frame, Scheme::godunov).rows),
+               Error);
 }
 
 TEST(LatticeOperator, MemoryGrowsWithTheNodes) {
@@ -125,7 +127,7 @@ TEST(LatticeOperator, MemoryGrowsWithTheNodes) {
     const Frame frame = lattice_frame(cells, cells, 0.1, 0.1, 0);
     const std::optional<Lattice> lattice = find_lattice(frame);
     ASSERT_TRUE(lattice.has_value());
-    LatticeOperator field(*lattice, unlike, 0.6 * lattice->spacing_along_flow(), {});
+    LatticeOperator field(*lattice, make_halfspace_kernel(unlike), 0.6 * lattice->spacing_along_flow(), {});
     const double per_node = static_cast<double>(field.bytes()) / static_cast<double>(frame.nodes());
     std::printf("%d x %d cells: %.0f bytes per node, bound 220\n", cells, cells, per_node);
     EXPECT_LT(per_node, 220);
@@ -137,7 +139,7 @@ TEST(LatticeOperator, ColumnsOfCutHatsAreMadeWhenNeeded) {
   const Frame frame = lattice_frame(20, 24, 0.1, 0.1, 0);
   const std::optional<Lattice> lattice = find_lattice(frame);
   ASSERT_TRUE(lattice.has_value());
-  LatticeOperator field(*lattice, unlike, 0.06, {});
+  LatticeOperator field(*lattice, make_halfspace_kernel(unlike), 0.06, {});
   const auto n = static_cast<std::size_t>(frame.nodes());
   Fields lambda(n), image(n);
   const double* in[3] = {lambda.value[0].data(), lambda.value[1].data(), lambda.value[2].data()};
@@ -160,7 +162,7 @@ TEST(LatticeOperator, ThreadsApplyItSideBySide) {
   const Frame frame = lattice_frame(30, 20, 0.1, 0.1, 0.2);
   const std::optional<Lattice> lattice = find_lattice(frame);
   ASSERT_TRUE(lattice.has_value());
-  LatticeOperator field(*lattice, unlike, 0.06, {});
+  LatticeOperator field(*lattice, make_halfspace_kernel(unlike), 0.06, {});
   const auto n = static_cast<std::size_t>(frame.nodes());
   frames::Random random(3);
   Fields lambda(n), alone(n);

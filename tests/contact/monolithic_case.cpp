@@ -7,6 +7,7 @@
 
 #include "bodies/body.hpp"
 #include "bodies/pair.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "linalg/lu.hpp"
 #include "support/frames.hpp"
 
@@ -34,11 +35,13 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared
   c.keep = {c.frame, c.compliance};
   Problem& p = c.problem;
   take_frame(p, *c.frame);
-  p.op.convection = make_convection(*c.frame, scheme, 1.0);
+  p.convection = make_convection(*c.frame, scheme, 1.0);
   p.stiffness = stress;
   const auto n = at(p.nodes);
+  const auto op = std::make_shared<DenseOperators>();
+  p.op = op;
   if (dense) {
-    assemble_operators(*c.frame, *c.compliance, true, p.op);
+    assemble_operators(*c.frame, *c.compliance, p.convection, true, *op);
     set_scales(p);
   } else {  // as if of half-spaces with square cells
     p.rn.resize(n);
@@ -140,8 +143,10 @@ void make_reduced(Case& c) {
 
 Problem written_out(const Case& c) {
   Problem p = c.problem;
-  for (auto& row : p.op.block)
-    for (auto& block : row) block.release();
+  const auto none = std::make_shared<DenseOperators>();
+  none->coupled = p.op->coupled;
+  none->tangential = p.op->tangential;
+  p.op = none;
   return p;
 }
 
@@ -172,9 +177,9 @@ Point image_of(const Case& c, Point z) {
     for (int j = 0; j < 3; ++j)
       if (!row[j].empty()) multiply(row[j].data(), n, n, z.lambda[j].data(), 1, to.data());
   };
-  product(c.problem.op.block[2], z.depth);
+  product(c.problem.op->dense()->block[2], z.depth);
   for (int r = 0; r < 2; ++r) {
-    product(c.problem.op.block[r], z.slip[r]);
+    product(c.problem.op->dense()->block[r], z.slip[r]);
     product(a[r], z.shift[r]);
   }
   return z;
@@ -222,8 +227,8 @@ Point condensed_step(const Case& c) {
   std::vector<double> b(at(size));
   const auto operator_row = [&](int r, std::int64_t k, double factor, double* row) {
     for (int j = 0; j < 3; ++j)
-      if (!p.op.block[r][j].empty())
-        for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += factor * p.op.block[r][j].row(k)[i];
+      if (!p.op->dense()->block[r][j].empty())
+        for (std::int64_t i = 0; i < n; ++i) row[3 * i + j] += factor * p.op->dense()->block[r][j].row(k)[i];
   };
   for (std::int64_t k = 0; k < n; ++k) {
     const PairState state = c.step.state[at(k)];

@@ -60,7 +60,7 @@ struct PreparedScene {
   void change(Changed::Field given, double coupling) {
     Prepared& on = *state.preparation->made;
     on.compliance = std::make_shared<Changed>(std::move(on.compliance), given, coupling);
-    on.problem.op = ContactOperators{};
+    forget_operators(*state.preparation);
     state.preparation->convection.forget();
   }
 };
@@ -114,7 +114,7 @@ TEST(coupling, blocks_of_rounding_are_dropped) {
     scene.run();
     scene.change(nullptr, coupling);
     scene.run();
-    const ContactOperators& op = scene.state.prepared->problem.op;
+    const DenseOperators& op = *scene.state.prepared->problem.op->dense();
     const bool dropped = coupling < 1e-10;
     EXPECT_EQ(op.coupled, !dropped);
     EXPECT_EQ(op.coupling_vanished, dropped);

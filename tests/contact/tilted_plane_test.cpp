@@ -11,6 +11,7 @@
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/newton/newton.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {
@@ -89,14 +90,16 @@ struct Setting {
     Problem& p = s.problem;
     const Frame& frame = tilted ? askew : flat;
     take_frame(p, frame);
-    p.op.convection = make_convection(frame, scheme, 0.6);
-    assemble_operators(frame, tilted ? *askew_compliance : *flat_compliance, mu > 0, p.op);
+    p.convection = make_convection(frame, scheme, 0.6);
+    const auto op = std::make_shared<DenseOperators>();
+    assemble_operators(frame, tilted ? *askew_compliance : *flat_compliance, p.convection, mu > 0, *op);
+    p.op = op;
     set_scales(p);
     for (const Vec3& x : frame.mesh.node) p.gap.push_back(0.01 * (x[0] * x[0] + x[1] * x[1]));
     p.mu.assign(p.gap.size(), mu);
-    if (!p.op.convection.rows.start.empty())
+    if (!p.convection.rows.start.empty())
       for (std::size_t i = 0; i < p.gap.size(); ++i)
-        if (p.op.convection.rows.start[i] == p.op.convection.rows.start[i + 1]) p.mu[i] = 0;
+        if (p.convection.rows.start[i] == p.convection.rows.start[i + 1]) p.mu[i] = 0;
     p.stiffness = young;
     const Prescribed given{.by_force = by_force, .value = value};
     s.iterate.resize(p.nodes);
@@ -224,8 +227,8 @@ TEST(tilted_plane, load_rows_are_the_transposed_columns) {
   curve_frame(frame, normal);
   Problem p;
   take_frame(p, frame);
-  p.op.convection.slip_x = frame.x;
-  p.op.convection.slip_y = frame.y;
+  p.convection.slip_x = frame.x;
+  p.convection.slip_y = frame.y;
   double worst = 0;
   for (std::size_t k = 0; k < normal.size(); ++k) {
     const double w = p.weight[k];

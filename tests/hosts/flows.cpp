@@ -210,13 +210,12 @@ void set_bem(Caller& call, Handles& h) {
        nullptr);
 }
 
-void set_fem(Caller& call, Handles& h, std::int64_t factorization) {
+void set_fem(Caller& call, Handles& h) {
   const BoxVolume box(3);
   const auto [element, face] = box.top_faces();
   const std::vector<std::int32_t> bottom = box.nodes_at(2, 0);
   CALL(rollcon_body_create, h.context, ROLLCON_BODY_FEM, &h.body);
   CALL(rollcon_body_set_elastic, h.body, 0, 200, 0.3);
-  CALL(rollcon_body_set_int, h.body, "factorization", factorization);
   CALL(rollcon_body_set_nodes, h.body, box.nodes(), box.x.data(), 3, 1);
   CALL(rollcon_body_add_elements, h.body, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0);
   const std::int32_t *elements = element.data(), *faces = face.data();
@@ -252,11 +251,10 @@ std::vector<double> bem(Caller& call) {
   return with_file(call, h);
 }
 
-template <int factorization>
 std::vector<double> fem(Caller& call) {
   Handles h;
   begin(call, h);
-  set_fem(call, h, factorization);
+  set_fem(call, h);
   return with_file(call, h);
 }
 
@@ -266,8 +264,7 @@ constexpr Flow all[] = {{"dense", nullptr, dense},
                         {"many", nullptr, many},
                         {"monolithic", "procedures", monolithic},
                         {"bem", "bem", bem},
-                        {"fem_cholmod", "cholmod", fem<1>},
-                        {"fem_umfpack", "umfpack", fem<2>}};
+                        {"fem", "fem", fem}};
 
 }  // namespace
 

@@ -115,7 +115,7 @@ std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionN
 
 FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::int64_t> face,
                              std::span<const double> share, const SurfaceCoupling& coupling,
-                             std::span<const std::int32_t> column, bool by_cholmod) {
+                             std::span<const std::int32_t> column) {
   const SurfaceCoupling mass = couple_faces(surface, face);
   FeltTractions felt;
   felt.node = mass.node;
@@ -125,7 +125,7 @@ FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::in
   for (std::int64_t i = 0; i < n; ++i) place[at(mass.node[at(i)])] = i;
   SparseMatrix matrix = symmetric(mass, place);
   add_smoothing(surface, face, share, place, matrix);
-  const auto factor = by_cholmod ? factor_by_cholmod(matrix, {}) : factor_by_umfpack(matrix, {});
+  const auto factor = factor_by_cholmod(matrix, {});
 
   // B, column by column, then solved in place.
   std::vector<std::int64_t> number;

@@ -43,6 +43,6 @@ std::vector<double> smoothing_shares(const SurfaceMesh& surface, const TractionN
 /// projection of t.
 FeltTractions felt_tractions(const SurfaceMesh& surface, std::span<const std::int64_t> face,
                              std::span<const double> share, const SurfaceCoupling& coupling,
-                             std::span<const std::int32_t> column, bool by_cholmod);
+                             std::span<const std::int32_t> column);
 
 }  // namespace rollcon::fem

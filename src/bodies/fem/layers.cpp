@@ -122,7 +122,7 @@ FeltTractions System::feel(const SurfaceMesh& layer, SurfaceOutline& outline) co
   choose_material(outline);
   std::vector<double> share = smoothing_shares(surface_, fans_, outline.seen_face, coupling);
   limit_by_thickness(surface_, outline.seen_face, share);
-  return felt_tractions(surface_, outline.seen_face, share, coupling, outline.column, by_cholmod());
+  return felt_tractions(surface_, outline.seen_face, share, coupling, outline.column);
 }
 
 }  // namespace rollcon::fem

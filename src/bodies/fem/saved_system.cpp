@@ -11,17 +11,17 @@
 namespace rollcon::fem {
 namespace {
 
-// One triangle is enough: the rest of L is zero, and an inverse is symmetric.
+// What the factors are: the end of a Cholesky factor. The rest of it is zero.
+constexpr std::int32_t cholesky = 1;
+
 void write_triangle(const CondensedView& view, SectionWriter& file) {
   for (std::int64_t j = 0; j < view.unknowns; ++j)
     file.write(view.matrix + j * view.unknowns + j, at(view.unknowns - j) * sizeof(double));
 }
 
-std::unique_ptr<double[]> read_triangle(std::int64_t n, CondensedForm form, SectionReader& file) {
+std::unique_ptr<double[]> read_triangle(std::int64_t n, SectionReader& file) {
   auto matrix = std::make_unique<double[]>(at(n * n));
   for (std::int64_t j = 0; j < n; ++j) file.read(matrix.get() + j * n + j, at(n - j) * sizeof(double));
-  for (std::int64_t j = 0; j < n && form == CondensedForm::inverse; ++j)
-    for (std::int64_t i = j + 1; i < n; ++i) matrix[at(i * n + j)] = matrix[at(j * n + i)];
   return matrix;
 }
 
@@ -52,7 +52,7 @@ void System::save(SectionWriter& file) const {
   if (factor_) {
     const CondensedView view = factor_->condensed();
     file.begin("factors");
-    ar(view.form);
+    ar(cholesky);
     ar(condensed_);
     ar(std::vector<std::int64_t>(view.place.begin(), view.place.end()));
     write_triangle(view, file);
@@ -63,7 +63,7 @@ void System::save(SectionWriter& file) const {
 void System::restore_factor(SectionReader& file) {
   InArchive ar(file);
   file.begin("factors");
-  CondensedForm form{};
+  std::int32_t form = 0;
   std::vector<std::int64_t> condensed, place;
   ar(form);
   ar(condensed);
@@ -71,9 +71,9 @@ void System::restore_factor(SectionReader& file) {
   const std::uint64_t n = condensed.size();
   if (file.left() % sizeof(double) != 0 || file.left() / sizeof(double) != n * (n + 1) / 2)
     file.fail_here("the factors do not fit the unknowns");
-  auto matrix = read_triangle(static_cast<std::int64_t>(n), form, file);
+  auto matrix = read_triangle(static_cast<std::int64_t>(n), file);
   file.end();
-  bool good = form == CondensedForm::inverse || (form == CondensedForm::cholesky && place.size() == condensed.size());
+  bool good = form == cholesky && place.size() == condensed.size();
   for (std::size_t k = 0; k < condensed.size(); ++k)
     good = good && condensed[k] < unknowns_.count && condensed[k] > (k > 0 ? condensed[k - 1] : std::int64_t{-1});
   std::vector<std::uint8_t> taken(condensed.size(), 0);
@@ -85,8 +85,8 @@ void System::restore_factor(SectionReader& file) {
   SparseStatistics told;
   told.condition = statistics_.condition;
   told.nonzeros = statistics_.nonzeros;
-  factor_ = make_condensed_factor(unknowns_.count, form, static_cast<std::int64_t>(n), std::move(place),
-                                  std::move(matrix), told);
+  factor_ =
+      make_condensed_factor(unknowns_.count, static_cast<std::int64_t>(n), std::move(place), std::move(matrix), told);
   statistics_.condensed = static_cast<std::int64_t>(n);
   place_condensed(std::move(condensed));
 }

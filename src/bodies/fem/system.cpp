@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bodies/model/mesh_models.hpp"
-#include "build_info.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/box.hpp"
 #include "mesh/surface_geometry.hpp"
@@ -75,13 +74,6 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
     factorize(few ? contact_ : std::vector<std::int64_t>{}, threads);
 }
 
-bool System::by_cholmod() const {
-  constexpr int cholmod = 1, umfpack = 2;
-  if (options_.factorization == cholmod) return true;
-  if (options_.factorization == umfpack) return false;
-  return ROLLCON_BUILD_CHOLMOD != 0;
-}
-
 std::vector<std::int64_t> System::unknowns_at(const std::vector<std::int32_t>& node) const {
   std::vector<std::int64_t> unknown;
   for (const std::int32_t k : node)
@@ -105,7 +97,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   double seconds = 0;
   try {
     const Stopwatch watch(seconds);
-    factor_ = by_cholmod() ? factor_by_cholmod(matrix_, condensed) : factor_by_umfpack(matrix_, condensed, threads);
+    factor_ = factor_by_cholmod(matrix_, condensed);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();

@@ -37,7 +37,6 @@ class System final : public ResponseCache {
   /// From entries by place in `loaded` and by column to the unknowns, component by component.
   void write_loads(const std::vector<std::int32_t>& loaded, const SparseMatrix& entries, SurfaceLoads& loads) const;
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
-  bool by_cholmod() const;
   void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
   std::string bending_hint() const;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/halfspace/far_field.hpp"
+#include "bodies/halfspace/halfspace_kernel.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "quadrature/near_field.hpp"
 #include "quadrature/rules.hpp"
@@ -52,15 +53,17 @@ void near_integrals(const ElementGeometry& element, double px, double py, double
 class HalfspaceCompliance final : public Compliance {
  public:
   HalfspaceCompliance(const Frame& frame, HalfspaceConstants c, double tolerance, int threads)
-      : frame_(frame), nodes_(frame.nodes()), c_(c), tolerance_(tolerance), threads_(std::max(1, threads)) {}
+      : frame_(frame),
+        nodes_(frame.nodes()),
+        c_(c),
+        kernel_(make_halfspace_kernel(c)),
+        tolerance_(tolerance),
+        threads_(std::max(1, threads)) {}
 
   void set_threads(int threads) override { threads_ = std::max(1, threads); }
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
-  bool halfspace(HalfspaceConstants& sum) const override {
-    sum = c_;
-    return true;
-  }
+  std::shared_ptr<const TranslationKernel> translation() const override { return kernel_; }
   std::int64_t kernel_evaluations() const override { return evaluations_.load(); }
   std::size_t bytes() const override {
     std::size_t sum = sizeof *this;
@@ -96,6 +99,7 @@ class HalfspaceCompliance final : public Compliance {
   const Frame& frame_;
   std::int64_t nodes_;
   HalfspaceConstants c_;
+  std::shared_ptr<const TranslationKernel> kernel_;
   double tolerance_;
   int threads_;
   mutable std::once_flag grouping_;

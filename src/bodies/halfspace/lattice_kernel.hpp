@@ -10,11 +10,6 @@
 
 namespace rollcon::halfspace {
 
-/// Largest offsets, in cells, that are asked for.
-struct OffsetReach {
-  std::int64_t x, y;
-};
-
 /// The five integrals of kernels.hpp of a source at the origin for observers at
 /// (shift_x + i dx, shift_y + j dy). Errors stay near 1e-15 of the largest integral, 1e-14 for slender cells.
 class LatticeIntegrals {

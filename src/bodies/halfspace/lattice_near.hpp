@@ -15,12 +15,6 @@
 
 namespace rollcon::halfspace {
 
-/// The shape function of one node: product of two hats of half-widths dx, dy. Nodes on the rim of a frame have halves.
-struct LatticeHat {
-  double dx = 0, dy = 0;
-  Hat x = Hat::whole, y = Hat::whole;
-};
-
 struct OffsetRange {
   std::int64_t first = 0, last = -1;
   std::int64_t size() const { return last - first + 1; }

@@ -53,7 +53,6 @@ struct BodyOptions {
   double edge_angle = 40;          ///< "edge_angle", degrees: beyond it an edge separates faces
   std::int64_t keep_factors = 1;   ///< "keep_factors": 0 frees the factors once a frame has its compliance
   std::int64_t between_nodes = 0;  ///< "between_nodes": 0 with half-space, 1 shape functions
-  std::int64_t factorization = 0;  ///< "factorization": 0 automatic, 1 CHOLMOD, 2 UMFPACK
   std::int64_t hex8 = 0;           ///< "hex8": 0 enhanced, 1 B-bar
   std::int64_t prepare = 1;        ///< "prepare": 0 checks only, 1 factorises what is known to be needed
   std::int64_t cache_bytes = std::int64_t{1} << 28U;  ///< "cache_bytes": of responses kept

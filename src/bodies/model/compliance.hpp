@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +13,7 @@
 
 namespace rollcon {
 
-struct HalfspaceConstants;
+class TranslationKernel;
 
 /// Points of the contact surface, by their coordinates in the plane of the frame's axes (t1, t2): on a curved frame,
 /// the points of the surface above them. x.size() == y.size().
@@ -73,9 +74,8 @@ class Compliance {
   /// The same displacements with the unknowns of the bodies written out (adds to `out`, whose matrices belong to the
   /// same points). Condenses and factorises nothing. False: has no such form.
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
-  /// True, and the constants, when this is the compliance of half-spaces under the frame's own shape functions and
-  /// nothing else (bodies/halfspace/halfspace.hpp).
-  virtual bool halfspace(HalfspaceConstants& /*sum*/) const { return false; }
+  /// What displacements by offset come from, under the frame's own shape functions; null: they depend on the place.
+  virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

@@ -128,7 +128,7 @@ void estimate(const SolverState& s, ErrorEstimate& e) {
   e.tangential = friction ? 1 : 0;
   // What two discretisations of an edge have in common says nothing about a contact.
   if (too_few_nodes(s)) return;
-  if (s.prepared->problem.op.field) return estimate_on_lattice(s, e);
+  if (s.prepared->problem.op->influence()) return estimate_on_lattice(s, e);
   const Sums whole = sums_of(s, solution);
   const bool characteristic = s.prepared->scheme == Scheme::characteristic;
 

@@ -71,7 +71,7 @@ void Variant::move_given_slip(const SolverState& s) {
   Problem& p = problem_;
   if (p.slip1.empty()) return;
   const SparseRows d = least_squares(s.prepared->frame, 1, 0);
-  const std::vector<double>& there = s.prepared->problem.op.convection.slip_x;
+  const std::vector<double>& there = s.prepared->problem.convection.slip_x;
   const auto derivative = [&](const std::vector<double>& field, std::size_t k) {
     double sum = 0;
     for (auto j = at(d.start[k]); j < at(d.start[k + 1]); ++j) sum += d.value[j] * field[at(d.column[j])];
@@ -79,7 +79,7 @@ void Variant::move_given_slip(const SolverState& s) {
   };
   for (std::size_t i = 0; i < p.slip1.size(); ++i) {
     const std::size_t k = at(space_->node[i]);
-    const double further = p.op.convection.slip_x[i] - there[k];
+    const double further = p.convection.slip_x[i] - there[k];
     p.slip1[i] -= further * derivative(s.prepared->problem.slip1, k);
     p.slip2[i] -= further * derivative(s.prepared->problem.slip2, k);
   }
@@ -87,14 +87,13 @@ void Variant::move_given_slip(const SolverState& s) {
 
 void Variant::assemble(const SolverState& s, bool tangential) {
   frictionless_ = !tangential;
-  ContactOperators& op = problem_.op;
+  const auto op = std::make_shared<DenseOperators>();
   // Under a monolithic solve there are no rows to take.
-  if (s.prepared->problem.op.normal) take_normal_rows(s.prepared->problem.op, *space_, op);
-  assemble_operators(space_->frame, *compliance_, tangential, op);
-  if (tangential) {
-    loosen_held_tangents(problem_.used, op);
-    move_given_slip(s);
-  }
+  if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op->dense(), *space_, *op);
+  assemble_operators(space_->frame, *compliance_, problem_.convection, tangential, *op);
+  op->loosen_held_tangents(problem_.used, !problem_.convection.ahead.empty());
+  if (tangential) move_given_slip(s);
+  problem_.op = op;
   set_scales(problem_);
 }
 
@@ -103,7 +102,7 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
   if (tangential) {
-    v.problem_.op.convection = pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
+    v.problem_.convection = pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
   }
   v.assemble(s, tangential);
   for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = pick(*v.space_, s.iterate.lambda[c]);
@@ -119,7 +118,7 @@ Variant Variant::coarse(const SolverState& s, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
-  if (!s.frictionless) v.problem_.op.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
+  if (!s.frictionless) v.problem_.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
   v.assemble(s, !s.frictionless);
   return v;
 }

@@ -23,13 +23,13 @@ constexpr std::int64_t margin(std::int64_t n) {
 
 class LatticePreconditioner final : public FieldPreconditioner {
  public:
-  LatticePreconditioner(const Lattice& lattice, HalfspaceConstants c)
-      : lattice_(lattice),
-        fft_(lattice.nx, lattice.ny, margin(lattice.nx), margin(lattice.ny)),
-        place_(static_cast<std::size_t>(lattice.frame_nodes()), -1) {
-    for (std::size_t k = 0; k < lattice.node.size(); ++k)
-      if (lattice.node[k] >= 0) place_[at(lattice.node[k])] = static_cast<std::int32_t>(k);
-    make_symbols(c);
+  explicit LatticePreconditioner(const LatticeInfluence& influence)
+      : lattice_(influence.lattice),
+        fft_(lattice_.nx, lattice_.ny, margin(lattice_.nx), margin(lattice_.ny)),
+        place_(static_cast<std::size_t>(lattice_.frame_nodes()), -1) {
+    for (std::size_t k = 0; k < lattice_.node.size(); ++k)
+      if (lattice_.node[k] >= 0) place_[at(lattice_.node[k])] = static_cast<std::int32_t>(k);
+    make_symbols(influence.kernel);
   }
 
   void take(const ReducedSystem& system) override;
@@ -43,7 +43,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
   }
 
  private:
-  void make_symbols(HalfspaceConstants c);
+  void make_symbols(const TranslationKernel& kernel);
   void apply_rows(const double* x, double* y);
   void tangential_rows(const double* x, double* y);
   void normal_rows(const double* x, double* y);
@@ -63,18 +63,18 @@ class LatticePreconditioner final : public FieldPreconditioner {
   std::vector<double> columns_, work_;
   Lu<double> schur_;
   int borders_ = 0;
-  double softness_ = 1;  ///< cn
+  double softness_ = 1;  ///< under normal waves of 2 pi dx
 };
 
-void LatticePreconditioner::make_symbols(HalfspaceConstants c) {
+void LatticePreconditioner::make_symbols(const TranslationKernel& kernel) {
   const std::int64_t mx = fft_.period_x(), my = fft_.period_y();
   for (auto& s : symbol_) s.assign(at(fft_.waves_x() * fft_.stride()), 0.0f);
   const double lx = static_cast<double>(lattice_.nx) * lattice_.dx;
   const double ly = static_cast<double>(lattice_.ny) * lattice_.dy;
   const double least = 1 / std::max(lx, ly);  // of a mean traction on a finite patch
-  // In units of 1 / (cn dx), as single precision has a narrow range; with the unit of the transform back.
-  softness_ = c.cn;
-  const double unit = lattice_.dx / (2 * std::numbers::pi) / static_cast<double>(mx * my);
+  // In units of the softness, as single precision has a narrow range; with the unit of the transform back.
+  softness_ = kernel.softness(2 * std::numbers::pi / lattice_.dx).normal;
+  const double unit = softness_ / static_cast<double>(mx * my);
   for (std::int64_t i = 0; i < fft_.waves_x(); ++i)
     for (std::int64_t j = 0; j < my; ++j) {
       const double kx = 2 * std::numbers::pi * static_cast<double>(i) / (static_cast<double>(mx) * lattice_.dx);
@@ -83,14 +83,15 @@ void LatticePreconditioner::make_symbols(HalfspaceConstants c) {
       // In the axes of the frame.
       const double k1 = kx * lattice_.ex - ky * lattice_.ey;
       const double k2 = kx * lattice_.ey + ky * lattice_.ex;
-      const double k = std::hypot(k1, k2), wave = std::max(k, least) * unit;
-      const double along = wave, across = wave * c.cn / (c.cn + c.cv);
+      const double k = std::hypot(k1, k2);
+      const TranslationKernel::Softness soft = kernel.softness(std::max(k, least));
+      const double along = unit / soft.along, across = unit / soft.across;
       const double e1 = k > 0 ? k1 / k : 1, e2 = k > 0 ? k2 / k : 0;
       const std::size_t s = at(i * fft_.stride() + j);
       symbol_[0][s] = static_cast<float>(k > 0 ? along * e1 * e1 + across * e2 * e2 : along);
       symbol_[1][s] = static_cast<float>(k > 0 ? (along - across) * e1 * e2 : 0);
       symbol_[2][s] = static_cast<float>(k > 0 ? along * e2 * e2 + across * e1 * e1 : along);
-      symbol_[3][s] = static_cast<float>(along);
+      symbol_[3][s] = static_cast<float>(unit / soft.normal);
     }
   for (auto& g : grid_) g.resize(lattice_.node.size());
   masked_.resize(lattice_.node.size());
@@ -168,8 +169,8 @@ void LatticePreconditioner::normal_rows(const double* x, double* y) {
   for (std::size_t s = 0; s < symbol_[3].size(); ++s) wave[s] *= symbol_[3][s];
   fft_.backward(spectrum_[0].data(), grid.data());
   for (std::int64_t a = 0; a < na; ++a)
-    y[first + a] = largest / (softness_ * lattice_.dx * system_->normal_scale(a)) *
-                   static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
+    y[first + a] =
+        largest / (softness_ * system_->normal_scale(a)) * static_cast<double>(grid[at(place_[at(nodes[at(a)])])]);
 }
 
 // w_i = (cx w_(i+1) + cy w_(j+1) + s) / (cx + cy), where i + 1 and j + 1 lie upstream; w in units of dx.
@@ -233,7 +234,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
   for (std::int64_t a = 0; a < na; ++a) {
     if (stick_[at(a)]) {
       const std::size_t k = at(place_[at(nodes[at(a)])]);
-      const double scale = largest / (softness_ * system_->slip_scale(a));
+      const double scale = largest * lattice_.dx / (softness_ * system_->slip_scale(a));
       y[a] = scale * static_cast<double>(grid_[0][k]);
       y[na + a] = scale * static_cast<double>(grid_[1][k]);
       continue;
@@ -249,8 +250,8 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
 
 }  // namespace
 
-std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice, HalfspaceConstants constants) {
-  return std::make_unique<LatticePreconditioner>(lattice, constants);
+std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const LatticeInfluence& influence) {
+  return std::make_unique<LatticePreconditioner>(influence);
 }
 
 }  // namespace rollcon

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <memory>
 
-#include "bodies/halfspace/halfspace.hpp"
 #include "contact/linear/reduced_system.hpp"
 #include "linalg/gmres.hpp"
 #include "mesh/lattice.hpp"
@@ -27,6 +26,6 @@ class FieldPreconditioner : public LinearOperator {
 };
 
 /// The flow is along -t1 of the frame's axes.
-std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const Lattice& lattice, HalfspaceConstants constants);
+std::unique_ptr<FieldPreconditioner> make_lattice_preconditioner(const LatticeInfluence& influence);
 
 }  // namespace rollcon

@@ -56,7 +56,7 @@ bool LinearSolver::solve(ReducedSystem& system, std::int64_t node_count, const s
   const Stopwatch watch(seconds);
   unknowns = system.size();
   ++right_sides;
-  if (system.field()) return solve_field(system, b, tolerance, useful, x);
+  if (!system.formed()) return solve_field(system, b, tolerance, useful, x);
   take(system, x);
   const std::int64_t n = free_.size();
   if (method == LinearMethod::lu || (method == LinearMethod::automatic && n <= direct_limit)) return solve_direct(b, x);
@@ -119,10 +119,7 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
   const std::int64_t n = system.size();
   x.resize(static_cast<std::size_t>(n));
   gmres_.reserve(with_room(n), field_krylov_space);
-  if (!field_blocks_) {
-    const LatticeInfluence influence = system.field()->influence();
-    field_blocks_ = make_lattice_preconditioner(influence.lattice, influence.constants);
-  }
+  if (!field_blocks_) field_blocks_ = make_lattice_preconditioner(*system.operators().influence());
   field_blocks_->take(system);
   const GmresReport report = gmres_.solve(n, system, *field_blocks_, b.data(), x.data(), tolerance, field_iterations);
   iterations += report.iterations;
@@ -131,7 +128,7 @@ bool LinearSolver::solve_field(ReducedSystem& system, const std::vector<double>&
 
 bool LinearSolver::solve_exactly(ReducedSystem& system, const std::vector<double>& b, std::vector<double>& x) {
   const Stopwatch watch(seconds);
-  if (system.field()) return solve_field(system, b, exact, exact_enough, x);
+  if (!system.formed()) return solve_field(system, b, exact, exact_enough, x);
   take(system, x);
   const std::int64_t n = free_.size();
   const auto part = static_cast<std::size_t>(system.part()) - 2;

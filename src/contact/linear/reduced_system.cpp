@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/operators/dense_operators.hpp"
+#include "support/index.hpp"
+
 namespace rollcon {
 
 void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part part,
@@ -18,7 +21,9 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
     if (normal()) component_[static_cast<std::size_t>(count_++)] = 2;
     const auto na = static_cast<std::int64_t>(nodes_.size());
     const std::int64_t rows = rows_ = count_ * na;
-    field_ = problem.op.field.get();
+    op_ = problem.op.get();
+    const DenseOperators* dense = op_->dense();
+    formed_ = dense != nullptr;
     product_.resize(static_cast<std::size_t>(rows));
     law_.resize(nodes_.size());
     rn_.resize(nodes_.size());
@@ -28,7 +33,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
       rn_[a] = problem.rn[i];
       rt_[a] = problem.rt.empty() ? 0 : given.slip_scale * problem.rt[i];
     }
-    if (field_) {
+    if (!dense) {
       for (int c = 0; c < count_; ++c)
         for (std::vector<double>* v : {&field_lambda_[component(c)], &field_image_[component(c)]})
           v->assign(static_cast<std::size_t>(problem.nodes), 0.0);
@@ -44,7 +49,7 @@ void ReducedSystem::gather(const Problem& problem, const Prescribed& given, Part
         const double scale = row == 2 ? rn_[static_cast<std::size_t>(a)] : rt_[static_cast<std::size_t>(a)];
         double* out = matrix_.row(r * na + a);
         for (int c = 0; c < count_; ++c, out += na) {
-          const RowMatrix<double>& block = problem.op.block[row][component(c)];
+          const RowMatrix<double>& block = dense->block[row][component(c)];
           if (block.empty()) {
             std::fill(out, out + na, 0.0);
             continue;
@@ -158,22 +163,15 @@ void ReducedSystem::rate_side(std::span<const double> gap, std::span<const doubl
 // Tractions of nodes that are not active stay zero in field_lambda_.
 void ReducedSystem::apply_field(const double* x) {
   const std::size_t na = nodes_.size();
-  const double* from[3] = {};
-  double* to[3] = {};
-  for (int r = 0; r < count_; ++r) {
-    const int c = component(r);
-    std::vector<double>& lambda = field_lambda_[c];
+  for (int r = 0; r < count_; ++r)
     for (std::size_t a = 0; a < na; ++a)
-      lambda[static_cast<std::size_t>(nodes_[a])] = x[static_cast<std::size_t>(r) * na + a];
-    from[c] = lambda.data();
-    to[c] = field_image_[c].data();
-  }
-  field_->apply({from[0], from[1], from[2]}, {to[0], to[1], to[2]});
+      field_lambda_[component(r)][static_cast<std::size_t>(nodes_[a])] = x[static_cast<std::size_t>(r) * na + a];
+  op_->images(components_of(part_), components_of(part_), nodes_, field_lambda_, field_image_);
   for (int r = 0; r < count_; ++r)
     for (std::size_t a = 0; a < na; ++a) {
       const int c = component(r);
       product_[static_cast<std::size_t>(r) * na + a] =
-          (c == 2 ? rn_[a] : rt_[a]) * to[c][static_cast<std::size_t>(nodes_[a])];
+          (c == 2 ? rn_[a] : rt_[a]) * field_image_[c][static_cast<std::size_t>(nodes_[a])];
     }
 }
 
@@ -202,7 +200,7 @@ double ReducedSystem::border_product(int k, const double* x) const {
 
 void ReducedSystem::apply(const double* x, double* y) {
   const std::int64_t rows = rows_;
-  if (field_)
+  if (!formed_)
     apply_field(x);
   else
     multiply(matrix_.data(), rows, rows, x, 0, product_.data());
@@ -264,7 +262,8 @@ void ReducedSystem::pair_block(std::int64_t a, double (&block)[3][3]) const {
     for (int c = 0; c < count_; ++c) {
       const int row = component(r);
       const double scale = row == 2 ? normal_scale(a) : slip_scale(a);
-      own[r][c] = field_ ? scale * field_->entry(row, component(c)) : matrix_.row(r * na + a)[c * na + a];
+      own[r][c] = formed_ ? matrix_.row(r * na + a)[c * na + a]
+                          : scale * op_->own(row, component(c), static_cast<std::size_t>(nodes_[at(a)]));
     }
   for (int r = 0; r < count_; ++r)
     for (int c = 0; c < count_; ++c) {

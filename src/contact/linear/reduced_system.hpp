@@ -9,6 +9,7 @@
 
 #include "contact/laws/friction_law.hpp"
 #include "contact/problem/problem.hpp"
+#include "linalg/dense.hpp"
 #include "linalg/gmres.hpp"
 
 namespace rollcon {
@@ -44,8 +45,9 @@ class ReducedSystem final : public LinearOperator {
   /// Entries of the rows and columns of active node a, by place of the component.
   void pair_block(std::int64_t a, double (&block)[3][3]) const;
 
-  /// Operators that are not formed, or null: then there are no rows.
-  FieldOperator* field() const { return field_; }
+  /// False: the operators are not formed, and there are no rows.
+  bool formed() const { return formed_; }
+  const Operators& operators() const { return *op_; }
   /// Of the rows of traction component c at active node a.
   double scale_of(int c, std::size_t a) const { return c == 2 ? rn_[a] : rt_[a]; }
   double normal_scale(std::int64_t a) const { return rn_[static_cast<std::size_t>(a)]; }
@@ -62,7 +64,7 @@ class ReducedSystem final : public LinearOperator {
   std::span<const double> border_row_part(int k, int component) const {
     return border_[static_cast<std::size_t>(k)].row[component];
   }
-  /// Scaled operator row without law and borders, over all tractions; not with field().
+  /// Scaled operator row without law and borders, over all tractions, where formed().
   const double* row(std::int64_t i) const { return matrix_.row(i); }
   /// Load row of border k times the tractions x.
   double border_product(int k, const double* x) const;
@@ -115,7 +117,8 @@ class ReducedSystem final : public LinearOperator {
   std::vector<std::int32_t> nodes_;
   std::int64_t size_ = 0, rows_ = 0;  ///< with and without the borders
   RowMatrix<double> matrix_;
-  FieldOperator* field_ = nullptr;
+  const Operators* op_ = nullptr;
+  bool formed_ = true;
   std::vector<double> field_lambda_[3], field_image_[3];  ///< at all nodes of the frame
   std::vector<TangentialLaw> law_;
   std::vector<double> product_;

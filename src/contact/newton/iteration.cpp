@@ -68,7 +68,7 @@ void NewtonIteration::reserve(std::size_t n) {
     known_[c].reserve(n);
     best_.lambda[c].resize(n);
   }
-  active_.reserve(n);
+  for (auto* list : {&active_, &listed_}) list->reserve(n);
   is_active_.resize(n);
   merits_.reserve(8);
 }
@@ -199,7 +199,7 @@ bool NewtonIteration::beyond_friction(Part part, std::int64_t iteration, double 
   if (part == Part::normal || !given.tangential_load()) return false;
   const auto& lambda = iterate_->lambda;
   FrictionShare& share = solve_->report.share;
-  if (part == Part::tangential && !p.op.coupled) {
+  if (part == Part::tangential && !p.op->coupled) {
     const bool moment = given.by_force[spin];
     if (iteration != (moment ? before_search : 0)) return false;
     if (!moment && share_of_forces(p, given, lambda) < at_limit) return false;

@@ -85,7 +85,6 @@ class NewtonIteration {
   void fit_approach();
   bool start_predicted(Part part);
   void freeze_other_part(Part part);
-  void take_step_field(Part part);
   TangentialLaw law_of(Part part, std::int32_t node, bool bound_follows) const;
   bool take_product(Part part);
   bool newton_step(Part part, bool stick, double forcing);
@@ -102,7 +101,7 @@ class NewtonIteration {
   const Prescribed* given_ = nullptr;  ///< of the present run
 
   ReducedSystem system_;
-  std::vector<std::int32_t> active_;
+  std::vector<std::int32_t> active_, listed_;  ///< listed: whose images are asked for
   std::vector<std::uint8_t> is_active_;
   LawScales scales_;
   std::vector<double> frozen_[3];  ///< images of the tractions that the current part holds fixed

@@ -61,7 +61,7 @@ Coarser coarsen(const Frame& frame, const Lattice& lattice) {
 Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coarser& c) {
   Problem q;
   take_frame(q, c.frame);
-  scene.make_operators(c.frame, c.lattice, q.op);
+  scene.make_operators(c.frame, c.lattice, q);
   set_scales(q);
   const auto sample = [&](const std::vector<double>& from, std::vector<double>& to) {
     if (from.empty()) return;

@@ -12,8 +12,8 @@ namespace rollcon {
 struct LatticeScene {
   const Frame& frame;
   const Lattice& lattice;
-  /// Rows of the problem on another lattice; slip_x and slip_y of `op` come with them.
-  std::function<void(const Frame&, const Lattice&, ContactOperators& op)> make_operators;
+  /// Operators and convection of the problem on another lattice.
+  std::function<void(const Frame&, const Lattice&, Problem&)> make_operators;
   std::function<bool()> cancelled;
 };
 

@@ -36,7 +36,7 @@ std::size_t Newton::bytes() const {
 Part Newton::goal(const Problem& problem, const Prescribed& given, bool frictionless) {
   if (frictionless) return Part::normal;
   // Tangential tractions carry a part of the normal load of a curved frame.
-  const bool together = problem.op.coupled || (!problem.turn.empty() && given.by_force[approach]);
+  const bool together = problem.op->coupled || (!problem.turn.empty() && given.by_force[approach]);
   return together ? Part::full : Part::tangential;
 }
 

@@ -65,20 +65,14 @@ double NewtonIteration::trial_merit(Part part, double alpha) const {
 
 void NewtonIteration::freeze_other_part(Part part) {
   const Problem& p = *problem_;
-  has_frozen_ = p.op.coupled && part != Part::full;
+  has_frozen_ = p.op->coupled && part != Part::full;
   if (!has_frozen_) return;
-  const auto& l = iterate_->lambda;
+  listed_.clear();
+  for (std::size_t k = 0; k < at(p.nodes); ++k)
+    if (p.used[k]) listed_.push_back(static_cast<std::int32_t>(k));
   const bool own = part == Part::normal;
-  if (p.op.field) {
-    const bool tangential = own && p.op.tangential;
-    p.op.field->apply(
-        {tangential ? l[0].data() : nullptr, tangential ? l[1].data() : nullptr, own ? nullptr : l[2].data()},
-        {own ? nullptr : frozen_[0].data(), own ? nullptr : frozen_[1].data(), own ? frozen_[2].data() : nullptr});
-    return;
-  }
-  for (int r = own ? 2 : 0; r <= (own ? 2 : 1); ++r)
-    for (std::size_t k = 0; k < at(p.nodes); ++k)
-      frozen_[r][k] = p.used[k] ? p.op.product(r, k, l, own ? 0 : 2, own ? 1 : 2) : 0;
+  p.op->images(own ? normal_component : slip_components, own ? slip_components : normal_component, listed_,
+               iterate_->lambda, frozen_);
 }
 
 TangentialLaw NewtonIteration::law_of(Part part, std::int32_t node, bool bound_follows) const {
@@ -180,20 +174,12 @@ void NewtonIteration::take_step(Part part) {
   }
   for (int m = 0; m < 4; ++m)
     next_motion_[at(m)] = has_motion(part, m) ? system_.motion(*given_, m, x_.data()) : it.motion[at(m)];
-  if (p.op.field) return take_step_field(part);
+  if (p.op->all_at_once()) return p.op->images(components_of(part), {}, {}, next_, next_image_);
   if (!has_normal(part)) return;
+  listed_.clear();
   for (std::size_t k = 0; k < at(p.nodes); ++k)
-    if (p.used[k] && !is_active_[k]) next_image_[2][k] = p.op.product(2, k, next_);
-}
-
-// Images of the step at all nodes, by one application of operators that are not formed.
-void NewtonIteration::take_step_field(Part part) {
-  const ContactOperators& op = problem_->op;
-  const auto from = [&](int c) { return c == 2 || op.tangential ? next_[c].data() : nullptr; };
-  const auto to = [&](int r) {
-    return (r == 2 ? has_normal(part) : has_tangential(part)) ? next_image_[r].data() : nullptr;
-  };
-  op.field->apply({from(0), from(1), from(2)}, {to(0), to(1), to(2)});
+    if (p.used[k] && !is_active_[k]) listed_.push_back(static_cast<std::int32_t>(k));
+  p.op->images(normal_component, {}, listed_, next_, next_image_);
 }
 
 // Non-monotone Armijo rule with halving; the best step seen is taken when none satisfies it. The first steps of a warm
@@ -221,19 +207,19 @@ void NewtonIteration::advance(Part part, double alpha) {
   Iterate& it = *iterate_;
   const auto move = [alpha](double& from, double to) { from = alpha == 1 ? to : from + alpha * (to - from); };
   for (std::size_t m = 0; m < 4; ++m) move(it.motion[m], next_motion_[m]);
-  const bool everywhere = p.op.field != nullptr;  // the step's slip is known at all nodes
+  const bool everywhere = p.op->all_at_once();  // the step's slip is known at all nodes
   for (std::size_t k = 0; k < at(p.nodes); ++k) {
     if (!p.used[k]) continue;
     for (int c = 0; c < 3; ++c)
       if (c == 2 ? has_normal(part) : has_tangential(part)) move(it.lambda[c][k], next_[c][k]);
     if (has_normal(part))
       move(it.image[2][k], next_image_[2][k]);
-    else if (p.op.coupled)
+    else if (p.op->coupled)
       it.gap_valid[k] = 0;
     if (has_tangential(part) && (is_active_[k] || (everywhere && it.slip_valid[k]))) {
       move(it.image[0][k], next_image_[0][k]);
       move(it.image[1][k], next_image_[1][k]);
-    } else if (has_tangential(part) || p.op.coupled) {
+    } else if (has_tangential(part) || p.op->coupled) {
       it.slip_valid[k] = 0;
     }
   }
@@ -247,7 +233,7 @@ bool NewtonIteration::start_predicted(Part part) {
   const Iterate& it = *iterate_;
   const double ratio = prediction_ratio;
   if (ratio == 0 || has_frozen_) return false;
-  if (has_normal(part) && !p.op.field && !prediction.gaps_known(p, it)) return false;
+  if (has_normal(part) && !p.op->all_at_once() && !prediction.gaps_known(p, it)) return false;
   for (int c = 0; c < 3; ++c) {
     if (c == 2 ? has_normal(part) : has_tangential(part)) {
       prediction.tractions(it, ratio, c, next_[c]);
@@ -259,14 +245,11 @@ bool NewtonIteration::start_predicted(Part part) {
   for (int m = 0; m < 4; ++m)
     next_motion_[at(m)] =
         has_motion(part, m) && given_->by_force[at(m)] ? prediction.motion(it, ratio, m) : it.motion[at(m)];
-  if (p.op.field) {
-    take_step_field(part);
+  if (p.op->all_at_once()) {
+    p.op->images(components_of(part), {}, {}, next_, next_image_);
   } else if (has_tangential(part)) {
-    for (const std::int32_t i : active_) {
-      const std::size_t k = at(i);
-      if (prediction.slip_known(it, k)) continue;
-      for (int r = 0; r < 2; ++r) next_image_[r][k] = p.op.product(r, k, next_);
-    }
+    for (const std::int32_t i : active_)
+      if (!prediction.slip_known(it, at(i))) p.op->images(slip_components, {}, {&i, 1}, next_, next_image_);
   }
   if (!(trial_merit(part, 1) < trial_merit(part, 0))) return false;
   advance(part, 1);

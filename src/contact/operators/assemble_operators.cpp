@@ -4,10 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "bodies/halfspace/halfspace.hpp"
-#include "contact/operators/operators.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
-#include "support/memory_limit.hpp"
 
 namespace rollcon {
 namespace {
@@ -50,7 +48,7 @@ double largest(const RowMatrix<double>& block) {
   return value;
 }
 
-void drop_vanished_coupling(ContactOperators& op) {
+void drop_vanished_coupling(DenseOperators& op) {
   constexpr double rounding = 1e-12;
   const auto vanishes = [&](double coupling, double direct) { return coupling <= rounding * direct; };
   const double along = std::max(largest(op.block[0][0]), largest(op.block[0][1]));
@@ -75,8 +73,9 @@ struct Wanted {
 /// The blocks wanted, as sums over samples.
 class Assembly {
  public:
-  Assembly(const Frame& frame, const Compliance& compliance, const Wanted& wanted, ContactOperators& op)
-      : frame_(frame), compliance_(compliance), wanted_(wanted), op_(op), n_(frame.nodes()) {
+  Assembly(const Frame& frame, const Compliance& compliance, const Convection& convection, const Wanted& wanted,
+           DenseOperators& op)
+      : frame_(frame), compliance_(compliance), convection_(convection), wanted_(wanted), op_(op), n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
@@ -84,7 +83,7 @@ class Assembly {
         buffer_[r][c].resize(chunk, n_);
         if (r < 2) std::fill_n(op.block[r][c].data(), n_ * n_, 0.0);
       }
-    if (wanted.slip()) users_ = transpose(op.convection.rows, samples());
+    if (wanted.slip()) users_ = transpose(convection.rows, samples());
   }
 
   void run() {
@@ -101,7 +100,7 @@ class Assembly {
   }
 
  private:
-  std::size_t samples() const { return at(n_) + op_.convection.ahead.size(); }
+  std::size_t samples() const { return at(n_) + convection_.ahead.size(); }
   /// By a slip row.
   bool used(std::size_t sample) const { return users_.start[sample] < users_.start[sample + 1]; }
 
@@ -124,7 +123,7 @@ class Assembly {
   void take_ahead(std::span<const std::int32_t> sample) {
     place(sample, [&](std::size_t k) {
       const std::size_t node = k - at(n_);
-      return frame_.x[node] + op_.convection.ahead[node];
+      return frame_.x[node] + convection_.ahead[node];
     });
     compliance_.block({x_, y_}, blocks(2));
     add_to_slip(sample);
@@ -160,7 +159,7 @@ class Assembly {
     for (int r = 0; r < 2; ++r)
       for (int c = 0; c < 3; ++c)
         for (std::int64_t i = 0; wanted_.block[r][c] && i < n_; ++i) {
-          const double factor = op_.convection.factor[at(i)];
+          const double factor = convection_.factor[at(i)];
           if (factor == 1) continue;
           double* row = op_.block[r][c].row(i);
           for (std::int64_t k = 0; k < n_; ++k) row[k] *= factor;
@@ -169,8 +168,9 @@ class Assembly {
 
   const Frame& frame_;
   const Compliance& compliance_;
+  const Convection& convection_;
   const Wanted& wanted_;
-  ContactOperators& op_;
+  DenseOperators& op_;
   std::int64_t n_;
   RowMatrix<double> buffer_[3][3];
   Users users_;
@@ -179,7 +179,8 @@ class Assembly {
 
 }  // namespace
 
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op) {
+void assemble_operators(const Frame& frame, const Compliance& compliance, const Convection& convection,
+                        bool want_tangential, DenseOperators& op) {
   op.nodes = frame.nodes();
   op.coupled = compliance.couples() && !op.coupling_vanished;
   const bool slip = want_tangential || op.tangential, first = slip && !op.tangential;
@@ -190,13 +191,12 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, bool w
   for (int c = 0; c < 2; ++c) wanted.block[2][c] = op.coupled && slip && (!op.normal || op.block[2][c].empty());
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) wanted.block[r][c] = first && (c < 2 || op.coupled);
-  require_operator_memory(op, wanted.block);
-  Assembly(frame, compliance, wanted, op).run();
+  op.require_memory_for(wanted.block);
+  Assembly(frame, compliance, convection, wanted, op).run();
   op.normal = true;
   op.tangential = slip;
-  // The coupling of half-spaces is known by its constant; under little friction the smallest counts.
-  HalfspaceConstants constants;
-  if (first && op.coupled && !compliance.halfspace(constants)) drop_vanished_coupling(op);
+  // A kernel knows whether it couples; under little friction the smallest coupling counts.
+  if (first && op.coupled && !compliance.translation()) drop_vanished_coupling(op);
 }
 
 }  // namespace rollcon

@@ -1,44 +1,62 @@
 #pragma once
-/// The discrete operators of one contact: dense, computed once per bodies, frame and scheme, reused for every load,
-/// creepage and friction.
+/// The discrete operators of one contact, made once per bodies, frame and scheme, asked for every load, creepage and
+/// friction: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row r = 2 is the normal
+/// displacement (A lambda)_n. Columns c: traction components t1, t2, n.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "bodies/model/compliance.hpp"
-#include "contact/operators/convection/convection.hpp"
-#include "contact/operators/field_operator.hpp"
-#include "linalg/dense.hpp"
-#include "mesh/frame.hpp"
+#include "bodies/model/translation.hpp"
+#include "mesh/lattice.hpp"
 
 namespace rollcon {
 
-/// block[r][c]: rows r = 0, 1 are the convective slip per unit rolling speed, D (A lambda)_t; row r = 2 is the normal
-/// displacement (A lambda)_n. Columns c: traction components t1, t2, n. Blocks that vanish or are not needed are empty.
-struct ContactOperators {
+class DenseOperators;
+
+/// Some of the rows or columns.
+struct Components {
+  int first = 0, last = 2;
+  bool slip() const { return first < 2; }
+  bool normal() const { return last == 2; }
+};
+inline constexpr Components slip_components{0, 1}, normal_component{2, 2};
+
+/// A lattice and what its influence is computed from.
+struct LatticeInfluence {
+  const Lattice& lattice;
+  const TranslationKernel& kernel;
+};
+
+class Operators {
+ public:
+  virtual ~Operators() = default;
+
+  // What there is.
   std::int64_t nodes = 0;
   bool coupled = false;
   bool coupling_vanished = false;           ///< assembled and found to be zero to rounding
-  bool normal = false, tangential = false;  ///< which rows are assembled
-  RowMatrix<double> block[3][3];            ///< n by n
-  /// Instead of blocks, which are then empty: the same rows applied without being formed.
-  std::shared_ptr<FieldOperator> field;
-  Convection convection;
+  bool normal = false, tangential = false;  ///< which rows
 
-  /// Row r of node k times tractions, of the components first to last. Not with a field.
-  double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], int first = 0, int last = 2) const;
-  std::size_t bytes() const;
+  /// image[r] = the wanted rows times the tractions of the wanted columns, at these nodes at least. Several threads may
+  /// ask at once.
+  virtual void images(Components wanted, Components columns, std::span<const std::int32_t> nodes,
+                      const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const = 0;
+  /// images() finds those of all nodes at once, and with coupling all rows at the price of one.
+  virtual bool all_at_once() const = 0;
+  /// Entry of node k's own row r and column c.
+  virtual double own(int r, int c, std::size_t k) const = 0;
+  /// 2-norm of the tangential columns of slip row r of node k.
+  virtual double slip_norm(int r, std::size_t k) const = 0;
+  /// The rows as matrices; null: they are not formed.
+  virtual const DenseOperators* dense() const { return nullptr; }
+  /// Nothing: not known.
+  virtual const LatticeInfluence* influence() const { return nullptr; }
+  virtual std::size_t bytes() const = 0;
+  /// To whole fields, so far.
+  virtual std::int64_t applications() const { return 0; }
 };
-
-/// Throws Error(err_memory) where this process cannot have these blocks beside those that are there.
-void require_operator_memory(const ContactOperators& op, const bool (&block)[3][3]);
-
-/// Assembles the blocks asked for that are not there yet. Coupling blocks that turn out to be zero (two bodies that
-/// mirror each other) are dropped.
-/// docs/theory.md, sections 3 and 5.
-void assemble_operators(const Frame& frame, const Compliance& compliance, bool want_tangential, ContactOperators& op);
 
 }  // namespace rollcon

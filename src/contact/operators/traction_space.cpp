@@ -158,7 +158,7 @@ std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const Traction
   return std::make_unique<SpaceCompliance>(fine, space);
 }
 
-void take_normal_rows(const ContactOperators& fine, const TractionSpace& space, ContactOperators& op) {
+void take_normal_rows(const DenseOperators& fine, const TractionSpace& space, DenseOperators& op) {
   const std::int64_t m = space.frame.nodes();
   for (int c = 0; c < 3; ++c) {
     const RowMatrix<double>& from = fine.block[2][c];

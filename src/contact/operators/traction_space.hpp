@@ -8,7 +8,7 @@
 
 #include "bodies/model/compliance.hpp"
 #include "contact/operators/convection/convection.hpp"
-#include "contact/operators/operators.hpp"
+#include "contact/operators/dense_operators.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
@@ -28,7 +28,7 @@ TractionSpace loaded_space(const Frame& fine, const std::vector<double>& normal)
 /// Displacements of tractions in the space: same bodies, same integrals. Both must outlive it.
 std::unique_ptr<Compliance> compliance_of(const Compliance& fine, const TractionSpace& space);
 /// Normal rows from those of the fine frame, without any integral.
-void take_normal_rows(const ContactOperators& fine, const TractionSpace& space, ContactOperators& op);
+void take_normal_rows(const DenseOperators& fine, const TractionSpace& space, DenseOperators& op);
 
 /// Sums over the fine frame's nodes (weights), as sums over the space's.
 std::vector<double> gather(const TractionSpace& space, const std::vector<double>& fine);

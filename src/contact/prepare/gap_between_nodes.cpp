@@ -118,7 +118,7 @@ std::vector<double> normal_displacements(const SolverState& s, const std::vector
                                          const std::vector<double>& y) {
   constexpr std::size_t chunk = 64;
   const std::size_t n = at(s.prepared->problem.nodes);
-  const bool coupled = s.prepared->compliance->couples() && !s.prepared->problem.op.coupling_vanished;
+  const bool coupled = s.prepared->compliance->couples() && !s.prepared->problem.op->coupling_vanished;
   std::vector<double> u(x.size(), 0.0), row[3];
   ComplianceBlock out;
   out.stride = s.prepared->problem.nodes;

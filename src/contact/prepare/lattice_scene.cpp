@@ -21,8 +21,7 @@ constexpr std::int64_t fft_from = 400;
 
 // Why a table of one node's influence does not tell those of all; null: it does.
 const char* obstacle_to_table(const SolverState& s) {
-  HalfspaceConstants c;
-  if (!s.prepared->compliance->halfspace(c)) return "the bodies are not half-spaces alone";
+  if (!s.prepared->compliance->translation()) return "not both bodies respond alike everywhere, as half-spaces do";
   if (!s.prepared->lattice) return s.prepared->no_lattice.c_str();
   if (!s.prepared->lattice->has_inner_node()) return "the grid has no inner node";
   return nullptr;
@@ -38,45 +37,31 @@ const char* obstacle_to_fft(const SolverState& s) {
   return nullptr;
 }
 
-// op: stencils of the scheme, whose rows are taken over.
-void fill_operators(const SolverState& s, const Lattice& lattice, ContactOperators& op) {
-  HalfspaceConstants c;
-  s.prepared->compliance->halfspace(c);
-  const double delta = op.convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
-  op.field = std::make_shared<LatticeOperator>(lattice, c, delta, op.convection.rows);
-  op.nodes = lattice.frame_nodes();
-  op.coupled = op.field->couples();
-  op.normal = true;
-  op.tangential = !s.frictionless;
+std::shared_ptr<const Operators> make_operators(const SolverState& s, const Lattice& lattice,
+                                                const Convection& convection) {
+  const double delta = convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
+  auto op = std::make_shared<LatticeOperator>(lattice, s.prepared->compliance->translation(), delta, convection.rows);
+  op->tangential = !s.frictionless;
+  return op;
 }
 
 // Rows of another kind are of no use any more.
 void forget_rows(SolverState& s) {
-  ContactOperators& op = s.preparation->made->problem.op;
-  for (auto& row : op.block)
-    for (auto& block : row) block.release();
-  op.normal = op.tangential = op.coupling_vanished = false;
+  forget_operators(*s.preparation);
   s.newton.operators_changed();
   s.published.reset();
-}
-
-void release_field(SolverState& s) {
-  ContactOperators& op = s.preparation->made->problem.op;
-  if (!op.field) return;
-  op.field.reset();
-  forget_rows(s);
 }
 
 void choose_table(SolverState& s, bool wanted) {
   if (s.prepared->table == wanted) return;
   s.preparation->made->table = wanted;
-  if (s.prepared->problem.op.normal && !s.prepared->problem.op.field) forget_rows(s);
+  if (s.preparation->dense && s.preparation->dense->normal) forget_rows(s);
 }
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
-  const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, ContactOperators& op) {
-    op.convection = make_convection(frame, scheme);
-    fill_operators(s, lattice, op);
+  const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, Problem& p) {
+    p.convection = make_convection(frame, scheme);
+    p.op = make_operators(s, lattice, p.convection);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};
 }
@@ -96,29 +81,27 @@ void build_lattice_operators(SolverState& s, const Options& options) {
     fail(Status::err_unsupported, "option operators is '%s' but %s", options.operators.c_str(), reason);
   const bool fft = !no_fft && (ask_fft || (any && s.prepared->frame.nodes() >= fft_from));
   choose_table(s, !fft && !no_table && (any || ask_table));
-  if (!fft) return release_field(s);
-  ContactOperators& op = s.preparation->made->problem.op;
-  if (op.field && (op.tangential || s.frictionless)) return;
+  const bool formed = s.preparation->dense != nullptr;
+  if (!fft && !formed) return forget_rows(s);
+  if (!fft || (!formed && (on.problem.op->tangential || s.frictionless))) return;
   const Stopwatch watch(s.timings.compliance);
   forget_rows(s);
-  fill_operators(s, *s.prepared->lattice, op);
+  on.problem.op = make_operators(s, *on.lattice, on.problem.convection);
+  s.preparation->dense.reset();
   s.iterate.invalidate();
   ++s.preparation->rows;
 }
 
 bool fill_from_table(SolverState& s) {
   if (!s.prepared->table) return false;
-  HalfspaceConstants c;
-  s.prepared->compliance->halfspace(c);
-  ContactOperators& op = s.preparation->made->problem.op;
-  fill_lattice_operators(*s.prepared->lattice, c, !s.frictionless || op.tangential, op);
-  op.normal = true;
-  op.tangential = op.tangential || !s.frictionless;
+  DenseOperators& op = *s.preparation->dense;
+  fill_lattice_operators(*s.prepared->lattice, *s.prepared->compliance->translation(), s.prepared->problem.convection,
+                         !s.frictionless || op.tangential, op);
   return true;
 }
 
 void start_on_lattice(SolverState& s, const Monitor& monitor) {
-  if (!s.prepared->problem.op.field) return;
+  if (!s.prepared->problem.op->influence()) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
   const LatticeScene scene = scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
@@ -136,18 +119,17 @@ bool solve_on_coarser_lattice(const SolverState& s, double tolerance, int halvin
 }
 
 bool displacements_on_lattice(const SolverState& s, const Compliance& body, double* u) {
-  HalfspaceConstants c;
-  if (!body.halfspace(c) || !s.prepared->lattice->loose.empty()) return false;
+  const auto kernel = body.translation();
+  if (!kernel || !s.prepared->lattice->loose.empty()) return false;
   const std::size_t n = s.prepared->frame.x.size();
   SparseRows same;  // rows of an upwind scheme that leave displacements as they are
   for (std::size_t k = 0; k <= n; ++k) same.start.push_back(static_cast<std::int64_t>(k));
   for (std::size_t k = 0; k < n; ++k) same.column.push_back(static_cast<std::int32_t>(k));
   same.value.assign(n, 1.0);
-  LatticeOperator displacements(*s.prepared->lattice, c, 0, std::move(same));
+  LatticeOperator displacements(*s.prepared->lattice, kernel, 0, std::move(same));
   std::vector<double> part[3];
   for (auto& v : part) v.resize(n);
-  const auto& l = s.iterate.lambda;
-  displacements.apply({l[0].data(), l[1].data(), l[2].data()}, {part[0].data(), part[1].data(), part[2].data()});
+  displacements.images({}, {}, {}, s.iterate.lambda, part);
   for (std::size_t k = 0; k < n; ++k)
     for (std::size_t i = 0; i < 3; ++i) u[3 * k + i] = part[i][k];
   return true;
@@ -179,17 +161,16 @@ std::string describe_lattice(const SolverState& s) {
     return "operators: rows of a regular grid, copied from a table of one node's influence: no "
            "integrals" +
            describe_flaws(s);
-  HalfspaceConstants c;
-  if (!s.prepared->problem.op.field && s.prepared->compliance->halfspace(c) && !s.prepared->lattice)
+  const Operators& op = *s.prepared->problem.op;
+  if (op.dense() && s.prepared->compliance->translation() && !s.prepared->lattice)
     return "operators: dense, by integrals; " + s.prepared->no_lattice;
-  if (!s.prepared->problem.op.field) return {};
+  if (op.dense()) return {};
   char text[200];
   std::snprintf(text, sizeof text,
-                "operators: regular %lld x %lld grid on half-spaces, applied by FFT: no integrals, no "
+                "operators: regular %lld x %lld grid, applied by FFT: no integrals, no "
                 "matrices; %.1f MB, applied %lld time(s)",
                 static_cast<long long>(s.prepared->lattice->nx), static_cast<long long>(s.prepared->lattice->ny),
-                static_cast<double>(s.prepared->problem.op.field->bytes()) / 1e6,
-                static_cast<long long>(s.prepared->problem.op.field->applications()));
+                static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(op.applications()));
   return text + describe_flaws(s);
 }
 

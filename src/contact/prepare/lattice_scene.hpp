@@ -1,6 +1,6 @@
 #pragma once
-/// Regular rectangular frames on half-spaces: their operators come from tables of one node's influence, applied by FFT
-/// or written out, instead of integrals over elements.
+/// Regular rectangular frames between bodies that respond alike everywhere: their operators come from tables of one
+/// node's influence, applied by FFT or written out, instead of integrals over elements.
 
 #include "contact/solution.hpp"
 
@@ -22,7 +22,7 @@ void start_on_lattice(SolverState& state, const Monitor& monitor);
 bool solve_on_coarser_lattice(const SolverState& state, double tolerance, int halvings, Iterate& iterate);
 
 /// Displacements u[3 * k + c] at all nodes under the solution's tractions by the compliance of one body, with FFT.
-/// False: it is not a half-space's.
+/// False: it depends on the place.
 bool displacements_on_lattice(const SolverState& state, const Compliance& body, double* u);
 
 /// One line for the plan; empty: no lattice.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "contact/operators/dense_operators.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {
@@ -40,6 +41,8 @@ struct Preparation {
   using Poses = std::array<Revision, 2>;
 
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
+  /// The operators of `made` where their rows are formed: more can be added. Else null.
+  std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;                              ///< of the frame
   Stage<Revision, Revision, Poses> frame;          ///< mesh, axes, poses that turn or move it
   Stage<Revision, Poses> rim;                      ///< frame, poses of bodies with a mesh
@@ -58,12 +61,10 @@ struct Preparation {
 
 /// What there is so far; empty at first.
 Prepared& begin_preparation(SolverState& state);
+/// No rows are there from then on.
+void forget_operators(Preparation& preparation);
 /// The dense operators that the scene needs and that are not there yet.
 void assemble_missing(SolverState& state);
-/// A support that keeps a node from moving along a tangent (a plane of symmetry) leaves its slip equation without
-/// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it, friction's
-/// bound where there is.
-void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op);
 void choose_scales(SolverState& state);
 
 }  // namespace rollcon

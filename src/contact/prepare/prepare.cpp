@@ -64,9 +64,9 @@ FrameSource present_source(const Scene& scene, const PairOfBodies& pair) {
 void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
   constexpr std::int64_t few = 10'000;
   if (mesh.nodes() <= few || state.procedure.monolithic || may_be_lattice(mesh)) return;
-  ContactOperators op;
+  DenseOperators op;
   op.nodes = mesh.nodes();
-  require_operator_memory(op, {{false, false, false}, {false, false, false}, {false, false, true}});
+  op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
 }
 
 void build_frame_part(SolverState& state, const Scene& scene) {
@@ -102,22 +102,21 @@ void build_compliance(SolverState& state, const Scene& scene, int threads) {
   on.compliance = make_pair_compliance(on.frame, on.pair, on.accuracy, threads);
   for (auto& own : state.body_compliance) own.reset();
   on.problem.stiffness = contact_modulus(on.pair);
-  on.problem.op = ContactOperators{};
+  forget_operators(preparation);
   state.published.reset();
 }
 
 void build_stencils(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  ContactOperators& op = on.problem.op;
-  op.nodes = on.frame.nodes();
   const Scheme scheme = scheme_of(scene.options.convection);
   if (!preparation.convection.enter(preparation.compliance.version(), scheme)) return;
   const Stopwatch watch(state.timings.convection);
-  for (int r = 0; r < 2; ++r)
-    for (int c = 0; c < 3; ++c) op.block[r][c].release();
-  op.tangential = false;
-  op.convection = make_convection(on.frame, scheme);
+  if (preparation.dense)
+    preparation.dense->release_slip();
+  else
+    forget_operators(preparation);
+  on.problem.convection = make_convection(on.frame, scheme);
   ++state.work.stencils;
   on.scheme = scheme;
   preparation.field_rows = {};
@@ -147,7 +146,7 @@ void read_friction(SolverState& state, const Scene& scene) {
     state.iterate.invalidate();
   }
   state.frictionless = frictionless;
-  const SparseRows& d = p.op.convection.rows;
+  const SparseRows& d = p.convection.rows;
   for (std::size_t i = 0; i < p.mu.size(); ++i)
     if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
 }
@@ -161,18 +160,18 @@ void find_offset(SolverState& state) {
   on.offset_depth.clear();
   for (auto& v : on.offset_slip) v.clear();
   const Frame& frame = on.frame;
-  const ContactOperators& op = on.problem.op;
+  const Convection& convection = on.problem.convection;
   const std::size_t n = frame.x.size();
   std::vector<double> u(3 * n), ahead;
   if (!on.compliance->offset({frame.x, frame.y}, u.data())) return;
   ++preparation.offset_change;
-  if (!op.convection.ahead.empty()) {
+  if (!convection.ahead.empty()) {
     ahead.resize(3 * n);
     std::vector<double> x = frame.x;
-    for (std::size_t k = 0; k < n; ++k) x[k] += op.convection.ahead[k];
+    for (std::size_t k = 0; k < n; ++k) x[k] += convection.ahead[k];
     on.compliance->offset({x, frame.y}, ahead.data());
   }
-  convect(op.convection, u.data(), ahead.data(), on.offset_slip);
+  convect(convection, u.data(), ahead.data(), on.offset_slip);
   on.offset_depth.resize(n);
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
@@ -188,7 +187,7 @@ void shift_field(Preparation& preparation) {
     for (std::size_t i = 0; i < given.size(); ++i) {
       double derivative = 0;
       for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) derivative += d.value[k] * given[at(d.column[k])];
-      (*field)[i] -= 0.5 * p.op.convection.ahead[i] * derivative;
+      (*field)[i] -= 0.5 * p.convection.ahead[i] * derivative;
     }
   }
 }
@@ -245,7 +244,7 @@ void read_slip(SolverState& state, const Scene& scene) {
     p.slip1[k] = field[2 * k] / scene.speed();
     p.slip2[k] = field[2 * k + 1] / scene.speed();
   }
-  if (n > 0 && !p.op.convection.ahead.empty()) shift_field(preparation);
+  if (n > 0 && !p.convection.ahead.empty()) shift_field(preparation);
   if (on.offset_depth.empty()) return;
   p.slip1.resize(on.offset_depth.size());
   p.slip2.resize(p.slip1.size());
@@ -282,16 +281,23 @@ void prepare_body(Body& body, int which, Work& work) {
 Prepared& begin_preparation(SolverState& state) {
   if (!state.preparation) {
     state.preparation = std::make_shared<Preparation>();
+    state.preparation->made->problem.op = state.preparation->dense;
     state.prepared = state.preparation->made;
   }
   return *state.preparation->made;
+}
+
+void forget_operators(Preparation& preparation) {
+  if (!preparation.dense) preparation.made->problem.op = preparation.dense = std::make_shared<DenseOperators>();
+  preparation.dense->release();
+  preparation.dense->nodes = preparation.made->frame.nodes();
 }
 
 std::size_t SolverState::bytes() const {
   const Problem& p = prepared->problem;
   const Compliance* compliance = prepared->compliance.get();
   const std::size_t system = published ? published->bytes() : 0;
-  return p.op.bytes() + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
+  return p.op->bytes() + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
          at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 

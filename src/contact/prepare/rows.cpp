@@ -12,11 +12,11 @@ namespace rollcon {
 namespace {
 
 // A node that a support keeps from moving along its normal can carry any pressure: Newton's iteration would not end.
-void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
+void refuse_held_nodes(const Frame& frame, const Operators& op) {
   constexpr double rounding = 1e-12;
   const auto diagonal = [&](std::size_t k) {
     // A corner function of a quad8 has a negative mean: its node may even rise under pressure.
-    return std::abs(op.block[2][2].row(static_cast<std::int64_t>(k))[k]);
+    return std::abs(op.own(2, 2, k));
   };
   double largest = 0;
   for (std::size_t k = 0; k < frame.used.size(); ++k)
@@ -35,35 +35,17 @@ void refuse_held_nodes(const Frame& frame, const ContactOperators& op) {
 
 }  // namespace
 
-void loosen_held_tangents(const std::vector<std::uint8_t>& used, ContactOperators& op) {
-  if (!op.tangential) return;
-  constexpr double rounding = 1e-12, looseness = 1e-6;
-  const std::int64_t n = op.nodes;
-  const auto row_norm = [&](int r, std::int64_t k) {
-    return std::hypot(norm2(op.block[r][0].row(k), n), norm2(op.block[r][1].row(k), n));
-  };
-  double largest = 0;
-  for (std::int64_t k = 0; k < n; ++k)
-    if (used[static_cast<std::size_t>(k)]) largest = std::max({largest, row_norm(0, k), row_norm(1, k)});
-  // Both rows vanish at the inflow rim of upwind schemes.
-  const bool upwind = op.convection.ahead.empty();
-  for (std::int64_t k = 0; k < n; ++k) {
-    if (!used[static_cast<std::size_t>(k)]) continue;
-    const bool held[2] = {row_norm(0, k) <= rounding * largest, row_norm(1, k) <= rounding * largest};
-    for (int r = 0; r < 2; ++r)
-      if (held[r] && !(upwind && held[1 - r])) op.block[r][r].row(k)[k] = looseness * largest;
-  }
-}
-
 void assemble_missing(SolverState& state) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  ContactOperators& op = on.problem.op;
+  if (!preparation.dense) return;  // whole from the start
+  DenseOperators& op = *preparation.dense;
   if (op.normal && (state.frictionless || op.tangential)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state)) assemble_operators(on.frame, *on.compliance, !state.frictionless, op);
+  if (!fill_from_table(state))
+    assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op);
   refuse_held_nodes(on.frame, op);
-  loosen_held_tangents(on.frame.used, op);
+  op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty());
   ++state.assemblies;
   state.iterate.invalidate();
   ++preparation.rows;
@@ -89,10 +71,7 @@ void require_operators(SolverState& state) {
     choose_scales(state);
   } catch (...) {
     // Not during a solve: nothing else would drop what was half assembled.
-    ContactOperators& op = state.preparation->made->problem.op;
-    for (auto& row : op.block)
-      for (auto& block : row) block.release();
-    op.normal = op.tangential = false;
+    forget_operators(*state.preparation);
     state.newton.operators_changed();
     throw;
   }

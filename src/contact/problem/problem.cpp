@@ -34,31 +34,28 @@ void Iterate::invalidate() {
   std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{0});
 }
 
-// With coupling the tractions are transformed once for all rows.
-void Iterate::update_field(const Problem& problem, bool slip, bool gap) {
-  const bool all = problem.op.coupled && problem.op.tangential;
-  const double* const from[3] = {lambda[0].data(), lambda[1].data(), lambda[2].data()};
-  double* const to[3] = {slip || all ? image[0].data() : nullptr, slip || all ? image[1].data() : nullptr,
-                         gap || all ? image[2].data() : nullptr};
-  problem.op.field->apply(from, to);
-  if (slip || all) std::fill(slip_valid.begin(), slip_valid.end(), std::uint8_t{1});
-  if (gap || all) std::fill(gap_valid.begin(), gap_valid.end(), std::uint8_t{1});
+void Iterate::update(const Problem& problem, Components wanted, std::int64_t i) {
+  const Operators& op = *problem.op;
+  const bool all = op.all_at_once();
+  if (all && op.coupled && op.tangential) wanted = {};
+  const auto node = static_cast<std::int32_t>(i);
+  op.images(wanted, {}, {&node, 1}, lambda, image);
+  const auto mark = [&](std::vector<std::uint8_t>& valid) {
+    if (all)
+      std::fill(valid.begin(), valid.end(), std::uint8_t{1});
+    else
+      valid[at(i)] = 1;
+  };
+  if (wanted.slip()) mark(slip_valid);
+  if (wanted.normal()) mark(gap_valid);
 }
 
 void Iterate::update_slip(const Problem& problem, std::int64_t i) {
-  const auto k = static_cast<std::size_t>(i);
-  if (slip_valid[k]) return;
-  if (problem.op.field) return update_field(problem, true, false);
-  for (int r = 0; r < 2; ++r) image[r][k] = problem.op.product(r, k, lambda);
-  slip_valid[k] = 1;
+  if (!slip_valid[at(i)]) update(problem, slip_components, i);
 }
 
 void Iterate::update_gap(const Problem& problem, std::int64_t i) {
-  const auto k = static_cast<std::size_t>(i);
-  if (gap_valid[k]) return;
-  if (problem.op.field) return update_field(problem, false, true);
-  image[2][k] = problem.op.product(2, k, lambda);
-  gap_valid[k] = 1;
+  if (!gap_valid[at(i)]) update(problem, normal_component, i);
 }
 
 std::vector<double> Problem::undeformed_gaps() const {
@@ -77,7 +74,7 @@ std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
       axes = {0, 1};
       break;
     case spin:
-      axes = {-op.convection.slip_y[k], op.convection.slip_x[k]};
+      axes = {-convection.slip_y[k], convection.slip_x[k]};
       break;
     default:
       return axes;
@@ -183,33 +180,18 @@ void sum_tractions(const Problem& p, const Frame& frame, const std::vector<doubl
 }
 
 void set_scales(Problem& problem) {
-  const std::int64_t n = problem.nodes;
-  const auto size = static_cast<std::size_t>(n);
-  if (const FieldOperator* field = problem.op.field.get()) {
-    problem.rn.assign(size, 1 / std::abs(field->entry(2, 2)));
-    problem.rt.assign(size, 0.0);
-    if (!problem.op.tangential) return;
-    const double norm = std::max(field->row_norm(0), field->row_norm(1));
-    problem.rt.assign(size, 1 / norm);
-    return;
-  }
-  problem.rn.assign(size, 0.0);
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    if (!problem.used[k]) continue;
-    problem.rn[k] = 1 / std::abs(problem.op.block[2][2].row(i)[i]);
-  }
-  problem.rt.assign(size, 0.0);
-  if (!problem.op.tangential) return;
+  const Operators& op = *problem.op;
+  const std::size_t n = at(problem.nodes);
+  problem.rn.assign(n, 0.0);
+  problem.rt.assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k)
+    if (problem.used[k]) problem.rn[k] = 1 / std::abs(op.own(2, 2, k));
+  if (!op.tangential) return;
   double mean = 0;
   std::int64_t counted = 0;
-  for (std::int64_t i = 0; i < n; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+  for (std::size_t k = 0; k < n; ++k) {
     if (!problem.used[k]) continue;
-    double norm = 0;
-    for (int r = 0; r < 2; ++r)
-      norm =
-          std::max(norm, std::hypot(norm2(problem.op.block[r][0].row(i), n), norm2(problem.op.block[r][1].row(i), n)));
+    const double norm = std::max(op.slip_norm(0, k), op.slip_norm(1, k));
     if (norm > 0) {
       problem.rt[k] = 1 / norm;
       mean += problem.rt[k];
@@ -217,7 +199,7 @@ void set_scales(Problem& problem) {
     }
   }
   mean = counted > 0 ? mean / static_cast<double>(counted) : 1;
-  for (std::size_t k = 0; k < size; ++k)
+  for (std::size_t k = 0; k < n; ++k)
     if (problem.used[k] && problem.rt[k] == 0) problem.rt[k] = mean;
 }
 

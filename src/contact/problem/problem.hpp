@@ -13,9 +13,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "contact/laws/friction_law.hpp"
+#include "contact/operators/convection/convection.hpp"
 #include "contact/operators/operators.hpp"
 #include "contact/problem/prescribed.hpp"
 
@@ -26,7 +28,8 @@ using Turn = std::array<std::array<double, 3>, 3>;
 
 struct Problem {
   std::int64_t nodes = 0;
-  ContactOperators op;
+  std::shared_ptr<const Operators> op;
+  Convection convection;
   std::vector<double> rn, rt;  ///< per-node scales of the augmented tractions
   std::vector<Turn> turn;      ///< empty: the frame is flat
   /// Gap at the approach `datum`, displacements given elsewhere included. Approaches of a problem and its iterates
@@ -57,8 +60,7 @@ struct Problem {
   /// The part of component c that motions cause.
   double motion_slip(std::size_t c, std::int64_t i, const std::array<double, 4>& m) const {
     const auto k = static_cast<std::size_t>(i);
-    const double along = m[xi1] - m[spin] * op.convection.slip_y[k],
-                 across = m[xi2] + m[spin] * op.convection.slip_x[k];
+    const double along = m[xi1] - m[spin] * convection.slip_y[k], across = m[xi2] + m[spin] * convection.slip_x[k];
     if (turn.empty()) return c == 0 ? along : across;
     return turn[k][c][0] * along + turn[k][c][1] * across;
   }
@@ -92,9 +94,15 @@ struct Iterate {
   /// Computes the wanted image rows of one node from the tractions.
   void update_slip(const Problem& problem, std::int64_t i);
   void update_gap(const Problem& problem, std::int64_t i);
-  /// Computes wanted image rows of all nodes at once; for operators that are not formed.
-  void update_field(const Problem& problem, bool slip, bool gap);
+
+ private:
+  void update(const Problem& problem, Components wanted, std::int64_t i);
 };
+
+/// The rows of the part's laws.
+inline Components components_of(Part part) {
+  return {has_tangential(part) ? 0 : 2, has_normal(part) ? 2 : 1};
+}
 
 /// A load on body 1 that tractions add up to (the compressive load for the approach), and the sum of its terms'
 /// magnitudes.

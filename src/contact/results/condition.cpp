@@ -37,12 +37,12 @@ double estimate_condition(ReducedSystem& system) {
 }
 
 double find_condition(SolverState& s) {
-  const ContactOperators& op = s.prepared->problem.op;
+  const Operators& op = *s.prepared->problem.op;
   const auto& pressures = s.iterate.lambda[2];
   const bool loaded = std::any_of(pressures.begin(), pressures.end(), [](double l) { return l < 0; });
   const Part goal = Newton::goal(s.prepared->problem, s.given, s.frictionless);
   const bool formed = op.normal && (goal == Part::normal || op.tangential);
-  if (op.field || !formed || !loaded) return 0;
+  if (!op.dense() || !formed || !loaded) return 0;
   const auto of = [&](Part part) {
     return estimate_condition(s.newton.linearise(s.prepared->problem, s.given, s.iterate, part));
   };

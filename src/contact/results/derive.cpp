@@ -23,7 +23,7 @@ std::vector<double> displacements(SolverState& s, const std::vector<double>& x, 
 
 // D (A lambda)_t per unit speed at every node, from displacements.
 void convect(SolverState& s, const std::vector<double>& u, std::vector<double> (&image)[2]) {
-  const Convection& convection = s.prepared->problem.op.convection;
+  const Convection& convection = s.prepared->problem.convection;
   std::vector<double> ahead;
   if (!convection.ahead.empty()) {
     std::vector<double> x = s.prepared->frame.x;
@@ -39,11 +39,12 @@ void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> 
   constexpr std::size_t large = 4096;
   const std::size_t n = at(s.prepared->problem.nodes);
   normal.resize(n);
-  if (s.prepared->problem.op.field && n > large) {
-    for (auto& v : slip) v.resize(n);
-    const auto& l = s.iterate.lambda;
-    s.prepared->problem.op.field->apply({l[0].data(), l[1].data(), l[2].data()},
-                                        {slip[0].data(), slip[1].data(), normal.data()});
+  const Operators& op = *s.prepared->problem.op;
+  if (op.all_at_once() && n > large) {
+    std::vector<double> image[3];
+    for (auto& v : image) v.resize(n);
+    op.images({}, {}, {}, s.iterate.lambda, image);
+    slip[0] = std::move(image[0]), slip[1] = std::move(image[1]), normal = std::move(image[2]);
     return;
   }
   const std::vector<double> u = displacements(s, s.prepared->frame.x, s.prepared->frame.y);
@@ -62,7 +63,7 @@ void derive_fields(SolverState& s) {
   s.gap.assign(n, 0.0);
   s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
   std::vector<double> image[2];
-  const bool known = p.op.tangential || p.op.field || s.images_known;
+  const bool known = p.op->tangential || p.op->all_at_once() || s.images_known;
   if (!known) convect(s, displacements(s, s.prepared->frame.x, s.prepared->frame.y), image);
   for (auto& v : s.slip) v.assign(n, 0.0);
   for (std::size_t k = 0; k < n; ++k) {

@@ -62,7 +62,7 @@ std::string not_converged(const SolverState& s) {
       "tangential, %.1e of the loads%s; the best iterate is kept",
       static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
       static_cast<long long>(r.fallbacks), r.residual_normal, r.residual_tangential, r.residual_load,
-      s.prepared->problem.op.coupled && strong
+      s.prepared->problem.op->coupled && strong
           ? " (with friction of 1 and more between unlike bodies there may be several solutions or "
             "none)"
           : "");

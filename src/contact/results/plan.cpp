@@ -33,24 +33,23 @@ const char* where_prepared(const Body& body) {
   return body.shared() ? "; shared with an equal body of this context" : "";
 }
 
-/// Of boundary elements, whose factors are dense.
 std::string slow_factors(const Body& body) {
-  if (body.kind() != BodyKind::bem || !body.response()) return {};
+  if (!body.traits().dense || !body.response()) return {};
   return slow_factorization(blas_kernels(), body.response()->statistics().unknowns);
 }
 
 void describe_bodies(std::string& text, const SolverState& s, const Body& body1, const Body& body2) {
   int number = 1;
   for (const Body* body : {&body1, &body2}) {
-    const bool fem = body->kind() == BodyKind::fem;
+    const bool volume = body->traits().volume;
     if (body->rigid())
       line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
            body->meshed() ? " surface of its own" : ", no mesh");
     else if (body->meshed()) {
-      line(text, "body %d: %s elements, %lld nodes, %lld %s elements%s%s", number, fem ? "finite" : "boundary",
+      line(text, "body %d: %s, %lld nodes, %lld %s elements%s%s", number, body->traits().parts,
            static_cast<long long>(body->mesh().surface.nodes()), static_cast<long long>(body->size().second),
-           fem ? "volume" : "surface",
-           fem ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str() : "",
+           volume ? "volume" : "surface",
+           volume ? (", " + std::to_string(body->mesh().surface.elements()) + " boundary faces").c_str() : "",
            where_prepared(*body));
       if (const std::string slow = slow_factors(*body); !slow.empty()) line(text, "body %d: %s", number, slow.c_str());
     }
@@ -58,10 +57,11 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
   }
   if (body1.response() && body1.same_as(body2))
     line(text, "body 2 equals body 1: no second assembly, no second factorisation");
-  if (body1.kind() != BodyKind::fem && body2.kind() != BodyKind::fem && s.procedure.standard())
+  const auto sparse = [](const Body& body) { return body.traits().make_response && !body.traits().dense; };
+  if (!sparse(body1) && !sparse(body2) && s.procedure.standard())
     line(text, "no finite-element body: no sparse matrix, no call of a sparse factorisation");
-  if (body1.kind() == BodyKind::halfspace && body2.kind() == BodyKind::halfspace)
-    line(text, "both half-spaces: one compliance with summed constants");
+  if (!body1.rigid() && !body2.rigid() && s.prepared->compliance->translation())
+    line(text, "both %ss: one compliance with summed constants", body1.traits().name);
   const std::string lattice = describe_lattice(s);
   if (!lattice.empty()) text += lattice + '\n';
   const std::string compliance = s.prepared->compliance->description();
@@ -158,7 +158,7 @@ void describe_results(std::string& text, const SolverState& s) {
 
 std::string describe_plan(const SolverState& s, const Scene& scene, const Body& body1, const Body& body2) {
   std::string text;
-  const ContactOperators& op = s.prepared->problem.op;
+  const Operators& op = *s.prepared->problem.op;
   describe_bodies(text, s, body1, body2);
   describe_frame(text, s, scene, body1.meshed() || body2.meshed());
   if (s.frictionless) {
@@ -186,7 +186,7 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
       line(text, "%s: unknown of the Newton system (its load is given)", names[m]);
     }
   if (!s.procedure.standard()) describe_procedure(text, s, scene.options);
-  if (op.normal && !op.field)
+  if (op.normal && op.dense())
     line(text, "operators: %lld nodes, %.1f MB, assembled %lld time(s) by this contact",
          static_cast<long long>(op.nodes), static_cast<double>(op.bytes()) / 1e6, static_cast<long long>(s.assemblies));
   describe_contact(text, s);

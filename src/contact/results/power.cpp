@@ -93,7 +93,7 @@ double power_at_nodes(SolverState& s) {
   if (s.frictionless) return 0;
   const Problem& p = s.prepared->problem;
   Iterate& it = s.iterate;
-  const bool known = p.op.tangential || p.op.field || s.images_known;
+  const bool known = p.op->tangential || s.images_known;
   if (!known) derive_fields(s);
   double sum = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {

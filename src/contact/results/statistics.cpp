@@ -127,12 +127,9 @@ constexpr Statistic table[] = {
     {"compliance_assemblies", [](SolverState& s) { return number(s.assemblies); }},
     {"system_unknowns", [](SolverState& s) { return number(s.system_unknowns); }},
     {"system_nonzeros", [](SolverState& s) { return number(s.system_nonzeros); }},
-    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op.bytes()); }},
+    {"operator_bytes", [](SolverState& s) { return static_cast<double>(s.prepared->problem.op->bytes()); }},
     {"operator_applications",
-     [](SolverState& s) {
-       const auto& field = s.prepared->problem.op.field;
-       return number(s.work.applications + (field ? field->applications() : 0));
-     }},
+     [](SolverState& s) { return number(s.work.applications + s.prepared->problem.op->applications()); }},
     {"right_sides", [](SolverState& s) { return number(s.right_sides); }},
     {"body_preparations", [](SolverState& s) { return number(s.work.bodies); }},
     {"frame_builds", [](SolverState& s) { return number(s.work.frames); }},

@@ -10,7 +10,6 @@
 #include <numeric>
 #include <vector>
 
-#include "build_info.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon {
@@ -29,7 +28,7 @@ Felt felt(const SurfaceMesh& surface, double share, const std::vector<double>& t
   std::vector<std::int32_t> column(t.size());
   std::iota(column.begin(), column.end(), 0);
   const std::vector<double> shares(face.size(), share);
-  const fem::FeltTractions f = fem::felt_tractions(surface, face, shares, coupling, column, ROLLCON_BUILD_CHOLMOD != 0);
+  const fem::FeltTractions f = fem::felt_tractions(surface, face, shares, coupling, column);
   Felt result;
   for (std::int64_t i = 0; i < f.traction.rows(); ++i) {
     double value = 0;

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 #include "bodies/halfspace/halfspace.hpp"
+#include "bodies/halfspace/halfspace_kernel.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
 
@@ -174,14 +176,16 @@ TEST(LatticeKernel, HatRulesIntegratePolynomials) {
     }
 }
 
-TEST(LatticeKernel, ACompliancePassesItsConstantsOn) {
+TEST(LatticeKernel, AComplianceHasIt) {
   const Frame frame = build_frame(
       frames::rectangle(ElementType::quad4, frames::uniform_lines(0, 1, 2), frames::uniform_lines(0, 1, 2)), Axes{});
-  HalfspaceConstants sum;
-  EXPECT_TRUE(make_halfspace_compliance(frame, {0.5, 0.25, -0.125}, 1e-6, 1)->halfspace(sum));
-  EXPECT_EQ(sum.cn, 0.5);
-  EXPECT_EQ(sum.cv, 0.25);
-  EXPECT_EQ(sum.ck, -0.125);
+  const auto kernel = make_halfspace_compliance(frame, {0.5, 0.25, -0.125}, 1e-6, 1)->translation();
+  EXPECT_TRUE(kernel->couples());
+  EXPECT_TRUE(kernel->shears());
+  const auto [normal, along, across] = kernel->softness(2);
+  EXPECT_DOUBLE_EQ(normal, 0.5 * std::numbers::pi);
+  EXPECT_DOUBLE_EQ(along, normal);
+  EXPECT_DOUBLE_EQ(across, 1.5 * normal);
 }
 
 }  // namespace

@@ -113,11 +113,13 @@ std::size_t Convolution::bytes() const {
   return sum;
 }
 
-void Convolution::transform_rows(int c, const double* lambda, Workspace& w) const {
+/// False: there is nothing but zeros.
+bool Convolution::transform_rows(int c, const double* lambda, Workspace& w) const {
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   double* row = w.row.data();
   std::fill_n(row, px_, 0.0);
   std::fill_n(w.waves.data(), w.waves.size(), Complex{});
+  bool all = false;
   for (std::int64_t iy = 0; iy < ny; ++iy) {
     std::uint8_t& loaded = w.loaded[c][static_cast<std::size_t>(iy)];
     loaded = 0;
@@ -130,10 +132,12 @@ void Convolution::transform_rows(int c, const double* lambda, Workspace& w) cons
     }
     if (!any) continue;
     loaded = 1;
+    all = true;
     along_.forward(row, w.waves.data());
     for (std::int64_t k = 0; k < blocks_; ++k)
       std::copy_n(w.waves.data() + k * block, block, w.half.data() + tile(c, k) + iy * block);
   }
+  return all;
 }
 
 void Convolution::convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3],
@@ -202,9 +206,8 @@ void Convolution::run(const double* const (&lambda)[3], double* const (&image)[3
   const std::int64_t nx = lattice_.nx, ny = lattice_.ny;
   bool source[3], target[3];
   for (int c = 0; c < 3; ++c) {
-    source[c] = lambda[c] != nullptr;
+    source[c] = lambda[c] != nullptr && transform_rows(c, lambda[c], w);
     target[c] = image[c] != nullptr;
-    if (source[c]) transform_rows(c, lambda[c], w);
   }
   for (std::int64_t first = 0; first < columns_; first += block) convolve_columns(first, source, target, w);
   double* row = w.row.data();

@@ -56,7 +56,7 @@ class Convolution {
   void run(const double* const (&lambda)[3], double* const (&image)[3], Workspace& w, bool add) const;
   void fill_rows(const LatticeEntries& entries);
   void transform_spectra();
-  void transform_rows(int c, const double* lambda, Workspace& w) const;
+  bool transform_rows(int c, const double* lambda, Workspace& w) const;
   void convolve_columns(std::int64_t first, const bool (&source)[3], const bool (&target)[3], Workspace& w) const;
   bool multiply(int r, std::int64_t kx, const bool (&source)[3], const Complex* fields, Complex* sum) const;
 

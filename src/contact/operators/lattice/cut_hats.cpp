@@ -4,7 +4,8 @@
 
 namespace rollcon {
 
-CutHats::CutHats(const Lattice& lattice, HalfspaceConstants c, double delta) : lattice_(lattice), c_(c), delta_(delta) {
+CutHats::CutHats(const Lattice& lattice, const TranslationKernel& kernel, double delta)
+    : lattice_(lattice), kernel_(kernel), delta_(delta) {
   for (HatPiece& piece : hat_pieces(lattice))
     if (!piece.whole()) part_.push_back({std::move(piece), nullptr});
 }
@@ -23,7 +24,7 @@ void CutHats::add(const double* const (&lambda)[3], double* const (&image)[3], W
       const std::lock_guard guard(making_);
       if (!part.columns)
         part.columns = std::make_unique<Convolution>(
-            lattice_, LatticeEntries(lattice_, c_, delta_, part.piece.x, part.piece.y), part.piece);
+            lattice_, LatticeEntries(lattice_, kernel_, delta_, part.piece.x, part.piece.y), part.piece);
     }
     if (!w) w = std::make_unique<Convolution::Workspace>(*part.columns);
     part.columns->add(lambda, image, *w);

@@ -11,10 +11,10 @@
 
 namespace rollcon {
 
-/// May be shared by threads; the lattice must outlive it.
+/// May be shared by threads; lattice and kernel must outlive it.
 class CutHats {
  public:
-  CutHats(const Lattice& lattice, HalfspaceConstants c, double delta);
+  CutHats(const Lattice& lattice, const TranslationKernel& kernel, double delta);
   /// What one thread needs, made with the first piece: all of them have the same lengths.
   using Workspace = std::unique_ptr<Convolution::Workspace>;
   /// Adds to the wanted images what the tractions of such nodes cause.
@@ -23,7 +23,7 @@ class CutHats {
 
  private:
   const Lattice& lattice_;
-  HalfspaceConstants c_;
+  const TranslationKernel& kernel_;
   double delta_;
   struct Part {
     HatPiece piece;

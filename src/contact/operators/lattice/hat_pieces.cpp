@@ -5,7 +5,6 @@
 namespace rollcon {
 
 std::vector<HatPiece> hat_pieces(const Lattice& lattice) {
-  using halfspace::Hat;
   // Larger pieces first: three cells are a half and a quarter.
   struct Kind {
     Hat x, y;

@@ -5,16 +5,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "bodies/halfspace/hat_rules.hpp"
+#include "bodies/model/translation.hpp"
 #include "mesh/lattice.hpp"
 
 namespace rollcon {
 
 /// The nodes that have this piece.
 struct HatPiece {
-  halfspace::Hat x, y;
+  Hat x, y;
   std::vector<std::int32_t> places;  ///< ascending
-  bool whole() const { return x == halfspace::Hat::whole && y == halfspace::Hat::whole; }
+  bool whole() const { return x == Hat::whole && y == Hat::whole; }
 };
 
 /// The whole hats first; pieces of no node are left out.

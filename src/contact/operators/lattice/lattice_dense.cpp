@@ -13,7 +13,7 @@ namespace {
 /// Entries of the sources with one shape of hat for all offsets that occur.
 class Part {
  public:
-  Part(const Lattice& lattice, HalfspaceConstants c, double delta, const HatPiece& sources) {
+  Part(const Lattice& lattice, const TranslationKernel& kernel, double delta, const HatPiece& sources) {
     std::int64_t low_x = lattice.nx, high_x = 0;
     for (const std::int32_t place : sources.places) {
       low_x = std::min(low_x, place % lattice.nx);
@@ -27,7 +27,7 @@ class Part {
     for (const std::int32_t place : sources.places)
       source_.push_back(
           {lattice.node[static_cast<std::size_t>(place)], place / lattice.nx * width_ + place % lattice.nx});
-    const LatticeEntries entries(lattice, c, delta, sources.x, sources.y);
+    const LatticeEntries entries(lattice, kernel, delta, sources.x, sources.y);
     kinds_ = entries.kinds();
     value_.assign(kinds_.kind.size(), std::vector<double>(static_cast<std::size_t>(width_ * height)));
     LatticeEntries::Workspace w;
@@ -60,18 +60,19 @@ class Part {
 
 }  // namespace
 
-void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool want_tangential, ContactOperators& op) {
+void fill_lattice_operators(const Lattice& lattice, const TranslationKernel& kernel, const Convection& convection,
+                            bool want_tangential, DenseOperators& op) {
   const std::int64_t n = lattice.frame_nodes();
   op.nodes = n;
-  op.coupled = c.ck != 0;
+  op.coupled = kernel.couples();
   bool wanted[3][3];
   for (int r = 0; r < 3; ++r)
     for (int k = 0; k < 3; ++k)
       wanted[r][k] = r == 2 ? k == 2 || (want_tangential && op.coupled) : want_tangential && (k < 2 || op.coupled);
-  require_operator_memory(op, wanted);
-  const double delta = op.convection.ahead.empty() ? 0 : op.convection.ahead[0];
+  op.require_memory_for(wanted);
+  const double delta = convection.ahead.empty() ? 0 : convection.ahead[0];
   std::vector<Part> parts;
-  for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, c, delta, piece);
+  for (const HatPiece& piece : hat_pieces(lattice)) parts.emplace_back(lattice, kernel, delta, piece);
   std::vector<std::int64_t> place(static_cast<std::size_t>(n), -1);
   for (std::size_t at = 0; at < lattice.node.size(); ++at)
     if (lattice.node[at] >= 0) place[static_cast<std::size_t>(lattice.node[at])] = static_cast<std::int64_t>(at);
@@ -95,10 +96,10 @@ void fill_lattice_operators(const Lattice& lattice, HalfspaceConstants c, bool w
         }
         std::fill_n(row, n, 0.0);
         const auto node = static_cast<std::size_t>(i);
-        for (auto m = static_cast<std::size_t>(op.convection.rows.start[node]);
-             m < static_cast<std::size_t>(op.convection.rows.start[node + 1]); ++m) {
-          write(op.convection.rows.column[m], r, k, displacement.data());
-          axpy(op.convection.rows.value[m], displacement.data(), row, n);
+        for (auto m = static_cast<std::size_t>(convection.rows.start[node]);
+             m < static_cast<std::size_t>(convection.rows.start[node + 1]); ++m) {
+          write(convection.rows.column[m], r, k, displacement.data());
+          axpy(convection.rows.value[m], displacement.data(), row, n);
         }
       }
     }

@@ -12,20 +12,22 @@ namespace rollcon {
 
 struct LatticeOperator::Shared {
   Lattice lattice;
-  HalfspaceConstants c;
+  std::shared_ptr<const TranslationKernel> kernel;
   double delta;
   SparseRows convection;
   Convolution convolution;
   CutHats cut;
   double entry[3][3] = {}, norm[2] = {};
+  LatticeInfluence influence;
 
-  Shared(Lattice&& grid, HalfspaceConstants constants, double step, SparseRows&& rows)
+  Shared(Lattice&& grid, std::shared_ptr<const TranslationKernel>&& bodies, double step, SparseRows&& rows)
       : lattice(std::move(grid)),
-        c(constants),
+        kernel(std::move(bodies)),
         delta(step),
         convection(std::move(rows)),
-        convolution(lattice, LatticeEntries(lattice, c, delta), hat_pieces(lattice).front()),
-        cut(lattice, c, delta) {
+        convolution(lattice, LatticeEntries(lattice, *kernel, delta), hat_pieces(lattice).front()),
+        cut(lattice, *kernel, delta),
+        influence{lattice, *kernel} {
     measure();
   }
   void measure();
@@ -88,7 +90,7 @@ void LatticeOperator::Shared::measure() {
   const std::vector<Term> terms = delta != 0 ? std::vector<Term>{{0, 0, 1.0}} : interior_stencil(lattice, convection);
   std::int64_t margin = 0;
   for (const Term& t : terms) margin = std::max({margin, std::abs(t.i), std::abs(t.j)});
-  const LatticeEntries entries(lattice, c, delta, Hat::whole, Hat::whole, margin);
+  const LatticeEntries entries(lattice, *kernel, delta, Hat::whole, Hat::whole, margin);
   // Entries at the offsets of all nodes from the middle one, and the margin around them.
   const std::int64_t low_x = lattice.nx / 2 - (lattice.nx - 1), low_y = lattice.ny / 2 - (lattice.ny - 1);
   const std::int64_t width = lattice.nx + 2 * margin, height = lattice.ny + 2 * margin;
@@ -123,11 +125,15 @@ void LatticeOperator::Shared::measure() {
   entries.row(0, 0, 1, normal_row, w);
 }
 
-LatticeOperator::LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection) {
+LatticeOperator::LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta,
+                                 SparseRows convection) {
   if (!lattice.has_inner_node())
     fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node", static_cast<long long>(lattice.nx),
          static_cast<long long>(lattice.ny));
-  shared_ = std::make_unique<Shared>(std::move(lattice), c, delta, std::move(convection));
+  nodes = lattice.frame_nodes();
+  coupled = kernel->couples();
+  normal = tangential = true;
+  shared_ = std::make_unique<Shared>(std::move(lattice), std::move(kernel), delta, std::move(convection));
   idle_.push_back(std::make_unique<Workspace>(*shared_));
 }
 
@@ -176,17 +182,24 @@ void LatticeOperator::apply(const double* const (&lambda)[3], double* const (&im
   give_back(std::move(work));
 }
 
-double LatticeOperator::entry(int r, int c) const {
+void LatticeOperator::images(Components wanted, Components columns, std::span<const std::int32_t> /*at*/,
+                             const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const {
+  const double* from[3] = {};
+  double* to[3] = {};
+  for (int c = columns.first; c <= columns.last; ++c)
+    if (coupled || (c == 2 ? wanted.normal() : wanted.slip())) from[c] = lambda[c].data();
+  for (int r = wanted.first; r <= wanted.last; ++r) to[r] = image[r].data();
+  apply({from[0], from[1], from[2]}, {to[0], to[1], to[2]});
+}
+
+double LatticeOperator::own(int r, int c, std::size_t /*k*/) const {
   return shared_->entry[r][c];
 }
-double LatticeOperator::row_norm(int r) const {
+double LatticeOperator::slip_norm(int r, std::size_t /*k*/) const {
   return shared_->norm[r];
 }
-bool LatticeOperator::couples() const {
-  return shared_->c.ck != 0;
-}
-LatticeInfluence LatticeOperator::influence() const {
-  return {shared_->lattice, shared_->c};
+const LatticeInfluence* LatticeOperator::influence() const {
+  return &shared_->influence;
 }
 
 std::size_t LatticeOperator::bytes() const {

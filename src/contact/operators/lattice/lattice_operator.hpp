@@ -1,32 +1,38 @@
 #pragma once
-/// A contact's operators on a lattice above half-spaces: applied in n log n time and O(n) memory by convolution, exact
-/// to rounding. docs/theory.md, section 3.
+/// A contact's operators on a lattice above bodies that respond alike everywhere: applied in n log n time and O(n)
+/// memory by convolution, exact to rounding. docs/theory.md, section 3.
 
 #include <atomic>
 #include <memory>
 #include <mutex>
 #include <vector>
 
-#include "bodies/halfspace/halfspace.hpp"
+#include "bodies/model/translation.hpp"
 #include "contact/operators/convection/convection.hpp"
-#include "contact/operators/field_operator.hpp"
+#include "contact/operators/operators.hpp"
 #include "mesh/lattice.hpp"
 
 namespace rollcon {
 
-class LatticeOperator final : public FieldOperator {
+class LatticeOperator final : public Operators {
  public:
   /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes). delta = 0: `convection`
   /// holds the rows of an upwind scheme. The lattice needs an inner node. Throws Error(err_unsupported) in a build
   /// without FFTW.
-  LatticeOperator(Lattice lattice, HalfspaceConstants c, double delta, SparseRows convection);
+  LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta,
+                  SparseRows convection);
   ~LatticeOperator() override;
 
-  void apply(const double* const (&lambda)[3], double* const (&image)[3]) const override;
-  double entry(int r, int c) const override;
-  double row_norm(int r) const override;
-  bool couples() const override;
-  LatticeInfluence influence() const override;
+  /// image[r] at all nodes, of tractions lambda[c] at all nodes. Null lambda: zero. Null image: not wanted.
+  void apply(const double* const (&lambda)[3], double* const (&image)[3]) const;
+
+  void images(Components wanted, Components columns, std::span<const std::int32_t> at,
+              const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const override;
+  bool all_at_once() const override { return true; }
+  /// Of a node amid the others, as all are taken to be.
+  double own(int r, int c, std::size_t k) const override;
+  double slip_norm(int r, std::size_t k) const override;
+  const LatticeInfluence* influence() const override;
   std::size_t bytes() const override;
   std::int64_t applications() const override { return applications_.load(); }
 

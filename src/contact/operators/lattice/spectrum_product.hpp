@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "bodies/halfspace/kernels.hpp"
+#include "support/instruction_set.hpp"
 
 namespace rollcon {
 

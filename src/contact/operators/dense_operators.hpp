@@ -1,0 +1,47 @@
+#pragma once
+/// Operators as matrices.
+
+#include "bodies/model/compliance.hpp"
+#include "contact/operators/convection/convection.hpp"
+#include "contact/operators/operators.hpp"
+#include "linalg/dense.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+class DenseOperators final : public Operators {
+ public:
+  /// block[r][c]: n by n. Blocks that vanish or are not needed are empty.
+  RowMatrix<double> block[3][3];
+
+  /// Row r of node k times tractions.
+  double product(int r, std::size_t k, const std::vector<double> (&lambda)[3], Components columns = {}) const;
+  void release_slip();
+  /// All that is there.
+  void release();
+  /// Throws Error(err_memory) where this process cannot have these blocks beside those that are there.
+  void require_memory_for(const bool (&wanted)[3][3]) const;
+  /// A support that keeps a node from moving along one tangent (a plane of symmetry) leaves its slip equation without
+  /// unknowns. A little compliance of its own lets the traction be found: none where no slip is forced on it,
+  /// friction's bound where there is. both: also where both rows vanish, as upwind schemes leave them at the inflow
+  /// rim. used: of the frame.
+  void loosen_held_tangents(std::span<const std::uint8_t> used, bool both);
+
+  void images(Components wanted, Components columns, std::span<const std::int32_t> at,
+              const std::vector<double> (&lambda)[3], std::vector<double> (&image)[3]) const override;
+  bool all_at_once() const override { return false; }
+  double own(int r, int c, std::size_t k) const override {
+    const auto i = static_cast<std::int64_t>(k);
+    return block[r][c].empty() ? 0 : block[r][c].row(i)[i];
+  }
+  double slip_norm(int r, std::size_t k) const override;
+  const DenseOperators* dense() const override { return this; }
+  std::size_t bytes() const override;
+};
+
+/// Assembles the blocks asked for that are not there yet. Coupling blocks that turn out to be zero (two bodies that
+/// mirror each other) are dropped. docs/theory.md, sections 3 and 5.
+void assemble_operators(const Frame& frame, const Compliance& compliance, const Convection& convection,
+                        bool want_tangential, DenseOperators& op);
+
+}  // namespace rollcon
