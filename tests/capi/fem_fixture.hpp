@@ -112,6 +112,21 @@ class FemApi : public Api {
 
   std::int32_t set_nodes_of_box() { return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1); }
 
+  /// A new body of one element of the type, held at its bottom z = 0.
+  void set_element(std::int32_t type, double nu = poisson) {
+    rollcon_body_release(body);
+    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+    const std::vector<double> x = unit_element(type);
+    const auto n = static_cast<std::int64_t>(x.size()) / 3;
+    ASSERT_EQ(rollcon_body_set_nodes(body, n, x.data(), 3, 1), ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_add_elements(body, type, 1, counting(n).data(), 0, 0), ROLLCON_OK);
+    ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, nu), ROLLCON_OK);
+    std::vector<std::int32_t> bottom;
+    for (std::int32_t i = 0; i < n; ++i)
+      if (x[3 * static_cast<std::size_t>(i) + 2] == 0) bottom.push_back(i);
+    ASSERT_EQ(hold(bottom, ROLLCON_DOF_XYZ), ROLLCON_OK);
+  }
+
   /// Layers of elements from `first` to the one before `end`, of a material.
   std::int32_t add_layers(int first, int end, std::int32_t tag) {
     const std::int32_t* from = box.connectivity.data() + 8 * first * box.layer_elements();

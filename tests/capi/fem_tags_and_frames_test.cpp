@@ -11,15 +11,6 @@ using namespace capi_test;
 
 class fem_tags_and_frames : public FemApi {
  protected:
-  /// One hex20, held at its bottom.
-  void set_hex20() {
-    const std::vector<double> x = unit_element(ROLLCON_HEX20);
-    ASSERT_EQ(rollcon_body_set_nodes(body, 20, x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_add_elements(body, ROLLCON_HEX20, 1, counting(20).data(), 0, 0), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
-    ASSERT_EQ(hold({0, 1, 2, 3, 8, 9, 10, 11}, ROLLCON_DOF_XYZ), ROLLCON_OK);
-  }
-
   std::int32_t tag_nodes(const std::vector<std::int32_t>& nodes, std::int32_t tag) {
     return rollcon_body_tag_faces_of_nodes(body, static_cast<std::int64_t>(nodes.size()), nodes.data(), 0, tag);
   }
@@ -45,6 +36,28 @@ class fem_tags_and_frames : public FemApi {
     give_frame(c, moved(SquareFrame(n, half), x, y, 1));
   }
 
+  /// Status of a solve on a frame of that width from (x, y) on; its tractions are finite.
+  std::int32_t press(double at_x, double at_y, double width) {
+    const double x = at_x + width / 2, y = at_y + width / 2;
+    const SquareFrame small = moved(SquareFrame(2, width / 2), x, y, 1);
+    rollcon_contact* c = roll_on_top(
+        context, body, plane, {.x = x, .y = y, .curvature = 0.1, .approach = 1e-3, .mu = 0.2, .creep = 0, .tag = 0});
+    give_frame(c, small);
+    const std::int32_t status = rollcon_contact_solve(c);
+    if (status >= 0) {
+      std::vector<double> t(3 * static_cast<std::size_t>(small.nodes), 1e300);
+      EXPECT_EQ(rollcon_contact_get_tractions(c, ROLLCON_LOCAL, small.nodes, t.data()), ROLLCON_OK);
+      double sum = 0;
+      for (const double value : t) {
+        EXPECT_TRUE(std::isfinite(value));
+        sum += value;
+      }
+      EXPECT_LT(sum, 0) << "it is pressed";
+    }
+    rollcon_contact_release(c);
+    return status;
+  }
+
   double normal_force(rollcon_contact* c) {
     const double force = solved_force(c)[2];
     EXPECT_LT(force, 0);
@@ -55,7 +68,7 @@ class fem_tags_and_frames : public FemApi {
 TEST_F(fem_tags_and_frames, a_loaded_tag_is_on_a_face) {
   const double traction[3] = {1, 0, 0};
   for (const bool pressure : {true, false}) {
-    set_hex20();
+    set_element(ROLLCON_HEX20);
     ASSERT_EQ(tag_nodes(top_corners, 6), ROLLCON_OK);
     ASSERT_EQ(pressure ? rollcon_body_set_pressure(body, 6, 2) : rollcon_body_set_traction(body, 6, traction),
               ROLLCON_OK);
@@ -73,7 +86,7 @@ TEST_F(fem_tags_and_frames, a_loaded_tag_is_on_a_face) {
 }
 
 TEST_F(fem_tags_and_frames, a_tag_taken_away_by_later_ones_is_on_no_face) {
-  set_hex20();
+  set_element(ROLLCON_HEX20);
   ASSERT_EQ(tag_nodes(top_of_hex20, 6), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_pressure(body, 6, 2), ROLLCON_OK);
   ASSERT_EQ(tag_nodes(top_of_hex20, 7), ROLLCON_OK);
@@ -84,7 +97,7 @@ TEST_F(fem_tags_and_frames, a_tag_taken_away_by_later_ones_is_on_no_face) {
 
 TEST_F(fem_tags_and_frames, a_tag_of_contact_faces_is_on_a_face) {
   const std::int32_t six = 6;
-  set_hex20();
+  set_element(ROLLCON_HEX20);
   ASSERT_EQ(tag_nodes(top_corners, six), ROLLCON_OK);
   ASSERT_EQ(rollcon_body_set_contact_faces(body, 1, &six), ROLLCON_OK);
   EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_MESH, "tag 6", "midside nodes",
@@ -145,14 +158,7 @@ TEST_F(fem_tags_and_frames, elements_of_constant_strain_are_refused_near_incompr
     const char *name, *instead;
   };
   for (const Case& c : {Case{ROLLCON_TET4, "tet4", "tet10"}, Case{ROLLCON_WEDGE6, "wedge6", "wedge15"}}) {
-    const std::vector<double> x = unit_element(c.type);
-    const auto n = static_cast<std::int64_t>(x.size() / 3);
-    rollcon_body_release(body);
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_nodes(body, n, x.data(), 3, 1), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_add_elements(body, c.type, 1, counting(n).data(), 0, 0), ROLLCON_OK);
-    ASSERT_EQ(hold({0, 1, 2}, ROLLCON_DOF_XYZ), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, 0.46), ROLLCON_OK);
+    set_element(c.type, 0.46);
     EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_UNSUPPORTED, "element 0", c.name, "poisson 0.46", "up to 0.45",
                  c.instead);
     ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, 0.45), ROLLCON_OK);
@@ -236,4 +242,20 @@ TEST_F(fem_tags_and_frames, thousands_of_tags_carry_their_own_pressures) {
   const double difference = std::abs(force[2] - sum), bound = 1e-10 * sum;
   std::printf("reaction of %d pressures: error %.2e, bound %.2e\n", tags, difference, bound);
   EXPECT_LE(difference, bound);
+}
+
+TEST_F(fem_tags_and_frames, frames_much_smaller_than_a_face_are_borne_or_refused) {
+  int borne = 0;
+  for (const std::int32_t type : {ROLLCON_HEX8, ROLLCON_HEX20, ROLLCON_WEDGE15}) {
+    set_element(type);
+    for (const double width : {0.2, 1e-2, 1e-4, 1e-6, 3.8e-8}) {
+      for (const double at : {0.0, 0.1}) {
+        const std::int32_t status = press(at, at, width);
+        EXPECT_TRUE(status >= 0 || status == ROLLCON_ERR_MESH || status == ROLLCON_ERR_SINGULAR)
+            << "type " << type << ", width " << width << ": " << error();
+        borne += status >= 0;
+      }
+    }
+  }
+  EXPECT_GE(borne, 15) << "of 30";
 }

@@ -115,6 +115,95 @@ std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double re
   return force[0];
 }
 
+/// The text of the last failure names the function that `call` begins with, and contains every word.
+inline void expect_text_of(const std::string& call, std::initializer_list<std::string> words) {
+  const std::string text = rollcon_last_error();
+  EXPECT_EQ(text.substr(0, text.find(':')), call.substr(0, call.find('('))) << text;
+  for (const std::string& word : words)
+    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
+}
+
+/// The call returns the status, and the text of the failure contains every word given.
+#define EXPECT_FAILS(call, expected_status, ...)                                \
+  do {                                                                          \
+    EXPECT_EQ(call, expected_status) << rollcon_status_string(expected_status); \
+    capi_test::expect_text_of(#call, {__VA_ARGS__});                            \
+  } while (0)
+
+/// What a getter of texts gives, its need asked for first.
+template <class Get>
+std::string text_of(Get&& get) {
+  std::int64_t needed = 0;
+  EXPECT_EQ(get(std::int64_t{0}, static_cast<char*>(nullptr), &needed), ROLLCON_OK) << rollcon_last_error();
+  std::vector<char> text(static_cast<std::size_t>(needed) + 1);
+  EXPECT_EQ(get(needed, text.data(), nullptr), ROLLCON_OK);
+  return text.data();
+}
+inline std::string plan_of(const rollcon_contact* contact) {
+  return text_of([&](auto n, auto* text, auto* needed) { return rollcon_contact_get_plan(contact, n, text, needed); });
+}
+
+/// Calls that give elements are refused alike, of frames and of bodies: give(type, n, connectivity, index_base). The
+/// last word is what a body or frame says of too many; nodes are there, and `types` are the types that it names.
+template <class Give>
+void expect_bad_elements_refused(Give&& give, const std::string& call, std::int32_t type,
+                                 std::initializer_list<std::int32_t> wrong_types,
+                                 std::initializer_list<std::string> types) {
+  const std::vector<std::int32_t> ids(20, 0);
+  const auto refused = [&](std::int32_t status, std::initializer_list<std::string> words) {
+    EXPECT_EQ(status, ROLLCON_ERR_ARGUMENT);
+    expect_text_of(call, words);
+  };
+  for (const std::int32_t wrong : wrong_types) {
+    refused(give(wrong, 1, ids.data(), 0), types);
+    expect_text_of(call, {"type is " + std::to_string(wrong)});
+  }
+  for (const std::int32_t base : {-1, 2}) refused(give(type, 1, ids.data(), base), {"index_base", "0, 1"});
+  refused(give(type, -1, ids.data(), 0), {"n is -1"});
+  refused(give(type, INT64_MAX, ids.data(), 0), {"2147483647"});
+  refused(give(type, 1, nullptr, 0), {"connectivity is NULL"});
+  EXPECT_EQ(give(type, 0, nullptr, 0), ROLLCON_OK);
+}
+
+/// Nodes are refused alike: give(n, x, strides).
+template <class Give>
+void expect_bad_nodes_refused(Give&& give, const std::string& call, std::vector<double> x) {
+  const auto refused = [&](std::int32_t status, std::int32_t expected, std::initializer_list<std::string> words) {
+    EXPECT_EQ(status, expected);
+    expect_text_of(call, words);
+  };
+  for (const std::int64_t n : {std::int64_t{-1}, std::int64_t{0}, INT64_MAX})
+    refused(give(n, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, {"n is " + std::to_string(n), "2147483647"});
+  refused(give(4, nullptr, 3, 1), ROLLCON_ERR_ARGUMENT, {"x is NULL"});
+  for (const std::int64_t stride : {std::int64_t{0}, std::int64_t{-3}}) {
+    refused(give(4, x.data(), stride, 1), ROLLCON_ERR_ARGUMENT, {"strides"});
+    refused(give(4, x.data(), 3, stride), ROLLCON_ERR_ARGUMENT, {"strides"});
+  }
+  refused(give(4, x.data(), INT64_MAX / 2, 1), ROLLCON_ERR_ARGUMENT, {"address space"});
+  refused(give(1, x.data(), 3, INT64_MAX / 4), ROLLCON_ERR_ARGUMENT, {"address space"});
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    x[7 * 3 + 1] = bad;
+    refused(give(9, x.data(), 3, 1), ROLLCON_ERR_NONFINITE, {"coordinate y of node 7", "from 0"});
+  }
+}
+
+/// Ids of nodes are named as the caller counts: give(n, ids, index_base) of lists of ids, a few to an entry.
+template <class Give>
+void expect_ids_named(Give&& give, const std::string& call, std::int64_t nodes, std::vector<std::int32_t> ids,
+                      const std::string& from_0, const std::string& from_1) {
+  const auto refused = [&](std::int32_t base, std::initializer_list<std::string> words) {
+    EXPECT_EQ(give(ids.data(), base), ROLLCON_ERR_MESH);
+    expect_text_of(call, words);
+  };
+  const std::string n = std::to_string(nodes), last = std::to_string(nodes - 1);
+  ids.back() = static_cast<std::int32_t>(nodes);
+  refused(0, {from_0, "from 0", "id " + n, "0 to " + last});
+  ids.back() = 0;
+  refused(1, {from_1, "from 1", "id 0", "1 to " + n});
+  ids.back() = INT32_MIN;
+  refused(1, {"id -2147483648"});
+}
+
 /// Sphere R = 50, E = 1e4, nu = 0.3 on a rigid plane; contact radius about 1 at approach 0.02.
 class Api : public ::testing::Test {
  protected:
@@ -152,16 +241,5 @@ class Api : public ::testing::Test {
   rollcon_body* plane = nullptr;
   rollcon_contact* contact = nullptr;
 };
-
-/// The call returns the status, and the text of the failure contains every word given.
-#define EXPECT_FAILS(call, expected_status, ...)                                            \
-  do {                                                                                      \
-    EXPECT_EQ(call, expected_status) << rollcon_status_string(expected_status);             \
-    const std::string text_ = error();                                                      \
-    const std::string call_ = #call;                                                        \
-    EXPECT_EQ(text_.substr(0, text_.find(':')), call_.substr(0, call_.find('('))) << text_; \
-    for (const std::string& word_ : std::initializer_list<std::string>{__VA_ARGS__})        \
-      EXPECT_NE(text_.find(word_), std::string::npos) << "'" << word_ << "' in: " << text_; \
-  } while (0)
 
 }  // namespace capi_test

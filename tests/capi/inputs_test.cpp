@@ -57,26 +57,11 @@ TEST_F(inputs, context_settings) {
 }
 
 TEST_F(inputs, frame_nodes) {
-  auto& x = frame.x;
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, -1, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "n is -1");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 0, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "n is 0");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, INT64_MAX, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, "2147483647");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, nullptr, 3, 1), ROLLCON_ERR_ARGUMENT, "x is NULL");
-  for (const std::int64_t stride : {std::int64_t{0}, std::int64_t{-3}}) {
-    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), stride, 1), ROLLCON_ERR_ARGUMENT, "strides");
-    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), 3, stride), ROLLCON_ERR_ARGUMENT, "strides");
-  }
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 4, x.data(), INT64_MAX / 2, 1), ROLLCON_ERR_ARGUMENT,
-               "address space");
-  EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 1, x.data(), 3, INT64_MAX / 4), ROLLCON_ERR_ARGUMENT,
-               "address space");
-  for (const double bad : {not_a_number, infinite, -infinite}) {
-    const double kept = x[7 * 3 + 1];
-    x[7 * 3 + 1] = bad;
-    EXPECT_FAILS(rollcon_contact_set_frame_nodes(contact, 9, x.data(), 3, 1), ROLLCON_ERR_NONFINITE,
-                 "coordinate y of node 7");
-    x[7 * 3 + 1] = kept;
-  }
+  expect_bad_nodes_refused(
+      [&](auto n, const double* x, auto stride, auto component) {
+        return rollcon_contact_set_frame_nodes(contact, n, x, stride, component);
+      },
+      "rollcon_contact_set_frame_nodes", frame.x);
 }
 
 TEST_F(inputs, refused_nodes_leave_the_frame_as_it_was) {
@@ -118,37 +103,17 @@ TEST_F(inputs, strided_nodes_are_those_of_packed_ones) {
 }
 
 TEST_F(inputs, frame_elements) {
-  const std::int32_t quad[8] = {0, 1, 14, 13, 1, 2, 15, 14};
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, 0, 0), ROLLCON_ERR_STATE,
-               "no nodes");
-  ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-  for (const std::int32_t type : {0, 204, 308, -1})
-    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, type, 1, quad, 0, 0), ROLLCON_ERR_ARGUMENT, "type",
-                 "219 (quad9)");
-  for (const std::int32_t base : {-1, 2})
-    EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, quad, base, 0), ROLLCON_ERR_ARGUMENT,
-                 "index_base", "0, 1");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, -1, quad, 0, 0), ROLLCON_ERR_ARGUMENT,
-               "n is -1");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, INT64_MAX, quad, 0, 0), ROLLCON_ERR_ARGUMENT,
-               "2147483647");
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, nullptr, 0, 0), ROLLCON_ERR_ARGUMENT,
-               "connectivity is NULL");
-  EXPECT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 0, nullptr, 0, 0), ROLLCON_OK);
-}
-
-TEST_F(inputs, node_ids_are_named_as_the_caller_counts) {
+  const char* call = "rollcon_contact_add_frame_elements";
+  const auto give = [&](auto type, std::int64_t n, const std::int32_t* ids, auto base) {
+    return rollcon_contact_add_frame_elements(contact, type, n, ids, base, 0);
+  };
+  const std::vector<std::int32_t> quads{0, 1, 14, 13, 1, 2, 15, 14};
+  EXPECT_EQ(give(ROLLCON_QUAD4, 1, quads.data(), 0), ROLLCON_ERR_STATE);
+  expect_text_of(call, {"no nodes"});
   ASSERT_EQ(set_nodes(frame), ROLLCON_OK);  // 169 nodes
-  std::int32_t quad[8] = {0, 1, 14, 13, 1, 2, 169, 14};
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 0, 0), ROLLCON_ERR_MESH,
-               "node 2 of element 1", "from 0", "id 169", "0 to 168");
-  quad[6] = 0;
-  quad[0] = 1;
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0), ROLLCON_ERR_MESH,
-               "node 3 of element 2", "from 1", "id 0", "1 to 169");
-  quad[6] = INT32_MIN;
-  EXPECT_FAILS(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 2, quad, 1, 0), ROLLCON_ERR_MESH,
-               "-2147483648");
+  expect_bad_elements_refused(give, call, ROLLCON_QUAD4, {0, 204, 308, -1}, {"219 (quad9)"});
+  expect_ids_named([&](const auto* ids, auto base) { return give(ROLLCON_QUAD4, 2, ids, base); }, call, frame.nodes,
+                   {1, 2, 15, 14, 2, 3, 16, 0}, "node 3 of element 1", "node 4 of element 2");
   std::int64_t elements = -1;
   ASSERT_EQ(rollcon_contact_get_size(contact, nullptr, &elements), ROLLCON_OK);
   EXPECT_EQ(elements, 0);

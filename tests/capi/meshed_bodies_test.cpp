@@ -183,3 +183,35 @@ TEST_P(meshed_bodies, one_held_all_over_carries_no_frame) {
   EXPECT_FAILS(rollcon_contact_solve(c), ROLLCON_ERR_STATE, "body 1");
   rollcon_contact_release(c);
 }
+
+TEST_P(meshed_bodies, incomplete_ones_are_refused_and_can_be_mended) {
+  rollcon_body* bare = nullptr;
+  ASSERT_EQ(rollcon_body_create(context, GetParam(), &bare), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(bare), ROLLCON_ERR_STATE, "rollcon_body_set_elastic");
+  ASSERT_EQ(rollcon_body_set_elastic(bare, 0, young, poisson), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(bare), ROLLCON_ERR_STATE, bem() ? "mesh" : "volume elements");
+  rollcon_body_release(bare);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "no supports", "rollcon_body_set_support");
+  ASSERT_EQ(hold(body, bottom, ROLLCON_DOF_Z), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "3 rigid motion(s)");
+  ASSERT_EQ(hold(body, {bottom[0]}, ROLLCON_DOF_X + ROLLCON_DOF_Y), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_prepare(body), ROLLCON_ERR_SINGULAR, "1 rigid motion(s)", "rotation (0, 0, 1)");
+  ASSERT_EQ(hold(body, {bottom.back()}, ROLLCON_DOF_X + ROLLCON_DOF_Y), ROLLCON_OK);
+  EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK) << error();
+  EXPECT_EQ(rollcon_body_prepare(body), ROLLCON_OK);
+}
+
+TEST_P(meshed_bodies, refused_nodes_leave_the_mesh_as_it_was_and_new_ones_forget_it) {
+  const double bad[3] = {0, std::nan(""), 0}, t[3] = {0, 0, 1};
+  std::int64_t elements = 0, of_all = 0;
+  ASSERT_EQ(rollcon_body_get_size(body, nullptr, &of_all), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_nodes(body, 1, bad, 3, 1), ROLLCON_ERR_NONFINITE);
+  ASSERT_EQ(rollcon_body_get_size(body, nullptr, &elements), ROLLCON_OK);
+  EXPECT_EQ(elements, of_all);
+  ASSERT_EQ(rollcon_body_set_traction(body, 6, t), ROLLCON_OK);
+  ASSERT_EQ(hold(body, bottom, ROLLCON_DOF_XYZ), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_set_nodes(body, nodes(), x.data(), 3, 1), ROLLCON_OK);
+  ASSERT_EQ(rollcon_body_get_size(body, nullptr, &elements), ROLLCON_OK);
+  EXPECT_EQ(elements, 0);
+  EXPECT_FAILS(rollcon_body_set_traction(body, 6, t), ROLLCON_ERR_STATE, "no elements");
+}

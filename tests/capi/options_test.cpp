@@ -31,8 +31,7 @@ struct OfBody {
   static constexpr auto get_real = rollcon_body_get_real;
   static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors", *real = "accuracy",
                               *listed =
-                                  "accuracy, edge_angle, keep_factors, between_nodes, "
-                                  "factorization, hex8, prepare";
+                                  "accuracy, edge_angle, keep_factors, between_nodes, factorization, hex8, prepare";
 };
 
 template <class Of>

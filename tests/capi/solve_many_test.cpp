@@ -65,10 +65,8 @@ TEST_F(solve_many, results_are_those_of_single_solves) {
       const double former = 0.1;
       ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &former), 0);
     }
-    std::printf(
-        "20 cases, longitudinal by %s: off single solves by %.1e (bound 1e-7), slopes %.1e "
-        "(bound 1e-5)\n",
-        longitudinal == ROLLCON_BY_FORCE ? "force" : "motion", worst, worst_slope);
+    std::printf("20 cases, longitudinal by %s: off single solves by %.1e (bound 1e-7), slopes %.1e (bound 1e-5)\n",
+                longitudinal == ROLLCON_BY_FORCE ? "force" : "motion", worst, worst_slope);
     EXPECT_LT(worst, 1e-7);
     EXPECT_LT(worst_slope, 1e-5);
   }

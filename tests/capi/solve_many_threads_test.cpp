@@ -35,10 +35,8 @@ TEST_F(solve_many_threads, threads_and_order_change_no_bit) {
     EXPECT_TRUE(same(other.force.data(), one.force.data(), 3 * cases));
     double iterations = 0;
     for (std::size_t i = 0; i < cases; ++i) iterations += one.statistics[name_count * i];
-    std::printf(
-        "%zu cases: the same bits with 1, 2, 3, 5 threads and shuffled; %.2f iterations "
-        "per case\n",
-        cases, iterations / static_cast<double>(cases));
+    std::printf("%zu cases: the same bits with 1, 2, 3, 5 threads and shuffled; %.2f iterations per case\n", cases,
+                iterations / static_cast<double>(cases));
   }
 }
 
@@ -59,10 +57,8 @@ TEST_F(solve_many_threads, workers_share_the_operators) {
   };
   const double one = peak(1), four = peak(4);
   const double blocks = 5.0 * 8 * std::pow(41.0, 4);  // dense, of one copy
-  std::printf(
-      "41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at "
-      "most %.1f MB)\n",
-      one / 1e6, four / 1e6, blocks / 1e6);
+  std::printf("41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at most %.1f MB)\n",
+              one / 1e6, four / 1e6, blocks / 1e6);
   EXPECT_GT(four, one);
   EXPECT_LT(four - one, 0.3 * one);
 }

@@ -69,10 +69,8 @@ TEST(reach_bound, does_not_depend_on_where_the_frame_lies) {
     for (const auto& [cx, cy] : {std::pair{32.0, 0.0}, {0.0, -32.0}, {-8.0, 16.0}}) {
       const Counts there = solve(cx, cy, scene.gap, true);
       const double off = largest_difference(there.traction, here.traction);
-      std::printf(
-          "%s at (%g, %g): %g of 361 rows, %g came back; at 0: %g, %g; tractions differ by %.1e "
-          "(bound 1e-8)\n",
-          scene.name, cx, cy, there.rows, there.returned, here.rows, here.returned, off);
+      std::printf("%s at (%g, %g): %g of 361 rows, %g came back; at 0: %g, %g; tractions differ by %.1e (bound 1e-8)\n",
+                  scene.name, cx, cy, there.rows, there.returned, here.rows, here.returned, off);
       EXPECT_EQ(there.rows, here.rows);
       EXPECT_EQ(there.returned, here.returned);
       EXPECT_LT(off, 1e-8);
@@ -88,11 +86,8 @@ TEST(reach_bound, lower_summits_beside_two_higher_ones_are_found) {
     if (std::abs(static_cast<double>(k / 19) - 9) > 6 || std::abs(static_cast<double>(k % 19) - 9) > 6)
       low = std::max(low, -all.traction[3 * k + 2]);
   const double off = largest_difference(some.traction, all.traction);
-  std::printf(
-      "%g of 361 rows, %g came back; pressure on the rim's side %.3g; tractions differ by %.1e "
-      "(bound "
-      "1e-8)\n",
-      some.rows, some.returned, low, off);
+  std::printf("%g of 361 rows, %g came back; pressure on the rim's side %.3g; tractions differ by %.1e (bound 1e-8)\n",
+              some.rows, some.returned, low, off);
   EXPECT_LT(some.rows, 0.25 * all.rows) << "of what lies out of reach";
   EXPECT_GT(some.returned, 0);
   EXPECT_GT(low, 0) << "the lower summits carry nothing";

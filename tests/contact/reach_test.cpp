@@ -57,8 +57,7 @@ struct Two {
       fields = std::max(fields, largest_difference(v[0], v[1]));
     }
     std::printf(
-        "%s: %g of %g rows, %g came back; tractions differ by %.1e (bound %.0e), gap and "
-        "slip %.1e (bound 1e-6)\n",
+        "%s: %g of %g rows, %g came back; tractions differ by %.1e (bound %.0e), gap and slip %.1e (bound 1e-6)\n",
         what.c_str(), stat("rows_assembled"), nodes, stat("nodes_returned"), off, bound, fields);
     EXPECT_LT(fields, 1e-6) << what << ": rows and integrals themselves";
     EXPECT_EQ(some.contact->stat("nodes_stick"), all.contact->stat("nodes_stick"));

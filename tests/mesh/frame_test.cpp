@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "support/frames.hpp"
+#include "support/surface_meshes.hpp"
 #include "validation/report.hpp"
 
 namespace rollcon {
@@ -144,19 +145,9 @@ TEST(Frame, NodesOfNoElementCarryNothing) {
 
 TEST(Frame, AHoleIsAllowed) {
   const auto u = frames::uniform_lines(0, 3, 3);
-  SurfaceMesh mesh = frames::rectangle(ElementType::quad4, u, u);
-  // Take out the middle element: a ring of eight squares with a rim inside.
-  SurfaceMesh ring;
-  ring.node = mesh.node;
-  ring.offset = {0};
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    if (e == 4) continue;
-    const auto n = mesh.element(e);
-    ring.connectivity.insert(ring.connectivity.end(), n.begin(), n.end());
-    ring.type.push_back(ElementType::quad4);
-    ring.tag.push_back(0);
-    ring.offset.push_back(static_cast<std::int64_t>(ring.connectivity.size()));
-  }
+  // A ring of eight squares with a rim inside.
+  const SurfaceMesh ring =
+      surfaces::only(frames::rectangle(ElementType::quad4, u, u), [](std::int64_t e) { return e != 4; });
   const Frame frame = build_frame(ring, Axes{});
   expect_error("area of a frame with a hole", frame.area - 8, 1e-14);
   EXPECT_EQ(count(frame.rim), 16);

@@ -24,13 +24,9 @@ namespace {
 using std::numbers::pi;
 using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
-                                     ElementType::quad9};
+using surfaces::all_types;
+using surfaces::name_of;
 constexpr Vec3 any{0, 0, 0};
-
-std::string number(ElementType type) {
-  return std::to_string(static_cast<int>(type));
-}
 
 Vec3 random_direction(std::mt19937& random) {
   std::normal_distribution<double> normal;
@@ -131,7 +127,7 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
         }
         ++lines;
         const auto hit = search.along(from, d, facing);
-        ASSERT_EQ(hit.has_value(), !all.empty()) << number(type) << " seed " << seed << " " << i;
+        ASSERT_EQ(hit.has_value(), !all.empty()) << name_of(type) << " seed " << seed << " " << i;
         if (!hit) continue;
         ++hits;
         own = std::max(own, own_error(mesh, *hit, from, d));
@@ -143,7 +139,7 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
     }
     EXPECT_GT(hits, 60);
     EXPECT_LT(near_misses, lines / 4);
-    expect_error("rough ball " + number(type) + ", own error of " + std::to_string(hits) + " hits / element", own,
+    expect_error("rough ball " + name_of(type) + ", own error of " + std::to_string(hits) + " hits / element", own,
                  1e-12);
     expect_error("distance against the facets'", sagitta, type == ElementType::tri3 ? 1e-13 : 2e-3);
   }
@@ -186,7 +182,7 @@ TEST(SurfaceSearch, NearestPointIsNoFartherThanAnyOther) {
         excess = std::max(excess, p.distance - least);
       }
     }
-    expect_error("rough ball " + number(type) + ", own error of nearest points", own, 1e-13);
+    expect_error("rough ball " + name_of(type) + ", own error of nearest points", own, 1e-13);
     expect_error("foot of the normal / element", normality, 1e-12);
     EXPECT_LE(excess, 1e-14) << "a point of the lattice is nearer";
   }
@@ -210,7 +206,7 @@ TEST(SurfaceSearch, PointsOfTheSurfaceFindThemselves) {
       ASSERT_TRUE(hit);
       at = std::max({at, std::abs(hit->distance) / size, std::abs(hit->xi - 0.31)});
     }
-    expect_error("points on a rough ball, " + number(type), at, 1e-13);
+    expect_error("points on a rough ball, " + name_of(type), at, 1e-13);
     expect_error("points beside it", beside, 1e-12);
   }
 }
@@ -231,7 +227,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
           const Vec3 d = normalized(target - from);
           // Outwards from within, inwards from outside: the hit is the target.
           const auto hit = search.along(from, d, target);
-          ASSERT_TRUE(hit) << number(type);
+          ASSERT_TRUE(hit) << name_of(type);
           error = std::max(error, length(hit->x - target) / size);
           ++lines;
         }
@@ -247,7 +243,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
           shoot(evaluate_surface(mesh, e, p.xi + s * (q.xi - p.xi), p.eta + s * (q.eta - p.eta)).x, size);
         }
       }
-      expect_error(std::to_string(lines) + " lines through edges and nodes, " + number(type) + ", miss / element",
+      expect_error(std::to_string(lines) + " lines through edges and nodes, " + name_of(type) + ", miss / element",
                    error, 1e-12);
     }
 }
@@ -256,20 +252,13 @@ TEST(SurfaceSearch, ToleranceBeyondAnEdgeIsThatOfTheHeader) {
   // One square alone: a line 1e-10 beyond its edge meets it, one 1e-8 beyond does not.
   for (double unit : {1e-9, 1.0, 1e9})
     for (ElementType type : all_types) {
-      SurfaceMesh mesh;
-      mesh.type = {type};
-      mesh.tag = {0};
-      mesh.offset = {0, node_count(type)};
       const bool triangle = corner_count(type) == 3;
-      for (const ReferencePoint& r : reference_nodes(type)) {
-        mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-        mesh.node.push_back({unit * r.xi, unit * r.eta, 0});
-      }
+      const auto mesh = surfaces::one_element(type, [unit](const Vec3& r) { return unit * r; });
       const double edge = triangle ? 0 : -1;
       const SurfaceSearch search(mesh, {});
       for (const auto& [beyond, met] : {std::pair{0.0, true}, {5e-10, true}, {1e-8, false}}) {
         const auto hit = search.along({unit * (edge - beyond), unit * 0.25, unit * 5}, {0, 0, 1}, {0, 0, 1});
-        EXPECT_EQ(hit.has_value(), met) << number(type) << " " << beyond;
+        EXPECT_EQ(hit.has_value(), met) << name_of(type) << " " << beyond;
         if (!hit) continue;
         EXPECT_NEAR(hit->distance / unit, -5, 1e-9);
         EXPECT_EQ(hit->xi, edge);
@@ -286,7 +275,7 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
     const SurfaceSearch search(mesh, {});
     const auto up = search.along({0.3, 0.4, 0.8}, {0, 0, 1}, any);
     ASSERT_TRUE(up);
-    expect_error("cube " + number(type) + ", up to the top", up->distance - 0.2, 1e-15);
+    expect_error("cube " + name_of(type) + ", up to the top", up->distance - 0.2, 1e-15);
     // The least |t| may lie behind; facing asks for the one in front or the one behind.
     const auto down = search.along({0.3, 0.4, 0.2}, {0, 0, 1}, any);
     ASSERT_TRUE(down);
@@ -316,43 +305,11 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
   }
 }
 
-TEST(SurfaceSearch, CylinderRadiusHasTheElementsError) {
-  // A quadratic element over the angle 2 w: x = sin(w) s, y = 1 - (1 - cos w) s^2, hence
-  // r^2 = 1 - (1 - cos w)^2 (s^2 - s^4), at worst r = 1 - (1 - cos w)^2/8.
-  constexpr int n = 48;
-  const double expected = std::pow(1 - std::cos(pi / n), 2) / 8;
-  for (ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
-    surfaces::Block shape = surfaces::brick({1, 4, 2}, {1, 8, 25});
-    shape.ring = true;
-    shape.line[0].clear();
-    for (int i = 0; i <= n; ++i) shape.line[0].push_back(2 * pi * i / n);
-    shape.map = [](const Vec3& x) { return Vec3{(25 + x[2]) * std::sin(x[0]), x[1], (25 + x[2]) * std::cos(x[0])}; };
-    const SurfaceMesh mesh = surfaces::block(shape, type);
-    const SurfaceSearch search(mesh, {});
-    double error = 0;
-    for (int i = 0; i < 2000; ++i) {
-      const double a = 2 * pi * (i + 0.123) / 2000, y = 4 + 3.9 * std::sin(i);
-      const Vec3 d{std::sin(a), 0, std::cos(a)};
-      const auto outer = search.along(60.0 * d + Vec3{0, y, 0}, d, d);
-      const auto inner = search.along({0, y, 0}, d, -1.0 * d);
-      ASSERT_TRUE(outer && inner);
-      error = std::max({error, std::abs((outer->distance + 60) / 50 - 1), std::abs(inner->distance / 25 - 1)});
-    }
-    expect_error("cylinder, largest error of the radius over the closed form's, " + number(type), error / expected - 1,
-                 1e-2);
-  }
-}
-
 TEST(SurfaceSearch, ABulgeIsMetOnBothItsSides) {
   // One strongly curved element, met twice by lines across it: all intersections are known.
-  SurfaceMesh mesh;
-  mesh.type = {ElementType::quad9};
-  mesh.tag = {0};
-  mesh.offset = {0, 9};
-  for (const ReferencePoint& r : reference_nodes(ElementType::quad9)) {
-    mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-    mesh.node.push_back({r.xi, r.eta, 2 * (1 - r.xi * r.xi)});
-  }
+  const auto mesh = surfaces::one_element(ElementType::quad9, [](const Vec3& r) {
+    return Vec3{r[0], r[1], 2 * (1 - r[0] * r[0])};
+  });
   const SurfaceSearch search(mesh, {});
   double error = 0;
   for (double z : {1e-6, 0.1, 0.5, 1.0, 1.9, 1.99, 1.9999, 1.999999}) {
@@ -375,14 +332,7 @@ TEST(SurfaceSearch, ABulgeIsMetOnBothItsSides) {
 TEST(SurfaceSearch, ASaddleIsMetTwice) {
   // z = xy over a square, cut along its diagonal at height s^2: at x = y = s and -s.
   for (ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
-    SurfaceMesh mesh;
-    mesh.type = {type};
-    mesh.tag = {0};
-    mesh.offset = {0, node_count(type)};
-    for (const ReferencePoint& r : reference_nodes(type)) {
-      mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-      mesh.node.push_back({r.xi, r.eta, r.xi * r.eta});
-    }
+    const auto mesh = surfaces::one_element(type, [](const Vec3& r) { return Vec3{r[0], r[1], r[0] * r[1]}; });
     const SurfaceSearch search(mesh, {});
     const Vec3 d = normalized({1, 1, 0});
     double error = 0;
@@ -391,10 +341,10 @@ TEST(SurfaceSearch, ASaddleIsMetTwice) {
         for (double from : {-2.0, 0.01, 0.7}) {
           // The normal (-y, -x, 1) looks along -d where x = y > 0.
           const auto hit = search.along({from, from, s * s}, d, -sign * d);
-          ASSERT_TRUE(hit) << number(type) << " " << s;
+          ASSERT_TRUE(hit) << name_of(type) << " " << s;
           error = std::max(error, length(hit->x - Vec3{sign * s, sign * s, s * s}));
         }
-    expect_error("saddle " + number(type), error, 1e-12);
+    expect_error("saddle " + name_of(type), error, 1e-12);
   }
 }
 
@@ -414,7 +364,7 @@ TEST(SurfaceSearch, FarAwaySmallAndLarge) {
         ASSERT_TRUE(hit && near);
         error = std::max(error, length(hit->x - near->x) / unit);
       }
-      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + number(type), error, 1e-11);
+      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + name_of(type), error, 1e-11);
     }
 }
 

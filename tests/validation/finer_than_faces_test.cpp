@@ -5,8 +5,7 @@
 #include <string>
 
 #include "support/example1.hpp"
-#include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -28,14 +27,14 @@ struct Pressed {
 };
 
 /// Around mid-plane, beside the ellipse of a line contact with the pressure and half-width of quad8.
-Pressed press(const scenes::MeshedBody& ring, double zone, bool given) {
+Pressed press(const MeshedBody& ring, double zone, bool given) {
   constexpr double p0 = 106.8, a = 0.966;
-  scenes::RollingPair pair(ring, scenes::RigidBody{}, 1);
+  RollingPair pair(ring, RigidBody{}, 1);
   pair.axes({0, 0, example1::radius}, {1, 0, 0}, {0, 0, 1}).frame(laid(zone, 18));
   pair.friction(0).load(example1::load);
   if (given) pair.gap_quadratic(1 / (2 * example1::radius), 0);
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
-  const scenes::Solution s = pair.solution();
+  const Solution s = pair.solution();
   Pressed found;
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
@@ -52,7 +51,7 @@ Pressed press(const scenes::MeshedBody& ring, double zone, bool given) {
 // Measured from the facets, the pressure in the middle was 27 % high and ripples 18 %.
 TEST(FinerThanFaces, boundary_elements) {
   const surfaces::Ring shape = example1::bem_ring(6);
-  const scenes::MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
+  const MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
   const Pressed given = press(ring, shape.zone, true), measured = press(ring, shape.zone, false);
   expect_error("gap given: middle", given.middle - 1, 0.03);
   expect_error("gap given: ripples", given.ripple, 0.04);
@@ -64,7 +63,7 @@ TEST(FinerThanFaces, boundary_elements) {
 // Six faces of hex8 across are 6 % off in themselves.
 TEST(FinerThanFaces, finite_elements) {
   const surfaces::Ring shape = example1::fem_ring(6);
-  const scenes::MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);
+  const MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);
   const Pressed measured = press(ring, shape.zone, false);
   expect_error("gap measured: middle", measured.middle - 1, 0.06);
   expect_error("gap measured: ripples", measured.ripple, 0.08);

@@ -40,8 +40,8 @@ TEST_P(FarRules, take_few_points_more_than_those_of_a_single_point) {
           }
       }
     std::printf(
-        "%d nodes, layer %d: %.1f points, %.1f chosen point by point (bound: 1.7 times as many), "
-        "%lld of %lld left to the near field (bound: 1 in 10)\n",
+        "%d nodes, layer %d: %.1f points, %.1f chosen point by point (bound: 1.7 times as many), %lld of %lld left to "
+        "the near field (bound: 1 in 10)\n",
         node_count(GetParam()), terms, static_cast<double>(far) / static_cast<double>(cases),
         static_cast<double>(pointwise) / static_cast<double>(cases), static_cast<long long>(left),
         static_cast<long long>(left + cases));
