@@ -2,14 +2,8 @@
 // it, spin moments and forces near what friction carries. However they are solved, they end solved or with a status
 // that says why not, they are left as they were given, and they can be interrupted anywhere.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "support/extremes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

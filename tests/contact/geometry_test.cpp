@@ -2,16 +2,10 @@
 
 #include "contact/scene/geometry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <string>
-
 #include "contact/body_geometry.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,12 +1,8 @@
 // Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind of scene; work and
 // memory grow with the number of nodes.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-
 #include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
 
 namespace {
 

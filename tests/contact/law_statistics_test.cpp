@@ -1,13 +1,7 @@
 // Statistics of the laws at an unfinished iterate: large, and the same in all units.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-
 #include "contact/scene_fixture.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

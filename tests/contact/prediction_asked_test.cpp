@@ -1,13 +1,8 @@
 // What is asked between two solves does not change the next one: slips that nobody asked for are computed where a
 // predicted start needs them.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

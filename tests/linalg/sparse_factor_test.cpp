@@ -2,16 +2,9 @@
 
 #include "linalg/sparse_factor.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
 #include <iterator>
-#include <numeric>
-#include <string>
 #include <thread>
 #include <tuple>
 
@@ -19,12 +12,11 @@
 #include "linalg/blas_threads.hpp"
 #include "linalg/sparse_matrices.hpp"
 #include "support/error.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 using namespace sparse;
 
 std::unique_ptr<SparseFactor> by_umfpack(const SparseMatrix& a, std::span<const std::int64_t> condensed) {

@@ -1,19 +1,12 @@
 #include "mesh/frame.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "support/frames.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 constexpr double pi = std::numbers::pi;
 
 double sum(const std::vector<double>& v) {
@@ -79,8 +72,7 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
     error[k] = frame.area / pi - 1;
     expect_error("sum of weights on curved elements", sum(frame.weight) / frame.area - 1, 1e-14);
   }
-  validation::expect_order("area of the disc by curved elements", validation::observed_order(error[0], error[1], 2, 1),
-                           3.8);
+  expect_order("area of the disc by curved elements", observed_order(error[0], error[1], 2, 1), 3.8);
 }
 
 TEST(Frame, ProjectsOnTheAxes) {

@@ -2,21 +2,13 @@
 
 #include "mesh/shape.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "mesh/volume_shape.hpp"
 #include "support/any_element.hpp"
 #include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
 
 /// At a point; of surface elements the third coordinate is nothing.
 struct Functions {

@@ -3,23 +3,13 @@
 
 #include "geometry/surface_coupling.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <numeric>
-#include <string>
-#include <vector>
-
 #include "geometry/surface_search.hpp"
 #include "mesh/corner_elements.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/surface_quadrature.hpp"
 #include "support/frames.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -30,8 +20,6 @@ using frames::uniform_lines;
 using surfaces::all_types;
 using surfaces::at;
 using surfaces::name_of;
-using validation::expect_error;
-using validation::expect_order;
 
 std::vector<std::int64_t> all_of(const SurfaceMesh& mesh) {
   std::vector<std::int64_t> face(at(mesh.elements()));

@@ -2,20 +2,13 @@
 
 #include "mesh/surface_geometry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using std::numbers::pi;
-using validation::expect_error;
 
 using surfaces::all_types;
 using surfaces::name_of;
@@ -75,7 +68,7 @@ TEST(SurfaceGeometry, NormalsOfASphereConvergeToRadialOnes) {
       }
     }
     expect_error("normals of a sphere, 32 elements to a quarter, " + name_of(type), error[1], 6e-4);
-    validation::expect_order("order", std::log2(error[0] / error[1]), 1.85);
+    expect_order("order", std::log2(error[0] / error[1]), 1.85);
   }
 }
 

@@ -2,23 +2,13 @@
 
 #include "support/surface_meshes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using surfaces::all_types;
 using surfaces::name_of;
-using validation::expect_error;
-using validation::relative;
 
 constexpr double pi = std::numbers::pi;
 

@@ -2,27 +2,18 @@
 
 #include "geometry/surface_search.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "mesh/surface_geometry.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using std::numbers::pi;
-using validation::expect_error;
 
 using surfaces::all_types;
 using surfaces::name_of;

@@ -1,25 +1,17 @@
 /// Tractions at edges and corners: one value per smooth fan of elements.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/traction_nodes.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using std::numbers::pi;
-using validation::expect_error;
 
 using surfaces::all_types;
 using surfaces::name_of;

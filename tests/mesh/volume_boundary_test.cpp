@@ -2,25 +2,17 @@
 
 #include "mesh/volume_boundary.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "geometry/surface_search.hpp"
 #include "mesh/refusals.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/traction_nodes.hpp"
 #include "mesh/volume_shape.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 using volumes::all_types;
 using volumes::name_of;
 

@@ -1,17 +1,11 @@
 /// Every way in which a volume mesh can be wrong, with the words that the caller reads; and good ones, however slender,
 /// small or large.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "mesh/refusals.hpp"
 #include "mesh/volume_boundary.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
 
 namespace rollcon {

@@ -2,23 +2,14 @@
 
 #include "support/volume_meshes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "mesh/volume_boundary.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/error.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 using volumes::all_types;
 using volumes::Mesh;
 using volumes::name_of;

@@ -1,19 +1,13 @@
 /// Quadrature of volume elements: exact to the degree asked for, inside, positive.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "mesh/volume_shape.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
 using surfaces::at;
-using validation::expect_error;
 using volumes::name_of;
 
 constexpr VolumeType shapes[] = {VolumeType::tet4, VolumeType::wedge6, VolumeType::hex8};

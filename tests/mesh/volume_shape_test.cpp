@@ -2,21 +2,16 @@
 
 #include "mesh/volume_shape.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "mesh/shape.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 using volumes::all_types;
 using volumes::name_of;
 

@@ -1,15 +1,11 @@
 /// What the library says of bodies that it cannot answer for: refusals with value, range and remedy, and warnings where
 /// digits are lost.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <initializer_list>
-#include <string>
-#include <vector>
 
 #include "support/extreme_bodies.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

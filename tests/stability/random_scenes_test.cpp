@@ -1,14 +1,11 @@
 /// Random scenes over wide ranges from fixed seeds: each one is solved with the laws satisfied, or ends with a status
 /// that says why not. Some at once, more for every change, others every night.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "support/extremes.hpp"
 #include "support/first_seed.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,13 +1,10 @@
 /// Two or three tangential loads given at once, from none to a tenth more than friction carries: what is called solved
 /// keeps all laws and carries all loads, and what is refused is too much.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "support/extremes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

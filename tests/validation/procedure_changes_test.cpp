@@ -1,11 +1,7 @@
 // One contact through changes of its scene, solved by published procedures: the same as a fresh one.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "support/example3.hpp"
+#include "support/testing.hpp"
 #include "validation/scenes.hpp"
 
 namespace rollcon::validation {

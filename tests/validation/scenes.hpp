@@ -5,7 +5,7 @@
 #include "support/graded_disc.hpp"
 #include "support/hertz_fit.hpp"
 #include "support/scene.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::validation {
 

@@ -1,18 +1,12 @@
 // A cantilever with an end load, of boundary and of finite elements.
 
-#include <gtest/gtest.h>
-
 #include "support/static_cases.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using statics::StaticBody;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
-using validation::relative;
 
 namespace beam = statics::beam;
 

@@ -1,15 +1,8 @@
 // Uniform strain and pure bending, on meshes of all boundary and finite elements: fields that the elements hold
 // exactly, so that what is left is the error of the integrals and of the linear algebra.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "support/static_cases.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -19,7 +12,6 @@ using statics::givens;
 using statics::StaticBody;
 using statics::Tensor;
 using statics::UniformStress;
-using validation::expect_error;
 
 constexpr double young = 200;
 const Vec3 brick_size{3, 0.7, 1.5}, mixed_size{2, 1, 1};

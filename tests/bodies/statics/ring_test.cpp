@@ -1,14 +1,8 @@
 // The ring of the paper's first example, of boundary and of finite elements, under loads on a patch of its outer
 // surface (support/loaded_ring.hpp).
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "support/loaded_ring_body.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -16,10 +10,6 @@ namespace {
 namespace loaded_ring = statics::loaded_ring;
 using loaded_ring::Load;
 using statics::StaticBody;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
-using validation::relative;
 
 /// How the whole ring is made of what is meshed.
 enum class Part { whole, quarter };
@@ -112,7 +102,7 @@ TEST(RingRefinement_long, of_finite_elements) {
       const auto errors = loaded_ring::listed_errors(body, Load::normal, 0.3);
       for (const auto& e : errors) error[level] += e.error * e.error / static_cast<double>(errors.size());
       error[level] = std::sqrt(error[level]);
-      validation::report(name_of(type) + " ring, mean error", error[level]);
+      report(name_of(type) + " ring, mean error", error[level]);
     }
     expect_order(name_of(type) + " ring", observed_order(error[0], error[1], 2, 1), quadratic ? 1.7 : 1.2);
   }

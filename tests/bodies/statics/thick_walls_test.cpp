@@ -1,22 +1,14 @@
 // Lame's thick sphere and thick cylinder under pressure from inside, of boundary and of finite elements: error,
 // observed order, and what happens as nu tends to 1/2.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-
 #include "support/error.hpp"
 #include "support/static_cases.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using statics::StaticBody;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
 
 namespace walls = statics::walls;
 

@@ -1,14 +1,8 @@
 // The far field's rules, chosen from the distance of a whole pack alone, cost little more than those chosen for each
 // point with all that is known of the element.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/bem/integrals/element_reference.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

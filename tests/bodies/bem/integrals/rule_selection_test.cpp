@@ -2,14 +2,8 @@
 // distortion and curvature; each integral against brute force. Errors of T are relative to the free term of a smooth
 // point, 1/2, the largest entry of a row; those of U to the element's own largest integral.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/bem/integrals/element_reference.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
