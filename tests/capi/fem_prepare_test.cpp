@@ -106,35 +106,6 @@ TEST_F(fem_prepare, turned_elements_are_refused) {
   expect_mended();
 }
 
-TEST_F(fem_prepare, unsound_meshes_are_refused) {
-  set_box();
-  ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0));
-  EXPECT_FAILS(rollcon_body_prepare(body), MESH, "the same element", "elements 0 and 8");
-
-  ASSERT_OK(set_nodes_of_box());
-  ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, box.connectivity.data(), 0, 0));
-  EXPECT_FAILS(rollcon_body_prepare(body), MESH, "belongs to no element", "19 such", "node 2");
-
-  std::vector<double> x;
-  std::vector<std::int32_t> apart = counting(16);
-  for (const double shift : {0.0, 3.0})
-    for (const auto& c : BoxVolume::corners) x.insert(x.end(), {c[0] + shift, 1.0 * c[1], 1.0 * c[2]});
-  ASSERT_OK(rollcon_body_set_nodes(body, 16, x.data(), 3, 1));
-  ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_HEX8, 2, apart.data(), 0, 0));
-  EXPECT_FAILS(rollcon_body_prepare(body), MESH, "2 parts", "element 1");
-
-  // A tetrahedron on a hexahedron: its face is half of the other one.
-  const double tip[3] = {0.25, 0.25, 2};
-  x.assign(x.begin(), x.begin() + 24);
-  x.insert(x.end(), tip, tip + 3);
-  const std::int32_t tet[4] = {4, 5, 7, 8};
-  ASSERT_OK(rollcon_body_set_nodes(body, 9, x.data(), 3, 1));
-  ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_HEX8, 1, apart.data(), 0, 0));
-  ASSERT_OK(rollcon_body_add_elements(body, ROLLCON_TET4, 1, tet, 0, 0));
-  EXPECT_FAILS(rollcon_body_prepare(body), MESH, "hex8", "tet4");
-  expect_mended();
-}
-
 TEST_F(fem_prepare, incompressible_bodies_are_refused) {
   set_box(0.5);
   EXPECT_FAILS(rollcon_body_prepare(body), UNSUPPORTED, "element 0", "from 0", "poisson 0.5", "allowed",

@@ -49,11 +49,13 @@ SurfaceMesh join(SurfaceMesh a, const SurfaceMesh& b, const Vec3& shift = {0, 0,
 SurfaceMesh tetrahedron() {
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  add_element(mesh, ElementType::tri3, {0, 2, 1});
-  add_element(mesh, ElementType::tri3, {0, 1, 3});
-  add_element(mesh, ElementType::tri3, {1, 2, 3});
-  add_element(mesh, ElementType::tri3, {0, 3, 2});
+  for (const std::array<std::int32_t, 3>& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}})
+    add_element(mesh, ElementType::tri3, face);
   return mesh;
+}
+
+SurfaceMesh moved(const SurfaceMesh& mesh, const Vec3& by, double unit = 1) {
+  return surfaces::transform(mesh, [&](const Vec3& x) { return unit * (x + by); });
 }
 
 SurfaceMesh cube(ElementType type, int n = 2, double size = 1) {
@@ -99,15 +101,9 @@ TEST(SurfaceCheck, SoundBodiesPass) {
 
 TEST(SurfaceCheck, CavitiesLookInwards) {
   for (ElementType type : all_types) {
-    SurfaceMesh one = surfaces::with_cavity(cube(type, 3, 4), surfaces::transform(cube(type), [](const Vec3& x) {
-                                              return x + Vec3{1, 1, 1};
-                                            }));
+    const SurfaceMesh one = surfaces::with_cavity(cube(type, 3, 4), moved(cube(type), {1, 1, 1}));
     expect_accepted(one, "cavity");
-    // Two cavities side by side.
-    SurfaceMesh two = surfaces::with_cavity(one, surfaces::transform(cube(type, 1, 0.5), [](const Vec3& x) {
-                                              return x + Vec3{3, 3, 3};
-                                            }));
-    expect_accepted(two, "two cavities");
+    expect_accepted(surfaces::with_cavity(one, moved(cube(type, 1, 0.5), {3, 3, 3})), "two cavities side by side");
     // Thin wall: a sphere in a sphere, closer than the sagitta of the elements' facets.
     if (is_quadratic(type))
       expect_accepted(surfaces::with_cavity(surfaces::cube_sphere(type, 3, 1), surfaces::cube_sphere(type, 3, 0.99)),
@@ -121,17 +117,10 @@ TEST(SurfaceCheck, SlenderSmallAndLargeBodiesPass) {
       for (const Vec3& size : {Vec3{1, 1, 1}, Vec3{1e4, 1, 1}, Vec3{1, 1e4, 1e4}, Vec3{1, 1e2, 1e4}})
         expect_accepted(surfaces::block(surfaces::brick({2, 2, 2}, unit * size), type), "slender brick");
       // A sheared brick: slender in no direction of the axes.
-      expect_accepted(surfaces::transform(cube(type),
-                                          [unit](const Vec3& x) {
-                                            return unit * Vec3{x[0] + 1e4 * x[1], x[1], x[2]};
-                                          }),
-                      "sheared cube");
+      const auto sheared = [unit](const Vec3& x) { return unit * Vec3{x[0] + 1e4 * x[1], x[1], x[2]}; };
+      expect_accepted(surfaces::transform(cube(type), sheared), "sheared cube");
       // Far from the origin: the rounding of coordinates is 1e-10 of the size.
-      expect_accepted(surfaces::transform(surfaces::cube_sphere(type, 3, 1),
-                                          [unit](const Vec3& x) {
-                                            return unit * (x + Vec3{1e6, -1e6, 1e6});
-                                          }),
-                      "far away");
+      expect_accepted(moved(surfaces::cube_sphere(type, 3, 1), {1e6, -1e6, 1e6}, unit), "far away");
     }
 }
 
@@ -146,14 +135,11 @@ TEST(SurfaceCheck, OpenSurfacesPassWhenTheyAreNotBodies) {
   expect_refused(mesh, "edge 24-25 of element 5 (quad8)");
 }
 
-TEST(SurfaceCheck, NoElements) {
+TEST(SurfaceCheck, ConnectivityIsCheckedFirst) {
   SurfaceMesh mesh;
   mesh.offset = {0};
   expect_refused(mesh, "no elements");
-}
-
-TEST(SurfaceCheck, ConnectivityIsCheckedFirst) {
-  SurfaceMesh mesh = tetrahedron();
+  mesh = tetrahedron();
   mesh.index_base = 1;
   mesh.connectivity[4] = 9;
   expect_refused(mesh, "does not exist; 1 such in the surface; first: element 2 (tri3), node 10 of 1..4");
@@ -175,8 +161,7 @@ TEST(SurfaceCheck, NodesOfNoElement) {
 TEST(SurfaceCheck, TwoNodesAtOnePlace) {
   for (double unit : {1e-9, 1.0, 1e9}) {
     // Six faces meshed one by one, not merged: 8 corners with three nodes each.
-    const SurfaceMesh whole =
-        surfaces::transform(cube(ElementType::quad4, 1), [unit](const Vec3& x) { return unit * x; });
+    const SurfaceMesh whole = moved(cube(ElementType::quad4, 1), {0, 0, 0}, unit);
     SurfaceMesh mesh;
     for (std::int64_t e = 0; e < whole.elements(); ++e) {
       const auto n = static_cast<std::int32_t>(mesh.node.size());
@@ -255,20 +240,18 @@ TEST(SurfaceCheck, FoldedElements) {
   // A warped element is none of these.
   expect_accepted(one_element(ElementType::quad4, {{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}}), "warped", open);
   // One quadratic element half round a cylinder: coarse, but sound.
-  std::vector<Vec3> nodes;
-  for (const ReferencePoint& r : reference_nodes(ElementType::quad8)) {
-    const double angle = 0.5 * std::numbers::pi * r.xi;
-    nodes.push_back({std::sin(angle), r.eta, std::cos(angle)});
-  }
-  expect_accepted(one_element(ElementType::quad8, nodes), "half a cylinder", open);
+  const auto half_round = [](const Vec3& r) {
+    const double angle = 0.5 * std::numbers::pi * r[0];
+    return Vec3{std::sin(angle), r[1], std::cos(angle)};
+  };
+  expect_accepted(one_element(ElementType::quad8, half_round), "half a cylinder", open);
 }
 
 TEST(SurfaceCheck, MoreThanTwoElementsOnAnEdge) {
   // Two cubes with a common edge; and a fin on a cube.
   SurfaceMesh mesh = cube(ElementType::quad4, 1);
-  const std::int32_t a = mesh.element(0)[0], b = mesh.element(0)[1];
   mesh.node.push_back({-1, -1, -1});
-  add_element(mesh, ElementType::tri3, {a, b, static_cast<std::int32_t>(mesh.node.size() - 1)});
+  add_element(mesh, ElementType::tri3, {mesh.element(0)[0], mesh.element(0)[1], 8});
   for (SurfaceKind kind : {SurfaceKind::closed, SurfaceKind::open})
     expect_refused(mesh, "more than two elements share an edge; 1 such in the surface; first: edge 0-", kind);
 }
@@ -374,19 +357,14 @@ TEST(SurfaceCheck, PartsThatTouchAtANode) {
     SurfaceMesh mesh = join(cube(type, 1), cube(type, 1), {1, 1, 1});
     mesh.index_base = 1;
     const std::int32_t a = surfaces::node_at(mesh, {1, 1, 1});
-    for (std::size_t k = 0; k < mesh.node.size(); ++k)
-      if (static_cast<std::int32_t>(k) != a && length(mesh.node[k] - Vec3{1, 1, 1}) < 1e-9) {
-        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(), static_cast<std::int32_t>(k), a);
-        std::replace(mesh.connectivity.begin(), mesh.connectivity.end(),
-                     static_cast<std::int32_t>(mesh.node.size() - 1), static_cast<std::int32_t>(k));
-        mesh.node[k] = mesh.node.back();
-        mesh.node.pop_back();
-        break;
-      }
-    const std::int32_t now = surfaces::node_at(mesh, {1, 1, 1});
+    auto k = static_cast<std::int32_t>(mesh.node.size()) - 1;
+    while (k == a || length(mesh.node[surfaces::at(k)] - Vec3{1, 1, 1}) > 1e-9) --k;
+    // The second cube's corner gives way to the first one's, and the nodes behind it move up.
+    for (std::int32_t& id : mesh.connectivity) id = id == k ? a : id - (id > k);
+    mesh.node.erase(mesh.node.begin() + k);
     expect_refused(
         mesh, "two parts of the surface touch at a node without sharing an edge; 1 such in the surface; first: node " +
-                  std::to_string(now + 1) + " (elements ");
+                  std::to_string(a + 1) + " (elements ");
   }
 }
 
