@@ -11,7 +11,7 @@ rooms=()
 while [ $# -gt 0 ]; do
   case $1 in
   --build)
-    build=$2
+    build=$(realpath "$2")
     shift
     ;;
   *) rooms+=("$1") ;;

