@@ -33,10 +33,8 @@ std::vector<Case> all_cases() {
 
 int usage() {
   std::fprintf(stderr,
-               "usage: rollcon-bench list\n"
-               "       rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads N] "
-               "[--scenes N]\n"
-               "       rollcon-bench stability [...]\n");
+               "usage: rollcon-bench list\n       rollcon-bench run CASE... | all [--json FILE] [--quick] [--threads "
+               "N] [--scenes N]\n       rollcon-bench stability [...]\n");
   return 2;
 }
 

@@ -83,8 +83,8 @@ void run(Runner& runner, const Loop& loop) {
     if ((status != ROLLCON_OK || fallbacks > 0) && told++ < 4) {
       const auto s = wheelset_run::step(i, loop.drive);
       std::printf(
-          "    step %lld: status %d, %g iterations, %g fallbacks; load %.17g, "
-          "longitudinal %.17g, lateral %.17g, spin %.17g\n",
+          "    step %lld: status %d, %g iterations, %g fallbacks; load %.17g, longitudinal %.17g, lateral %.17g, spin "
+          "%.17g\n",
           static_cast<long long>(i), status, iterations, fallbacks, s.load, s.longitudinal, s.lateral, s.spin);
     }
     if (i == tenth - 1) resident_first = peak_resident_bytes();

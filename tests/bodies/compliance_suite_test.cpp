@@ -2,15 +2,11 @@
 
 #include "support/compliance_suite.hpp"
 
-#include <gtest/gtest.h>
-
-#include <utility>
-
 #include "bodies/pair.hpp"
 #include "support/frames.hpp"
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -229,8 +225,8 @@ TEST(SameBody_long, by_finite_and_by_boundary_elements) {
   const auto refine = [&](auto type, const std::string& name, double coarse, double fine, int level = 1) {
     const double e0 = distance(works(type, 0), reference), e1 = distance(works(type, level), reference);
     const std::string parts = std::to_string(4 << level);
-    validation::expect_error(name + ", 4 x 4 in the zone, work against 8 x 8 quad8", e0, coarse);
-    validation::expect_error(name + ", " + parts + " x " + parts + " in the zone, work against 8 x 8 quad8", e1, fine);
+    expect_error(name + ", 4 x 4 in the zone, work against 8 x 8 quad8", e0, coarse);
+    expect_error(name + ", " + parts + " x " + parts + " in the zone, work against 8 x 8 quad8", e1, fine);
     EXPECT_LT(e1, 0.75 * e0) << name;
   };
   refine(ElementType::quad4, "quad4", 0.1, 0.04);

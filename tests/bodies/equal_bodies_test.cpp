@@ -2,17 +2,13 @@
 
 #include "bodies/equal_bodies.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <functional>
 #include <thread>
-#include <vector>
 
 #include "bodies/body.hpp"
 #include "build_info.hpp"
 #include "support/error.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
 
 namespace rollcon {

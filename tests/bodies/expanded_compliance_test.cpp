@@ -3,26 +3,19 @@
 
 #include "bodies/model/expanded_compliance.hpp"
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <memory>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "bodies/pair.hpp"
 #include "support/compliance_suite.hpp"
 #include "support/frames.hpp"
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using statics::StaticBody;
-using validation::expect_error;
 
 constexpr double curvature = 0.06;
 

@@ -2,17 +2,11 @@
 
 #include "bodies/frame_on_body.hpp"
 
-#include <gtest/gtest.h>
-
 #include <chrono>
-#include <cmath>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "contact/body_geometry.hpp"
 #include "contact/scene/scene.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -21,7 +15,6 @@ using contact_test::rigid_body;
 using contact_test::sphere_cap;
 using frames::uniform_lines;
 using surfaces::name_of;
-using validation::expect_error;
 
 Pose turned(double a, double b, const Vec3& translation) {
   const double c = std::cos(a), s = std::sin(a), d = std::cos(b), e = std::sin(b);

@@ -1,7 +1,6 @@
 #pragma once
 /// A cube of boundary elements through the public interface.
 
-#include <array>
 #include <map>
 
 #include "fixture.hpp"
@@ -55,11 +54,10 @@ struct CubeSurface {
 
 /// Nodes and faces, those of face f with tag f + 1.
 inline void give_mesh(rollcon_body* b, const CubeSurface& cube) {
-  ASSERT_EQ(rollcon_body_set_nodes(b, cube.nodes(), cube.x.data(), 3, 1), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_set_nodes(b, cube.nodes(), cube.x.data(), 3, 1));
   for (std::int32_t f = 0; f < 6; ++f)
-    ASSERT_EQ(rollcon_body_add_elements(b, ROLLCON_QUAD4, cube.face_elements(),
-                                        cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1),
-              ROLLCON_OK);
+    ASSERT_OK(rollcon_body_add_elements(b, ROLLCON_QUAD4, cube.face_elements(),
+                                        cube.face[static_cast<std::size_t>(f)].data(), 0, f + 1));
 }
 
 /// The scene of Api, and a cube of its own material without supports or loads.
@@ -68,8 +66,8 @@ class BodyApi : public Api {
   void SetUp() override {
     if (!rollcon_has_feature("bem")) GTEST_SKIP() << "this build has no boundary elements";
     Api::SetUp();
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_BEM, &body), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_elastic(body, 0, young, poisson), ROLLCON_OK);
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_BEM, &body));
+    ASSERT_OK(rollcon_body_set_elastic(body, 0, young, poisson));
   }
 
   void TearDown() override {
@@ -84,7 +82,7 @@ class BodyApi : public Api {
 
   void expect_size(std::int64_t nodes, std::int64_t elements) {
     std::int64_t n = -1, m = -1;
-    ASSERT_EQ(rollcon_body_get_size(body, &n, &m), ROLLCON_OK);
+    ASSERT_OK(rollcon_body_get_size(body, &n, &m));
     EXPECT_EQ(n, nodes);
     EXPECT_EQ(m, elements);
   }

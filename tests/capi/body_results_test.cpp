@@ -1,8 +1,5 @@
 /// What a prepared body tells: statics under its own loads, statistics.
 
-#include <cmath>
-#include <cstdio>
-
 #include "body_fixture.hpp"
 
 using namespace capi_test;
@@ -13,55 +10,55 @@ TEST_F(body_results, before_preparation_there_are_none) {
   set_mesh(body);
   double v[3];
   std::vector<double> u(cube.x.size());
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), u.data()), ROLLCON_ERR_STATE, "rollcon_body_prepare");
-  EXPECT_FAILS(rollcon_body_get_reaction(body, v, v), ROLLCON_ERR_STATE, "rollcon_body_prepare");
-  EXPECT_FAILS(rollcon_body_get_stat(body, "unknowns", v), ROLLCON_ERR_STATE, "rollcon_body_prepare");
-  EXPECT_FAILS(rollcon_body_get_reaction(sphere, v, v), ROLLCON_ERR_STATE, "half-space");
-  EXPECT_FAILS(rollcon_body_get_displacements(sphere, 1, v), ROLLCON_ERR_STATE, "half-space");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), u.data()), STATE, "rollcon_body_prepare");
+  EXPECT_FAILS(rollcon_body_get_reaction(body, v, v), STATE, "rollcon_body_prepare");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "unknowns", v), STATE, "rollcon_body_prepare");
+  EXPECT_FAILS(rollcon_body_get_reaction(sphere, v, v), STATE, "half-space");
+  EXPECT_FAILS(rollcon_body_get_displacements(sphere, 1, v), STATE, "half-space");
 }
 
 TEST_F(body_results, arguments) {
   set_mesh(body);
-  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK);
+  ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
+  ASSERT_OK(rollcon_body_prepare(body));
   std::vector<double> u(cube.x.size(), 5.0);
   const std::vector<double> kept = u;
   double v = 0;
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes() - 1, u.data()), ROLLCON_ERR_CAPACITY, "25", "26");
-  EXPECT_FAILS(rollcon_body_get_displacements(body, -1, u.data()), ROLLCON_ERR_ARGUMENT, "capacity is -1");
-  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), nullptr), ROLLCON_ERR_ARGUMENT, "u is NULL");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes() - 1, u.data()), CAPACITY, "25", "26");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, -1, u.data()), ARGUMENT, "capacity is -1");
+  EXPECT_FAILS(rollcon_body_get_displacements(body, cube.nodes(), nullptr), ARGUMENT, "u is NULL");
   EXPECT_EQ(u, kept);
-  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), ROLLCON_ERR_OPTION, "'iterations'", "factorizations");
-  EXPECT_FAILS(rollcon_body_get_stat(body, nullptr, &v), ROLLCON_ERR_ARGUMENT, "name is NULL");
-  EXPECT_FAILS(rollcon_body_get_stat(body, "bytes", nullptr), ROLLCON_ERR_ARGUMENT, "value is NULL");
-  EXPECT_EQ(rollcon_body_get_size(body, nullptr, nullptr), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_body_get_stat(body, "iterations", &v), OPTION, "'iterations'", "factorizations");
+  EXPECT_FAILS(rollcon_body_get_stat(body, nullptr, &v), ARGUMENT, "name is NULL");
+  EXPECT_FAILS(rollcon_body_get_stat(body, "bytes", nullptr), ARGUMENT, "value is NULL");
+  EXPECT_OK(rollcon_body_get_size(body, nullptr, nullptr));
 }
 
 TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
   set_mesh(body);
-  ASSERT_EQ(hold_bottom(ROLLCON_DOF_XYZ), ROLLCON_OK);
-  for (rollcon_body* b : {body, sphere, plane}) ASSERT_EQ(rollcon_body_prepare(b), ROLLCON_OK);
+  ASSERT_OK(hold_bottom(ROLLCON_DOF_XYZ));
+  for (rollcon_body* b : {body, sphere, plane}) ASSERT_OK(rollcon_body_prepare(b));
   ASSERT_EQ(rollcon_body_stat_count(), 24);
   for (std::int32_t i = 0; i < rollcon_body_stat_count(); ++i) {
     char name[32];
     double value = -1;
-    ASSERT_EQ(rollcon_body_stat_name(i, sizeof name, name, nullptr), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_get_stat(body, name, &value), ROLLCON_OK) << name;
+    ASSERT_OK(rollcon_body_stat_name(i, sizeof name, name, nullptr));
+    ASSERT_OK(rollcon_body_get_stat(body, name, &value)) << name;
     EXPECT_GE(value, 0) << name;
     EXPECT_TRUE(std::isfinite(value)) << name;
     for (const rollcon_body* simple : {sphere, plane}) {
-      ASSERT_EQ(rollcon_body_get_stat(simple, name, &value), ROLLCON_OK) << name;
+      ASSERT_OK(rollcon_body_get_stat(simple, name, &value)) << name;
       EXPECT_EQ(value, 0) << name;
     }
   }
   for (const char* counted : {"unknowns", "bytes", "condition", "kernel_evaluations"}) {
     double value = 0;
-    ASSERT_EQ(rollcon_body_get_stat(body, counted, &value), ROLLCON_OK);
+    ASSERT_OK(rollcon_body_get_stat(body, counted, &value));
     EXPECT_GT(value, 0) << counted;
   }
   double assemblies = 0;
-  ASSERT_EQ(rollcon_body_prepare(body), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_get_stat(body, "assemblies", &assemblies), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_prepare(body));
+  ASSERT_OK(rollcon_body_get_stat(body, "assemblies", &assemblies));
   EXPECT_EQ(assemblies, 1);
   char text[64];
   for (const std::int32_t i : {-1, rollcon_body_stat_count(), INT32_MIN})
@@ -70,8 +67,8 @@ TEST_F(body_results, every_statistic_has_a_name_and_a_value) {
 
 TEST_F(body_results, rigid_bodies_do_not_move) {
   set_mesh(plane);
-  ASSERT_EQ(rollcon_body_prepare(plane), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_prepare(plane));
   std::vector<double> u(cube.x.size(), 5.0);
-  ASSERT_EQ(rollcon_body_get_displacements(plane, cube.nodes(), u.data()), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_get_displacements(plane, cube.nodes(), u.data()));
   EXPECT_EQ(u, std::vector<double>(cube.x.size(), 0.0));
 }

@@ -1,9 +1,6 @@
 #pragma once
 /// Finite-element bodies through the public interface.
 
-#include <array>
-#include <utility>
-
 #include "fixture.hpp"
 
 namespace capi_test {
@@ -51,10 +48,9 @@ struct BoxVolume {
 /// Nodes and elements of material 0, the upper faces with tag 6.
 inline void give_mesh(rollcon_body* b, const BoxVolume& box) {
   const auto [element, face] = box.top_faces();
-  ASSERT_EQ(rollcon_body_set_nodes(b, box.nodes(), box.x.data(), 3, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_add_elements(b, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0), ROLLCON_OK);
-  ASSERT_EQ(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(), face.data(), 0, 6),
-            ROLLCON_OK);
+  ASSERT_OK(rollcon_body_set_nodes(b, box.nodes(), box.x.data(), 3, 1));
+  ASSERT_OK(rollcon_body_add_elements(b, ROLLCON_HEX8, box.elements(), box.connectivity.data(), 0, 0));
+  ASSERT_OK(rollcon_body_tag_faces(b, static_cast<std::int64_t>(element.size()), element.data(), face.data(), 0, 6));
 }
 
 /// One element of a type: corners of a unit tetrahedron, wedge or cube, then the edge midpoints.
@@ -102,7 +98,7 @@ class FemApi : public Api {
   void SetUp() override {
     if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
     Api::SetUp();
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_FEM, &body), ROLLCON_OK);
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &body));
   }
 
   void TearDown() override {
@@ -112,6 +108,21 @@ class FemApi : public Api {
 
   std::int32_t set_nodes_of_box() { return rollcon_body_set_nodes(body, box.nodes(), box.x.data(), 3, 1); }
 
+  /// A new body of one element of the type, held at its bottom z = 0.
+  void set_element(std::int32_t type, double nu = poisson) {
+    rollcon_body_release(body);
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &body));
+    const std::vector<double> x = unit_element(type);
+    const auto n = static_cast<std::int64_t>(x.size()) / 3;
+    ASSERT_OK(rollcon_body_set_nodes(body, n, x.data(), 3, 1));
+    ASSERT_OK(rollcon_body_add_elements(body, type, 1, counting(n).data(), 0, 0));
+    ASSERT_OK(rollcon_body_set_elastic(body, 0, young, nu));
+    std::vector<std::int32_t> bottom;
+    for (std::int32_t i = 0; i < n; ++i)
+      if (x[3 * static_cast<std::size_t>(i) + 2] == 0) bottom.push_back(i);
+    ASSERT_OK(hold(bottom, ROLLCON_DOF_XYZ));
+  }
+
   /// Layers of elements from `first` to the one before `end`, of a material.
   std::int32_t add_layers(int first, int end, std::int32_t tag) {
     const std::int32_t* from = box.connectivity.data() + 8 * first * box.layer_elements();
@@ -120,8 +131,8 @@ class FemApi : public Api {
 
   /// Nodes and all elements with material tag 0.
   void set_mesh() {
-    ASSERT_EQ(set_nodes_of_box(), ROLLCON_OK);
-    ASSERT_EQ(add_layers(0, box.n, 0), ROLLCON_OK);
+    ASSERT_OK(set_nodes_of_box());
+    ASSERT_OK(add_layers(0, box.n, 0));
   }
 
   std::int32_t tag_top(std::int32_t tag) {
@@ -142,14 +153,14 @@ class FemApi : public Api {
 
   /// Bottom along z, its corner at the origin along x and y, the next one along y.
   void hold_freely() {
-    ASSERT_EQ(hold_bottom(ROLLCON_DOF_Z), ROLLCON_OK);
-    ASSERT_EQ(hold({0}, ROLLCON_DOF_X + ROLLCON_DOF_Y), ROLLCON_OK);
-    ASSERT_EQ(hold({box.n}, ROLLCON_DOF_Y), ROLLCON_OK);
+    ASSERT_OK(hold_bottom(ROLLCON_DOF_Z));
+    ASSERT_OK(hold({0}, ROLLCON_DOF_X + ROLLCON_DOF_Y));
+    ASSERT_OK(hold({box.n}, ROLLCON_DOF_Y));
   }
 
   void expect_size(std::int64_t nodes, std::int64_t elements) {
     std::int64_t n = -1, m = -1;
-    ASSERT_EQ(rollcon_body_get_size(body, &n, &m), ROLLCON_OK);
+    ASSERT_OK(rollcon_body_get_size(body, &n, &m));
     EXPECT_EQ(n, nodes);
     EXPECT_EQ(m, elements);
   }
@@ -158,9 +169,9 @@ class FemApi : public Api {
   std::pair<std::int64_t, std::int64_t> frame_size(std::int32_t tag) {
     rollcon_contact* c = nullptr;
     std::int64_t n = -1, m = -1;
-    EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
+    EXPECT_OK(rollcon_contact_create(context, body, plane, &c));
     if (rollcon_contact_frame_from_body(c, 1, tag) == ROLLCON_OK) {
-      EXPECT_EQ(rollcon_contact_get_size(c, &n, &m), ROLLCON_OK);
+      EXPECT_OK(rollcon_contact_get_size(c, &n, &m));
     }
     rollcon_contact_release(c);
     return {n, m};
@@ -168,7 +179,7 @@ class FemApi : public Api {
 
   double statistic(const char* name) {
     double value = -1;
-    EXPECT_EQ(rollcon_body_get_stat(body, name, &value), ROLLCON_OK) << name;
+    EXPECT_OK(rollcon_body_get_stat(body, name, &value)) << name;
     return value;
   }
 

@@ -4,12 +4,21 @@
 #include <gtest/gtest.h>
 #include <rollcon.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <functional>
+#include <limits>
+#include <numbers>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#define ASSERT_OK(call) ASSERT_EQ(call, ROLLCON_OK) << rollcon_last_error()
+#define EXPECT_OK(call) EXPECT_EQ(call, ROLLCON_OK) << rollcon_last_error()
 
 namespace capi_test {
 
@@ -39,19 +48,19 @@ inline SquareFrame moved(SquareFrame f, double x, double y, double z) {
 }
 
 inline void give_frame(rollcon_contact* c, const SquareFrame& f) {
-  ASSERT_EQ(rollcon_contact_set_frame_nodes(c, f.nodes, f.x.data(), 3, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_frame_nodes(c, f.nodes, f.x.data(), 3, 1));
+  ASSERT_OK(rollcon_contact_add_frame_elements(c, ROLLCON_QUAD4, f.elements, f.connectivity.data(), 0, 0));
 }
 
 /// Everything a solve needs; gross sliding is far.
 inline void give_scene(rollcon_contact* c, const SquareFrame& f) {
   const double mu = 0.1;
   give_frame(c, f);
-  ASSERT_EQ(rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &mu), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_set_rolling(c, 10), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_set_creep(c, 1e-3, 0, 0), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0));
+  ASSERT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+  ASSERT_OK(rollcon_contact_set_rolling(c, 10));
+  ASSERT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02));
+  ASSERT_OK(rollcon_contact_set_creep(c, 1e-3, 0, 0));
 }
 
 inline std::int32_t hold(rollcon_body* body, const std::vector<std::int32_t>& nodes, std::int32_t dof_mask) {
@@ -68,15 +77,15 @@ inline rollcon_contact* roll_on_top(rollcon_context* context, rollcon_body* body
                                     const OnTop& at = {}) {
   const double origin[3] = {at.x, at.y, 1}, rolling[3] = {1, 0, 0}, normal[3] = {0, 0, 1};
   rollcon_contact* c = nullptr;
-  EXPECT_EQ(rollcon_contact_create(context, body, plane, &c), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_set_axes(c, origin, rolling, normal), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_create(context, body, plane, &c));
+  EXPECT_OK(rollcon_contact_set_axes(c, origin, rolling, normal));
   if (at.tag > 0) {
-    EXPECT_EQ(rollcon_contact_frame_from_body(c, 1, at.tag), ROLLCON_OK) << rollcon_last_error();
+    EXPECT_OK(rollcon_contact_frame_from_body(c, 1, at.tag));
   }
-  EXPECT_EQ(rollcon_contact_set_gap_quadratic(c, 0.5 * at.curvature, 0.5 * at.curvature, 0), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_set_friction(c, "coulomb", 1, &at.mu), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, at.approach), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_set_creep(c, at.creep, 0, 0), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_set_gap_quadratic(c, 0.5 * at.curvature, 0.5 * at.curvature, 0));
+  EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &at.mu));
+  EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, at.approach));
+  EXPECT_OK(rollcon_contact_set_creep(c, at.creep, 0, 0));
   return c;
 }
 
@@ -88,8 +97,8 @@ inline std::int32_t solve_small(rollcon_contact* contact) {
 
 inline std::array<double, 3> solved_force(rollcon_contact* c) {
   std::array<double, 3> force{};
-  EXPECT_EQ(solve_small(c), ROLLCON_OK) << rollcon_last_error();
-  EXPECT_EQ(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr), ROLLCON_OK);
+  EXPECT_OK(solve_small(c));
+  EXPECT_OK(rollcon_contact_get_resultant(c, ROLLCON_LOCAL, force.data(), nullptr));
   return force;
 }
 
@@ -101,8 +110,8 @@ std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double re
   for (auto& f : force)
     pool.emplace_back([&f, &make] {
       rollcon_context* own = nullptr;
-      EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, &own), ROLLCON_OK);
-      EXPECT_EQ(rollcon_context_set_threads(own, 1), ROLLCON_OK);
+      EXPECT_OK(rollcon_context_create(ROLLCON_ABI, &own));
+      EXPECT_OK(rollcon_context_set_threads(own, 1));
       rollcon_contact* c = make(own);
       f = solved_force(c);
       rollcon_contact_release(c);
@@ -115,15 +124,99 @@ std::array<double, 3> force_in_many_threads(int contacts, Make&& make, double re
   return force[0];
 }
 
+/// The text of the last failure names the function that `call` begins with, and contains every word.
+inline void expect_text_of(const std::string& call, std::initializer_list<std::string> words) {
+  const std::string text = rollcon_last_error();
+  EXPECT_EQ(text.substr(0, text.find(':')), call.substr(0, call.find('('))) << text;
+  for (const std::string& word : words)
+    EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
+}
+
+/// The call returns the status, and the text of the failure contains every word given.
+#define EXPECT_FAILS(call, error, ...)                                                  \
+  do {                                                                                  \
+    EXPECT_EQ(call, ROLLCON_ERR_##error) << rollcon_status_string(ROLLCON_ERR_##error); \
+    capi_test::expect_text_of(#call, {__VA_ARGS__});                                    \
+  } while (0)
+
+inline std::string plan_of(const rollcon_contact* contact) {
+  std::int64_t needed = 0;
+  EXPECT_OK(rollcon_contact_get_plan(contact, 0, nullptr, &needed));
+  std::string text(static_cast<std::size_t>(needed), ' ');
+  EXPECT_OK(rollcon_contact_get_plan(contact, needed, text.data(), nullptr));
+  return text.c_str();
+}
+
+/// Calls that give elements are refused alike, of frames and of bodies: give(type, n, connectivity, index_base). The
+/// last word is what a body or frame says of too many; nodes are there, and `types` are the types that it names.
+template <class Give>
+void expect_bad_elements_refused(Give&& give, const std::string& call, std::int32_t type,
+                                 std::initializer_list<std::int32_t> wrong_types,
+                                 std::initializer_list<std::string> types) {
+  const std::vector<std::int32_t> ids(20, 0);
+  const auto refused = [&](std::int32_t status, std::initializer_list<std::string> words) {
+    EXPECT_EQ(status, ROLLCON_ERR_ARGUMENT);
+    expect_text_of(call, words);
+  };
+  for (const std::int32_t wrong : wrong_types) {
+    refused(give(wrong, 1, ids.data(), 0), types);
+    expect_text_of(call, {"type is " + std::to_string(wrong)});
+  }
+  for (const std::int32_t base : {-1, 2}) refused(give(type, 1, ids.data(), base), {"index_base", "0, 1"});
+  refused(give(type, -1, ids.data(), 0), {"n is -1"});
+  refused(give(type, INT64_MAX, ids.data(), 0), {"2147483647"});
+  refused(give(type, 1, nullptr, 0), {"connectivity is NULL"});
+  EXPECT_OK(give(type, 0, nullptr, 0));
+}
+
+/// Nodes are refused alike: give(n, x, strides).
+template <class Give>
+void expect_bad_nodes_refused(Give&& give, const std::string& call, std::vector<double> x) {
+  const auto refused = [&](std::int32_t status, std::int32_t expected, std::initializer_list<std::string> words) {
+    EXPECT_EQ(status, expected);
+    expect_text_of(call, words);
+  };
+  for (const std::int64_t n : {std::int64_t{-1}, std::int64_t{0}, INT64_MAX})
+    refused(give(n, x.data(), 3, 1), ROLLCON_ERR_ARGUMENT, {"n is " + std::to_string(n), "2147483647"});
+  refused(give(4, nullptr, 3, 1), ROLLCON_ERR_ARGUMENT, {"x is NULL"});
+  for (const std::int64_t stride : {std::int64_t{0}, std::int64_t{-3}}) {
+    refused(give(4, x.data(), stride, 1), ROLLCON_ERR_ARGUMENT, {"strides"});
+    refused(give(4, x.data(), 3, stride), ROLLCON_ERR_ARGUMENT, {"strides"});
+  }
+  refused(give(4, x.data(), INT64_MAX / 2, 1), ROLLCON_ERR_ARGUMENT, {"address space"});
+  refused(give(1, x.data(), 3, INT64_MAX / 4), ROLLCON_ERR_ARGUMENT, {"address space"});
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
+    x[7 * 3 + 1] = bad;
+    refused(give(9, x.data(), 3, 1), ROLLCON_ERR_NONFINITE, {"coordinate y of node 7", "from 0"});
+  }
+}
+
+/// Ids of nodes are named as the caller counts: give(n, ids, index_base) of lists of ids, a few to an entry.
+template <class Give>
+void expect_ids_named(Give&& give, const std::string& call, std::int64_t nodes, std::vector<std::int32_t> ids,
+                      const std::string& from_0, const std::string& from_1) {
+  const auto refused = [&](std::int32_t base, std::initializer_list<std::string> words) {
+    EXPECT_EQ(give(ids.data(), base), ROLLCON_ERR_MESH);
+    expect_text_of(call, words);
+  };
+  const std::string n = std::to_string(nodes), last = std::to_string(nodes - 1);
+  ids.back() = static_cast<std::int32_t>(nodes);
+  refused(0, {from_0, "from 0", "id " + n, "0 to " + last});
+  ids.back() = 0;
+  refused(1, {from_1, "from 1", "id 0", "1 to " + n});
+  ids.back() = INT32_MIN;
+  refused(1, {"id -2147483648"});
+}
+
 /// Sphere R = 50, E = 1e4, nu = 0.3 on a rigid plane; contact radius about 1 at approach 0.02.
 class Api : public ::testing::Test {
  protected:
   void SetUp() override {
-    ASSERT_EQ(rollcon_context_create(ROLLCON_ABI, &context), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane), ROLLCON_OK);
-    ASSERT_EQ(rollcon_body_set_elastic(sphere, 0, 1e4, 0.3), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_create(context, sphere, plane, &contact), ROLLCON_OK);
+    ASSERT_OK(rollcon_context_create(ROLLCON_ABI, &context));
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere));
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_RIGID, &plane));
+    ASSERT_OK(rollcon_body_set_elastic(sphere, 0, 1e4, 0.3));
+    ASSERT_OK(rollcon_contact_create(context, sphere, plane, &contact));
   }
 
   void TearDown() override {
@@ -152,16 +245,5 @@ class Api : public ::testing::Test {
   rollcon_body* plane = nullptr;
   rollcon_contact* contact = nullptr;
 };
-
-/// The call returns the status, and the text of the failure contains every word given.
-#define EXPECT_FAILS(call, expected_status, ...)                                            \
-  do {                                                                                      \
-    EXPECT_EQ(call, expected_status) << rollcon_status_string(expected_status);             \
-    const std::string text_ = error();                                                      \
-    const std::string call_ = #call;                                                        \
-    EXPECT_EQ(text_.substr(0, text_.find(':')), call_.substr(0, call_.find('('))) << text_; \
-    for (const std::string& word_ : std::initializer_list<std::string>{__VA_ARGS__})        \
-      EXPECT_NE(text_.find(word_), std::string::npos) << "'" << word_ << "' in: " << text_; \
-  } while (0)
 
 }  // namespace capi_test

@@ -1,8 +1,6 @@
 /// Hosts with a floating-point environment of their own: trapping, rounding, flushing.
 
 #include <cfenv>
-#include <cmath>
-#include <limits>
 
 #ifdef __SSE2__
 #include <xmmintrin.h>
@@ -112,16 +110,16 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_option_doc(0, 4096, text, &i64));
   EXPECT_SURVIVES(rollcon_contact_set_progress(contact, expect_traps, &progressed));
   for (const char* scheme : {"godunov", "least_squares"}) {
-    ASSERT_EQ(rollcon_contact_set_str(contact, "convection", scheme), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_str(contact, "convection", scheme));
     for (const char* solver : {"lu", "gmres"}) {
-      ASSERT_EQ(rollcon_contact_set_str(contact, "linear_solver", solver), ROLLCON_OK);
+      ASSERT_OK(rollcon_contact_set_str(contact, "linear_solver", solver));
       EXPECT_SURVIVES(i32 = rollcon_contact_solve(contact));
-      EXPECT_EQ(i32, ROLLCON_OK) << error();
+      EXPECT_OK(i32);
       EXPECT_SURVIVES(rollcon_contact_reset(contact));
     }
   }
   EXPECT_SURVIVES(i32 = rollcon_contact_solve(contact));
-  EXPECT_EQ(i32, ROLLCON_OK) << error();
+  EXPECT_OK(i32);
   EXPECT_SURVIVES(rollcon_contact_get_size(contact, &i64, &i64));
   EXPECT_SURVIVES(rollcon_contact_get_tractions(contact, ROLLCON_GLOBAL, n, v.data()));
   for (std::int32_t f = ROLLCON_FIELD_POINT; f <= ROLLCON_FIELD_WEIGHT; ++f)
@@ -145,7 +143,7 @@ TEST_F(floating_point, hosts_that_trap_survive_every_call) {
   EXPECT_SURVIVES(rollcon_event_get_real(nullptr, ROLLCON_EVENT_SECONDS, v.data()));
   EXPECT_SURVIVES(rollcon_contact_request_cancel(contact));
   EXPECT_SURVIVES(i32 = rollcon_contact_solve(contact));
-  EXPECT_EQ(i32, ROLLCON_OK) << "nothing was running when the cancel was asked for";
+  EXPECT_OK(i32) << "nothing was running when the cancel was asked for";
   EXPECT_SURVIVES(rollcon_contact_from_id(rollcon_id_of(contact)));
   EXPECT_SURVIVES(rollcon_body_from_id(rollcon_id_of(sphere)));
   EXPECT_SURVIVES(rollcon_context_from_id(rollcon_id_of(context)));
@@ -167,12 +165,12 @@ TEST_F(floating_point, flags_and_rounding_of_the_host_come_back) {
   rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, rounded_up, nullptr);
   std::fesetround(FE_TONEAREST);
   std::feclearexcept(FE_ALL_EXCEPT);
-  EXPECT_EQ(status, ROLLCON_OK);
+  EXPECT_OK(status);
   EXPECT_EQ(rounding, FE_UPWARD);
   EXPECT_EQ(flags & ~FE_INEXACT, FE_UNDERFLOW);
-  ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nearest, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_reset(contact));
+  ASSERT_OK(rollcon_contact_solve(contact));
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, nearest, nullptr));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(rounded_up[i], nearest[i]) << "the host's rounding leaks in";
 }
 
@@ -185,7 +183,7 @@ TEST_F(floating_point, flushing_of_subnormals_is_off_inside_and_back_outside) {
   const std::int32_t status = rollcon_contact_set_rolling(contact, tiny);
   const unsigned after = _mm_getcsr();
   _mm_setcsr(before);
-  EXPECT_EQ(status, ROLLCON_OK) << error();
+  EXPECT_OK(status);
   EXPECT_EQ(after & 0x8040U, 0x8040U);
 }
 #endif

@@ -1,60 +1,47 @@
 /// The text of the last failure, and the latch of programs that check once.
 
-#include <thread>
-
 #include "every_call.hpp"
 #include "fixture.hpp"
 
 using namespace capi_test;
-
-namespace {
-
-/// The thread's last error starts with the function's name and contains the word.
-void expect_text(const char* function, const char* word) {
-  const std::string text = rollcon_last_error();
-  EXPECT_EQ(text.substr(0, text.find(':')), function) << text;
-  EXPECT_NE(text.find(word), std::string::npos) << "'" << word << "' in: " << text;
-}
-
-}  // namespace
 
 class last_error : public Api {};
 class latch : public Api {};
 
 TEST_F(last_error, is_that_of_a_call_without_a_live_handle) {
   ASSERT_EQ(rollcon_body_set_elastic(sphere, 0, -1, 0.3), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_body_set_elastic", "young is -1");
+  expect_text_of("rollcon_body_set_elastic", {"young is -1"});
   EXPECT_EQ(rollcon_body_set_elastic(nullptr, 0, 1, 0.3), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_body_set_elastic", "body is NULL");
+  expect_text_of("rollcon_body_set_elastic", {"body is NULL"});
   EXPECT_EQ(rollcon_contact_solve(reinterpret_cast<rollcon_contact*>(sphere)), ROLLCON_ERR_HANDLE);
-  expect_text("rollcon_contact_solve", "contact is no live contact");
+  expect_text_of("rollcon_contact_solve", {"contact is no live contact"});
   EXPECT_EQ(rollcon_contact_retain(nullptr), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_contact_retain", "contact is NULL");
+  expect_text_of("rollcon_contact_retain", {"contact is NULL"});
   rollcon_body* body = nullptr;
-  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_RIGID, &body), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_RIGID, &body));
   rollcon_body_release(body);
   std::int32_t kind = 0;
   EXPECT_EQ(rollcon_body_get_kind(body, &kind), ROLLCON_ERR_HANDLE);
-  expect_text("rollcon_body_get_kind", "body is no live body");
+  expect_text_of("rollcon_body_get_kind", {"body is no live body"});
 }
 
 TEST_F(last_error, is_that_of_a_call_without_an_object) {
   rollcon_context* other = nullptr;
   EXPECT_EQ(rollcon_context_create(ROLLCON_ABI + 6, &other), ROLLCON_ERR_UNSUPPORTED);
-  expect_text("rollcon_context_create", ("header_abi is " + std::to_string(ROLLCON_ABI + 6)).c_str());
-  expect_text("rollcon_context_create", ("binary interface " + std::to_string(ROLLCON_ABI)).c_str());
+  expect_text_of("rollcon_context_create", {("header_abi is " + std::to_string(ROLLCON_ABI + 6)).c_str()});
+  expect_text_of("rollcon_context_create", {("binary interface " + std::to_string(ROLLCON_ABI)).c_str()});
   EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, nullptr), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_context_create", "context is NULL");
+  expect_text_of("rollcon_context_create", {"context is NULL"});
   EXPECT_EQ(rollcon_stat_name(-3, 0, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_stat_name", "i is -3");
+  expect_text_of("rollcon_stat_name", {"i is -3"});
   EXPECT_EQ(rollcon_option_info(100000, 0, nullptr, nullptr, nullptr, nullptr, nullptr), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_option_info", "i is 100000");
+  expect_text_of("rollcon_option_info", {"i is 100000"});
   std::int64_t value = 0;
   EXPECT_EQ(rollcon_event_get_int(nullptr, ROLLCON_EVENT_PHASE, &value), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_event_get_int", "event is NULL");
+  expect_text_of("rollcon_event_get_int", {"event is NULL"});
   EXPECT_EQ(rollcon_event_get_int(reinterpret_cast<const rollcon_event*>(&value), ROLLCON_EVENT_PHASE, &value),
             ROLLCON_ERR_HANDLE);
-  expect_text("rollcon_event_get_int", "event is no live event");
+  expect_text_of("rollcon_event_get_int", {"event is no live event"});
 }
 
 TEST_F(last_error, belongs_to_the_thread_and_survives_successes) {
@@ -63,11 +50,11 @@ TEST_F(last_error, belongs_to_the_thread_and_survives_successes) {
   std::thread([&] {
     elsewhere = rollcon_last_error();
     EXPECT_EQ(rollcon_contact_set_rolling(contact, -2), ROLLCON_ERR_ARGUMENT);
-    expect_text("rollcon_contact_set_rolling", "speed is -2");
+    expect_text_of("rollcon_contact_set_rolling", {"speed is -2"});
   }).join();
   EXPECT_EQ(elsewhere, "");
-  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
-  expect_text("rollcon_contact_set_rolling", "speed is -1");
+  EXPECT_OK(rollcon_contact_set_rolling(contact, 1));
+  expect_text_of("rollcon_contact_set_rolling", {"speed is -1"});
 }
 
 namespace {
@@ -81,14 +68,14 @@ void fails_too(std::int32_t, const char* message, void*) {
 }  // namespace
 
 TEST_F(last_error, is_that_of_the_call_though_its_log_sink_fails) {
-  ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr));
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_contact_set_rolling", "speed is -1");
+  expect_text_of("rollcon_contact_set_rolling", {"speed is -1"});
   EXPECT_EQ(said, rollcon_last_error());
 }
 
 TEST_F(last_error, of_layers_over_the_interface) {
-  ASSERT_EQ(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_log(context, ROLLCON_LOG_ERROR, fails_too, nullptr));
   EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_MESH, "RCNODE: LDX is 2"), ROLLCON_ERR_MESH);
   EXPECT_STREQ(rollcon_last_error(), "RCNODE: LDX is 2");
   EXPECT_EQ(said, "RCNODE: LDX is 2");
@@ -104,12 +91,12 @@ TEST_F(last_error, of_layers_over_the_interface) {
 
 TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
   set_scene();
-  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
-  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
+  EXPECT_OK(rollcon_context_check(context));
+  ASSERT_OK(rollcon_context_set_latch(context, 1));
+  EXPECT_OK(rollcon_contact_solve(contact));
+  EXPECT_OK(rollcon_context_check(context));
   double before = 0, number = -7;
-  ASSERT_EQ(rollcon_contact_get_stat(contact, "max_pressure", &before), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_stat(contact, "max_pressure", &before));
 
   EXPECT_EQ(rollcon_contact_set_friction(contact, "static", 1, &before), ROLLCON_ERR_ARGUMENT);
   const std::string first = error();
@@ -133,49 +120,49 @@ TEST_F(latch, returns_the_first_failure_at_once_and_at_the_end) {
   EXPECT_NE(error(), first);
   // What works on.
   std::int32_t kind = 0;
-  EXPECT_EQ(rollcon_body_get_kind(plane, &kind), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_request_cancel(contact), ROLLCON_OK);
-  EXPECT_EQ(rollcon_body_retain(plane), ROLLCON_OK);
+  EXPECT_OK(rollcon_body_get_kind(plane, &kind));
+  EXPECT_OK(rollcon_contact_request_cancel(contact));
+  EXPECT_OK(rollcon_body_retain(plane));
   rollcon_body_release(plane);
 
   EXPECT_EQ(rollcon_context_check(context), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(error(), first);
-  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
-  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_stat(contact, "max_pressure", &number), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_latch(context, 1));
+  EXPECT_OK(rollcon_context_check(context));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "max_pressure", &number));
   EXPECT_EQ(number, before) << "nothing was set in between";
 }
 
 TEST_F(latch, is_off_until_it_is_set) {
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
-  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_context_set_latch(context, 2), ROLLCON_ERR_ARGUMENT, "on is 2");
-  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  EXPECT_OK(rollcon_context_check(context));
+  EXPECT_OK(rollcon_contact_set_rolling(contact, 1));
+  EXPECT_FAILS(rollcon_context_set_latch(context, 2), ARGUMENT, "on is 2");
+  ASSERT_OK(rollcon_context_set_latch(context, 1));
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
-  ASSERT_EQ(rollcon_context_set_latch(context, 0), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_latch(context, 0));
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
-  EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_OK);
-  EXPECT_EQ(rollcon_context_check(context), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_context_check(nullptr), ROLLCON_ERR_ARGUMENT, "context is NULL");
+  EXPECT_OK(rollcon_contact_set_rolling(contact, 1));
+  EXPECT_OK(rollcon_context_check(context));
+  EXPECT_FAILS(rollcon_context_check(nullptr), ARGUMENT, "context is NULL");
 }
 
 TEST_F(latch, tells_of_the_first_caveat_without_stopping) {
   set_scene();
-  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_latch(context, 1));
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1));
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02));
+  EXPECT_OK(rollcon_contact_solve(contact));
   EXPECT_EQ(rollcon_context_check(context), ROLLCON_NO_CONTACT);
-  expect_text("rollcon_contact_solve", rollcon_status_string(ROLLCON_NO_CONTACT));
+  expect_text_of("rollcon_contact_solve", {rollcon_status_string(ROLLCON_NO_CONTACT)});
   EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(rollcon_context_check(context), ROLLCON_ERR_ARGUMENT);
-  expect_text("rollcon_contact_set_rolling", "speed is -1");
+  expect_text_of("rollcon_contact_set_rolling", {"speed is -1"});
 }
 
 TEST_F(latch, holds_failures_that_layers_report) {
-  ASSERT_EQ(rollcon_context_set_latch(context, 1), ROLLCON_OK);
+  ASSERT_OK(rollcon_context_set_latch(context, 1));
   EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_ARGUMENT, "RCNODE: LDX is 2"), ROLLCON_ERR_ARGUMENT);
   EXPECT_EQ(rollcon_contact_set_rolling(contact, 1), ROLLCON_ERR_ARGUMENT);
   EXPECT_STREQ(rollcon_last_error(), "RCNODE: LDX is 2");

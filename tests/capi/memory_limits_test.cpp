@@ -5,11 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "body_fixture.hpp"
 
 namespace capi_test {
@@ -41,7 +36,7 @@ class MemoryLimits : public BodyApi {
     BodyApi::SetUp();
     if (IsSkipped()) return;
     // A child has none of its parent's OpenMP threads.
-    ASSERT_EQ(rollcon_context_set_threads(context, 1), ROLLCON_OK);
+    ASSERT_OK(rollcon_context_set_threads(context, 1));
   }
 
   /// Runs in a child that may ask for `bytes` more than it has; failures are printed there.
@@ -74,16 +69,16 @@ class MemoryLimits : public BodyApi {
   void take_frame(int n) {
     set_scene();
     const SquareFrame large(n, 1.5);
-    ASSERT_EQ(set_nodes(large), ROLLCON_OK);
-    ASSERT_EQ(add_elements(large), ROLLCON_OK);
+    ASSERT_OK(set_nodes(large));
+    ASSERT_OK(add_elements(large));
   }
 
   /// On the fixture's small frame.
   void expect_usable() {
     set_scene();
-    ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
+    ASSERT_OK(rollcon_contact_solve(contact));
     double force[3] = {}, moment[3] = {};
-    ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, moment));
     EXPECT_LT(force[2], -50);
     EXPECT_GT(force[2], -500);
   }
@@ -93,7 +88,7 @@ TEST_F(MemoryLimits, dense_operators_of_a_large_frame_are_refused) {
   for (const char* operators : {"dense", "table"}) {
     in_child(250e6, [&] {
       take_frame(60);
-      ASSERT_EQ(rollcon_contact_set_str(contact, "operators", operators), ROLLCON_OK);
+      ASSERT_OK(rollcon_contact_set_str(contact, "operators", operators));
       // Of 9 blocks of 3721 squared doubles.
       expect_refusal(rollcon_contact_solve(contact), "the operators of a frame of 3721 nodes need 0.997",
                      "'operators' = 'fft' needs no matrices");
@@ -106,12 +101,12 @@ TEST_F(MemoryLimits, the_monolithic_system_of_a_large_frame_is_refused) {
   if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no procedures";
   in_child(250e6, [&] {
     take_frame(44);
-    ASSERT_EQ(rollcon_contact_set_str(contact, "system", "monolithic"), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_str(contact, "system", "monolithic"));
     // 264 n^2 bytes.
     expect_refusal(rollcon_contact_solve(contact),
                    "the monolithic system of a frame of 2025 nodes on half-spaces needs 1.08",
                    "set option 'system' to 'condensed'");
-    ASSERT_EQ(rollcon_contact_set_str(contact, "system", "condensed"), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_str(contact, "system", "condensed"));
     expect_usable();
   });
 }
@@ -120,7 +115,7 @@ TEST_F(MemoryLimits, a_large_boundary_element_body_is_refused) {
   in_child(250e6, [&] {
     cube = CubeSurface(22);
     set_mesh(body);
-    ASSERT_EQ(hold_bottom(7), ROLLCON_OK);
+    ASSERT_OK(hold_bottom(7));
     // 2906 nodes, and tractions on some: at least 8 bytes x (3 x 2906)^2.
     expect_refusal(rollcon_body_prepare(body), "the matrix of a boundary-element body with ", "finite elements");
     EXPECT_NE(error().find(" needs 0.6"), std::string::npos) << error();

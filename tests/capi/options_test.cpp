@@ -1,7 +1,5 @@
 /// Settings by name, of contacts and of bodies.
 
-#include <cmath>
-#include <string>
 #include <type_traits>
 
 #include "fixture.hpp"
@@ -30,9 +28,7 @@ struct OfBody {
   static constexpr auto get_int = rollcon_body_get_int;
   static constexpr auto get_real = rollcon_body_get_real;
   static constexpr const char *kind = "rollcon_body_", *integer = "keep_factors", *real = "accuracy",
-                              *listed =
-                                  "accuracy, edge_angle, keep_factors, between_nodes, "
-                                  "hex8, prepare";
+                              *listed = "accuracy, edge_angle, keep_factors, between_nodes, hex8, prepare";
 };
 
 template <class Of>
@@ -64,19 +60,19 @@ TYPED_TEST(options, are_listed_with_the_standard_that_new_objects_have) {
     std::int32_t type = 0;
     double low = 0, high = 0, standard = 0, real = 0;
     std::int64_t integer = 0, needed = 0;
-    ASSERT_EQ(Of::info(i, sizeof name, name, &type, &low, &high, &standard), ROLLCON_OK);
-    ASSERT_EQ(Of::doc(i, 0, nullptr, &needed), ROLLCON_OK);
+    ASSERT_OK(Of::info(i, sizeof name, name, &type, &low, &high, &standard));
+    ASSERT_OK(Of::doc(i, 0, nullptr, &needed));
     EXPECT_GT(needed, 10) << name;
     if (type == ROLLCON_TYPE_STR) {
-      EXPECT_EQ(rollcon_contact_get_str(this->contact, name, 0, nullptr, &needed), ROLLCON_OK);
+      EXPECT_OK(rollcon_contact_get_str(this->contact, name, 0, nullptr, &needed));
       continue;
     }
     if (type == ROLLCON_TYPE_INT) {
-      ASSERT_EQ(Of::get_int(this->object(), name, &integer), ROLLCON_OK) << name;
+      ASSERT_OK(Of::get_int(this->object(), name, &integer)) << name;
       real = static_cast<double>(integer);
     } else {
       ASSERT_EQ(type, ROLLCON_TYPE_REAL) << name;
-      ASSERT_EQ(Of::get_real(this->object(), name, &real), ROLLCON_OK) << name;
+      ASSERT_OK(Of::get_real(this->object(), name, &real)) << name;
     }
     EXPECT_EQ(real, standard) << name;
     EXPECT_LE(low, standard) << name;
@@ -91,24 +87,24 @@ TYPED_TEST(options, every_number_is_held_to_its_range) {
     char name[32];
     std::int32_t type = 0;
     double low = 0, high = 0;
-    ASSERT_EQ(Of::info(i, sizeof name, name, &type, &low, &high, nullptr), ROLLCON_OK);
+    ASSERT_OK(Of::info(i, sizeof name, name, &type, &low, &high, nullptr));
     if (type == ROLLCON_TYPE_INT) {
       const auto least = static_cast<std::int64_t>(low), most = static_cast<std::int64_t>(high);
-      EXPECT_EQ(Of::set_int(o, name, least), ROLLCON_OK) << name;
-      EXPECT_EQ(Of::set_int(o, name, most), ROLLCON_OK) << name;
+      EXPECT_OK(Of::set_int(o, name, least)) << name;
+      EXPECT_OK(Of::set_int(o, name, most)) << name;
       for (const std::int64_t bad : {least - 1, most + 1, INT64_MIN})
         this->refused(Of::set_int(o, name, bad), "set_int", this->option, {name});
       std::int64_t held = 0;
-      ASSERT_EQ(Of::get_int(o, name, &held), ROLLCON_OK);
+      ASSERT_OK(Of::get_int(o, name, &held));
       EXPECT_EQ(held, most) << name << " changed by a refused value";
     } else if (type == ROLLCON_TYPE_REAL) {
-      EXPECT_EQ(Of::set_real(o, name, low), ROLLCON_OK) << name;
-      EXPECT_EQ(Of::set_real(o, name, high), ROLLCON_OK) << name;
+      EXPECT_OK(Of::set_real(o, name, low)) << name;
+      EXPECT_OK(Of::set_real(o, name, high)) << name;
       for (const double bad : {std::nextafter(low, -1e9), std::nextafter(high, 1e9)})
         this->refused(Of::set_real(o, name, bad), "set_real", this->option, {name, "allowed"});
       this->refused(Of::set_real(o, name, std::nan("")), "set_real", ROLLCON_ERR_NONFINITE, {name});
       double held = 0;
-      ASSERT_EQ(Of::get_real(o, name, &held), ROLLCON_OK);
+      ASSERT_OK(Of::get_real(o, name, &held));
       EXPECT_EQ(held, high) << name << " changed by a refused value";
     }
   }
@@ -149,15 +145,15 @@ class text_options : public Api {};
 
 TEST_F(text_options, are_held_to_their_choices) {
   for (const char* value : {"least_squares", "godunov", "characteristic"})
-    EXPECT_EQ(rollcon_contact_set_str(contact, "convection", value), ROLLCON_OK);
+    EXPECT_OK(rollcon_contact_set_str(contact, "convection", value));
   for (const char* value : {"", "least", "godunov|characteristic", "Godunov", "|"})
-    EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", value), ROLLCON_ERR_OPTION, "convection",
+    EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", value), OPTION, "convection",
                  "characteristic|least_squares|godunov");
   char text[32];
-  ASSERT_EQ(rollcon_contact_get_str(contact, "convection", sizeof text, text, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_str(contact, "convection", sizeof text, text, nullptr));
   EXPECT_STREQ(text, "characteristic");
-  EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", nullptr), ROLLCON_ERR_ARGUMENT, "value is NULL");
+  EXPECT_FAILS(rollcon_contact_set_str(contact, "convection", nullptr), ARGUMENT, "value is NULL");
   std::int64_t needed = 0;
-  EXPECT_FAILS(rollcon_contact_set_str(contact, "tolerance", "1e-6"), ROLLCON_ERR_OPTION, "is a real number, not text");
-  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &needed), ROLLCON_ERR_OPTION, "text");
+  EXPECT_FAILS(rollcon_contact_set_str(contact, "tolerance", "1e-6"), OPTION, "is a real number, not text");
+  EXPECT_FAILS(rollcon_contact_get_str(contact, "tolerance", 0, nullptr, &needed), OPTION, "text");
 }

@@ -204,8 +204,7 @@ TEST_F(procedure_statuses, error_function_falls_to_the_tolerance) {
     ASSERT_EQ(rollcon_contact_get_error_function(contact, rows, nullptr, alone.data(), nullptr), ROLLCON_OK);
     EXPECT_EQ(alone, std::vector<double>(seconds.begin(), seconds.end() - 1));
   }
-  EXPECT_FAILS(rollcon_contact_get_error_function(contact, -1, nullptr, nullptr, &rows), ROLLCON_ERR_ARGUMENT,
-               "capacity");
+  EXPECT_FAILS(rollcon_contact_get_error_function(contact, -1, nullptr, nullptr, &rows), ARGUMENT, "capacity");
   ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
   ASSERT_EQ(rollcon_contact_get_error_function(contact, 0, nullptr, nullptr, &rows), ROLLCON_OK);
   EXPECT_EQ(rows, 0) << "forgotten";

@@ -1,10 +1,6 @@
 #pragma once
 /// Solution procedures chosen by options through the public interface.
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "fixture.hpp"
 #include "support/procedures.hpp"
 
@@ -53,39 +49,34 @@ class ProcedureScene : public Api {
     Api::SetUp();
     frame = SquareFrame(8, 1.5);
     set_scene();
-    ASSERT_EQ(rollcon_contact_set_str(contact, "convection", "godunov"), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_set_creep(contact, -8e-4, 4e-4, 2e-4), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_str(contact, "convection", "godunov"));
+    ASSERT_OK(rollcon_contact_set_creep(contact, -8e-4, 4e-4, 2e-4));
   }
 
-  void set(const char* name, const char* value) {
-    ASSERT_EQ(rollcon_contact_set_str(contact, name, value), ROLLCON_OK) << error();
-  }
-  void set(const char* name, double value) {
-    ASSERT_EQ(rollcon_contact_set_real(contact, name, value), ROLLCON_OK) << error();
-  }
+  void set(const char* name, const char* value) { ASSERT_OK(rollcon_contact_set_str(contact, name, value)); }
+  void set(const char* name, double value) { ASSERT_OK(rollcon_contact_set_real(contact, name, value)); }
   void set(const Procedure& p) {
     p.each([&](const char* option, const char* value) { set(option, value); });
   }
   void by_force(std::int32_t direction, double value) {
-    ASSERT_EQ(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, value), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_FORCE, value));
   }
   void by_motion(std::int32_t direction, double value) {
-    ASSERT_EQ(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_MOTION, value), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_prescribe(contact, direction, ROLLCON_BY_MOTION, value));
   }
   std::int32_t solve_cold() {
-    EXPECT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
+    EXPECT_OK(rollcon_contact_reset(contact));
     return rollcon_contact_solve(contact);
   }
   double stat(const char* name) const {
     double v = 0;
-    EXPECT_EQ(rollcon_contact_get_stat(contact, name, &v), ROLLCON_OK) << name;
+    EXPECT_OK(rollcon_contact_get_stat(contact, name, &v)) << name;
     return v;
   }
   std::vector<double> field(std::int32_t which, std::size_t components) const {
     std::vector<double> v(components * static_cast<std::size_t>(frame.nodes));
-    EXPECT_EQ(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL, static_cast<std::int64_t>(v.size()), v.data(),
-                                        nullptr),
-              ROLLCON_OK);
+    EXPECT_OK(rollcon_contact_get_field(contact, which, ROLLCON_LOCAL, static_cast<std::int64_t>(v.size()), v.data(),
+                                        nullptr));
     return v;
   }
   Results results() const {
@@ -94,9 +85,9 @@ class ProcedureScene : public Api {
     r.gap = field(ROLLCON_FIELD_GAP, 1);
     r.slip = field(ROLLCON_FIELD_SLIP, 2);
     r.state.resize(static_cast<std::size_t>(frame.nodes));
-    EXPECT_EQ(rollcon_contact_get_status(contact, frame.nodes, r.state.data()), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, r.force, r.moment), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_get_motion(contact, &r.approach, r.creep), ROLLCON_OK);
+    EXPECT_OK(rollcon_contact_get_status(contact, frame.nodes, r.state.data()));
+    EXPECT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, r.force, r.moment));
+    EXPECT_OK(rollcon_contact_get_motion(contact, &r.approach, r.creep));
     r.iterations = stat("iterations");
     for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
       r.law = std::max(r.law, stat(law));
@@ -105,7 +96,7 @@ class ProcedureScene : public Api {
   /// Of the standard procedure; leaves it set.
   Results standard() {
     set(Procedure{});
-    EXPECT_EQ(solve_cold(), ROLLCON_OK) << error();
+    EXPECT_OK(solve_cold());
     return results();
   }
 };

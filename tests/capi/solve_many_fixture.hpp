@@ -1,8 +1,6 @@
 #pragma once
 /// Lists of load cases of the scene of Api.
 
-#include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <random>
 
@@ -68,14 +66,14 @@ class CaseLists : public Api {
   void SetUp() override {
     Api::SetUp();
     set_scene();
-    ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
   }
 
   Table table(const std::vector<std::int32_t>& parameters, const std::vector<double>& values, std::int32_t threads,
               std::int32_t expected = ROLLCON_OK) {
     const std::size_t cases = values.size() / parameters.size();
     Table t(cases, parameters.size(), name_count, nodes());
-    EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
+    EXPECT_OK(rollcon_context_set_threads(context, threads));
     const std::size_t width = 10 + 10 * parameters.size() + name_count + 3 * nodes();
     std::vector<double> rows(width * cases);
     std::int64_t told = 0;

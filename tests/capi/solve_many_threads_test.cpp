@@ -1,7 +1,5 @@
 /// Lists of load cases: neither order nor threads change a bit; callbacks, cancelling.
 
-#include <thread>
-
 #include "solve_many_fixture.hpp"
 
 using namespace capi_test;
@@ -22,9 +20,9 @@ TEST_F(solve_many_threads, threads_and_order_change_no_bit) {
                       values.begin() + 3 * static_cast<std::ptrdiff_t>(i + 1));
     EXPECT_EQ(differences(table(three, shuffled, 3), one, at), 0);
     // What was solved before does not matter either.
-    ASSERT_EQ(rollcon_contact_set_creep(contact, -1e-3, 1e-3, 1e-3), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_creep(contact, -1e-3, 1e-3, 1e-3));
     ASSERT_GE(rollcon_contact_solve(contact), 0);
-    ASSERT_EQ(rollcon_contact_set_creep(contact, 1e-3, 0, 0), ROLLCON_OK);
+    ASSERT_OK(rollcon_contact_set_creep(contact, 1e-3, 0, 0));
     EXPECT_EQ(differences(table(three, values, 2), one, in_order(cases)), 0);
     // The order of the parameters is the caller's.
     const std::vector<std::int32_t> turned{ROLLCON_SPIN, ROLLCON_LATERAL, ROLLCON_NORMAL};
@@ -35,34 +33,30 @@ TEST_F(solve_many_threads, threads_and_order_change_no_bit) {
     EXPECT_TRUE(same(other.force.data(), one.force.data(), 3 * cases));
     double iterations = 0;
     for (std::size_t i = 0; i < cases; ++i) iterations += one.statistics[name_count * i];
-    std::printf(
-        "%zu cases: the same bits with 1, 2, 3, 5 threads and shuffled; %.2f iterations "
-        "per case\n",
-        cases, iterations / static_cast<double>(cases));
+    std::printf("%zu cases: the same bits with 1, 2, 3, 5 threads and shuffled; %.2f iterations per case\n", cases,
+                iterations / static_cast<double>(cases));
   }
 }
 
 TEST_F(solve_many_threads, workers_share_the_operators) {
   // Of a frame large enough for its operators to count: 41 x 41 nodes.
   const SquareFrame wide(40, 4.5);
-  ASSERT_EQ(set_nodes(wide), ROLLCON_OK);
-  ASSERT_EQ(add_elements(wide), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_set_str(contact, "operators", "dense"), ROLLCON_OK);
+  ASSERT_OK(set_nodes(wide));
+  ASSERT_OK(add_elements(wide));
+  ASSERT_OK(rollcon_contact_set_str(contact, "operators", "dense"));
   const auto peak = [&](std::int32_t threads) {
     double bytes = 0;
     std::vector<double> force;
-    EXPECT_EQ(rollcon_context_set_threads(context, threads), ROLLCON_OK);
-    EXPECT_EQ(forces(three, 60, grid(), force), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-    EXPECT_EQ(rollcon_contact_get_stat(contact, "peak_bytes", &bytes), ROLLCON_OK);
+    EXPECT_OK(rollcon_context_set_threads(context, threads));
+    EXPECT_OK(forces(three, 60, grid(), force));
+    EXPECT_OK(rollcon_contact_solve(contact));
+    EXPECT_OK(rollcon_contact_get_stat(contact, "peak_bytes", &bytes));
     return bytes;
   };
   const double one = peak(1), four = peak(4);
   const double blocks = 5.0 * 8 * std::pow(41.0, 4);  // dense, of one copy
-  std::printf(
-      "41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at "
-      "most %.1f MB)\n",
-      one / 1e6, four / 1e6, blocks / 1e6);
+  std::printf("41 x 41 nodes: %.1f MB with 1 thread, %.1f MB with 4 (one copy of the operators: at most %.1f MB)\n",
+              one / 1e6, four / 1e6, blocks / 1e6);
   EXPECT_GT(four, one);
   EXPECT_LT(four - one, 0.3 * one);
 }
@@ -71,7 +65,7 @@ TEST_F(solve_many_threads, threads_with_operators_that_are_not_formed_give_the_s
   if (!rollcon_has_feature("fftw")) GTEST_SKIP() << "this build has no FFT";
   const std::vector<double> values = scattered(24);
   const Table dense = table(three, values, 2);
-  ASSERT_EQ(rollcon_contact_set_str(contact, "operators", "fft"), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_str(contact, "operators", "fft"));
   const Table one = table(three, values, 1);
   EXPECT_EQ(differences(table(three, values, 3), one, in_order(24)), 0);
   double worst = 0;
@@ -93,8 +87,8 @@ struct Watcher {
 std::int32_t watch(const rollcon_event* event, void* user) {
   auto& w = *static_cast<Watcher*>(user);
   std::int64_t phase = 0, iteration = 0;
-  EXPECT_EQ(rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, &phase), ROLLCON_OK);
-  EXPECT_EQ(rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration), ROLLCON_OK);
+  EXPECT_OK(rollcon_event_get_int(event, ROLLCON_EVENT_PHASE, &phase));
+  EXPECT_OK(rollcon_event_get_int(event, ROLLCON_EVENT_ITERATION, &iteration));
   w.elsewhere = w.elsewhere || std::this_thread::get_id() != w.thread;
   if (phase == ROLLCON_PHASE_CASES) {
     EXPECT_GE(iteration, w.cases);
@@ -103,7 +97,7 @@ std::int32_t watch(const rollcon_event* event, void* user) {
   EXPECT_EQ(rollcon_contact_solve(w.contact), ROLLCON_ERR_BUSY);
   if (++w.calls < w.stop_after) return 0;
   if (!w.by_request) return 1;
-  EXPECT_EQ(rollcon_contact_request_cancel(w.contact), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_request_cancel(w.contact));
   return 0;
 }
 
@@ -119,10 +113,10 @@ TEST_F(solve_many_threads, callbacks_and_cancelling_work_with_threads) {
         w.contact = contact;
         w.stop_after = stop_after;
         w.by_request = by_request;
-        ASSERT_EQ(rollcon_contact_set_progress(contact, watch, &w), ROLLCON_OK);
+        ASSERT_OK(rollcon_contact_set_progress(contact, watch, &w));
         const bool stops = stop_after < 1000;
         const Table t = table(three, values, threads, stops ? ROLLCON_CANCELLED : ROLLCON_OK);
-        ASSERT_EQ(rollcon_contact_set_progress(contact, nullptr, nullptr), ROLLCON_OK);
+        ASSERT_OK(rollcon_contact_set_progress(contact, nullptr, nullptr));
         EXPECT_FALSE(w.elsewhere) << "callbacks run in the caller's thread";
         EXPECT_GE(w.calls, std::min<std::int64_t>(stop_after, 50));
         int solved = 0;
@@ -137,27 +131,26 @@ TEST_F(solve_many_threads, callbacks_and_cancelling_work_with_threads) {
         EXPECT_EQ(solved == 150, !stops) << solved;
       }
   }
-  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_solve(contact));
 }
 
 TEST_F(solve_many_threads, several_contacts_at_once_in_threads_of_their_own) {
   const std::vector<double> values = grid();
   std::vector<double> right;
-  ASSERT_EQ(forces(three, 60, values, right), ROLLCON_OK);
+  ASSERT_OK(forces(three, 60, values, right));
   std::vector<std::vector<double>> force(2, std::vector<double>(180));
   std::vector<std::thread> callers;
   for (std::size_t k = 0; k < 2; ++k)
     callers.emplace_back([&, k] {
       rollcon_context* own = nullptr;
       rollcon_contact* c = nullptr;
-      EXPECT_EQ(rollcon_context_create(ROLLCON_ABI, &own), ROLLCON_OK);
-      EXPECT_EQ(rollcon_context_set_threads(own, 2), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_create(own, sphere, plane, &c), ROLLCON_OK);
+      EXPECT_OK(rollcon_context_create(ROLLCON_ABI, &own));
+      EXPECT_OK(rollcon_context_set_threads(own, 2));
+      EXPECT_OK(rollcon_contact_create(own, sphere, plane, &c));
       give_scene(c, frame);
-      EXPECT_EQ(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load), ROLLCON_OK);
-      EXPECT_EQ(rollcon_contact_solve_many(c, names_of(three).c_str(), 60, values.data(), "force", 3, force[k].data(),
-                                           nullptr, nullptr),
-                ROLLCON_OK);
+      EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
+      EXPECT_OK(rollcon_contact_solve_many(c, names_of(three).c_str(), 60, values.data(), "force", 3, force[k].data(),
+                                           nullptr, nullptr));
       rollcon_contact_release(c);
       rollcon_context_release(own);
     });

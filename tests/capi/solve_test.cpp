@@ -1,8 +1,5 @@
 /// Statuses of a solve, order of calls, and what is kept.
 
-#include <cmath>
-#include <cstdio>
-
 #include "fixture.hpp"
 
 using namespace capi_test;
@@ -11,11 +8,11 @@ class solve : public Api {};
 
 TEST_F(solve, six_steps_give_a_contact_in_equilibrium) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK) << error();
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300));
+  ASSERT_OK(rollcon_contact_solve(contact));
   double force[3], approach = 0;
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_motion(contact, &approach, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
+  ASSERT_OK(rollcon_contact_get_motion(contact, &approach, nullptr));
   const double imbalance = std::abs(force[2] + 300) / 300;
   std::printf("prescribed load missed by %.1e (bound 1e-8), approach %.5f\n", imbalance, approach);
   EXPECT_LT(imbalance, 1e-8);
@@ -29,77 +26,64 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
   std::int64_t n = 0;
   const double point[2] = {0, 0};
   for (int round = 0; round < 3; ++round) {
-    EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n),
-                 ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_status(contact, 1000, &s), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_get_plan(contact, 0, nullptr, &n), ROLLCON_ERR_STATE, "solve");
-    EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), ROLLCON_ERR_STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_status(contact, 1000, &s), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_plan(contact, 0, nullptr, &n), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), STATE, "solve");
     if (round == 0) set_scene();
     if (round == 1) {
-      ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-      ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
+      ASSERT_OK(rollcon_contact_solve(contact));
+      ASSERT_OK(rollcon_contact_reset(contact));
     }
   }
 }
 
 TEST_F(solve, what_is_missing_is_named) {
   const double mu = 0.1;
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_STATE, "nodes");
-  ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_STATE, "elements");
-  ASSERT_EQ(add_elements(frame), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_STATE, "gap");
-  ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_STATE, "friction");
-  ASSERT_EQ(rollcon_contact_set_friction(contact, "coulomb", 1, &mu), ROLLCON_OK);
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "nodes");
+  ASSERT_OK(set_nodes(frame));
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "elements");
+  ASSERT_OK(add_elements(frame));
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "gap");
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0));
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "friction");
+  ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   EXPECT_GE(rollcon_contact_solve(contact), ROLLCON_OK) << error();
 }
 
 TEST_F(solve, body_without_material_is_named) {
   rollcon_body* bare = nullptr;
   rollcon_contact* made = nullptr;
-  ASSERT_EQ(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &bare), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_create(context, bare, plane, &made), ROLLCON_OK);
+  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &bare));
+  ASSERT_OK(rollcon_contact_create(context, bare, plane, &made));
   std::swap(contact, made);
   set_scene();
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_STATE, "elastic");
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "elastic");
   rollcon_contact_release(made);
   rollcon_body_release(bare);
 }
 
-TEST_F(solve, two_rigid_bodies_are_refused) {
-  rollcon_contact* made = nullptr;
-  EXPECT_FAILS(rollcon_contact_create(context, plane, plane, &made), ROLLCON_ERR_ARGUMENT, "rigid");
-  EXPECT_EQ(made, nullptr);
-}
-
 TEST_F(solve, bodies_apart_have_no_tractions) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -0.01));
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
   double force[3] = {1, 1, 1};
-  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
   for (const double f : force) EXPECT_EQ(f, 0);
-}
-
-TEST_F(solve, contact_at_the_rim_is_reported) {
-  set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.1), ROLLCON_OK);
-  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_RIM_CONTACT);
 }
 
 TEST_F(solve, a_contact_of_a_few_nodes_is_coarse) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-4), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1e-4));
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_COARSE);
   double touching = 0, inside = -1, estimate = 0;
-  ASSERT_EQ(rollcon_contact_get_stat(contact, "nodes_contact", &touching), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_stat(contact, "nodes_inside", &inside), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_stat(contact, "error_estimate", &estimate), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_stat(contact, "nodes_contact", &touching));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "nodes_inside", &inside));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "error_estimate", &estimate));
   EXPECT_GE(touching, 1);
   EXPECT_EQ(inside, 0);
   EXPECT_EQ(estimate, 1);
@@ -107,17 +91,17 @@ TEST_F(solve, a_contact_of_a_few_nodes_is_coarse) {
 
 TEST_F(solve, too_few_iterations_are_reported_and_the_iterate_kept) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_set_int(contact, "max_iterations", 1), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_int(contact, "max_iterations", 1));
   EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NOT_CONVERGED);
   double force[3];
-  EXPECT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr), ROLLCON_OK);
+  EXPECT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
 }
 
 TEST_F(solve, force_beyond_friction_has_no_steady_solution) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 31), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_LOAD, "steady");
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300));
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 31));
+  EXPECT_FAILS(rollcon_contact_solve(contact), LOAD, "steady");
 }
 
 TEST_F(solve, bad_elements_are_mesh_errors_that_name_the_element) {
@@ -132,38 +116,38 @@ TEST_F(solve, bad_elements_are_mesh_errors_that_name_the_element) {
         Case{"degenerate", {1, 2, 3, 4}, "element 2"}, Case{"same twice", {3, 4, 17, 16}, "elements 1 and 2"}}) {
     SCOPED_TRACE(c.name);
     set_scene();
-    ASSERT_EQ(set_nodes(frame), ROLLCON_OK);
+    ASSERT_OK(set_nodes(frame));
     const std::int32_t good[4] = {3, 4, 17, 16};
-    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0), ROLLCON_OK);
-    ASSERT_EQ(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0), ROLLCON_OK);
-    EXPECT_FAILS(rollcon_contact_solve(contact), ROLLCON_ERR_MESH, c.text);
+    ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, good, 1, 0));
+    ASSERT_OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, 1, c.quad, 1, 0));
+    EXPECT_FAILS(rollcon_contact_solve(contact), MESH, c.text);
   }
 }
 
 TEST_F(solve, files_that_cannot_be_written_are_io_errors) {
   if (!rollcon_has_feature("vtu")) GTEST_SKIP() << "this build writes no VTU files";
   set_scene();
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  EXPECT_FAILS(rollcon_contact_write(contact, "no/such/folder/out.vtu"), ROLLCON_ERR_IO, "no/such/folder/out.vtu");
+  ASSERT_OK(rollcon_contact_solve(contact));
+  EXPECT_FAILS(rollcon_contact_write(contact, "no/such/folder/out.vtu"), IO, "no/such/folder/out.vtu");
 }
 
 TEST_F(solve, later_gap_replaces_the_earlier_kind) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_solve(contact));
   double by_form[3], by_array[3], again[3];
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, by_form, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, by_form, nullptr));
   std::vector<double> gap;
   for (std::int64_t i = 0; i < frame.nodes; ++i) {
     const double x = frame.x[3 * i], y = frame.x[3 * i + 1];
     gap.push_back(0.01 * x * x + 0.01 * y * y + 0.005);
   }
-  ASSERT_EQ(rollcon_contact_set_gap(contact, frame.nodes, gap.data()), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, by_array, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_gap(contact, frame.nodes, gap.data()));
+  ASSERT_OK(rollcon_contact_solve(contact));
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, by_array, nullptr));
   EXPECT_LT(-by_array[2], -0.8 * by_form[2]) << "the array's gap is wider";
-  ASSERT_EQ(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, again, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0));
+  ASSERT_OK(rollcon_contact_solve(contact));
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, again, nullptr));
   const double change = std::abs(again[2] / by_form[2] - 1);
   std::printf("load of the same gap set again differs by %.1e (bound 1e-8)\n", change);
   EXPECT_LT(change, 1e-8);
@@ -171,9 +155,9 @@ TEST_F(solve, later_gap_replaces_the_earlier_kind) {
 
 TEST_F(solve, failed_setters_leave_the_scene_as_it_was) {
   set_scene();
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_solve(contact));
   double before[3], after[3];
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, before, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, before, nullptr));
   const double zero[3] = {0, 0, 0}, bad_mu = -1;
   EXPECT_LT(rollcon_contact_set_creep(contact, 0, 0, std::nan("")), 0);
   EXPECT_LT(rollcon_contact_set_rolling(contact, 0), 0);
@@ -182,8 +166,8 @@ TEST_F(solve, failed_setters_leave_the_scene_as_it_was) {
   EXPECT_LT(rollcon_contact_set_gap_quadratic(contact, 5, std::nan(""), 0), 0);
   EXPECT_LT(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, -4), 0);
   EXPECT_LT(rollcon_contact_set_real(contact, "tolerance", 1), 0);
-  ASSERT_EQ(rollcon_contact_reset(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, after, nullptr), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_reset(contact));
+  ASSERT_OK(rollcon_contact_solve(contact));
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, after, nullptr));
   for (int i = 0; i < 3; ++i) EXPECT_EQ(before[i], after[i]) << i;
 }

@@ -55,8 +55,8 @@ TEST_F(time_loop, every_step_converges_in_few_iterations) {
         EXPECT_NEAR(force[0], s.longitudinal, 1e-6 * run::load) << i;
       }
       std::printf(
-          "%s, longitudinal %s: %.3f iterations per step (bound 3), at most %g, %g "
-          "fallbacks (bound %d), %d not OK (bound 0)\n",
+          "%s, longitudinal %s: %.3f iterations per step (bound 3), at most %g, %g fallbacks (bound %d), %d not OK "
+          "(bound 0)\n",
           dissimilar ? "dissimilar" : "identical", drive == run::Drive::creepage ? "creepage" : "force",
           iterations / (steps - 1), most, fallbacks, steps / 500, not_ok);
       EXPECT_LE(iterations / (steps - 1), 3);

@@ -1,15 +1,10 @@
 /// What a scene takes from its bodies: poses, frames made of faces, gaps from the geometry.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "build_info.hpp"
 #include "contact/body_geometry.hpp"
 #include "contact/contact.hpp"
 #include "contact/scene_fixture.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

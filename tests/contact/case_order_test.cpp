@@ -2,12 +2,9 @@
 
 #include "contact/cases/case_order.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <random>
+
+#include "support/testing.hpp"
 
 using namespace rollcon;
 

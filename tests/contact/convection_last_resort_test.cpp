@@ -1,13 +1,9 @@
 // Nodes of which only one neighbour lies upstream, beside the path: least squares then take the difference to it, along
 // the path that leads there.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-
 #include "contact/operators/convection/convection.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,24 +1,13 @@
 /// The derivative of smooth fields, and the equation that the stick zone solves with it.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <string>
-
 #include "contact/convection_frames.hpp"
 #include "contact/operators/convection/convection.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using namespace convection_test;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
 
 double smooth(double x, double y) {
   return std::sin(1.3 * x + 0.4) * std::cos(0.9 * y - 0.2);

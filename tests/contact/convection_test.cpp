@@ -1,21 +1,12 @@
 #include "contact/operators/convection/convection.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <string>
-
 #include "contact/convection_frames.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using namespace convection_test;
-using validation::expect_error;
 
 /// 1 for nodes whose path upstream enters one of their cells; 0 where it leaves the frame.
 std::vector<char> path_enters(const Frame& frame, const LinearCells& cells, Direction e) {

@@ -86,10 +86,8 @@ TEST(curved_frame, area_and_resultants_of_a_cylinder) {
     for (int q = 0; q < 4; ++q) {
       const double bound = q == 3 ? moment_bound : force_bound;
       const double order = std::log2(error[1][q] / error[2][q]);
-      std::printf(
-          "type %d %-12s error %.1e %.1e %.1e (bound of the first %.0e), order %.2f (at least "
-          "%.1f)\n",
-          static_cast<int>(type), names[q], error[0][q], error[1][q], error[2][q], bound, order, order_bound);
+      std::printf("type %d %-12s error %.1e %.1e %.1e (bound of the first %.0e), order %.2f (at least %.1f)\n",
+                  static_cast<int>(type), names[q], error[0][q], error[1][q], error[2][q], bound, order, order_bound);
       EXPECT_LT(error[0][q], bound);
       EXPECT_GT(order, order_bound);
     }

@@ -2,14 +2,8 @@
 // it, spin moments and forces near what friction carries. However they are solved, they end solved or with a status
 // that says why not, they are left as they were given, and they can be interrupted anywhere.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "support/extremes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -63,10 +57,8 @@ TEST(fallback_scenes, end_solved_or_refused) {
   for (const std::uint32_t seed : solved) judge(seed);
   int loads = 0;
   for (const std::uint32_t seed : refused) loads += judge(seed) == ROLLCON_ERR_LOAD;
-  std::printf(
-      "%zu scenes: worst law residual %.1e (bound %.0e), %d got stuck, %g fallbacks; %d of %zu "
-      "refused\n",
-      std::size(solved) + std::size(refused), worst, law_bound, stuck, fallbacks, loads, std::size(refused));
+  std::printf("%zu scenes: worst law residual %.1e (bound %.0e), %d got stuck, %g fallbacks; %d of %zu refused\n",
+              std::size(solved) + std::size(refused), worst, law_bound, stuck, fallbacks, loads, std::size(refused));
   EXPECT_GE(stuck, 1) << "other seeds are wanted: these scenes try nothing any more";
   EXPECT_EQ(loads, static_cast<int>(std::size(refused)));
 }
@@ -165,10 +157,8 @@ TEST(fallback_scenes, can_be_interrupted_anywhere) {
       worst = std::max(worst, e.solved() ? e.law.worst() : 0);
     }
   }
-  std::printf(
-      "%d solves cancelled, %d of them in fallbacks; afterwards laws keep to %.1e (bound "
-      "%.0e)\n",
-      cancelled, deep, worst, law_bound);
+  std::printf("%d solves cancelled, %d of them in fallbacks; afterwards laws keep to %.1e (bound %.0e)\n", cancelled,
+              deep, worst, law_bound);
   EXPECT_GT(cancelled, 10);
 }
 

@@ -3,15 +3,8 @@
 
 #include "contact/laws/friction_law.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -3,16 +3,10 @@
 
 #include "contact/prepare/gap_between_nodes.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/prepare/preparation.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

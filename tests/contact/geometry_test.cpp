@@ -2,16 +2,10 @@
 
 #include "contact/scene/geometry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <string>
-
 #include "contact/body_geometry.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -108,11 +102,9 @@ TEST(geometry, gap_of_two_spheres) {
       const double h = 2 * cap / 6;
       const double bound = h * h * (1 / radius1 + 1 / radius2) / 4 * 0.01;
       const double order = std::log2(coarse.mean_gap / fine.mean_gap), least = on != On::body1 ? 2.8 : 1.8;
-      std::printf(
-          "type %d, frame %s: gap error %.1e (bound %.1e), order %.2f (at least %.1f); normals "
-          "%.1e, %.1e\n",
-          static_cast<int>(type), where[static_cast<int>(on)], coarse.gap, bound, order, least, coarse.normal,
-          fine.normal);
+      std::printf("type %d, frame %s: gap error %.1e (bound %.1e), order %.2f (at least %.1f); normals %.1e, %.1e\n",
+                  static_cast<int>(type), where[static_cast<int>(on)], coarse.gap, bound, order, least, coarse.normal,
+                  fine.normal);
       EXPECT_LT(coarse.gap, bound);
       EXPECT_GT(order, least);
       EXPECT_LT(fine.normal, quadratic ? 2e-3 : 3e-2);
@@ -237,8 +229,8 @@ TEST(geometry, nodes_beside_a_body_are_named) {
   const std::string text = refusal([&] { undeformed_gap(frame, {}, pair); });
   expect_text(text, "25 of the 25 nodes");
   expect_text(text,
-              "9 such node(s) meet a contact face from behind (the normal of the axes must "
-              "point out of body 1, into body 2): 7, 8, 9, 12, 13, ...");
+              "9 such node(s) meet a contact face from behind (the normal of the axes must point out of body 1, into "
+              "body 2): 7, 8, 9, 12, 13, ...");
   // Faces that are not offered to contact.
   SurfaceMesh marked = sphere_cap(ElementType::quad4, 6, 0.6, radius2, clearance, false);
   for (std::int64_t e = 0; e < marked.elements(); ++e)

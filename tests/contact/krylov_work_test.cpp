@@ -1,12 +1,9 @@
 // Linear systems are solved as accurately as Newton's step needs, the last one no more than the tolerance asks for:
 // counted where operators are not formed and each iteration costs transforms.
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
-
 #include "contact/scene_fixture.hpp"
 #include "linalg/fft.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

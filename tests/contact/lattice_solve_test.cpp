@@ -1,12 +1,8 @@
 // Regular frames on half-spaces: operators applied by FFT give what dense ones give, in every kind of scene; work and
 // memory grow with the number of nodes.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-
 #include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
 
 namespace {
 
@@ -149,10 +145,8 @@ TEST(Lattice_long, WorkAndMemoryGrowWithTheNodes) {
       ASSERT_EQ(pair->solve(), ROLLCON_OK);
       const double per_node = pair->stat("peak_bytes") / ((n + 1) * (n + 1));
       const double applications = pair->stat("operator_applications");
-      std::printf(
-          "%s, %d x %d: %g Newton iterations, %g applications (bound 170), %.0f bytes per "
-          "node\n",
-          c.name, n, n, pair->stat("iterations"), applications, per_node);
+      std::printf("%s, %d x %d: %g Newton iterations, %g applications (bound 170), %.0f bytes per node\n", c.name, n, n,
+                  pair->stat("iterations"), applications, per_node);
       if (first == 0) first = per_node;
       EXPECT_LE(per_node, 1.5 * first);
       EXPECT_LE(applications, 170);

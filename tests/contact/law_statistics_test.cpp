@@ -1,13 +1,7 @@
 // Statistics of the laws at an unfinished iterate: large, and the same in all units.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-
 #include "contact/scene_fixture.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -50,8 +44,8 @@ TEST(law_statistics, of_unfinished_iterates_do_not_depend_on_units) {
           error = std::max(error, std::abs(found[k] - reference[k]) / (reference[k] + 1e-9));
       }
     std::printf(
-        "after %lld iterations: normal %.1e, friction %.1e, slip %.1e, equilibrium %.1e; "
-        "in other units off by %.1e (bound 1e-6)\n",
+        "after %lld iterations: normal %.1e, friction %.1e, slip %.1e, equilibrium %.1e; in other units off by %.1e "
+        "(bound 1e-6)\n",
         static_cast<long long>(iterations), reference[0], reference[1], reference[2], reference[3], error);
     EXPECT_LE(error, 1e-6);
     EXPECT_GT(*std::max_element(reference.begin(), reference.end()), 1e-4);

@@ -1,20 +1,14 @@
 /// A step of the monolithic system is that of the condensed one, whatever the bodies, the scheme, the loads, the form
 /// and the solver.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "contact/monolithic_case.hpp"
 #include "procedures/step_system.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using namespace monolithic_test;
-using validation::expect_error;
 
 constexpr double bound = 1e-9;
 constexpr Scheme schemes[] = {Scheme::godunov, Scheme::least_squares, Scheme::characteristic};

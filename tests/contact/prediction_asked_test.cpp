@@ -1,13 +1,8 @@
 // What is asked between two solves does not change the next one: slips that nobody asked for are computed where a
 // predicted start needs them.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -49,8 +44,8 @@ TEST(prediction, is_the_same_whatever_was_asked_before) {
         const Work plain = growing_load(body2, step, scheme, false), asked = growing_load(body2, step, scheme, true);
         const double change = std::abs(asked.force / plain.force - 1);
         std::printf(
-            "%s bodies, %s, load in steps of %g: %g iterations and %g predicted starts, %g and %g "
-            "after questions; forces differ by %.1e (bound 1e-9)\n",
+            "%s bodies, %s, load in steps of %g: %g iterations and %g predicted starts, %g and %g after questions; "
+            "forces differ by %.1e (bound 1e-9)\n",
             name, scheme, step, plain.iterations, plain.predictions, asked.iterations, asked.predictions, change);
         EXPECT_EQ(plain.iterations, asked.iterations);
         EXPECT_EQ(plain.predictions, asked.predictions);

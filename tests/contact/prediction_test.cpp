@@ -47,9 +47,8 @@ TEST(prediction, saves_iterations_of_a_time_loop) {
     const Work plain = time_loop(body2, off), predicted = time_loop(body2, on);
     const double change = std::abs(predicted.force / plain.force - 1);
     std::printf(
-        "%s bodies: %.2f iterations per step, %.2f with prediction (bounds 3 and 0.8 of the "
-        "other), "
-        "%g predicted starts; forces differ by %.1e (bound 1e-6)\n",
+        "%s bodies: %.2f iterations per step, %.2f with prediction (bounds 3 and 0.8 of the other), %g predicted "
+        "starts; forces differ by %.1e (bound 1e-6)\n",
         name, plain.iterations / 147, predicted.iterations / 147, predicted.predictions, change);
     EXPECT_LE(predicted.iterations, 3 * 147);
     EXPECT_LE(predicted.iterations, 0.9 * plain.iterations);

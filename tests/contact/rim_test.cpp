@@ -1,11 +1,8 @@
 // Contact over the full width of a body: where the body ends, a frame laid on it has no rim.
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
-
 #include "support/frames.hpp"
 #include "support/scene.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
 
 namespace rollcon {

@@ -13,13 +13,12 @@
 
 #include "support/frames.hpp"
 #include "support/scene.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::sensitivity_test {
 
 using scenes::Elastic;
 using scenes::RollingPair;
-using validation::expect_error;
 
 inline constexpr std::int32_t parameters[] = {ROLLCON_LONGITUDINAL, ROLLCON_LATERAL, ROLLCON_NORMAL, ROLLCON_SPIN,
                                               ROLLCON_FRICTION};

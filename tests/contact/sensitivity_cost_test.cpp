@@ -77,8 +77,8 @@ TEST(sensitivity, costs_one_factorisation_and_its_right_sides) {
         EXPECT_EQ(pair.stat("compliance_assemblies"), 1);
       }
       std::printf(
-          "%-9s %-5s %g unknowns: the first takes %.2f, all five %.2f Newton iterations of %.2f "
-          "ms; %d and %d Krylov iterations (at most 25 per right side)\n",
+          "%-9s %-5s %g unknowns: the first takes %.2f, all five %.2f Newton iterations of %.2f ms; %d and %d Krylov "
+          "iterations (at most 25 per right side)\n",
           coupled ? "coupled" : "decoupled", solver, pair.stat("unknowns"), cost.first / cost.iteration,
           cost.all / cost.iteration, 1e3 * cost.iteration, cost.first_krylov, cost.all_krylov);
     }

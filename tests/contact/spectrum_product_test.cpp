@@ -1,11 +1,9 @@
 #include "contact/operators/lattice/spectrum_product.hpp"
 
-#include <gtest/gtest.h>
-
 #include <complex>
-#include <vector>
 
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

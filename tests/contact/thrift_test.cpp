@@ -155,8 +155,8 @@ TEST(plan_results, are_computed_when_asked_for_and_once) {
   expect({0, 0, 0, 0}, "after tractions, forces, motions");
   EXPECT_EQ(c.stat("operator_applications"), 0);
   EXPECT_TRUE(says(pair,
-                   "not computed, as nobody asked: gap, slip and state of the nodes, "
-                   "residuals of the laws, displacements of the bodies, error estimate"));
+                   "not computed, as nobody asked: gap, slip and state of the nodes, residuals of the laws, "
+                   "displacements of the bodies, error estimate"));
   std::vector<std::int32_t> state(static_cast<std::size_t>(c.nodes()));
   for (int again = 0; again < 2; ++again) c.node_status(c.nodes(), state.data());
   expect({1, 0, 0, 0}, "after states");

@@ -2,14 +2,8 @@
 
 #include "contact/operators/traction_space.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -77,8 +77,7 @@ void cancel_everywhere(const Flow& flow, int threads, Verdict& verdict) {
                        calls, cancelling.cancelled());
     }
   std::printf(
-      "%s, %d threads: cancelled at each of %d calls (%d times too late), results apart by"
-      " %.1e (bound 1e-12)\n",
+      "%s, %d threads: cancelled at each of %d calls (%d times too late), results apart by %.1e (bound 1e-12)\n",
       flow.name, threads, calls, late, worst);
   // The calling thread tells of its own cases; on two threads the other one may have taken them all.
   if (threads == 1) {

@@ -63,8 +63,7 @@ int main() {
       return other_results(right, threads) != 0 ? 100 : in_child([&] { return other_results(right, threads); });
     });
     std::printf(
-        "%d threads, after a region of %d OpenMP threads: %d flows with other results in a "
-        "child, %d in its child\n",
+        "%d threads, after a region of %d OpenMP threads: %d flows with other results in a child, %d in its child\n",
         threads, regions, child, grandchild);
     verdict.expect(child == 0 && grandchild == 0, "children differ or hang");
     verdict.expect(other_results(right, threads) == 0, "the parent differs afterwards");

@@ -2,7 +2,6 @@
 
 #include "io/section_file.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,10 +10,10 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <sstream>
 
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -2,9 +2,7 @@
 
 #include "linalg/blas_kernels.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -2,14 +2,9 @@
 
 #include "linalg/factored_matrix.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
 #include <random>
-#include <vector>
+
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

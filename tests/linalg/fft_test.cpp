@@ -1,16 +1,10 @@
 #include "linalg/fft.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <complex>
-#include <cstdio>
-#include <numbers>
 #include <thread>
-#include <vector>
 
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

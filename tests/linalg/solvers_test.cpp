@@ -1,13 +1,9 @@
 /// LU and GMRES against matrices with known solutions.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-
 #include "linalg/gmres.hpp"
 #include "linalg/lu.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -17,9 +17,8 @@
 #include <thread>
 
 #include "linalg/blas_threads.hpp"
-#include "linalg/factored_matrix.hpp"
+#include "linalg/sparse_matrices.hpp"
 #include "support/error.hpp"
-#include "support/frames.hpp"
 
 namespace rollcon {
 namespace {
@@ -28,127 +27,7 @@ class sparse_factor : public testing::Test {
   const BlasThreads one_{1};
 };
 
-using Unknowns = std::vector<std::int64_t>;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// Springs between neighbours on a grid of n^3 points with `fields` unknowns each, coupled at every point; `ground`
-/// holds the points of the lowest layer.
-SparseMatrix springs(std::int64_t n, std::int64_t fields, double ground, double stiffest = 1) {
-  const std::int64_t points = n * n * n;
-  std::vector<std::vector<std::pair<std::int64_t, double>>> column(at(points * fields));
-  std::vector<double> diagonal(at(points * fields));
-  frames::Random random(3);
-  const auto spring = [&](std::int64_t i, std::int64_t j, double k) {
-    diagonal[at(i)] += k;
-    diagonal[at(j)] += k;
-    column[at(std::min(i, j))].emplace_back(std::max(i, j), -k);
-  };
-  const auto couple = [&](std::int64_t p, std::int64_t q) {
-    for (std::int64_t a = 0; a < fields; ++a)
-      for (std::int64_t b = 0; b < fields; ++b) spring(p * fields + a, q * fields + b, std::pow(stiffest, random()));
-  };
-  for (std::int64_t p = 0; p < points; ++p) {
-    const std::int64_t x = p % n, y = p / n % n, z = p / (n * n);
-    for (std::int64_t a = 0; a < fields; ++a)
-      for (std::int64_t b = 0; b < a; ++b) spring(p * fields + a, p * fields + b, 0.5);
-    if (x + 1 < n) couple(p, p + 1);
-    if (y + 1 < n) couple(p, p + n);
-    if (z + 1 < n) couple(p, p + n * n);
-    if (z == 0)
-      for (std::int64_t a = 0; a < fields; ++a) diagonal[at(p * fields + a)] += ground;
-  }
-  SparseMatrix a;
-  a.columns = points * fields;
-  a.start = {0};
-  for (std::int64_t j = 0; j < a.columns; ++j) {
-    std::sort(column[at(j)].begin(), column[at(j)].end());
-    a.row.push_back(j);
-    a.value.push_back(diagonal[at(j)]);
-    for (const auto& [i, k] : column[at(j)]) {
-      a.row.push_back(i);
-      a.value.push_back(k);
-    }
-    a.start.push_back(static_cast<std::int64_t>(a.row.size()));
-  }
-  return a;
-}
-
-/// Random pattern, diagonally dominant.
-SparseMatrix random_matrix(std::int64_t n, double density) {
-  frames::Random random(11);
-  SparseMatrix a;
-  a.columns = n;
-  a.start = {0};
-  for (std::int64_t j = 0; j < n; ++j) {
-    a.row.push_back(j);
-    a.value.push_back(4 + density * static_cast<double>(n));
-    for (std::int64_t i = j + 1; i < n; ++i) {
-      const double chosen = random(), value = random();
-      if (std::abs(chosen) >= density) continue;
-      a.row.push_back(i);
-      a.value.push_back(value);
-    }
-    a.start.push_back(static_cast<std::int64_t>(a.row.size()));
-  }
-  return a;
-}
-
-std::vector<double> multiply(const SparseMatrix& a, const std::vector<double>& x) {
-  std::vector<double> y(x.size());
-  for (std::int64_t j = 0; j < a.columns; ++j) {
-    for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k) {
-      const std::int64_t i = a.row[at(k)];
-      y[at(i)] += a.value[at(k)] * x[at(j)];
-      if (i != j) y[at(j)] += a.value[at(k)] * x[at(i)];
-    }
-  }
-  return y;
-}
-
-/// Columns of the inverse for these unknowns, by LAPACK.
-std::vector<double> dense_columns(const SparseMatrix& a, const Unknowns& unknowns) {
-  FactoredMatrix dense;
-  double* entry = dense.prepare(a.columns);
-  std::fill_n(entry, a.columns * a.columns, 0.0);
-  for (std::int64_t j = 0; j < a.columns; ++j)
-    for (std::int64_t k = a.start[at(j)]; k < a.start[at(j + 1)]; ++k)
-      entry[a.row[at(k)] + j * a.columns] = entry[j + a.row[at(k)] * a.columns] = a.value[at(k)];
-  EXPECT_TRUE(dense.factor());
-  const auto count = static_cast<std::int64_t>(unknowns.size());
-  std::vector<double> b(at(a.columns * count));
-  for (std::int64_t r = 0; r < count; ++r) b[at(r * a.columns + unknowns[at(r)])] = 1;
-  dense.solve(b.data(), count);
-  return b;
-}
-
-std::vector<double> identity(std::size_t n) {
-  std::vector<double> b(n * n);
-  for (std::size_t k = 0; k < n; ++k) b[k * n + k] = 1;
-  return b;
-}
-
-/// Every third unknown backwards, then a few from the front: neither sorted nor together.
-Unknowns scattered(std::int64_t n) {
-  Unknowns list;
-  for (std::int64_t u = n - 1; u >= n / 2; u -= 3) list.push_back(u);
-  for (std::int64_t u = 0; u < n / 8; ++u) list.push_back(u);
-  return list;
-}
-
-double largest(const std::vector<double>& a) {
-  double value = 0;
-  for (const double x : a) value = std::max(value, std::abs(x));
-  return value;
-}
-
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double value = a.size() == b.size() ? 0 : std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < a.size() && k < b.size(); ++k) value = std::max(value, std::abs(a[k] - b[k]));
-  return value / largest(b);
-}
+using namespace sparse;
 
 bool report(const char* what, double error, double bound) {
   std::printf("  %-40s error %.2e, bound %.0e\n", what, error, bound);
@@ -185,16 +64,6 @@ TEST_F(sparse_factor, springs_on_a_grid_against_dense) {
 TEST_F(sparse_factor, random_pattern_against_dense) {
   const SparseMatrix a = random_matrix(600, 0.02);
   compare_with_dense("600 unknowns, random", a, scattered(a.columns), 1e-13);
-}
-
-/// Both on the diagonal of one matrix.
-SparseMatrix side_by_side(const SparseMatrix& a, const SparseMatrix& b) {
-  SparseMatrix both = a;
-  both.columns += b.columns;
-  for (std::int64_t j = 1; j <= b.columns; ++j) both.start.push_back(a.start.back() + b.start[at(j)]);
-  for (const std::int64_t i : b.row) both.row.push_back(a.columns + i);
-  both.value.insert(both.value.end(), b.value.begin(), b.value.end());
-  return both;
 }
 
 TEST_F(sparse_factor, bodies_apart_have_a_condensed_matrix_in_blocks) {
@@ -293,12 +162,7 @@ TEST_F(sparse_factor, indefinite_matrices_are_refused) {
   a.value[at(a.start[50])] *= -1;
   EXPECT_EQ(zero_pivot(a, {}), 50);
   // Positive diagonal, negative eigenvalue.
-  SparseMatrix pair;
-  pair.columns = 2;
-  pair.start = {0, 2, 3};
-  pair.row = {0, 1, 1};
-  pair.value = {1, 2, 1};
-  EXPECT_NE(zero_pivot(pair, {}), -1);
+  EXPECT_NE(zero_pivot(two_by_two(1, 2, 1), {}), -1);
 }
 
 Status status_of(const std::function<void()>& call, std::string* message) {

@@ -2,15 +2,11 @@
 
 #include "linalg/sparse_groups.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
-#include <numeric>
 #include <set>
 
 #include "build_info.hpp"
 #include "linalg/sparse_order.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

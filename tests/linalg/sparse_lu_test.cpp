@@ -2,21 +2,13 @@
 
 #include "linalg/sparse_lu.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "linalg/lu.hpp"
 #include "support/error.hpp"
 #include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
 
 /// A grid's Laplacian with values at random and every sixth diagonal entry zero.
 SparseMatrix grid_matrix(int side, std::uint32_t seed) {

@@ -1,20 +1,12 @@
 #include "mesh/coarsen.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "contact/operators/traction_space.hpp"
 #include "support/frames.hpp"
 #include "support/graded_disc.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
 
 struct NamedMesh {
   std::string name;

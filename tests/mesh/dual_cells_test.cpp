@@ -1,19 +1,10 @@
 #include "mesh/dual_cells.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
-#include <string>
-
 #include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
 
 struct NamedMesh {
   std::string name;

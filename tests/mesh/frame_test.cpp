@@ -1,18 +1,12 @@
 #include "mesh/frame.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <numeric>
-
 #include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 constexpr double pi = std::numbers::pi;
 
 double sum(const std::vector<double>& v) {
@@ -78,8 +72,7 @@ TEST(Frame, CurvedElementsApproachTheDisc) {
     error[k] = frame.area / pi - 1;
     expect_error("sum of weights on curved elements", sum(frame.weight) / frame.area - 1, 1e-14);
   }
-  validation::expect_order("area of the disc by curved elements", validation::observed_order(error[0], error[1], 2, 1),
-                           3.8);
+  expect_order("area of the disc by curved elements", observed_order(error[0], error[1], 2, 1), 3.8);
 }
 
 TEST(Frame, ProjectsOnTheAxes) {
@@ -144,19 +137,9 @@ TEST(Frame, NodesOfNoElementCarryNothing) {
 
 TEST(Frame, AHoleIsAllowed) {
   const auto u = frames::uniform_lines(0, 3, 3);
-  SurfaceMesh mesh = frames::rectangle(ElementType::quad4, u, u);
-  // Take out the middle element: a ring of eight squares with a rim inside.
-  SurfaceMesh ring;
-  ring.node = mesh.node;
-  ring.offset = {0};
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    if (e == 4) continue;
-    const auto n = mesh.element(e);
-    ring.connectivity.insert(ring.connectivity.end(), n.begin(), n.end());
-    ring.type.push_back(ElementType::quad4);
-    ring.tag.push_back(0);
-    ring.offset.push_back(static_cast<std::int64_t>(ring.connectivity.size()));
-  }
+  // A ring of eight squares with a rim inside.
+  const SurfaceMesh ring =
+      surfaces::only(frames::rectangle(ElementType::quad4, u, u), [](std::int64_t e) { return e != 4; });
   const Frame frame = build_frame(ring, Axes{});
   expect_error("area of a frame with a hole", frame.area - 8, 1e-14);
   EXPECT_EQ(count(frame.rim), 16);

@@ -1,13 +1,7 @@
 #include "mesh/lattice.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,17 +1,9 @@
 #include "mesh/quadrature.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
 
 TEST(Quadrature, GaussLegendreIntegratesMonomials) {
   for (int n : {1, 2, 3, 5, 8, 16, 40}) {

@@ -2,33 +2,22 @@
 
 #include "mesh/surface_geometry.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using std::numbers::pi;
-using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
-                                     ElementType::quad9};
-
-std::string number(ElementType type) {
-  return std::to_string(static_cast<int>(type));
-}
+using surfaces::all_types;
+using surfaces::name_of;
 
 TEST(SurfaceGeometry, BrickHasItsAreaAndVolumeWhereverItStands) {
   for (ElementType type : all_types) {
     SurfaceMesh mesh = surfaces::block(surfaces::brick({2, 3, 4}, {1, 2, 3}), type);
     for (Vec3& x : mesh.node) x = x + Vec3{1000, -2000, 3000};
-    expect_error("brick far from the origin, area, " + number(type), surface_area(mesh) / 22 - 1, 1e-12);
+    expect_error("brick far from the origin, area, " + name_of(type), surface_area(mesh) / 22 - 1, 1e-12);
     expect_error("volume", enclosed_volume(mesh) / 6 - 1, 1e-12);
     expect_error("volume inside out", enclosed_volume(surfaces::turn_inside_out(mesh)) / 6 + 1, 1e-12);
   }
@@ -37,20 +26,16 @@ TEST(SurfaceGeometry, BrickHasItsAreaAndVolumeWhereverItStands) {
 TEST(SurfaceGeometry, VolumeIsThatOfThePolynomialsThemselves) {
   // A bump xi^2 eta^2 on a quad9 face, and a bulge 4 xi (1 - xi - eta) of one edge of a tri6: cones from a far apex
   // less those of the flat element are the volume under the bump.
-  SurfaceMesh mesh;
-  mesh.node = {{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {0, -1, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 0}};
-  mesh.type = {ElementType::quad9};
-  mesh.tag = {0};
-  mesh.offset = {0, 9};
-  mesh.connectivity = {0, 1, 2, 3, 4, 5, 6, 7, 8};
-  expect_error("quad9 z = x^2 y^2, cone from (0, 0, -5)", cone_volume(mesh, 0, {0, 0, -5}) - (20 - 3 * 4.0 / 9) / 3,
+  const auto bump = surfaces::one_element(ElementType::quad9, [](const Vec3& r) {
+    return Vec3{r[0], r[1], r[0] * r[0] * r[1] * r[1]};
+  });
+  expect_error("quad9 z = x^2 y^2, cone from (0, 0, -5)", cone_volume(bump, 0, {0, 0, -5}) - (20 - 3 * 4.0 / 9) / 3,
                1e-14);
-  mesh.node = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0.5, 0, 1}, {0.5, 0.5, 0}, {0, 0.5, 0}};
-  mesh.type = {ElementType::tri6};
-  mesh.offset = {0, 6};
-  mesh.connectivity = {0, 1, 2, 3, 4, 5};
+  const auto bulge = surfaces::one_element(ElementType::tri6, [](const Vec3& r) {
+    return Vec3{r[0], r[1], 4 * r[0] * (1 - r[0] - r[1])};
+  });
   // z = 4 x (1 - x - y): the cone from (0, 0, -h) has h A/3 + int z = h/6 + 1/6.
-  expect_error("tri6 z = 4 x (1 - x - y), cone from (0, 0, -3)", cone_volume(mesh, 0, {0, 0, -3}) - (3.0 + 1) / 6,
+  expect_error("tri6 z = 4 x (1 - x - y), cone from (0, 0, -3)", cone_volume(bulge, 0, {0, 0, -3}) - (3.0 + 1) / 6,
                1e-15);
 }
 
@@ -64,7 +49,7 @@ TEST(SurfaceGeometry, SphereConvergesWithTheElementsOrder) {
       area[i] = std::abs(surface_area(mesh) / (16 * pi) - 1);
       volume[i] = std::abs(enclosed_volume(mesh) / (32 * pi / 3) - 1);
     }
-    expect_error("sphere, order of the area less the expected, " + number(type), std::log2(area[0] / area[1]) - low,
+    expect_error("sphere, order of the area less the expected, " + name_of(type), std::log2(area[0] / area[1]) - low,
                  0.1);
     expect_error("order of the volume less the expected", std::log2(volume[0] / volume[1]) - low, 0.1);
     expect_error("area", area[1], is_quadratic(type) ? 1e-5 : 1e-2);
@@ -82,8 +67,8 @@ TEST(SurfaceGeometry, NormalsOfASphereConvergeToRadialOnes) {
         error[i] = std::max(error[i], length(normalized(f.x) - unit_normal(mesh, e, 0.3, 0.2)));
       }
     }
-    expect_error("normals of a sphere, 32 elements to a quarter, " + number(type), error[1], 6e-4);
-    validation::expect_order("order", std::log2(error[0] / error[1]), 1.85);
+    expect_error("normals of a sphere, 32 elements to a quarter, " + name_of(type), error[1], 6e-4);
+    expect_order("order", std::log2(error[0] / error[1]), 1.85);
   }
 }
 
@@ -103,7 +88,7 @@ TEST(SurfaceGeometry, AnglesAroundANodeOfAFlatFaceAreAFullTurn) {
       if (on == 2) edge = std::max(edge, std::abs(sum[k] - 2 * pi));
       if (on == 3) corner = std::max(corner, std::abs(sum[k] - 1.5 * pi)), ++corners;
     }
-    expect_error("angles on faces, " + number(type), flat, 1e-13);
+    expect_error("angles on faces, " + name_of(type), flat, 1e-13);
     expect_error("angles on edges", edge, 1e-13);
     expect_error("angles at corners", corner, 1e-13);
     EXPECT_EQ(corners, 8);

@@ -2,39 +2,31 @@
 
 #include "geometry/surface_search.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
-#include <numbers>
 #include <random>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "mesh/surface_geometry.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using std::numbers::pi;
-using validation::expect_error;
-
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
-                                     ElementType::quad9};
+using surfaces::all_types;
+using surfaces::name_of;
 constexpr Vec3 any{0, 0, 0};
-
-std::string number(ElementType type) {
-  return std::to_string(static_cast<int>(type));
-}
 
 Vec3 random_direction(std::mt19937& random) {
   std::normal_distribution<double> normal;
   return normalized({normal(random), normal(random), normal(random)});
+}
+
+/// Where a line meets the surface, which it must.
+SurfacePoint met(const SurfaceSearch& search, const Vec3& from, const Vec3& direction, const Vec3& facing = any) {
+  const auto hit = search.along(from, direction, facing);
+  EXPECT_TRUE(hit);
+  return hit.value_or(SurfacePoint{});
 }
 
 bool within(const SurfaceMesh& mesh, const SurfacePoint& p) {
@@ -131,7 +123,7 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
         }
         ++lines;
         const auto hit = search.along(from, d, facing);
-        ASSERT_EQ(hit.has_value(), !all.empty()) << number(type) << " seed " << seed << " " << i;
+        ASSERT_EQ(hit.has_value(), !all.empty()) << name_of(type) << " seed " << seed << " " << i;
         if (!hit) continue;
         ++hits;
         own = std::max(own, own_error(mesh, *hit, from, d));
@@ -143,7 +135,7 @@ TEST(SurfaceSearch, LinesMeetWhatASweepOverAllFacetsMeets) {
     }
     EXPECT_GT(hits, 60);
     EXPECT_LT(near_misses, lines / 4);
-    expect_error("rough ball " + number(type) + ", own error of " + std::to_string(hits) + " hits / element", own,
+    expect_error("rough ball " + name_of(type) + ", own error of " + std::to_string(hits) + " hits / element", own,
                  1e-12);
     expect_error("distance against the facets'", sagitta, type == ElementType::tri3 ? 1e-13 : 2e-3);
   }
@@ -186,7 +178,7 @@ TEST(SurfaceSearch, NearestPointIsNoFartherThanAnyOther) {
         excess = std::max(excess, p.distance - least);
       }
     }
-    expect_error("rough ball " + number(type) + ", own error of nearest points", own, 1e-13);
+    expect_error("rough ball " + name_of(type) + ", own error of nearest points", own, 1e-13);
     expect_error("foot of the normal / element", normality, 1e-12);
     EXPECT_LE(excess, 1e-14) << "a point of the lattice is nearer";
   }
@@ -206,11 +198,10 @@ TEST(SurfaceSearch, PointsOfTheSurfaceFindThemselves) {
       at = std::max({at, p.distance / size, std::abs(p.xi - 0.31), std::abs(p.eta - 0.17)});
       const SurfacePoint q = search.nearest(f.x + 1e-3 * size * n);
       beside = std::max({beside, std::abs(q.distance / size - 1e-3), std::abs(q.xi - 0.31), std::abs(q.eta - 0.17)});
-      const auto hit = search.along(f.x, n, any);
-      ASSERT_TRUE(hit);
-      at = std::max({at, std::abs(hit->distance) / size, std::abs(hit->xi - 0.31)});
+      const SurfacePoint hit = met(search, f.x, n);
+      at = std::max({at, std::abs(hit.distance) / size, std::abs(hit.xi - 0.31)});
     }
-    expect_error("points on a rough ball, " + number(type), at, 1e-13);
+    expect_error("points on a rough ball, " + name_of(type), at, 1e-13);
     expect_error("points beside it", beside, 1e-12);
   }
 }
@@ -230,9 +221,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
         for (const Vec3& from : {Vec3{0, 0, 0}, Vec3{0.1, -0.2, 0.05}, 3.0 * target}) {
           const Vec3 d = normalized(target - from);
           // Outwards from within, inwards from outside: the hit is the target.
-          const auto hit = search.along(from, d, target);
-          ASSERT_TRUE(hit) << number(type);
-          error = std::max(error, length(hit->x - target) / size);
+          error = std::max(error, length(met(search, from, d, target).x - target) / size);
           ++lines;
         }
       };
@@ -247,7 +236,7 @@ TEST(SurfaceSearch, NothingSlipsThroughEdgesAndNodes) {
           shoot(evaluate_surface(mesh, e, p.xi + s * (q.xi - p.xi), p.eta + s * (q.eta - p.eta)).x, size);
         }
       }
-      expect_error(std::to_string(lines) + " lines through edges and nodes, " + number(type) + ", miss / element",
+      expect_error(std::to_string(lines) + " lines through edges and nodes, " + name_of(type) + ", miss / element",
                    error, 1e-12);
     }
 }
@@ -256,20 +245,13 @@ TEST(SurfaceSearch, ToleranceBeyondAnEdgeIsThatOfTheHeader) {
   // One square alone: a line 1e-10 beyond its edge meets it, one 1e-8 beyond does not.
   for (double unit : {1e-9, 1.0, 1e9})
     for (ElementType type : all_types) {
-      SurfaceMesh mesh;
-      mesh.type = {type};
-      mesh.tag = {0};
-      mesh.offset = {0, node_count(type)};
       const bool triangle = corner_count(type) == 3;
-      for (const ReferencePoint& r : reference_nodes(type)) {
-        mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-        mesh.node.push_back({unit * r.xi, unit * r.eta, 0});
-      }
+      const auto mesh = surfaces::one_element(type, [unit](const Vec3& r) { return unit * r; });
       const double edge = triangle ? 0 : -1;
       const SurfaceSearch search(mesh, {});
       for (const auto& [beyond, met] : {std::pair{0.0, true}, {5e-10, true}, {1e-8, false}}) {
         const auto hit = search.along({unit * (edge - beyond), unit * 0.25, unit * 5}, {0, 0, 1}, {0, 0, 1});
-        EXPECT_EQ(hit.has_value(), met) << number(type) << " " << beyond;
+        EXPECT_EQ(hit.has_value(), met) << name_of(type) << " " << beyond;
         if (!hit) continue;
         EXPECT_NEAR(hit->distance / unit, -5, 1e-9);
         EXPECT_EQ(hit->xi, edge);
@@ -284,31 +266,20 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
   for (ElementType type : all_types) {
     const SurfaceMesh mesh = surfaces::block(surfaces::brick({4, 4, 4}, {1, 1, 1}), type);
     const SurfaceSearch search(mesh, {});
-    const auto up = search.along({0.3, 0.4, 0.8}, {0, 0, 1}, any);
-    ASSERT_TRUE(up);
-    expect_error("cube " + number(type) + ", up to the top", up->distance - 0.2, 1e-15);
+    constexpr Vec3 up{0, 0, 1}, low{0.3, 0.4, 0.2}, along{1, 0, 0}, against{-1, 0, 0};
+    expect_error("cube " + name_of(type) + ", up to the top", met(search, {0.3, 0.4, 0.8}, up).distance - 0.2, 1e-15);
     // The least |t| may lie behind; facing asks for the one in front or the one behind.
-    const auto down = search.along({0.3, 0.4, 0.2}, {0, 0, 1}, any);
-    ASSERT_TRUE(down);
-    expect_error("down to the bottom", down->distance + 0.2, 1e-15);
-    const auto top = search.along({0.3, 0.4, 0.2}, {0, 0, 1}, {0, 0, 1});
-    ASSERT_TRUE(top);
-    expect_error("the one that looks up", top->distance - 0.8, 1e-15);
+    expect_error("down to the bottom", met(search, low, up).distance + 0.2, 1e-15);
+    expect_error("the one that looks up", met(search, low, up, up).distance - 0.8, 1e-15);
     // A line within the top face, and one along an edge of the cube: met at the ends.
-    const auto in_face = search.along({-1, 0.3, 1}, {1, 0, 0}, {-1, 0, 0});
-    ASSERT_TRUE(in_face);
-    expect_error("in the plane of a face", length(in_face->x - Vec3{0, 0.3, 1}), 1e-15);
-    const auto on_edge = search.along({-1, 0, 1}, {1, 0, 0}, {-1, 0, 0});
-    ASSERT_TRUE(on_edge);
-    expect_error("along an edge", length(on_edge->x - Vec3{0, 0, 1}), 1e-15);
-    EXPECT_FALSE(search.along({-1, 0.3, 1.001}, {1, 0, 0}, any));
+    expect_error("in the plane of a face", length(met(search, {-1, 0.3, 1}, along, against).x - Vec3{0, 0.3, 1}),
+                 1e-15);
+    expect_error("along an edge", length(met(search, {-1, 0, 1}, along, against).x - Vec3{0, 0, 1}), 1e-15);
+    EXPECT_FALSE(search.along({-1, 0.3, 1.001}, along, any));
     // At an edge between faces the one that looks best towards `facing`.
-    const auto corner = search.along({0.5, -1, 2}, normalized({0, 1, -1}), {0, -0.1, 1});
-    ASSERT_TRUE(corner);
-    EXPECT_NEAR(corner->normal[2], 1, 1e-12);
-    const auto side = search.along({0.5, -1, 2}, normalized({0, 1, -1}), {0, -1, 0.1});
-    ASSERT_TRUE(side);
-    EXPECT_NEAR(side->normal[1], -1, 1e-12);
+    const Vec3 down = normalized({0, 1, -1});
+    EXPECT_NEAR(met(search, {0.5, -1, 2}, down, {0, -0.1, 1}).normal[2], 1, 1e-12);
+    EXPECT_NEAR(met(search, {0.5, -1, 2}, down, {0, -1, 0.1}).normal[1], -1, 1e-12);
     // Nearest: face, edge, corner.
     expect_error("nearest on a face", search.nearest({0.3, 0.4, 1.5}).distance - 0.5, 1e-15);
     expect_error("nearest on an edge", length(search.nearest({0.3, 2, 2}).x - Vec3{0.3, 1, 1}), 1e-14);
@@ -316,73 +287,30 @@ TEST(SurfaceSearch, CubesAreMetExactly) {
   }
 }
 
-TEST(SurfaceSearch, CylinderRadiusHasTheElementsError) {
-  // A quadratic element over the angle 2 w: x = sin(w) s, y = 1 - (1 - cos w) s^2, hence
-  // r^2 = 1 - (1 - cos w)^2 (s^2 - s^4), at worst r = 1 - (1 - cos w)^2/8.
-  constexpr int n = 48;
-  const double expected = std::pow(1 - std::cos(pi / n), 2) / 8;
-  for (ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9}) {
-    surfaces::Block shape = surfaces::brick({1, 4, 2}, {1, 8, 25});
-    shape.ring = true;
-    shape.line[0].clear();
-    for (int i = 0; i <= n; ++i) shape.line[0].push_back(2 * pi * i / n);
-    shape.map = [](const Vec3& x) { return Vec3{(25 + x[2]) * std::sin(x[0]), x[1], (25 + x[2]) * std::cos(x[0])}; };
-    const SurfaceMesh mesh = surfaces::block(shape, type);
-    const SurfaceSearch search(mesh, {});
-    double error = 0;
-    for (int i = 0; i < 2000; ++i) {
-      const double a = 2 * pi * (i + 0.123) / 2000, y = 4 + 3.9 * std::sin(i);
-      const Vec3 d{std::sin(a), 0, std::cos(a)};
-      const auto outer = search.along(60.0 * d + Vec3{0, y, 0}, d, d);
-      const auto inner = search.along({0, y, 0}, d, -1.0 * d);
-      ASSERT_TRUE(outer && inner);
-      error = std::max({error, std::abs((outer->distance + 60) / 50 - 1), std::abs(inner->distance / 25 - 1)});
-    }
-    expect_error("cylinder, largest error of the radius over the closed form's, " + number(type), error / expected - 1,
-                 1e-2);
-  }
-}
-
 TEST(SurfaceSearch, ABulgeIsMetOnBothItsSides) {
   // One strongly curved element, met twice by lines across it: all intersections are known.
-  SurfaceMesh mesh;
-  mesh.type = {ElementType::quad9};
-  mesh.tag = {0};
-  mesh.offset = {0, 9};
-  for (const ReferencePoint& r : reference_nodes(ElementType::quad9)) {
-    mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-    mesh.node.push_back({r.xi, r.eta, 2 * (1 - r.xi * r.xi)});
-  }
+  const auto mesh = surfaces::one_element(ElementType::quad9, [](const Vec3& r) {
+    return Vec3{r[0], r[1], 2 * (1 - r[0] * r[0])};
+  });
   const SurfaceSearch search(mesh, {});
   double error = 0;
   for (double z : {1e-6, 0.1, 0.5, 1.0, 1.9, 1.99, 1.9999, 1.999999}) {
     const double x = std::sqrt(1 - z / 2);
     for (double sign : {-1.0, 1.0}) {
-      const Vec3 side{sign, 0, 0};
-      const auto hit = search.along({0.001, 0.2, z}, {1, 0, 0}, side);
-      ASSERT_TRUE(hit) << z;
-      error = std::max(error, std::abs(hit->distance + 0.001 - sign * x));
+      const auto hit = met(search, {0.001, 0.2, z}, {1, 0, 0}, {sign, 0, 0});
+      error = std::max(error, std::abs(hit.distance + 0.001 - sign * x));
     }
   }
   expect_error("both sides of a parabola", error, 1e-12);
   // Touching at the top, and just above it.
-  const auto top = search.along({-3, 0.2, 2}, {1, 0, 0}, any);
-  ASSERT_TRUE(top);
-  expect_error("touching, square of the error", std::pow(top->x[0], 2), 1e-12);
+  expect_error("touching, square of the error", std::pow(met(search, {-3, 0.2, 2}, {1, 0, 0}).x[0], 2), 1e-12);
   EXPECT_FALSE(search.along({-3, 0.2, 2.00001}, {1, 0, 0}, any));
 }
 
 TEST(SurfaceSearch, ASaddleIsMetTwice) {
   // z = xy over a square, cut along its diagonal at height s^2: at x = y = s and -s.
   for (ElementType type : {ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
-    SurfaceMesh mesh;
-    mesh.type = {type};
-    mesh.tag = {0};
-    mesh.offset = {0, node_count(type)};
-    for (const ReferencePoint& r : reference_nodes(type)) {
-      mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
-      mesh.node.push_back({r.xi, r.eta, r.xi * r.eta});
-    }
+    const auto mesh = surfaces::one_element(type, [](const Vec3& r) { return Vec3{r[0], r[1], r[0] * r[1]}; });
     const SurfaceSearch search(mesh, {});
     const Vec3 d = normalized({1, 1, 0});
     double error = 0;
@@ -390,11 +318,10 @@ TEST(SurfaceSearch, ASaddleIsMetTwice) {
       for (double sign : {-1.0, 1.0})
         for (double from : {-2.0, 0.01, 0.7}) {
           // The normal (-y, -x, 1) looks along -d where x = y > 0.
-          const auto hit = search.along({from, from, s * s}, d, -sign * d);
-          ASSERT_TRUE(hit) << number(type) << " " << s;
-          error = std::max(error, length(hit->x - Vec3{sign * s, sign * s, s * s}));
+          const auto hit = met(search, {from, from, s * s}, d, -sign * d);
+          error = std::max(error, length(hit.x - Vec3{sign * s, sign * s, s * s}));
         }
-    expect_error("saddle " + number(type), error, 1e-12);
+    expect_error("saddle " + name_of(type), error, 1e-12);
   }
 }
 
@@ -408,13 +335,10 @@ TEST(SurfaceSearch, FarAwaySmallAndLarge) {
       double error = 0;
       for (int i = 0; i < 50; ++i) {
         const Vec3 d = random_direction(random);
-        const Vec3 from = (1e4 * unit) * d;
-        const auto hit = search.along(from, -1.0 * d, d);
-        const auto near = search.along(0.5 * unit * d, d, d);
-        ASSERT_TRUE(hit && near);
-        error = std::max(error, length(hit->x - near->x) / unit);
+        const Vec3 far = met(search, (1e4 * unit) * d, -1.0 * d, d).x;
+        error = std::max(error, length(far - met(search, 0.5 * unit * d, d, d).x) / unit);
       }
-      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + number(type), error, 1e-11);
+      expect_error("from 10,000 radii away, unit " + std::to_string(unit) + " " + name_of(type), error, 1e-11);
     }
 }
 
@@ -423,9 +347,7 @@ TEST(SurfaceSearch, OnlyTheGivenElements) {
   const std::vector<std::int64_t> bottom = surfaces::elements_with_tag(mesh, 5);
   ASSERT_EQ(bottom.size(), 16u);
   SurfaceSearch search(mesh, bottom);
-  const auto hit = search.along({0.3, 0.4, 0.9}, {0, 0, 1}, any);
-  ASSERT_TRUE(hit);
-  expect_error("the bottom alone", hit->distance + 0.9, 1e-15);
+  expect_error("the bottom alone", met(search, {0.3, 0.4, 0.9}, {0, 0, 1}).distance + 0.9, 1e-15);
   expect_error("nearest on it", search.nearest({0.3, 0.4, 0.9}).distance - 0.9, 1e-15);
   const SurfaceSearch moved = std::move(search);
   EXPECT_TRUE(moved.along({0.3, 0.4, 0.9}, {0, 0, 1}, any));
@@ -451,37 +373,23 @@ TEST(SurfaceSearch, ThreadsAgree) {
 
 TEST(SurfaceSearch_long, AHundredThousandElements) {
   // Time per query grows with the logarithm of the size: a search through all would take a hundredfold.
-  using Clock = std::chrono::steady_clock;
-  double per_query[2], nearest_query[2];
-  for (int k = 0; k < 2; ++k) {
+  double line[2], nearest[2];
+  for (std::size_t k = 0; k < 2; ++k) {
     const SurfaceMesh mesh = surfaces::cube_sphere(ElementType::quad8, k == 0 ? 13 : 130, 1);
-    const auto start = Clock::now();
     const SurfaceSearch search(mesh, {});
-    const double built = std::chrono::duration<double>(Clock::now() - start).count();
     std::mt19937 random(1);
-    constexpr int queries = 4000;
     double worst = 0;
-    const auto before = Clock::now();
-    for (int i = 0; i < queries; ++i) {
-      const Vec3 d = random_direction(random);
-      const auto hit = search.along({0.1, 0.2, 0.3}, d, d);
-      ASSERT_TRUE(hit);
-      worst = std::max(worst, std::abs(length(hit->x) - 1));
-    }
-    const auto between = Clock::now();
-    for (int i = 0; i < queries; ++i) {
-      const SurfacePoint p = search.nearest(1.01 * random_direction(random));
-      worst = std::max(worst, std::abs(p.distance - 0.01));
-    }
-    const auto after = Clock::now();
-    per_query[k] = std::chrono::duration<double>(between - before).count() / queries;
-    nearest_query[k] = std::chrono::duration<double>(after - between).count() / queries;
-    std::printf("%lld elements: tree %.3f s, line %.2f us, nearest %.2f us\n", static_cast<long long>(mesh.elements()),
-                built, 1e6 * per_query[k], 1e6 * nearest_query[k]);
+    const auto seconds_of = [&](auto&& error) {
+      const auto before = std::chrono::steady_clock::now();
+      for (int i = 0; i < 4000; ++i) worst = std::max(worst, std::abs(error(random_direction(random))));
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
+    };
+    line[k] = seconds_of([&](const Vec3& d) { return length(met(search, {0.1, 0.2, 0.3}, d, d).x) - 1; });
+    nearest[k] = seconds_of([&](const Vec3& d) { return search.nearest(1.01 * d).distance - 0.01; });
     expect_error("radius", worst, k == 0 ? 1e-4 : 1e-7);
   }
-  expect_error("lines: time for a hundred times the elements", per_query[1] / per_query[0], 40);
-  expect_error("nearest: time for a hundred times the elements", nearest_query[1] / nearest_query[0], 40);
+  expect_error("lines: time for a hundred times the elements", line[1] / line[0], 40);
+  expect_error("nearest: time for a hundred times the elements", nearest[1] / nearest[0], 40);
 }
 
 }  // namespace

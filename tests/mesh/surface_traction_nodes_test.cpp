@@ -1,32 +1,20 @@
 /// Tractions at edges and corners: one value per smooth fan of elements.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "mesh/traction_nodes.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using std::numbers::pi;
-using validation::expect_error;
 
-constexpr ElementType all_types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
-                                     ElementType::quad9};
-
-std::string number(ElementType type) {
-  return std::to_string(static_cast<int>(type));
-}
+using surfaces::all_types;
+using surfaces::name_of;
 
 /// What holds for every mesh and angle.
 void expect_consistent(const SurfaceMesh& mesh, const TractionNodes& t) {
@@ -67,7 +55,7 @@ TEST(TractionNodes, CubeHasOnePerFaceAtEdgesAndCorners) {
         normals = normals + t.normal[static_cast<std::size_t>(i)];
       error = std::max(error, length(normals - sum));
     }
-    expect_error("cube, normals of the fans, " + number(type), error, 1e-14);
+    expect_error("cube, normals of the fans, " + name_of(type), error, 1e-14);
     EXPECT_EQ(split_at_edges(mesh, 90).size(), mesh.nodes()) << "90 degrees are not more than 90";
     EXPECT_GT(split_at_edges(mesh, 89.9).size(), mesh.nodes());
   }
@@ -83,7 +71,7 @@ TEST(TractionNodes, SphereHasOnePerNodeWithTheRadialNormal) {
     for (std::size_t k = 0; k < t.normal.size(); ++k)
       error = std::max(error, length(t.normal[k] - normalized(mesh.node[k])));
     // A mean of facets: less good than the quadratic elements' own normals.
-    expect_error("sphere of 6 elements to a quarter, nodal normals, " + number(type), error,
+    expect_error("sphere of 6 elements to a quarter, nodal normals, " + name_of(type), error,
                  is_quadratic(type) ? 0.02 : 0.06);
   }
 }
@@ -92,12 +80,8 @@ TEST(TractionNodes, NormalsDoNotDependOnHowAFaceIsCut) {
   // A corner of a cube cut into 1, 2 and many slivers: the fan's mean is that of angles.
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}};
-  mesh.offset = {0};
-  auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
-    mesh.connectivity.insert(mesh.connectivity.end(), {a, b, c});
-    mesh.type.push_back(ElementType::tri3);
-    mesh.tag.push_back(0);
-    mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+  const auto triangle = [&](std::int32_t a, std::int32_t b, std::int32_t c) {
+    surfaces::add_element(mesh, ElementType::tri3, {a, b, c});
   };
   triangle(0, 2, 1);  // y = 0
   triangle(0, 1, 3);  // x = 0
@@ -165,15 +149,8 @@ TEST(TractionNodes, ASharpEdgeThatEndsLeavesOneFan) {
   // sharp edges meet.
   SurfaceMesh mesh;
   mesh.node = {{0, 0, 0.0}, {1, 0, 0.0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0.7, 0.7, 1}};
-  mesh.offset = {0};
   const std::int32_t ring[] = {1, 5, 2, 3, 4};
-  for (std::size_t i = 0; i < 5; ++i) {
-    const std::int32_t corner[] = {0, ring[i], ring[(i + 1) % 5]};
-    mesh.connectivity.insert(mesh.connectivity.end(), corner, corner + 3);
-    mesh.type.push_back(ElementType::tri3);
-    mesh.tag.push_back(0);
-    mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-  }
+  for (std::size_t i = 0; i < 5; ++i) surfaces::add_element(mesh, ElementType::tri3, {0, ring[i], ring[(i + 1) % 5]});
   // Angles at the edges from the apex: to 1 and 2 like each other, to 5 the sharpest.
   const double at_1 = angle_between(unit_normal(mesh, 0, 0, 0), unit_normal(mesh, 4, 0, 0));
   const double at_5 = angle_between(unit_normal(mesh, 0, 0, 0), unit_normal(mesh, 1, 0, 0));

@@ -1,35 +1,20 @@
-/// The volume meshes of tests and benches: sound, full, with the boundary that they say.
+// The volume meshes of tests and benches: sound, full, with the boundary that they say.
 
 #include "support/volume_meshes.hpp"
-
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "mesh/volume_boundary.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/error.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
-using std::numbers::pi;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
 using volumes::all_types;
 using volumes::Mesh;
 using volumes::name_of;
 
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
+using surfaces::at;
 
 /// Nodes of every element in its order, elements sorted by their corners.
 std::vector<std::vector<std::int32_t>> faces_of_surface(const SurfaceMesh& mesh) {
@@ -67,8 +52,7 @@ std::int64_t tagged(const Mesh& mesh, std::int32_t tag) {
 }
 
 double area_with_tag(const Mesh& mesh, std::int32_t tag) {
-  std::vector<std::int32_t> node;
-  return surfaces::facts(surfaces::part_of(mesh.surface, surfaces::elements_with_tag(mesh.surface, tag), node)).area;
+  return surfaces::facts(surfaces::part_with_tag(mesh.surface, tag)).area;
 }
 
 /// Largest distance of a node of the surface's elements with these tags to the nearest node of those of the other
@@ -123,20 +107,12 @@ TEST(VolumeMeshes, MixedBricks) {
   }
 }
 
-TEST(VolumeMeshes, Materials) {
-  const Mesh mesh =
-      volumes::with_materials(volumes::beam({}, VolumeType::hex8), [](const Vec3& x) { return x[0] < 5 ? 7 : 8; });
-  EXPECT_EQ(std::count(mesh.volume.tag.begin(), mesh.volume.tag.end(), 7), 40);
-  EXPECT_EQ(std::count(mesh.volume.tag.begin(), mesh.volume.tag.end(), 8), 40);
-  expect_sound(mesh, "beam");
-  for (const std::int32_t k : surfaces::nodes_with_tag(mesh.surface, std::array{1}))
-    EXPECT_EQ(mesh.surface.node[at(k)][0], 0);
-}
-
 TEST(VolumeMeshes, PartsKeepTheirPlaces) {
-  const Mesh whole = volumes::block(surfaces::brick({4, 2, 2}, {2, 1, 1}), VolumeType::tet10);
+  const Mesh whole = volumes::with_materials(volumes::block(surfaces::brick({4, 2, 2}, {2, 1, 1}), VolumeType::tet10),
+                                             [](const Vec3& x) { return x[0] < 1 ? 7 : 8; });
   const Mesh half = volumes::part_of(whole, [&](std::int64_t e) { return volumes::mean_corner(whole, e)[0] < 1; });
   EXPECT_EQ(2 * half.volume.elements(), whole.volume.elements());
+  EXPECT_EQ(std::count(half.volume.tag.begin(), half.volume.tag.end(), 7), half.volume.elements());
   check_volume(half.surface.node, half.volume, 0);
   expect_error("half the volume", volumes::filling(half).volume - 1, 1e-13);
   expect_error("its middle", length(volumes::filling(half).centroid - Vec3{0.5, 0.5, 0.5}), 1e-13);
@@ -195,74 +171,6 @@ TEST(VolumeMeshes, BlocksWithAZone) {
   for (const std::int32_t tag : {1, 2, 3, 4, 5, 6, 7})
     apart = std::max({apart, farthest_apart(a, b, {tag}), farthest_apart(b, a, {tag})});
   expect_error("nodes of hex20 and quad8", apart, 1e-15);
-}
-
-TEST(VolumeMeshes, Cylinders) {
-  for (const double angle : {0.0, pi / 2})
-    for (const VolumeType type : all_types) {
-      const std::string what = name_of(type) + (angle > 0 ? " sector of a cylinder" : " cylinder");
-      double error[2];
-      for (const int level : {1, 2}) {
-        const Mesh mesh = volumes::cylinder(
-            {.angle = angle, .around = (angle > 0 ? 4 : 16) * level, .deep = 2 * level, .first = 0.3}, type);
-        expect_sound(mesh, what, angle > 0 ? 2 : 0);
-        const double exact = 0.5 * (angle > 0 ? angle : 2 * pi) * 3;
-        error[level - 1] = volumes::filling(mesh).volume / exact - 1;
-        if (level == 1) continue;
-        double off = 0;
-        const auto largest = [&](std::int32_t tag, auto distance) {
-          for (const std::int32_t k : surfaces::nodes_with_tag(mesh.surface, std::array{tag}))
-            off = std::max(off, std::abs(distance(mesh.surface.node[at(k)])));
-        };
-        largest(1, [](const Vec3& x) { return std::hypot(x[0], x[1]) - 2; });
-        largest(2, [](const Vec3& x) { return std::hypot(x[0], x[1]) - 1; });
-        largest(3, [](const Vec3& x) { return x[2]; });
-        largest(4, [](const Vec3& x) { return x[2] - 1; });
-        largest(5, [](const Vec3& x) { return x[1]; });
-        largest(6, [](const Vec3& x) { return x[0]; });
-        expect_error("nodes in their places, " + what, off, 1e-14);
-        EXPECT_EQ(tagged(mesh, 5) > 0, angle > 0);
-      }
-      expect_error("volume of the " + what, error[1], is_quadratic(type) ? 5e-5 : 1e-2);
-      expect_order("its order", observed_order(error[0], error[1], 2, 1), is_quadratic(type) ? 3.8 : 1.9);
-    }
-}
-
-TEST(VolumeMeshes, Balls) {
-  for (const bool octant : {false, true})
-    for (const double hollow : {0.0, 0.4})
-      for (const VolumeType type : all_types) {
-        volumes::Ball shape{.hollow = hollow, .n = octant ? 2 : 4, .octant = octant};
-        if (corner_count(type) == 6) {
-          EXPECT_THROW(volumes::ball(shape, type), std::invalid_argument);
-          continue;
-        }
-        const std::string what = name_of(type) + (octant ? " octant" : " ball") + (hollow > 0 ? ", hollow" : "");
-        double error[2];
-        for (const int level : {1, 2}) {
-          shape.n = (octant ? 2 : 4) * level;
-          shape.layers = 2 * level;
-          const Mesh mesh = volumes::ball(shape, type);
-          expect_sound(mesh, what, hollow > 0 && !octant ? 4 : 2);
-          const double exact = (octant ? 1 : 8) * pi / 6 * (1 - hollow * hollow * hollow);
-          error[level - 1] = volumes::filling(mesh).volume / exact - 1;
-          double off = 0;
-          const auto largest = [&](std::int32_t tag, auto distance) {
-            for (const std::int32_t k : surfaces::nodes_with_tag(mesh.surface, std::array{tag}))
-              off = std::max(off, std::abs(distance(mesh.surface.node[at(k)])));
-          };
-          largest(1, [](const Vec3& x) { return length(x) - 1; });
-          largest(2, [hollow](const Vec3& x) { return length(x) - hollow; });
-          for (const std::int32_t tag : {3, 4, 5}) {
-            largest(tag, [tag](const Vec3& x) { return x[at(tag - 3)]; });
-            EXPECT_EQ(tagged(mesh, tag) > 0, octant);
-          }
-          EXPECT_EQ(tagged(mesh, 2) > 0, hollow > 0);
-          expect_error("nodes in their places, " + what, off, 1e-15);
-        }
-        expect_error("volume of the " + what, error[1], is_quadratic(type) ? 1e-3 : 5e-2);
-        expect_order("its order", observed_order(error[0], error[1], 2, 1), is_quadratic(type) ? 3.5 : 1.8);
-      }
 }
 
 }  // namespace

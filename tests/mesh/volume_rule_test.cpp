@@ -1,18 +1,13 @@
 /// Quadrature of volume elements: exact to the degree asked for, inside, positive.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "mesh/volume_shape.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
+using surfaces::at;
 using volumes::name_of;
 
 constexpr VolumeType shapes[] = {VolumeType::tet4, VolumeType::wedge6, VolumeType::hex8};
@@ -134,18 +129,12 @@ TEST(VolumeRule, VolumesOfDistortedElements) {
     for (std::int64_t e = 0; e < mesh.volume.elements(); ++e) {
       volumes::Mesh one;
       one.surface.node = mesh.surface.node;
-      one.surface.offset.push_back(0);
-      one.volume.type.push_back(type);
-      one.volume.tag.push_back(0);
       const auto nodes = mesh.volume.element(e);
-      one.volume.connectivity.assign(nodes.begin(), nodes.end());
-      one.volume.offset.push_back(static_cast<std::int64_t>(nodes.size()));
+      volumes::add_element(one.volume, type, nodes);
       for (const VolumeFace& f : faces_of(type)) {
-        for (int i = 0; i < node_count(f.type); ++i)
-          one.surface.connectivity.push_back(nodes[static_cast<std::size_t>(f.node[static_cast<std::size_t>(i)])]);
-        one.surface.type.push_back(f.type);
-        one.surface.tag.push_back(0);
-        one.surface.offset.push_back(static_cast<std::int64_t>(one.surface.connectivity.size()));
+        std::vector<std::int32_t> own;
+        for (int i = 0; i < node_count(f.type); ++i) own.push_back(nodes[at(f.node[at(i)])]);
+        surfaces::add_element(one.surface, f.type, own);
       }
       const surfaces::Facts facts = surfaces::facts(one.surface);
       const volumes::Filling filling = volumes::filling(one);

@@ -1,116 +1,21 @@
+// Edges, faces and numbering of volume elements; that their functions are right is shape_test.
+
 #include "mesh/volume_shape.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "mesh/shape.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
-using validation::expect_error;
 using volumes::all_types;
 using volumes::name_of;
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
-/// Random points of the reference element.
-std::vector<Vec3> points(VolumeType type) {
-  frames::Random random(7);
-  std::vector<Vec3> p;
-  while (p.size() < 50) {
-    Vec3 x{random(), random(), random()};
-    const int corners = corner_count(type);
-    if (corners < 8) x[0] = 0.5 * (1 + x[0]), x[1] = 0.5 * (1 + x[1]);
-    if (corners == 4) x[2] = 0.5 * (1 + x[2]);
-    if (corners < 8 && x[0] + x[1] + (corners == 4 ? x[2] : 0) > 1) continue;
-    p.push_back(x);
-  }
-  return p;
-}
-
-TEST(VolumeShape, PartitionOfUnityAndZeroGradientSum) {
-  for (const VolumeType type : all_types) {
-    double error = 0;
-    for (const Vec3& x : points(type)) {
-      VolumeShape s;
-      evaluate_shape(type, x, s);
-      double sum = -1;
-      Vec3 gradient{0, 0, 0};
-      for (int i = 0; i < node_count(type); ++i) {
-        sum += s.value[at(i)];
-        gradient = gradient + s.d[at(i)];
-      }
-      error = std::max({error, std::abs(sum), length(gradient)});
-    }
-    expect_error("partition of unity, " + name_of(type), error, 1e-14);
-  }
-}
-
-TEST(VolumeShape, OneAtOwnNodeZeroAtOthers) {
-  for (const VolumeType type : all_types) {
-    double error = 0;
-    const auto nodes = reference_nodes(type);
-    ASSERT_EQ(nodes.size(), at(node_count(type)));
-    for (std::size_t j = 0; j < nodes.size(); ++j) {
-      VolumeShape s;
-      evaluate_shape(type, nodes[j], s);
-      for (std::size_t i = 0; i < nodes.size(); ++i) error = std::max(error, std::abs(s.value[i] - (i == j ? 1 : 0)));
-    }
-    expect_error("nodal values, " + name_of(type), error, 1e-15);
-  }
-}
-
-TEST(VolumeShape, DerivativesMatchDifferences) {
-  // Central differences are exact for degree 2 in each variable; what remains is rounding / h.
-  const double h = 1e-4;
-  for (const VolumeType type : all_types) {
-    double error = 0;
-    for (const Vec3& x : points(type)) {
-      VolumeShape s, a, b;
-      evaluate_shape(type, x, s);
-      for (std::size_t c = 0; c < 3; ++c) {
-        Vec3 more = x, less = x;
-        more[c] += h;
-        less[c] -= h;
-        evaluate_shape(type, more, a);
-        evaluate_shape(type, less, b);
-        for (std::size_t i = 0; i < at(node_count(type)); ++i)
-          error = std::max(error, std::abs((a.value[i] - b.value[i]) / (2 * h) - s.d[i][c]));
-      }
-    }
-    expect_error("derivatives against differences, " + name_of(type), error, 2e-11);
-  }
-}
-
-TEST(VolumeShape, ReproducePolynomials) {
-  const auto linear = [](const Vec3& x) { return 1 - 2 * x[0] + 3 * x[1] + 0.7 * x[2]; };
-  const auto quadratic = [&](const Vec3& x) {
-    return linear(x) + x[0] * x[0] - 2 * x[0] * x[1] + 0.5 * x[1] * x[1] + 0.3 * x[1] * x[2] - x[2] * x[2] +
-           1.5 * x[2] * x[0];
-  };
-  for (const VolumeType type : all_types) {
-    double error = 0;
-    const auto nodes = reference_nodes(type);
-    const auto f = [&](const Vec3& x) { return is_quadratic(type) ? quadratic(x) : linear(x); };
-    for (const Vec3& x : points(type)) {
-      VolumeShape s;
-      evaluate_shape(type, x, s);
-      double sum = -f(x);
-      for (std::size_t i = 0; i < nodes.size(); ++i) sum += s.value[i] * f(nodes[i]);
-      error = std::max(error, std::abs(sum));
-    }
-    expect_error(std::string(is_quadratic(type) ? "quadratic" : "linear") + " field, " + name_of(type), error, 3e-14);
-  }
-}
+using surfaces::at;
 
 TEST(VolumeShape, MidsideNodesLieInTheMiddleOfTheirEdges) {
   for (const VolumeType type : all_types) {

@@ -1,14 +1,10 @@
 /// Answers of meshed bodies where they are easily wrong: near limits of the material, in other units, on thin bodies.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-
 #include "support/error.hpp"
 #include "support/extreme_bodies.hpp"
 #include "support/frames.hpp"
 #include "support/static_cases.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

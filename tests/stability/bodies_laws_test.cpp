@@ -1,12 +1,8 @@
 /// Laws recomputed on a curved frame must see what is wrong there: the scene is solved, then judged as if it were
 /// another one.
 
-#include <gtest/gtest.h>
-
-#include <cstdio>
-#include <functional>
-
 #include "support/extreme_bodies.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,15 +1,11 @@
 /// What the library says of bodies that it cannot answer for: refusals with value, range and remedy, and warnings where
 /// digits are lost.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <initializer_list>
-#include <string>
-#include <vector>
 
 #include "support/extreme_bodies.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -100,24 +96,6 @@ TEST(stability_bodies, limits_of_poisson_are_named_with_the_remedy) {
   Told told(shell);
   EXPECT_EQ(told.prepare(), ROLLCON_ERR_UNSUPPORTED);
   told.expect({"0.4999999", "0.49,", "held cavity"});
-}
-
-TEST(stability_bodies, folded_elements_are_named) {
-  for (const Model model : {Model::fem, Model::bem})
-    for (const double quarter : {0.2, 0.3}) {  // where a midside node stands along its edge of 1
-      BlockShape shape{.model = model, .face = ElementType::quad8, .cell = VolumeType::hex20};
-      shape.n = {2, 2, 1};
-      scenes::MeshedBody body = make_block(shape);
-      const std::int32_t moved = surfaces::node_at(body.mesh, {0.5, 0, 0});
-      body.mesh.node[static_cast<std::size_t>(moved)][0] = quarter;
-      Told told(body);
-      if (quarter > 0.25) {
-        EXPECT_EQ(told.prepare(), ROLLCON_OK) << told.text();
-      } else {
-        EXPECT_EQ(told.prepare(), ROLLCON_ERR_MESH);
-        told.expect({"first: element", "quarter of its edge"});
-      }
-    }
 }
 
 TEST(stability_bodies, lost_digits_are_told) {

@@ -1,14 +1,11 @@
 /// Named and random extreme scenes with bodies that have meshes: each is solved with the laws of contact satisfied, as
 /// recomputed without the solver, or ends with the status that is right.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "support/extreme_bodies.hpp"
 #include "support/first_seed.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,13 +1,8 @@
 /// That the judge of the extreme scenes sees what is wrong: a right solution is held against a scene that is slightly
 /// another one.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <functional>
-
 #include "support/extremes_base.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

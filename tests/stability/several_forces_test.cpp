@@ -1,13 +1,10 @@
 /// Two or three tangential loads given at once, from none to a tenth more than friction carries: what is called solved
 /// keeps all laws and carries all loads, and what is refused is too much.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <map>
 
 #include "support/extremes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -44,9 +41,8 @@ TEST(stability, several_loads_are_carried_or_refused) {
     most = std::max(most, share);
   }
   std::printf(
-      "%u scenes, worst law residual %.1e, of loads %.1e (bound %.0e); refused from %.4f to %.4f "
-      "of "
-      "what friction carries (bound %.2f)\n",
+      "%u scenes, worst law residual %.1e, of loads %.1e (bound %.0e); refused from %.4f to %.4f of what friction "
+      "carries (bound %.2f)\n",
       scenes, worst, equilibrium, law_bound, least, most, least_refused);
   for (const auto& [status, n] : count) std::printf("%5d %s\n", n, rollcon_status_string(status));
 }

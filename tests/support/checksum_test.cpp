@@ -2,11 +2,7 @@
 
 #include "support/checksum.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -173,10 +173,6 @@ Kalker kalker_table(double a_over_b, double nu) {
   throw std::invalid_argument("kalker_table: this a/b is not in the table");
 }
 
-double vermeulen_johnson(double x) {
-  return x < 1 ? 1 - std::pow(1 - x, 3) : 1;
-}
-
 std::vector<CreepPoint> creep_curve() {
   std::vector<CreepPoint> points;
   for (const auto& row : read_table("creep_curve.csv")) points.push_back({std::stod(row[0]), std::stod(row[1])});

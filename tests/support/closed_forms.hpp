@@ -61,9 +61,6 @@ struct Kalker {
 /// Entry of Kalker's table: a/b in {0.1 .. 1, 1/0.9 .. 10}, nu in {0, 0.25, 0.5}; throws otherwise.
 Kalker kalker_table(double a_over_b, double nu);
 
-/// Vermeulen-Johnson's cubic of x = creep / creep at full slip.
-double vermeulen_johnson(double x);
-
 struct CreepPoint {
   double xi = 0, force_ratio = 0;
 };

@@ -1,13 +1,9 @@
 // Unknowns written out against what the same compliance condenses.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "linalg/factored_matrix.hpp"
 #include "support/compliance_suite.hpp"
 #include "support/frame_extent.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

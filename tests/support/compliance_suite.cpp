@@ -1,24 +1,15 @@
 #include "support/compliance_suite.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <ostream>
 
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
 #include "support/frame_extent.hpp"
 #include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
-
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
 
 /// Tractions (t1, t2, n) at a node from its place in the frame, in [-1, 1] across it.
 using Field = std::function<Vec3(double x, double y)>;
@@ -278,7 +269,7 @@ void check_positive_definite(const ComplianceCase& c) {
       }
     }
   }
-  validation::report(c.name + ": least pivot of the work matrix", least);
+  report(c.name + ": least pivot of the work matrix", least);
   EXPECT_GT(least, 1e-3);
   // Shape functions of quadratic elements change sign; their loads do work all the same.
   loads.clear();
@@ -293,7 +284,7 @@ void check_positive_definite(const ComplianceCase& c) {
     for (std::size_t j = 0; j < loads.size(); ++j) most = std::max(most, std::abs(single[i][j]));
     least_share = std::min(least_share, single[i][i] / most);
   }
-  validation::report(c.name + ": least work of a node on itself, share of its row", least_share);
+  report(c.name + ": least work of a node on itself, share of its row", least_share);
   EXPECT_GT(least_share, 0);
 }
 

@@ -2,35 +2,20 @@
 
 #include <cmath>
 
+#include "support/frames.hpp"
+
 namespace rollcon::scenes::example4 {
 
 namespace {
 
 /// Part of a cylinder along x whose top is the origin, normal upwards; quad8.
 SurfaceMesh rail_head(double half_length, double half_width, int n) {
-  SurfaceMesh mesh;
-  mesh.offset.push_back(0);
-  const int side = 2 * n + 1;
-  std::vector<std::int32_t> id(static_cast<std::size_t>(side * side), -1);
-  const auto node = [&](int i, int j) {
-    std::int32_t& k = id[static_cast<std::size_t>(j * side + i)];
-    if (k < 0) {
-      const double x = half_length * (static_cast<double>(i) / n - 1);
-      const double angle = half_width / rail * (static_cast<double>(j) / n - 1);
-      k = static_cast<std::int32_t>(mesh.node.size());
-      mesh.node.push_back({x, rail * std::sin(angle), rail * (std::cos(angle) - 1)});
-    }
-    return k;
-  };
-  for (int i = 0; i < side - 1; i += 2)
-    for (int j = 0; j < side - 1; j += 2) {
-      for (const auto& [a, b] : {std::pair{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {2, 1}, {1, 2}, {0, 1}})
-        mesh.connectivity.push_back(node(i + a, j + b));
-      mesh.type.push_back(ElementType::quad8);
-      mesh.tag.push_back(1);
-      mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-    }
-  return mesh;
+  const double angle = half_width / rail;
+  const SurfaceMesh flat = frames::rectangle(ElementType::quad8, frames::uniform_lines(-half_length, half_length, n),
+                                             frames::uniform_lines(-angle, angle, n));
+  return frames::transform(flat, [](const Vec3& x) {
+    return Vec3{x[0], rail * std::sin(x[1]), rail * (std::cos(x[1]) - 1)};
+  });
 }
 
 }  // namespace

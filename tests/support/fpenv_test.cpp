@@ -4,11 +4,8 @@
 #include "support/fpenv.hpp"
 
 #include <fenv.h>
-#include <gtest/gtest.h>
 
-#include <functional>
-#include <limits>
-#include <vector>
+#include "support/testing.hpp"
 
 #ifdef __SSE__
 #include <xmmintrin.h>

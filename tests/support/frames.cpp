@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "support/surface_meshes.hpp"
+
 namespace rollcon::frames {
 namespace {
 
@@ -27,13 +29,7 @@ double distance(const Vec3& a, const Vec3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-void add_element(SurfaceMesh& mesh, ElementType type, std::initializer_list<std::int32_t> nodes) {
-  if (mesh.offset.empty()) mesh.offset.push_back(0);
-  mesh.type.push_back(type);
-  mesh.tag.push_back(0);
-  mesh.connectivity.insert(mesh.connectivity.end(), nodes);
-  mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-}
+using surfaces::add_element;
 
 void add_node(SurfaceMesh& mesh, double x, double y) {
   mesh.node.push_back({x, y, 0});
@@ -239,7 +235,6 @@ SurfaceMesh to_quadratic(const SurfaceMesh& linear, ElementType type) {
   SurfaceMesh mesh;
   mesh.node = linear.node;
   mesh.index_base = linear.index_base;
-  mesh.offset.push_back(0);
   std::map<EdgeKey, std::int32_t> midside;
   for (std::int64_t e = 0; e < linear.elements(); ++e) {
     const auto corner = linear.element(e);
@@ -247,20 +242,18 @@ SurfaceMesh to_quadratic(const SurfaceMesh& linear, ElementType type) {
     const ElementType t = corners == 3                 ? ElementType::tri6
                           : type == ElementType::quad9 ? ElementType::quad9
                                                        : ElementType::quad8;
-    mesh.type.push_back(t);
-    mesh.tag.push_back(linear.tag[static_cast<std::size_t>(e)]);
-    mesh.connectivity.insert(mesh.connectivity.end(), corner.begin(), corner.end());
+    std::vector<std::int32_t> nodes(corner.begin(), corner.end());
     for (std::size_t i = 0; i < corners; ++i) {
       const auto [place, is_new] = midside.try_emplace(edge_key(corner[i], corner[(i + 1) % corners]),
                                                        static_cast<std::int32_t>(mesh.node.size()));
       if (is_new) add_node(mesh, 0, 0);
-      mesh.connectivity.push_back(place->second);
+      nodes.push_back(place->second);
     }
     if (t == ElementType::quad9) {
-      mesh.connectivity.push_back(static_cast<std::int32_t>(mesh.node.size()));
+      nodes.push_back(static_cast<std::int32_t>(mesh.node.size()));
       add_node(mesh, 0, 0);
     }
-    mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+    add_element(mesh, t, nodes, linear.tag[static_cast<std::size_t>(e)]);
   }
   recentre(mesh);
   return mesh;

@@ -2,18 +2,16 @@
 
 #include "support/memory_limit.hpp"
 
-#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <string>
 
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -2,22 +2,17 @@
 
 #include "support/parallel.hpp"
 
-#include <gtest/gtest.h>
 #include <pthread.h>
 #include <signal.h>
 
-#include <algorithm>
-#include <array>
 #include <atomic>
 #include <cfenv>
 #include <chrono>
-#include <cstdio>
-#include <numeric>
 #include <stdexcept>
 #include <thread>
-#include <vector>
 
 #include "support/fpenv.hpp"
+#include "support/testing.hpp"
 
 using rollcon::parallel_for;
 

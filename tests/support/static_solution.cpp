@@ -55,6 +55,11 @@ StaticBody::StaticBody(const volumes::Mesh& mesh, double young, double poisson)
   mesh_ = body_->surface_copy();
 }
 
+StaticBody::StaticBody(const surfaces::Block& shape, AnyElement type, double young, double poisson, double accuracy)
+    : StaticBody(is_finite_element(type)
+                     ? StaticBody(volumes::block(shape, std::get<VolumeType>(type)), young, poisson)
+                     : StaticBody(surfaces::block(shape, std::get<ElementType>(type)), young, poisson, accuracy)) {}
+
 StaticBody& StaticBody::hold(std::span<const std::int32_t> nodes, std::int32_t dof_mask,
                              const std::function<Vec3(const Vec3&)>& value) {
   std::vector<double> values;

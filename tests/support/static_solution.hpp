@@ -10,7 +10,7 @@
 
 #include "bodies/body.hpp"
 #include "mesh/surface_mesh.hpp"
-#include "support/volume_meshes.hpp"
+#include "support/any_element.hpp"
 
 namespace rollcon::statics {
 
@@ -26,6 +26,7 @@ class StaticBody {
  public:
   StaticBody(SurfaceMesh mesh, double young, double poisson, double accuracy = 1e-6);
   StaticBody(const volumes::Mesh& mesh, double young, double poisson);
+  StaticBody(const surfaces::Block& shape, AnyElement type, double young, double poisson, double accuracy = 1e-6);
 
   /// The surface; of finite elements the boundary, and all nodes.
   const SurfaceMesh& mesh() const { return mesh_; }

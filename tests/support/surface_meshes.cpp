@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
+#include "mesh/shape.hpp"
 #include "support/frames.hpp"
 
 // The examples' own meshes; not all that they offer is needed here.
@@ -21,18 +23,6 @@ namespace rollcon::surfaces {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-void add_element(SurfaceMesh& mesh, ElementType type, std::int32_t tag, std::initializer_list<std::int32_t> nodes) {
-  if (mesh.offset.empty()) mesh.offset.push_back(0);
-  mesh.type.push_back(type);
-  mesh.tag.push_back(tag);
-  mesh.connectivity.insert(mesh.connectivity.end(), nodes);
-  mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-}
 
 /// Drops nodes of no element.
 SurfaceMesh compact(SurfaceMesh mesh) {
@@ -60,30 +50,30 @@ SurfaceMesh convert(const SurfaceMesh& fine, const std::function<ElementType(std
     const bool other_diagonal = e % 2 == 1;
     switch (type) {
       case ElementType::quad4:
-        add_element(mesh, type, tag, {n[0], n[1], n[2], n[3]});
+        add_element(mesh, type, {n[0], n[1], n[2], n[3]}, tag);
         break;
       case ElementType::quad8:
-        add_element(mesh, type, tag, {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]});
+        add_element(mesh, type, {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7]}, tag);
         break;
       case ElementType::quad9:
-        add_element(mesh, type, tag, {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]});
+        add_element(mesh, type, {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8]}, tag);
         break;
       case ElementType::tri3:
         if (other_diagonal) {
-          add_element(mesh, type, tag, {n[0], n[1], n[3]});
-          add_element(mesh, type, tag, {n[1], n[2], n[3]});
+          add_element(mesh, type, {n[0], n[1], n[3]}, tag);
+          add_element(mesh, type, {n[1], n[2], n[3]}, tag);
         } else {
-          add_element(mesh, type, tag, {n[0], n[1], n[2]});
-          add_element(mesh, type, tag, {n[0], n[2], n[3]});
+          add_element(mesh, type, {n[0], n[1], n[2]}, tag);
+          add_element(mesh, type, {n[0], n[2], n[3]}, tag);
         }
         break;
       case ElementType::tri6:
         if (other_diagonal) {
-          add_element(mesh, type, tag, {n[0], n[1], n[3], n[4], n[8], n[7]});
-          add_element(mesh, type, tag, {n[1], n[2], n[3], n[5], n[6], n[8]});
+          add_element(mesh, type, {n[0], n[1], n[3], n[4], n[8], n[7]}, tag);
+          add_element(mesh, type, {n[1], n[2], n[3], n[5], n[6], n[8]}, tag);
         } else {
-          add_element(mesh, type, tag, {n[0], n[1], n[2], n[4], n[5], n[8]});
-          add_element(mesh, type, tag, {n[0], n[2], n[3], n[8], n[6], n[7]});
+          add_element(mesh, type, {n[0], n[1], n[2], n[4], n[5], n[8]}, tag);
+          add_element(mesh, type, {n[0], n[2], n[3], n[8], n[6], n[7]}, tag);
         }
         break;
     }
@@ -98,16 +88,10 @@ SurfaceMesh as_type(const SurfaceMesh& fine, ElementType type) {
 /// Takes over and frees the C mesh of quad9.
 SurfaceMesh taken_over(body_mesh& m) {
   SurfaceMesh mesh;
-  mesh.offset.push_back(0);
   for (int k = 0; k < m.nodes; ++k) mesh.node.push_back({m.x[k][0], m.x[k][1], m.x[k][2]});
   for (std::int32_t tag = 0; tag < MOST_TAGS; ++tag)
-    for (int e = m.first[tag]; e < m.first[tag + 1]; ++e) {
-      const std::int32_t* id = m.id + e * m.per_element;
-      mesh.type.push_back(static_cast<ElementType>(m.type));
-      mesh.tag.push_back(tag);
-      mesh.connectivity.insert(mesh.connectivity.end(), id, id + m.per_element);
-      mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
-    }
+    for (int e = m.first[tag]; e < m.first[tag + 1]; ++e)
+      add_element(mesh, static_cast<ElementType>(m.type), {m.id + e * m.per_element, at(m.per_element)}, tag);
   free_body_mesh(&m);
   return mesh;
 }
@@ -143,12 +127,11 @@ SurfaceMesh fine_block(const Block& shape) {
 void append(SurfaceMesh& mesh, const SurfaceMesh& other) {
   const auto first = static_cast<std::int32_t>(mesh.nodes());
   mesh.node.insert(mesh.node.end(), other.node.begin(), other.node.end());
-  if (mesh.offset.empty()) mesh.offset.push_back(0);
-  const std::int64_t start = mesh.offset.back();
-  for (const std::int32_t k : other.connectivity) mesh.connectivity.push_back(first + k);
-  mesh.type.insert(mesh.type.end(), other.type.begin(), other.type.end());
-  mesh.tag.insert(mesh.tag.end(), other.tag.begin(), other.tag.end());
-  for (std::size_t e = 1; e < other.offset.size(); ++e) mesh.offset.push_back(start + other.offset[e]);
+  for (std::int64_t e = 0; e < other.elements(); ++e) {
+    std::vector<std::int32_t> nodes(other.element(e).begin(), other.element(e).end());
+    for (std::int32_t& k : nodes) k += first;
+    add_element(mesh, other.type[at(e)], nodes, other.tag[at(e)]);
+  }
 }
 
 /// Midside nodes and centres to the middle of their corners.
@@ -169,6 +152,29 @@ void recentre(SurfaceMesh& mesh) {
 }
 
 }  // namespace
+
+void add_element(SurfaceMesh& mesh, ElementType type, std::span<const std::int32_t> nodes, std::int32_t tag) {
+  if (mesh.offset.empty()) mesh.offset.push_back(0);
+  mesh.type.push_back(type);
+  mesh.tag.push_back(tag);
+  mesh.connectivity.insert(mesh.connectivity.end(), nodes.begin(), nodes.end());
+  mesh.offset.push_back(static_cast<std::int64_t>(mesh.connectivity.size()));
+}
+
+SurfaceMesh one_element(ElementType type, std::vector<Vec3> nodes) {
+  SurfaceMesh mesh;
+  std::vector<std::int32_t> all(nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  mesh.node = std::move(nodes);
+  add_element(mesh, type, all);
+  return mesh;
+}
+
+SurfaceMesh one_element(ElementType type, const Map& map) {
+  std::vector<Vec3> nodes;
+  for (const ReferencePoint& r : reference_nodes(type)) nodes.push_back(map({r.xi, r.eta, 0}));
+  return one_element(type, std::move(nodes));
+}
 
 std::string name_of(ElementType type) {
   return (corner_count(type) == 3 ? "tri" : "quad") + std::to_string(node_count(type));
@@ -204,12 +210,6 @@ Block brick(const std::array<int, 3>& n, const Vec3& size) {
 }
 
 SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed) {
-  Vec3 low = mesh.node.front(), high = low;
-  for (const Vec3& x : mesh.node)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], x[c]);
-      high[c] = std::max(high[c], x[c]);
-    }
   std::vector<double> shortest(mesh.node.size(), std::numeric_limits<double>::max());
   std::vector<std::uint8_t> corner(mesh.node.size(), 0);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -222,20 +222,30 @@ SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed) {
     }
     for (const std::int32_t k : n) shortest[at(k)] = std::min(shortest[at(k)], edge);
   }
-  const std::vector<Vec3> start = mesh.node;
-  frames::Random random(seed);
-  const auto move = [&](std::size_t k, double part) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const bool bound = start[k][c] == low[c] || start[k][c] == high[c];
-      if (!bound) mesh.node[k][c] += part * shortest[k] * random();
-    }
-  };
-  for (std::size_t k = 0; k < mesh.node.size(); ++k)
-    if (corner[k]) move(k, fraction);
-  recentre(mesh);
-  for (std::size_t k = 0; k < mesh.node.size(); ++k)
-    if (!corner[k]) move(k, 0.2 * fraction);
+  shake(mesh.node, shortest, corner, fraction, seed, [&mesh] { recentre(mesh); });
   return mesh;
+}
+
+void shake(std::vector<Vec3>& node, std::span<const double> edge, std::span<const std::uint8_t> corner, double fraction,
+           std::uint32_t seed, const std::function<void()>& follow) {
+  const std::vector<Vec3> start = node;
+  Vec3 low = start.front(), high = low;
+  for (const Vec3& x : start)
+    for (std::size_t c = 0; c < 3; ++c) {
+      low[c] = std::min(low[c], x[c]);
+      high[c] = std::max(high[c], x[c]);
+    }
+  frames::Random random(seed);
+  const auto move = [&](bool corners, double part) {
+    for (std::size_t k = 0; k < node.size(); ++k)
+      for (std::size_t c = 0; c < 3 && (corner[k] != 0) == corners; ++c) {
+        const bool bound = start[k][c] == low[c] || start[k][c] == high[c];
+        if (!bound) node[k][c] += part * edge[k] * random();
+      }
+  };
+  move(true, fraction);
+  follow();
+  move(false, 0.2 * fraction);
 }
 
 SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag) {
@@ -278,11 +288,12 @@ SurfaceMesh icosphere(ElementType type, int n, double radius, std::int32_t tag) 
           // Upright (i, j), (i + 1, j), (i, j + 1), or its neighbour turned by half a turn.
           const int a = s * (up > 0 ? i : i + 1), b = s * (up > 0 ? j : j + 1), d = s * up;
           if (s == 1)
-            add_element(mesh, type, tag, {node(f, a, b), node(f, a + d, b), node(f, a, b + d)});
+            add_element(mesh, type, {node(f, a, b), node(f, a + d, b), node(f, a, b + d)}, tag);
           else
-            add_element(mesh, type, tag,
+            add_element(mesh, type,
                         {node(f, a, b), node(f, a + d, b), node(f, a, b + d), node(f, a + d / 2, b),
-                         node(f, a + d / 2, b + d / 2), node(f, a, b + d / 2)});
+                         node(f, a + d / 2, b + d / 2), node(f, a, b + d / 2)},
+                        tag);
         }
   return mesh;
 }
@@ -307,7 +318,27 @@ SurfaceMesh wheel(double crown, ElementType type) {
   return as_type(taken_over(m), type);
 }
 
-SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type) {
+Block ring_block(const Ring& shape) {
+  Block b;
+  std::vector<double> angle(at(shape.around) + 1), y(at(shape.across) + 1);
+  lines_with_zone(angle.data(), shape.around, shape.sector > 0 ? shape.sector / 2 : pi, shape.zone_around,
+                  shape.zone / 2 / shape.outer, shape.largest / shape.outer);
+  for (int k = 0; k <= shape.across; ++k) {
+    const double t = 2.0 * k / shape.across - 1;
+    y[at(k)] = shape.width / 2 * (t + shape.side_grading * (std::sin(pi / 2 * t) - t));
+  }
+  const double layer = shape.top_layer > 0 ? shape.top_layer : (shape.outer - shape.inner) / shape.deep;
+  b.line = {angle, y, graded_to(shape.deep, shape.inner, shape.outer, layer)};
+  b.ring = shape.sector <= 0;
+  b.tag = {6, 7, 4, 5, 3, 1};
+  b.zone_from = {(shape.around - shape.zone_around) / 2, 0};
+  b.zone_to = {b.zone_from[0] + shape.zone_around, shape.across};
+  b.zone_tag = 2;
+  b.map = [](const Vec3& q) { return Vec3{q[2] * std::sin(q[0]), q[1], q[2] * std::cos(q[0])}; };
+  return b;
+}
+
+Block with_zone(const ZoneBlock& shape) {
   Block b;
   const int across = shape.n + 2 * shape.grade;
   std::vector<double> line(at(across) + 1);
@@ -318,7 +349,11 @@ SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type) {
   b.zone_from = {shape.grade, shape.grade};
   b.zone_to = {shape.grade + shape.n, shape.grade + shape.n};
   b.zone_tag = 2;
-  return block(b, type);
+  return b;
+}
+
+SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type) {
+  return block(with_zone(shape), type);
 }
 
 SurfaceMesh transform(SurfaceMesh mesh, const Map& map) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,21 @@ inline constexpr std::array<ElementType, 5> all_types{ElementType::tri3, Element
 std::string name_of(ElementType type);
 
 using Map = std::function<Vec3(const Vec3&)>;
+
+inline std::size_t at(std::int64_t i) {
+  return static_cast<std::size_t>(i);
+}
+
+/// One more element, on nodes of the mesh.
+void add_element(SurfaceMesh& mesh, ElementType type, std::span<const std::int32_t> nodes, std::int32_t tag = 0);
+inline void add_element(SurfaceMesh& mesh, ElementType type, std::initializer_list<std::int32_t> nodes,
+                        std::int32_t tag = 0) {
+  add_element(mesh, type, std::span(nodes.begin(), nodes.size()), tag);
+}
+/// A mesh of one element on its own nodes.
+SurfaceMesh one_element(ElementType type, std::vector<Vec3> nodes);
+/// The reference element under a map.
+SurfaceMesh one_element(ElementType type, const Map& map);
 
 /// n + 1 lines from a to b, the first step of size `first`, the others growing by one factor but not beyond `largest`
 /// (0: no bound).
@@ -46,6 +62,10 @@ Block brick(const std::array<int, 3>& n, const Vec3& size);
 /// edge: corner nodes first, other nodes follow, then those too by a fifth of it. Faces stay flat.
 SurfaceMesh distort(SurfaceMesh mesh, double fraction, std::uint32_t seed);
 
+/// What distort does to nodes: `edge` is the shortest edge of each; `follow` puts the others between the corners.
+void shake(std::vector<Vec3>& node, std::span<const double> edge, std::span<const std::uint8_t> corner, double fraction,
+           std::uint32_t seed, const std::function<void()>& follow);
+
 /// Cubes bent to a sphere around the origin, 6 n^2 quadrilaterals or twice as many triangles.
 SurfaceMesh cube_sphere(ElementType type, int n, double radius, std::int32_t tag = 1);
 /// tri3 or tri6 from an icosahedron, every edge cut into n.
@@ -61,6 +81,8 @@ struct Ring {
   double largest = 16, top_layer = 1.2, side_grading = 0;
 };
 SurfaceMesh ring(const Ring& shape, ElementType type);
+/// The same as a block.
+Block ring_block(const Ring& shape);
 /// The wheel of examples/wheel_mesh.h with its standard shape and counts.
 SurfaceMesh wheel(double crown, ElementType type);
 
@@ -72,6 +94,7 @@ struct ZoneBlock {
   int n = 8, grade = 4, deep = 4;
 };
 SurfaceMesh zone_block(const ZoneBlock& shape, ElementType type);
+Block with_zone(const ZoneBlock& shape);
 
 /// Every node x -> map(x); the map must keep handedness.
 SurfaceMesh transform(SurfaceMesh mesh, const Map& map);
@@ -87,6 +110,9 @@ std::vector<std::int64_t> elements_with_tag(const SurfaceMesh& mesh, std::int32_
 
 /// Some elements as a mesh of their own; node: their nodes' numbers in the whole.
 SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> elements, std::vector<std::int32_t>& node);
+SurfaceMesh part_with_tag(const SurfaceMesh& mesh, std::int32_t tag);
+/// Some elements on the nodes of all.
+SurfaceMesh only(const SurfaceMesh& mesh, const std::function<bool(std::int64_t)>& wanted);
 
 /// Integrals of the shape functions over the surface, by node.
 std::vector<double> nodal_areas(const SurfaceMesh& mesh);

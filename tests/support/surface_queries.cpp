@@ -7,16 +7,10 @@
 
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
+#include "mesh/surface_quadrature.hpp"
 #include "support/surface_meshes.hpp"
 
 namespace rollcon::surfaces {
-namespace {
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
-
-}  // namespace
 
 std::vector<std::int32_t> nodes_with_tag(const SurfaceMesh& mesh, std::span<const std::int32_t> tags) {
   std::vector<std::int32_t> nodes;
@@ -54,39 +48,41 @@ SurfaceMesh part_of(const SurfaceMesh& mesh, std::span<const std::int64_t> eleme
   node.clear();
   std::map<std::int32_t, std::int32_t> number;
   for (const std::int64_t e : elements) {
+    std::vector<std::int32_t> own;
     for (const std::int32_t k : mesh.element(e)) {
       const auto [place, fresh] = number.try_emplace(k, static_cast<std::int32_t>(node.size()));
       if (fresh) {
         node.push_back(k);
         part.node.push_back(mesh.node[at(k)]);
       }
-      part.connectivity.push_back(place->second);
+      own.push_back(place->second);
     }
-    part.type.push_back(mesh.type[at(e)]);
-    part.tag.push_back(mesh.tag[at(e)]);
-    part.offset.push_back(static_cast<std::int64_t>(part.connectivity.size()));
+    add_element(part, mesh.type[at(e)], own, mesh.tag[at(e)]);
   }
+  return part;
+}
+
+SurfaceMesh part_with_tag(const SurfaceMesh& mesh, std::int32_t tag) {
+  std::vector<std::int32_t> node;
+  return part_of(mesh, elements_with_tag(mesh, tag), node);
+}
+
+SurfaceMesh only(const SurfaceMesh& mesh, const std::function<bool(std::int64_t)>& wanted) {
+  SurfaceMesh part;
+  part.node = mesh.node;
+  part.index_base = mesh.index_base;
+  part.offset.push_back(0);
+  for (std::int64_t e = 0; e < mesh.elements(); ++e)
+    if (wanted(e)) add_element(part, mesh.type[at(e)], mesh.element(e), mesh.tag[at(e)]);
   return part;
 }
 
 std::vector<double> nodal_areas(const SurfaceMesh& mesh) {
   std::vector<double> area(mesh.node.size(), 0.0);
-  const PlaneRule triangle = triangle_rule(10), square = square_rule(10);
-  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
-    const ElementType type = mesh.type[at(e)];
-    const PlaneRule& rule = corner_count(type) == 3 ? triangle : square;
+  integrate_surface(mesh, [&](std::int64_t e, const Shape& s, const Vec3&, double a) {
     const auto n = mesh.element(e);
-    Shape s;
-    for (std::size_t p = 0; p < rule.size(); ++p) {
-      evaluate_shape(type, rule.xi[p], rule.eta[p], s);
-      Vec3 u{0, 0, 0}, v{0, 0, 0};
-      for (std::size_t a = 0; a < n.size(); ++a) {
-        u = u + s.d_xi[a] * mesh.node[at(n[a])];
-        v = v + s.d_eta[a] * mesh.node[at(n[a])];
-      }
-      for (std::size_t a = 0; a < n.size(); ++a) area[at(n[a])] += rule.w[p] * s.value[a] * length(cross(u, v));
-    }
-  }
+    for (std::size_t i = 0; i < n.size(); ++i) area[at(n[i])] += a * s.value[i];
+  });
   return area;
 }
 

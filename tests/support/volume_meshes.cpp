@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include "mesh/volume_shape.hpp"
@@ -14,11 +12,7 @@
 namespace rollcon::volumes {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
-std::size_t at(std::int64_t i) {
-  return static_cast<std::size_t>(i);
-}
+using surfaces::at;
 
 using Local = std::array<int, 3>;  ///< point of a cell's lattice, 0 to 2 in each direction
 
@@ -86,10 +80,7 @@ class Builder {
     for (const auto& element : filling_of_cell(type, other)) {
       std::vector<std::int32_t> nodes;
       for (const Local& p : element) nodes.push_back(node(key(p)));
-      mesh_.volume.type.push_back(type);
-      mesh_.volume.tag.push_back(0);
-      mesh_.volume.connectivity.insert(mesh_.volume.connectivity.end(), nodes.begin(), nodes.end());
-      mesh_.volume.offset.push_back(static_cast<std::int64_t>(mesh_.volume.connectivity.size()));
+      add_element(mesh_.volume, type, nodes);
       for (const VolumeFace& f : faces_of(type))
         for (std::size_t side = 0; side < 6; ++side)
           if (side_tag[side] >= 0 && lies_on(element, f, side)) add_face(nodes, f, side_tag[side]);
@@ -112,12 +103,9 @@ class Builder {
   }
 
   void add_face(const std::vector<std::int32_t>& nodes, const VolumeFace& f, std::int32_t tag) {
-    SurfaceMesh& s = mesh_.surface;
-    if (s.offset.empty()) s.offset.push_back(0);
-    for (int i = 0; i < node_count(f.type); ++i) s.connectivity.push_back(nodes[at(f.node[at(i)])]);
-    s.type.push_back(f.type);
-    s.tag.push_back(tag);
-    s.offset.push_back(static_cast<std::int64_t>(s.connectivity.size()));
+    std::vector<std::int32_t> own;
+    for (int i = 0; i < node_count(f.type); ++i) own.push_back(nodes[at(f.node[at(i)])]);
+    surfaces::add_element(mesh_.surface, f.type, own, tag);
   }
 
   Mesh mesh_;
@@ -161,6 +149,13 @@ Mesh fill(const Block& shape, const std::function<VolumeType(int, int)>& want) {
 
 }  // namespace
 
+void add_element(VolumeElements& volume, VolumeType type, std::span<const std::int32_t> nodes, std::int32_t tag) {
+  volume.type.push_back(type);
+  volume.tag.push_back(tag);
+  volume.connectivity.insert(volume.connectivity.end(), nodes.begin(), nodes.end());
+  volume.offset.push_back(static_cast<std::int64_t>(volume.connectivity.size()));
+}
+
 std::string name_of(VolumeType type) {
   const int corners = corner_count(type);
   return (corners == 4 ? "tet" : corners == 6 ? "wedge" : "hex") + std::to_string(node_count(type));
@@ -198,11 +193,7 @@ Mesh part_of(const Mesh& mesh, const std::function<bool(std::int64_t)>& wanted) 
   for (std::int64_t e = 0; e < mesh.volume.elements(); ++e) {
     if (!wanted(e)) continue;
     for (const std::int32_t k : mesh.volume.element(e)) number[at(k)] = 0;
-    part.volume.type.push_back(mesh.volume.type[at(e)]);
-    part.volume.tag.push_back(mesh.volume.tag[at(e)]);
-    const auto nodes = mesh.volume.element(e);
-    part.volume.connectivity.insert(part.volume.connectivity.end(), nodes.begin(), nodes.end());
-    part.volume.offset.push_back(static_cast<std::int64_t>(part.volume.connectivity.size()));
+    add_element(part.volume, mesh.volume.type[at(e)], mesh.volume.element(e), mesh.volume.tag[at(e)]);
   }
   for (std::size_t k = 0; k < number.size(); ++k) {
     if (number[k] < 0) continue;
@@ -214,12 +205,6 @@ Mesh part_of(const Mesh& mesh, const std::function<bool(std::int64_t)>& wanted) 
 }
 
 Mesh distort(Mesh mesh, double fraction, std::uint32_t seed) {
-  Vec3 low = mesh.surface.node.front(), high = low;
-  for (const Vec3& x : mesh.surface.node)
-    for (std::size_t c = 0; c < 3; ++c) {
-      low[c] = std::min(low[c], x[c]);
-      high[c] = std::max(high[c], x[c]);
-    }
   std::vector<double> shortest(mesh.surface.node.size(), std::numeric_limits<double>::max());
   std::vector<std::uint8_t> corner(mesh.surface.node.size(), 0);
   const auto for_each_edge = [&mesh](auto visit) {
@@ -238,21 +223,11 @@ Mesh distort(Mesh mesh, double fraction, std::uint32_t seed) {
     shortest[b] = std::min(shortest[b], edge);
     if (mid >= 0) shortest[at(mid)] = std::min(shortest[at(mid)], edge);
   });
-  const std::vector<Vec3> start = mesh.surface.node;
-  frames::Random random(seed);
-  const auto move = [&](std::size_t k, double part) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const bool bound = start[k][c] == low[c] || start[k][c] == high[c];
-      if (!bound) mesh.surface.node[k][c] += part * shortest[k] * random();
-    }
-  };
-  for (std::size_t k = 0; k < mesh.surface.node.size(); ++k)
-    if (corner[k]) move(k, fraction);
-  for_each_edge([&](std::size_t a, std::size_t b, std::int32_t mid) {
-    if (mid >= 0) mesh.surface.node[at(mid)] = 0.5 * (mesh.surface.node[a] + mesh.surface.node[b]);
+  surfaces::shake(mesh.surface.node, shortest, corner, fraction, seed, [&] {
+    for_each_edge([&](std::size_t a, std::size_t b, std::int32_t mid) {
+      if (mid >= 0) mesh.surface.node[at(mid)] = 0.5 * (mesh.surface.node[a] + mesh.surface.node[b]);
+    });
   });
-  for (std::size_t k = 0; k < mesh.surface.node.size(); ++k)
-    if (!corner[k]) move(k, 0.2 * fraction);
   return mesh;
 }
 
@@ -261,61 +236,12 @@ Mesh transform(Mesh mesh, const Map& map) {
   return mesh;
 }
 
-Mesh ball(const Ball& shape, VolumeType type) {
-  if (corner_count(type) == 6) throw std::invalid_argument("ball: hexahedra and tetrahedra only");
-  const int n = shape.n, layers = shape.layers;
-  const double h = shape.core * shape.radius / std::sqrt(3.0);
-  Builder builder;
-  // Key: point of the cube's lattice, 0 to 2 n each, and half layer outwards from its surface.
-  builder.position = [&](const Builder::Key& key) {
-    Vec3 q{}, d{};
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double t = static_cast<double>(key[c]) / (2 * n);
-      q[c] = shape.octant ? t : 2 * t - 1;
-      d[c] = std::tan(pi / 4 * q[c]);  // equal angles: the elements come out nearly equal
-    }
-    const Vec3 start = shape.hollow > 0 ? shape.hollow / length(d) * d : h * q;
-    if (key[3] == 0) return start;
-    const double s = static_cast<double>(key[3]) / (2 * layers);
-    return (1 - s) * start + (s * shape.radius / length(d)) * d;
-  };
-  // A side of a cell that lies in a plane of symmetry; axis of the cube.
-  const auto cut = [&](std::size_t axis, int cell) {
-    return shape.octant && cell == 0 ? 3 + static_cast<std::int32_t>(axis) : -1;
-  };
-  if (shape.hollow <= 0) {
-    Local cell;
-    for (cell[2] = 0; cell[2] < n; ++cell[2])
-      for (cell[1] = 0; cell[1] < n; ++cell[1])
-        for (cell[0] = 0; cell[0] < n; ++cell[0])
-          builder.add_cell(type, false,
-                           [&](const Local& p) {
-                             return Builder::Key{2 * cell[0] + p[0], 2 * cell[1] + p[1], 2 * cell[2] + p[2], 0};
-                           },
-                           {cut(0, cell[0]), -1, cut(1, cell[1]), -1, cut(2, cell[2]), -1});
-  }
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    for (const bool most : {false, true}) {
-      if (shape.octant && !most) continue;
-      // Right-handed with the outward direction; both ascending, so that tetrahedra of neighbouring blocks match.
-      std::size_t p = (axis + 1) % 3, q = (axis + 2) % 3;
-      if (!most) std::swap(p, q);
-      for (int l = 0; l < layers; ++l)
-        for (int j = 0; j < n; ++j)
-          for (int i = 0; i < n; ++i)
-            builder.add_cell(
-                type, false,
-                [&](const Local& x) {
-                  Builder::Key key{};
-                  key[axis] = most ? 2 * n : 0;
-                  key[p] = 2 * i + x[0];
-                  key[q] = 2 * j + x[1];
-                  key[3] = 2 * l + x[2];
-                  return key;
-                },
-                {cut(p, i), -1, cut(q, j), -1, shape.hollow > 0 && l == 0 ? 2 : -1, l == layers - 1 ? 1 : -1});
-    }
-  return builder.take();
+Mesh ring(const surfaces::Ring& shape, VolumeType type) {
+  return block(surfaces::ring_block(shape), type);
+}
+
+Mesh zone_block(const surfaces::ZoneBlock& shape, VolumeType type) {
+  return block(surfaces::with_zone(shape), type);
 }
 
 Filling filling(const Mesh& mesh) {

@@ -1,11 +1,12 @@
 #pragma once
-/// Volume meshes of bodies for tests and benches: bricks, rings, cylinders, blocks with a fine zone, balls; every
-/// element type, nodes 0-based, midside nodes on the true shape. Reproducible. Grids, tags and nodes on the surface are
-/// those of surface_meshes.hpp.
+/// Volume meshes of bodies for tests and benches: blocks, rings, blocks with a fine zone; every element type, nodes
+/// 0-based, midside nodes on the true shape. Reproducible. Grids, tags and nodes on the surface are those of
+/// surface_meshes.hpp.
 
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct Mesh {
 
 using surfaces::Block;
 using surfaces::Map;
+
+/// One more element, on nodes of the mesh.
+void add_element(VolumeElements& volume, VolumeType type, std::span<const std::int32_t> nodes, std::int32_t tag = 0);
 
 /// Hexahedra; wedges halve each in the plane of the first two coordinates, along diagonals that take turns; six
 /// tetrahedra around the diagonal from the least to the most corner.
@@ -56,37 +60,6 @@ Mesh transform(Mesh mesh, const Map& map);
 Mesh ring(const surfaces::Ring& shape, VolumeType type);
 /// Tags and surface nodes of surfaces::zone_block.
 Mesh zone_block(const surfaces::ZoneBlock& shape, VolumeType type);
-
-/// Thick cylinder around the z axis, from 0 to `height`; full, or the sector [0, angle] from the x axis. Tags: 1 outer,
-/// 2 inner surface, 3 bottom, 4 top, 5 the cut at angle 0, 6 the other one.
-struct Cylinder {
-  double inner = 1, outer = 2, height = 1;
-  double angle = 0;  ///< 0: full
-  int around = 16, along = 2, deep = 4;
-  double first = 0;  ///< radial size of the innermost elements; 0: all equal
-};
-Mesh cylinder(const Cylinder& shape, VolumeType type);
-
-/// Ball around the origin: a cube of n^3 elements, then `layers` to the sphere on each of its sides; or with `hollow` >
-/// 0 the shell from there to `radius`, without the cube. An octant has x, y, z >= 0 and n elements along each of its
-/// edges (else n along each edge of the whole cube). Tags: 1 outer sphere, 2 inner sphere, octant: 3, 4, 5 the planes x
-/// = 0, y = 0, z = 0. Hexahedra and tetrahedra only.
-struct Ball {
-  double radius = 1;
-  double core = 0.5;  ///< half diagonal of the cube over the radius
-  double hollow = 0;  ///< radius of the cavity
-  int n = 4, layers = 2;
-  bool octant = false;
-};
-Mesh ball(const Ball& shape, VolumeType type);
-
-/// [0, length] x [-width/2, width/2] x [-height/2, height/2] in n elements; tags as a brick's:
-/// 1 the end x = 0, 2 the end x = length.
-struct Beam {
-  double length = 10, width = 1, height = 1;
-  std::array<int, 3> n{20, 2, 2};
-};
-Mesh beam(const Beam& shape, VolumeType type);
 
 /// Integral of the Jacobian over all elements; `least`: the smallest one at a point of the rule, over its element's
 /// mean.

@@ -4,9 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "support/frames.hpp"
-#include "support/hertz_fit.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -14,18 +12,18 @@ namespace {
 using scenes::AnyBody;
 
 // nu near 1/2: little of the pressure becomes slip, whose error would hide that of the rest.
-const closed_forms::Elastic one{.shear = 3400, .poisson = 0.47}, other{.shear = 5000, .poisson = 0.45};
+const Elastic one{.shear = 3400, .poisson = 0.47}, other{.shear = 5000, .poisson = 0.45};
 constexpr double radius = 50, zone = 2.5, mu = 0.1, load = 220;
 
-AnyBody make(const std::string& kind, const closed_forms::Elastic& material) {
+AnyBody make(const std::string& kind, const Elastic& material) {
   const surfaces::ZoneBlock shape{30, 15, zone, 10, 4, 7};
-  scenes::MeshedBody body;
-  if (kind == "rigid") return scenes::RigidBody{};
+  MeshedBody body;
+  if (kind == "rigid") return RigidBody{};
   if (kind == "half-space") return scenes::HalfspaceBody{material};
   if (kind == "BEM")
-    body = scenes::meshed(surfaces::zone_block({30, 15, zone, 8, 3, 4}, ElementType::quad4), material);
+    body = meshed(surfaces::zone_block({30, 15, zone, 8, 3, 4}, ElementType::quad4), material);
   else
-    body = scenes::meshed(volumes::zone_block(shape, VolumeType::hex8), material);
+    body = meshed(volumes::zone_block(shape, VolumeType::hex8), material);
   body.held_tag = {3};
   body.contact_tag = {1, 2};
   return body;
@@ -49,8 +47,8 @@ struct Turned {
   }
 };
 
-scenes::Solution roll(const std::string& kind1, const std::string& kind2, const Turned& t) {
-  scenes::RollingPair pair(make(kind1, one), make(kind2, other), 1);
+Solution roll(const std::string& kind1, const std::string& kind2, const Turned& t) {
+  RollingPair pair(make(kind1, one), make(kind2, other), 1);
   constexpr std::array<Vec3, 3> straight{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   constexpr std::array<Vec3, 3> upside_down{{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}};
   if (meshed(kind1)) pair.pose(1, t.after(straight), t.shift);
@@ -83,10 +81,10 @@ TEST_P(AnyPair, rolls_like_half_spaces_and_in_any_pose) {
   const auto [kind1, kind2] = GetParam();
   const std::string name = std::string(kind1) + " on " + kind2 + ": ";
   const auto flat = [](const std::string& kind) { return meshed(kind) ? std::string("half-space") : kind; };
-  const scenes::Solution s = roll(kind1, kind2, {});
-  const scenes::Solution half = roll(flat(kind1), flat(kind2), {});
-  const scenes::FittedEllipse fit = scenes::fit_hertz(s, 1, 1);
-  const scenes::FittedEllipse reference = scenes::fit_hertz(half, 1, 1);
+  const Solution s = roll(kind1, kind2, {});
+  const Solution half = roll(flat(kind1), flat(kind2), {});
+  const FittedEllipse fit = fit_hertz(s, 1, 1);
+  const FittedEllipse reference = fit_hertz(half, 1, 1);
   expect_error(name + "p0, half-spaces", relative(fit.p0, reference.p0), 0.04);
   expect_error(name + "a, half-spaces", relative(fit.a, reference.a), 0.03);
   for (std::size_t c = 0; c < 2; ++c)
@@ -96,7 +94,7 @@ TEST_P(AnyPair, rolls_like_half_spaces_and_in_any_pose) {
   const double a = 0.7, b = -0.4;
   const double ca = std::cos(a), sa = std::sin(a), cb = std::cos(b), sb = std::sin(b);
   const Turned turned{{{{ca, -sa * cb, sa * sb}, {sa, ca * cb, -ca * sb}, {0, sb, cb}}}, {30, -20, 50}};
-  const scenes::Solution t = roll(kind1, kind2, turned);
+  const Solution t = roll(kind1, kind2, turned);
   ASSERT_EQ(t.nodes(), s.nodes());
   double pressure = 0, traction = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {

@@ -1,9 +1,9 @@
 // Dissimilar rollers in plane strain, steel (body 1) on aluminium: creepage of free rolling at vanishing, usual and
 // unlimited friction, and of tractive rolling (tests/data/bentall_johnson.csv).
 
-#include "report.hpp"
 #include "support/carter_strip.hpp"
 #include "support/dissimilar_strip.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {

@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "support/extreme_bodies.hpp"
-#include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -17,7 +16,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180, clearance = 1e-3, young = 1e4, poisson = 0.3;
 
 /// Greatest angle of nodes in contact to the lowest line of a bore of radius 1.
-double reach_of(const scenes::Solution& s, const SurfaceMesh& frame) {
+double reach_of(const Solution& s, const SurfaceMesh& frame) {
   double reach = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
     const Vec3& x = frame.node[k];
@@ -36,9 +35,9 @@ void press_into_a_layer(extremes::Model model, double wall) {
   shape.half_length = 0.25;
   shape.half_angle = 60;
   shape.n = {4, 48, 1};
-  const scenes::MeshedBody body = extremes::make_conformal(shape);
+  const MeshedBody body = extremes::make_conformal(shape);
   const SurfaceMesh frame = extremes::top_of(body, 1);
-  scenes::RollingPair pair(body, scenes::RigidBody{}, 1);
+  RollingPair pair(body, RigidBody{}, 1);
   std::vector<double> gap;
   for (const Vec3& x : frame.node) gap.push_back(clearance * x[2]);  // 1 - cos
   const double depth = clearance * (1 / std::cos(angle) - 1);
@@ -50,7 +49,7 @@ void press_into_a_layer(extremes::Model model, double wall) {
       ((depth + clearance) * (angle + std::sin(angle) * std::cos(angle)) - 2 * clearance * std::sin(angle));
   const std::string name =
       std::string(model == extremes::Model::fem ? "FEM" : "BEM") + ", layer " + std::to_string(wall) + ": ";
-  const scenes::Solution s = pair.solution();
+  const Solution s = pair.solution();
   expect_error(name + "reach (radian)", reach_of(s, frame) - angle, 120 * degree / 48);
   expect_error(name + "force", relative(-s.force[2], force), 2 * wall);
   expect_error(name + "p0", relative(pair.stat("max_pressure"), modulus * depth / wall), 2 * wall);
@@ -82,7 +81,7 @@ constexpr double half_length = 0.02;
 
 /// A plate with a hole of radius 1 about the axis at height 1, held far away; tag 7 spans 60 degrees to both sides of
 /// the hole's lowest line. Plane strain.
-scenes::MeshedBody plate(int around, int deep) {
+MeshedBody plate(int around, int deep) {
   constexpr double outer = 40;
   surfaces::Block block;
   block.ring = true;
@@ -97,8 +96,7 @@ scenes::MeshedBody plate(int around, int deep) {
     const double r = std::exp(-q[2]);
     return Vec3{q[1], -r * std::sin(q[0]), 1 - r * std::cos(q[0])};
   };
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::block(block, VolumeType::hex8), {.shear = young / 2.6, .poisson = poisson});
+  MeshedBody body = meshed(volumes::block(block, VolumeType::hex8), {.shear = young / 2.6, .poisson = poisson});
   body.held_tag = {5};
   body.slide = {{3, 1}, {4, 1}};
   body.contact_tag = {7};
@@ -106,18 +104,16 @@ scenes::MeshedBody plate(int around, int deep) {
 }
 
 /// Held at a thin hole along its axis.
-scenes::MeshedBody pin(int around, int deep) {
-  volumes::Cylinder shape;
-  shape.inner = 0.02;
-  shape.outer = 1 - clearance;
-  shape.height = 2 * half_length;
-  shape.around = around;
-  shape.along = 1;
-  shape.deep = deep;
-  volumes::Mesh mesh = volumes::cylinder(shape, VolumeType::hex8);
-  const auto turn = [](const Vec3& x) { return Vec3{x[2] - half_length, x[0], x[1] + 1 - clearance}; };
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::transform(std::move(mesh), turn), {.shear = young / 2.6, .poisson = poisson});
+MeshedBody pin(int around, int deep) {
+  constexpr double radius = 1 - clearance;
+  surfaces::Block block;
+  block.ring = true;
+  block.line = {frames::uniform_lines(0, 2 * std::numbers::pi, around),
+                {-half_length, half_length},
+                frames::uniform_lines(0.02, radius, deep)};
+  block.tag = {0, 0, 3, 4, 2, 1};
+  block.map = [](const Vec3& q) { return Vec3{q[1], q[2] * std::cos(q[0]), q[2] * std::sin(q[0]) + radius}; };
+  MeshedBody body = meshed(volumes::block(block, VolumeType::hex8), {.shear = young / 2.6, .poisson = poisson});
   body.held_tag = {2};
   body.slide = {{3, 1}, {4, 1}};
   body.contact_tag = {1};
@@ -130,15 +126,15 @@ TEST(ConformalFits_long, a_pin_in_a_plate) {
     const Persson persson(angle);
     const double load = 2 * half_length * clearance * young / (1 - poisson * poisson) / persson.clearance();
     for (const int n : {48, 96}) {
-      const scenes::MeshedBody body = plate(n, n / 4);
-      scenes::RollingPair pair(body, pin(n, n / 3), 1);
+      const MeshedBody body = plate(n, n / 4);
+      RollingPair pair(body, pin(n, n / 3), 1);
       pair.frame_from_body(1, 7).friction(0).load(load);
       std::vector<double> gap;
       const SurfaceMesh frame = extremes::top_of(body, 1, 7);
       for (const Vec3& x : frame.node) gap.push_back(clearance * x[2]);
       pair.gap(gap);
       ASSERT_EQ(pair.solve(), ROLLCON_OK);
-      const scenes::Solution s = pair.solution();
+      const Solution s = pair.solution();
       const double p0 = load / (2 * half_length) * persson.pressure(0);
       double error = 0;
       for (std::size_t k = 0; k < s.nodes(); ++k) {

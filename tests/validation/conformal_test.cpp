@@ -6,7 +6,7 @@
 
 #include "support/example3.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -32,14 +32,14 @@ SurfaceMesh cylinder() {
   return surfaces::turn_inside_out(mesh);
 }
 
-std::unique_ptr<scenes::RollingPair> pair(ElementType type, int n) {
-  scenes::MeshedBody body, tool;
+std::unique_ptr<RollingPair> pair(ElementType type, int n) {
+  MeshedBody body, tool;
   body.mesh = groove(type, n);
   body.material = scenes::example3::sphere;
   body.held_tag = {5};
   body.contact_tag = {6};
   tool.mesh = cylinder();
-  auto p = std::make_unique<scenes::RollingPair>(body, tool, 1);
+  auto p = std::make_unique<RollingPair>(body, tool, 1);
   p->axes({0, 0, -radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 6).friction(0);
   p->approach(depth);
   return p;
@@ -54,7 +54,7 @@ TEST(Conformal, a_cylinder_in_a_groove) {
   for (const int n : {6, 12}) {
     auto linear = pair(ElementType::quad4, n);
     ASSERT_EQ(linear->solve(), ROLLCON_OK);
-    const scenes::Solution s = linear->solution();
+    const Solution s = linear->solution();
     const std::string name = "quad4, " + std::to_string(n) + " elements along: ";
     const double error = relative(-s.force[2], force);
     expect_error(name + "force, 6 quad8", error, 0.012 * 6 / n);

@@ -3,16 +3,12 @@
 #include <string>
 #include <vector>
 
-#include "support/frames.hpp"
-#include "support/scene.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
-using scenes::MeshedBody;
-
-const closed_forms::Elastic soft{.shear = 400, .poisson = 0.3}, stiff{.shear = 900, .poisson = 0.2};
+const Elastic soft{.shear = 400, .poisson = 0.3}, stiff{.shear = 900, .poisson = 0.2};
 constexpr double pressure = 2;
 
 /// [0, 1]^2 x [0, height] between planes of symmetry x = 0, y = 0 and z = 0; contact at its top.
@@ -46,16 +42,16 @@ SurfaceMesh straighten(SurfaceMesh mesh) {
 /// edges: of the faces; curved ones stay within the planes of the block.
 enum class Edges { straight, curved };
 
-MeshedBody half(VolumeType type, const Half& h, const closed_forms::Elastic& material, Edges edges) {
+MeshedBody half(VolumeType type, const Half& h, const Elastic& material, Edges edges) {
   volumes::Mesh mesh = volumes::distort(volumes::block(h.shape(), type), 0.15, 5);
   if (edges == Edges::straight) mesh.surface = straighten(std::move(mesh.surface));
-  return scenes::meshed(std::move(mesh), material);
+  return meshed(std::move(mesh), material);
 }
 
-MeshedBody half(ElementType type, const Half& h, const closed_forms::Elastic& material, Edges edges) {
+MeshedBody half(ElementType type, const Half& h, const Elastic& material, Edges edges) {
   SurfaceMesh mesh = surfaces::distort(surfaces::block(h.shape(), type), 0.15, 5);
   if (edges == Edges::straight) mesh = straighten(std::move(mesh));
-  return scenes::meshed(std::move(mesh), material);
+  return meshed(std::move(mesh), material);
 }
 
 struct Case {
@@ -92,7 +88,7 @@ std::vector<Case> cases() {
 
 /// Largest deviation of the nodal pressures from the uniform one, relative.
 double deviation(const Case& c, std::int64_t between_nodes) {
-  scenes::RollingPair pair(between_planes(c.lower, between_nodes), between_planes(c.upper, between_nodes), 1);
+  RollingPair pair(between_planes(c.lower, between_nodes), between_planes(c.upper, between_nodes), 1);
   // The upper block stands on its head: x -> y keeps the planes of symmetry where they are.
   pair.pose(2, {{{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}}, {0, 0, 1.7});
   pair.axes({0.5, 0.5, 1}, {1, 0, 0}, {0, 0, 1}).friction(0).load(pressure);

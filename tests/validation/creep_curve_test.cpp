@@ -1,17 +1,10 @@
 // Force against longitudinal creepage from full stick to full slip, against tabulated output of the half-space program
 // CONTACT (tests/data/creep_curve.csv) within 1.5 % of mu P.
 
-#include "laws.hpp"
-#include "support/graded_disc.hpp"
+#include "validation/laws.hpp"
 
 namespace rollcon::validation {
 namespace {
-
-using closed_forms::Elastic;
-using closed_forms::Hertz;
-using scenes::graded_disc;
-using scenes::RollingPair;
-using scenes::Solution;
 
 TEST(CreepCurve, ellipse_from_stick_to_slip) {
   const Elastic steel{.shear = 82000, .poisson = 0.28};

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "report.hpp"
 #include "support/effectivity.hpp"
 #include "support/example2.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {

@@ -12,30 +12,19 @@
 #include <utility>
 #include <vector>
 
-#include "support/frames.hpp"
-#include "support/scene.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
 using frames::uniform_lines;
-using scenes::MeshedBody;
-using scenes::RollingPair;
 
 /// [-half, half]^2 x [-depth, 0] in n x n x layers hexahedra.
 surfaces::Block slab(int n, int layers, double half, double depth) {
   surfaces::Block shape;
   shape.line = {uniform_lines(-half, half, n), uniform_lines(-half, half, n), uniform_lines(-depth, 0, layers)};
   return shape;
-}
-
-/// Held at its bottom.
-MeshedBody held(volumes::Mesh mesh, const closed_forms::Elastic& material) {
-  MeshedBody body = scenes::meshed(std::move(mesh), material);
-  body.held_tag = {5};
-  return body;
 }
 
 SurfaceMesh square(const Vec3& middle, double half, int n) {
@@ -55,15 +44,14 @@ struct Fine {
 class FineFrame : public ::testing::TestWithParam<Fine> {
  protected:
   static constexpr double curvature = 0.005, load = 300;
-  const closed_forms::Elastic material{.shear = 2e3 / 2.6, .poisson = 0.3};
-  const closed_forms::Hertz hertz =
+  const Elastic material{.shear = 2e3 / 2.6, .poisson = 0.3};
+  const Hertz hertz =
       closed_forms::hertz_from_load(curvature, curvature, closed_forms::effective_modulus(material), load);
 
   /// Frame of n x n elements, middle at (shift, shift); a node of the body is at the origin.
   std::unique_ptr<RollingPair> ball(double shift, int n) const {
-    MeshedBody body = held(volumes::block(slab(10, 5, 10, 10), GetParam().type), material);
-    body.contact_tag = {6};
-    auto pair = std::make_unique<RollingPair>(body, scenes::RigidBody{}, 1);
+    MeshedBody body = held(volumes::block(slab(10, 5, 10, 10), GetParam().type), material, {5}, {6});
+    auto pair = std::make_unique<RollingPair>(body, RigidBody{}, 1);
     const Vec3 middle{shift, shift, 0};
     pair->frame(square(middle, 2.4, n)).axes(middle, {1, 0, 0}, {0, 0, 1});
     pair->gap_quadratic(curvature, curvature).friction(0);
@@ -76,7 +64,7 @@ TEST_P(FineFrame, pressures_are_hertzian) {
   for (const double shift : {0.0, 0.7, 1.0}) {
     const auto pair = ball(shift, 12);
     pair->load(load).solve();
-    const scenes::Solution s = pair->solution();
+    const Solution s = pair->solution();
     double on_node = 0, between = 0;
     for (std::size_t k = 0; k < s.nodes(); ++k) {
       if (std::hypot(s.x[k], s.y[k]) > hertz.a / 2) continue;
@@ -125,13 +113,13 @@ class Insert : public ::testing::TestWithParam<double> {
     shape.zone_from = {4, 4};
     shape.zone_to = {12, 12};
     shape.zone_tag = 9;
-    const closed_forms::Elastic soft{.shear = 1 / 2.6, .poisson = 0.3};
+    const Elastic soft{.shear = 1 / 2.6, .poisson = 0.3};
     MeshedBody body = held(
         volumes::with_materials(volumes::block(shape, type),
                                 [](const Vec3& x) { return std::abs(x[0]) < 0.5 && std::abs(x[1]) < 0.5 ? 1 : 0; }),
-        soft);
+        soft, {5});
     if (choice == Contact::named) body.contact_tag = {9};
-    RollingPair pair(body, scenes::RigidBody{}, 1);
+    RollingPair pair(body, RigidBody{}, 1);
     if (rollcon_body_set_elastic(pair.body(1), 1, ratio * soft.young(), soft.poisson) != ROLLCON_OK)
       throw std::runtime_error("the insert has no material");
     pair.frame(square({0, 0, 0}, 0.43, 7)).gap_quadratic(0.1, 0.1).friction(mu);
@@ -162,7 +150,7 @@ void expect_walls_without_part(const std::string& name, MeshedBody body, const S
   std::array<double, 3> force[2];
   for (const int named : {0, 1}) {
     if (named) body.contact_tag = {6};
-    RollingPair pair(body, scenes::RigidBody{}, 1);
+    RollingPair pair(body, RigidBody{}, 1);
     pair.frame(frame).axes({0, 0, 0}, {1, 0, 0}, {0, 0, 1}).gap(gap).friction(mu);
     ASSERT_GE(pair.approach(approach).creep(1e-3, 0, 0).solve(), ROLLCON_OK) << name;
     force[named] = pair.solution().force;
@@ -180,7 +168,7 @@ std::vector<double> paraboloid(const SurfaceMesh& frame, double along, double ac
 
 class Edges : public ::testing::TestWithParam<VolumeType> {
  protected:
-  const closed_forms::Elastic material{.shear = 1 / 2.6, .poisson = 0.3};
+  const Elastic material{.shear = 1 / 2.6, .poisson = 0.3};
 };
 
 TEST_P(Edges, of_a_slab_do_not_feel_the_frame) {
@@ -192,7 +180,7 @@ TEST_P(Edges, of_a_slab_do_not_feel_the_frame) {
     const SurfaceMesh frame = square({0, 0, 0}, half, elements);
     char name[80];
     std::snprintf(name, sizeof name, "%d^2 faces, %d layers, frame %d^2, +-%g", n, layers, elements, half);
-    expect_walls_without_part(name, held(volumes::block(slab(n, layers, 1, 0.5), GetParam()), material), frame,
+    expect_walls_without_part(name, held(volumes::block(slab(n, layers, 1, 0.5), GetParam()), material, {5}), frame,
                               paraboloid(frame, 0.05, 0.05), 0.15);
   }
 }
@@ -213,7 +201,7 @@ TEST_P(Edges, of_a_roller_do_not_feel_the_frame) {
             return shape.map({q[0], q[1], 10});
           });
       expect_walls_without_part("crown " + std::to_string(crown) + ", frame " + std::to_string(elements) + "^2",
-                                held(volumes::block(shape, GetParam()), material), frame,
+                                held(volumes::block(shape, GetParam()), material, {5}), frame,
                                 paraboloid(frame, 0.06, 0.002), 0.01);
     }
 }
@@ -231,8 +219,7 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
     surfaces::Block shape;
     shape.line = {uniform_lines(-1, 1, 6), uniform_lines(-1.4, 1.4, finer ? 20 : 10), uniform_lines(-2, -1, 3)};
     shape.map = [](const Vec3& q) -> Vec3 { return {q[0], -q[2] * std::sin(q[1]), q[2] * std::cos(q[1])}; };
-    MeshedBody body = held(volumes::block(shape, VolumeType::hex20), {.shear = 1, .poisson = 0.3});
-    body.contact_tag = {6};
+    MeshedBody body = held(volumes::block(shape, VolumeType::hex20), {.shear = 1, .poisson = 0.3}, {5}, {6});
     const SurfaceMesh frame = frames::transform(
         frames::rectangle(ElementType::quad4, uniform_lines(-0.6, 0.6, 8), uniform_lines(-steepest, steepest, 14)),
         [&](const Vec3& q) {
@@ -240,11 +227,11 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
         });
     std::vector<double> gap;
     for (const Vec3& x : frame.node) gap.push_back(0.05 * x[0] * x[0] + 0.01 * (1 + x[2]));
-    RollingPair pair(body, scenes::RigidBody{}, 1);
+    RollingPair pair(body, RigidBody{}, 1);
     pair.frame(frame).axes({0, 0, -1}, {1, 0, 0}, {0, 0, 1}).gap(gap).friction(mu);
     ASSERT_GE(pair.approach(0.01).creep(1e-3, 0, 0).solve(), ROLLCON_OK);
     force[finer] = pair.solution().force;
-    const scenes::Solution s = pair.solution();
+    const Solution s = pair.solution();
     bool wall = false;  // in contact, and steep
     for (std::size_t k = 0; k < s.nodes(); ++k) wall = wall || (s.pressure[k] > 0 && std::abs(s.y[k]) > std::sin(0.8));
     EXPECT_TRUE(wall);
@@ -254,6 +241,19 @@ TEST(SteepGroove, is_solved_on_coarse_faces) {
   for (const std::size_t c : {std::size_t{0}, std::size_t{2}})
     expect_error("F" + std::to_string(c + 1) + " of 10 faces around against 20",
                  (force[0][c] - force[1][c]) / std::abs((c == 0 ? mu : 1) * force[1][2]), 0.02);
+}
+
+// A plate thinner than its faces are wide, under a finer frame and a rigid paraboloid.
+TEST(ThinPlate, is_solved_on_coarse_faces) {
+  double force[2];
+  for (const int finer : {0, 1}) {
+    RollingPair pair(held(volumes::block(slab(finer ? 32 : 8, 3, 2, 0.1), VolumeType::hex20),
+                          {.shear = 1 / 2.6, .poisson = 0.3}, {5}, {6}),
+                     RigidBody{}, 1);
+    pair.frame(square({-0.05, -0.02, 0}, 1, 16)).gap_quadratic(0.05, 0.05).friction(0).approach(0.02).solve();
+    force[finer] = pair.solution().force[2];
+  }
+  expect_error("faces five times as wide as the plate is thick", std::abs(force[0] / force[1] - 1), 0.04);
 }
 
 }  // namespace

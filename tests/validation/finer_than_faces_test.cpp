@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "support/example1.hpp"
-#include "support/frames.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -30,14 +29,14 @@ struct Pressed {
 };
 
 /// Around mid-plane, beside the ellipse of a line contact with the pressure and half-width of quad8.
-Pressed press(const scenes::MeshedBody& ring, double zone, bool given) {
+Pressed press(const MeshedBody& ring, double zone, bool given) {
   constexpr double p0 = 106.8, a = 0.966;
-  scenes::RollingPair pair(ring, scenes::RigidBody{}, 1);
+  RollingPair pair(ring, RigidBody{}, 1);
   pair.axes({0, 0, example1::radius}, {1, 0, 0}, {0, 0, 1}).frame(laid(zone, 18));
   pair.friction(0).load(example1::load);
   if (given) pair.gap_quadratic(1 / (2 * example1::radius), 0);
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
-  const scenes::Solution s = pair.solution();
+  const Solution s = pair.solution();
   Pressed found;
   double sum = 0, count = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
@@ -54,7 +53,7 @@ Pressed press(const scenes::MeshedBody& ring, double zone, bool given) {
 // Measured from the facets, the pressure in the middle was 27 % high and ripples 18 %.
 TEST(FinerThanFaces, boundary_elements) {
   const surfaces::Ring shape = example1::bem_ring(6);
-  const scenes::MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
+  const MeshedBody ring = example1::ring_body(shape, ElementType::quad4);
   const Pressed given = press(ring, shape.zone, true), measured = press(ring, shape.zone, false);
   expect_error("gap given: middle", given.middle - 1, 0.03);
   expect_error("gap given: ripples", given.ripple, 0.04);
@@ -66,7 +65,7 @@ TEST(FinerThanFaces, boundary_elements) {
 // Displacements that bent with the faces alone gave 81 % in the middle with ripples of 12 % under a gap given.
 TEST(FinerThanFaces, finite_elements) {
   const surfaces::Ring shape = example1::fem_ring(6);
-  const scenes::MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);
+  const MeshedBody ring = example1::ring_body(shape, VolumeType::hex8);
   const Pressed given = press(ring, shape.zone, true), measured = press(ring, shape.zone, false);
   expect_error("gap given: middle", given.middle - 1, 0.03);
   expect_error("gap given: ripples", given.ripple, 0.05);
@@ -76,12 +75,11 @@ TEST(FinerThanFaces, finite_elements) {
 }
 
 /// A cube of hex8, 16 faces across its top, finer towards it.
-scenes::MeshedBody cube() {
+MeshedBody cube() {
   surfaces::Block block;
   block.line[0] = block.line[1] = frames::uniform_lines(-1, 1, 16);
   block.line[2] = surfaces::graded_to(8, -1.5, 0, 0.125);
-  scenes::MeshedBody body =
-      scenes::meshed(volumes::block(block, VolumeType::hex8), {.shear = 2.1e5 / 2.6, .poisson = 0.3});
+  MeshedBody body = meshed(volumes::block(block, VolumeType::hex8), {.shear = 2.1e5 / 2.6, .poisson = 0.3});
   body.held_tag = {5};
   body.contact_tag = {6};
   return body;
@@ -91,7 +89,7 @@ scenes::MeshedBody cube() {
 // displacements that bent with the faces alone it was 0.02, 0.05 and 0.07.
 TEST(FinerThanFaces, a_ball_on_finite_elements) {
   constexpr double face = 0.125, radius_over_a = 50, modulus = 2.1e5 / (1 - 0.09);
-  const scenes::MeshedBody body = cube();
+  const MeshedBody body = cube();
   for (const auto& [faces, bound] : {std::pair{0.5, 0.025}, {1.0, 0.05}, {2.0, 0.04}})
     for (const double off : {0.0, 0.5 * face}) {
       const double a = faces * face, radius = radius_over_a * a, p0 = 2 * modulus / (std::numbers::pi * radius_over_a);
@@ -100,11 +98,11 @@ TEST(FinerThanFaces, a_ball_on_finite_elements) {
           surfaces::transform(frames::rectangle(ElementType::quad4, lines, lines), [&](const Vec3& x) {
             return x + Vec3{off, off, 0};
           });
-      scenes::RollingPair pair(body, scenes::RigidBody{}, 1);
+      RollingPair pair(body, RigidBody{}, 1);
       pair.axes({off, off, 0}, {1, 0, 0}, {0, 0, 1}).frame(frame).friction(0);
       pair.gap_quadratic(1 / (2 * radius), 1 / (2 * radius)).load(4.0 / 3 * modulus * a * a * a / radius);
       EXPECT_EQ(pair.solve(), ROLLCON_OK);
-      const scenes::Solution s = pair.solution();
+      const Solution s = pair.solution();
       double sum = 0, count = 0;
       for (std::size_t k = 0; k < s.nodes(); ++k) {
         const double r = std::hypot(s.x[k], s.y[k]) / a;

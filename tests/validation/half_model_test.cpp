@@ -2,14 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include "support/scene.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
-namespace rollcon {
+namespace rollcon::validation {
 namespace {
-
-using scenes::RollingPair;
 
 /// Part y >= least of a block [-1, 1]^2 x [-1, 0] held at its bottom, under a rigid paraboloid; the frame is the faces
 /// in the middle of its top.
@@ -22,11 +19,11 @@ std::unique_ptr<RollingPair> block(double least, double mu, double creep) {
   shape.zone_from = {n / 4, least < 0 ? n / 4 : 0};
   shape.zone_to = {n - n / 4, across - n / 4};
   shape.zone_tag = 9;
-  scenes::MeshedBody body = scenes::meshed(volumes::block(shape, VolumeType::hex8), {.shear = 1 / 2.6, .poisson = 0.3});
+  MeshedBody body = meshed(volumes::block(shape, VolumeType::hex8), {.shear = 1 / 2.6, .poisson = 0.3});
   body.held_tag = {5};
   if (least == 0) body.slide.push_back({.tag = 3, .dof_mask = ROLLCON_DOF_Y});
   body.contact_tag = {9};
-  auto pair = std::make_unique<RollingPair>(body, scenes::RigidBody{}, 1);
+  auto pair = std::make_unique<RollingPair>(body, RigidBody{}, 1);
   pair->frame_from_body(1, 9).gap_quadratic(0.1, 0.1);
   pair->friction(mu).approach(0.02).speed(1).creep(creep, 0, 0);
   return pair;
@@ -40,7 +37,7 @@ TEST_P(HalfModels, carries_half_of_the_forces) {
   half->solve();
   const auto w = whole->solution(), h = half->solution();
   for (const std::size_t c : {std::size_t{0}, std::size_t{2}})
-    validation::expect_error("force " + std::to_string(c + 1), std::abs(2 * h.force[c] / w.force[c] - 1), 1e-6);
+    expect_error("force " + std::to_string(c + 1), std::abs(2 * h.force[c] / w.force[c] - 1), 1e-6);
 }
 
 TEST(HalfModel, is_for_the_condensed_form) {
@@ -59,4 +56,4 @@ TEST(HalfModel, is_for_the_condensed_form) {
 INSTANTIATE_TEST_SUITE_P(creepages, HalfModels, ::testing::Values(0.0, 1e-5, 1e-3, 0.1));
 
 }  // namespace
-}  // namespace rollcon
+}  // namespace rollcon::validation

@@ -1,16 +1,9 @@
 // What must not change the answer, and limits that have an answer of their own.
 
-#include "laws.hpp"
-#include "support/graded_disc.hpp"
+#include "validation/laws.hpp"
 
 namespace rollcon::validation {
 namespace {
-
-using closed_forms::Elastic;
-using closed_forms::Hertz;
-using scenes::graded_disc;
-using scenes::RollingPair;
-using scenes::Solution;
 
 constexpr double pi = 3.14159265358979323846;
 

@@ -4,19 +4,12 @@
 
 #include <tuple>
 
-#include "report.hpp"
-#include "support/graded_disc.hpp"
-#include "support/scene.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
-using closed_forms::Elastic;
-using closed_forms::Hertz;
 using closed_forms::Kalker;
-using scenes::graded_disc;
-using scenes::RollingPair;
-using scenes::Solution;
 
 constexpr double mu = 0.3;
 constexpr double share = 0.006;  ///< of mu P, that the creepage would carry without slip

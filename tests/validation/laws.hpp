@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report.hpp"
-#include "support/scene.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 
@@ -20,7 +19,7 @@ struct LawErrors {
 };
 
 /// slip_scale: a typical slip velocity, as V |creepage|.
-inline LawErrors check_laws(const scenes::Solution& s, double mu, double slip_scale) {
+inline LawErrors check_laws(const Solution& s, double mu, double slip_scale) {
   LawErrors e;
   const double p0 = *std::max_element(s.pressure.begin(), s.pressure.end());
   const double length = std::max(std::abs(s.approach), 1e-300);

@@ -1,23 +1,17 @@
 // One contact through changes of its scene, solved by published procedures: the same as a fresh one.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "support/example3.hpp"
-#include "support/graded_disc.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
+#include "validation/scenes.hpp"
 
-namespace rollcon {
+namespace rollcon::validation {
 namespace {
 
 namespace example3 = scenes::example3;
-using scenes::RollingPair;
 
 SurfaceMesh disc(int rings) {
   const double a = example3::hertz().a;
-  return scenes::graded_disc(a, a, rings);
+  return graded_disc(a, a, rings);
 }
 
 double difference(const RollingPair& a, const RollingPair& b) {
@@ -47,7 +41,7 @@ TEST_P(ProcedureChanges, a_finer_frame) {
   changed->frame(disc(7));
   ASSERT_EQ(changed->solve(), ROLLCON_OK);
   ASSERT_EQ(fresh->solve(), ROLLCON_OK);
-  validation::expect_error("tractions on another frame", difference(*changed, *fresh), 1e-9);
+  expect_error("tractions on another frame", difference(*changed, *fresh), 1e-9);
 }
 
 TEST_P(ProcedureChanges, more_elements_on_the_same_nodes) {
@@ -63,7 +57,7 @@ TEST_P(ProcedureChanges, more_elements_on_the_same_nodes) {
   changed->frame(all);
   ASSERT_EQ(changed->solve(), ROLLCON_OK);
   ASSERT_EQ(fresh->solve(), ROLLCON_OK);
-  validation::expect_error("tractions with all elements", difference(*changed, *fresh), 1e-9);
+  expect_error("tractions with all elements", difference(*changed, *fresh), 1e-9);
 }
 
 TEST_P(ProcedureChanges, sensitivities_after_another_scheme) {
@@ -75,7 +69,7 @@ TEST_P(ProcedureChanges, sensitivities_after_another_scheme) {
   ASSERT_EQ(changed->solve(), ROLLCON_OK);
   ASSERT_EQ(fresh->solve(), ROLLCON_OK);
   const auto a = rate_of_creep(*changed), b = rate_of_creep(*fresh);
-  validation::expect_error("rate of the creepage with its force", std::abs(a[0] / b[0] - 1), 1e-7);
+  expect_error("rate of the creepage with its force", std::abs(a[0] / b[0] - 1), 1e-7);
 }
 
 TEST_P(ProcedureChanges, no_friction_any_more) {
@@ -90,4 +84,4 @@ TEST_P(ProcedureChanges, no_friction_any_more) {
 INSTANTIATE_TEST_SUITE_P(systems, ProcedureChanges, ::testing::Values("condensed", "monolithic"));
 
 }  // namespace
-}  // namespace rollcon
+}  // namespace rollcon::validation

@@ -9,9 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "report.hpp"
 #include "support/procedures.hpp"
-#include "support/scene.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 
@@ -58,8 +57,8 @@ struct Failing {
 
 /// A status of OK with other tractions than the standard procedure's is a failure whatever is listed; one that is not
 /// listed must be OK, one that is listed NOT_CONVERGED.
-inline void compare_procedures(const std::string& scene, scenes::RollingPair& pair,
-                               std::span<const Procedure> procedures, std::span<const Failing> failing = {}) {
+inline void compare_procedures(const std::string& scene, RollingPair& pair, std::span<const Procedure> procedures,
+                               std::span<const Failing> failing = {}) {
   constexpr double bound = 1e-6;
   // Twice what the slowest that converges needs; where some fail, enough for the others.
   const std::int64_t most_iterations = failing.empty() ? 800 : 400;
@@ -67,7 +66,7 @@ inline void compare_procedures(const std::string& scene, scenes::RollingPair& pa
   pair.option("max_iterations", most_iterations);
   pair.reset();
   ASSERT_EQ(pair.solve(), ROLLCON_OK) << scene << ": the standard procedure";
-  const scenes::Solution reference = pair.solution();
+  const Solution reference = pair.solution();
   std::printf("%s: %zu nodes, %g in contact, %g of them stick; bound %.0e\n", scene.c_str(), reference.nodes(),
               pair.stat("nodes_contact"), pair.stat("nodes_stick"), bound);
   double worst = 0;

@@ -1,16 +1,16 @@
 // Where published solution procedures do not converge, or hardly: recorded with the status they end with, beside those
 // that do.
 
-#include "procedure_runs.hpp"
 #include "support/example1.hpp"
 #include "support/example3.hpp"
+#include "validation/procedure_runs.hpp"
 
 namespace rollcon::validation {
 namespace {
 
 namespace example1 = scenes::example1;
 namespace example3 = scenes::example3;
-using Pair = std::unique_ptr<scenes::RollingPair>;
+using Pair = std::unique_ptr<RollingPair>;
 
 std::vector<Procedure> by_lu() {
   std::vector<Procedure> all;
@@ -46,7 +46,7 @@ TEST(ProceduresLimits_long, estimates_of_slip_travel_with_the_particles) {
   compare_procedures("rings, lateral creepage 0", *pair, by_lu(), std::vector<Failing>{{.jacobian = "reduced"}});
   Procedure{}.apply(*pair);
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
-  const scenes::Solution reference = pair->solution();
+  const Solution reference = pair->solution();
   for (const char* estimate : {"jacobi", "pseudo_temporal", "extrapolation"}) {
     Procedure{"condensed", "reduced", estimate, "lu"}.apply(*pair);
     pair->option("max_iterations", std::int64_t{4000});

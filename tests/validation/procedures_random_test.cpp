@@ -1,14 +1,11 @@
 // Every solution procedure finds the tractions of the standard one: contacts of half-spaces drawn at random from fixed
 // seeds.
 
-#include "procedure_runs.hpp"
-#include "support/frames.hpp"
+#include "validation/procedure_runs.hpp"
 
 namespace rollcon::validation {
 namespace {
 
-using scenes::Elastic;
-using scenes::RollingPair;
 using Pair = std::unique_ptr<RollingPair>;
 
 enum class Kind { identical, dissimilar, on_rigid };

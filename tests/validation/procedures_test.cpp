@@ -1,11 +1,10 @@
 // Every solution procedure finds the tractions of the standard one: on the paper's examples, coarsely meshed.
 
-#include "procedure_runs.hpp"
 #include "support/example1.hpp"
 #include "support/example2.hpp"
 #include "support/example3.hpp"
 #include "support/example4.hpp"
-#include "support/graded_disc.hpp"
+#include "validation/procedure_runs.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -14,7 +13,7 @@ namespace example1 = scenes::example1;
 namespace example2 = scenes::example2;
 namespace example3 = scenes::example3;
 namespace example4 = scenes::example4;
-using Pair = std::unique_ptr<scenes::RollingPair>;
+using Pair = std::unique_ptr<RollingPair>;
 
 surfaces::Ring coarse(surfaces::Ring shape, int zone_around, int across, int deep) {
   shape.zone_around = zone_around;
@@ -26,16 +25,16 @@ surfaces::Ring coarse(surfaces::Ring shape, int zone_around, int across, int dee
 }
 
 /// Nothing condensed beforehand: the monolithic systems are not to gain by it.
-scenes::MeshedBody unprepared(scenes::MeshedBody body) {
+MeshedBody unprepared(MeshedBody body) {
   body.int_option.emplace_back("prepare", 0);
   return body;
 }
 
-scenes::MeshedBody bem_ring() {
+MeshedBody bem_ring() {
   return unprepared(example1::ring_body(coarse(example1::paper_ring(), 6, 2, 1), ElementType::quad4));
 }
 
-scenes::MeshedBody fem_ring() {
+MeshedBody fem_ring() {
   surfaces::Ring shape = coarse(example1::paper_ring(), 6, 2, 3);
   shape.top_layer = 0.4;
   return unprepared(example1::ring_body(shape, VolumeType::hex8));
@@ -51,8 +50,8 @@ Pair rings(const scenes::AnyBody& one, const scenes::AnyBody& two) {
 
 Pair ring_on_ground() {
   surfaces::Ring shape = coarse(example2::ring_of(8), 8, 2, 4);
-  auto pair = std::make_unique<scenes::RollingPair>(unprepared(example2::ring_body(shape, VolumeType::hex8)),
-                                                    scenes::HalfspaceBody{example2::ground}, 1);
+  auto pair = std::make_unique<RollingPair>(unprepared(example2::ring_body(shape, VolumeType::hex8)),
+                                            scenes::HalfspaceBody{example2::ground}, 1);
   pair->axes({0, 0, example2::radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
   pair->friction(example2::mu).load(example2::load).speed(example2::speed);
   pair->tangential_force(ROLLCON_LONGITUDINAL, example2::force_ratio * example2::mu * example2::load);
@@ -71,7 +70,7 @@ SurfaceMesh quads() {
 
 SurfaceMesh triangles() {
   const double a = example3::hertz().a;
-  return scenes::graded_disc(a, a, 6);
+  return graded_disc(a, a, 6);
 }
 
 /// A part of the wheel of example 4 around its top: 30 x 30 x 20 mm, 8 x 8 elements in 6 x 6 mm.

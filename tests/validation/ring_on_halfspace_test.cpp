@@ -6,7 +6,7 @@
 
 #include "support/example2.hpp"
 #include "support/mid_plane.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -39,7 +39,7 @@ TEST(RingOnHalfSpace, rolls_as_the_paper_and_the_plane_problem_say) {
     for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
       pair->option("convection", scheme);
       ASSERT_EQ(pair->solve(), ROLLCON_OK);
-      const scenes::Solution s = pair->solution();
+      const Solution s = pair->solution();
       const scenes::MidPlane m = scenes::mid_plane(s, shape.zone, example2::width);
       middle[scheme] = m;
       creep[scheme] = s.creep[0];

@@ -7,14 +7,14 @@
 
 #include "support/example1.hpp"
 #include "support/mid_plane.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
 namespace example1 = scenes::example1;
 
-scenes::MidPlane mid_plane(const scenes::Solution& s) {
+scenes::MidPlane mid_plane(const Solution& s) {
   return scenes::mid_plane(s, example1::paper_ring().zone, example1::width);
 }
 
@@ -29,7 +29,7 @@ TEST(Rings, roll_as_the_paper_and_the_plane_problem_say) {
   for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
     pair->option("convection", scheme);
     ASSERT_EQ(pair->solve(), ROLLCON_OK) << "the contact ends at the rings' own edges";
-    const scenes::Solution s = pair->solution();
+    const Solution s = pair->solution();
     const scenes::MidPlane m = found[scheme] = mid_plane(s);
     const std::string name = std::string("1472 quad4, ") + scheme + ": ";
     expect_error(name + "p0 at mid-plane, fine meshes", relative(m.p0, example1::fine_p0), 0.002);
@@ -71,7 +71,7 @@ TEST(Rings_long, by_finite_and_by_boundary_elements) {
                                        {"BEM on BEM", scenes::TwinBody{}}}) {
       auto pair = example1::pair(name[0] == 'F' ? fem : bem, second, "least_squares");
       ASSERT_EQ(pair->solve(), ROLLCON_OK) << name;
-      const scenes::Solution s = pair->solution();
+      const Solution s = pair->solution();
       found[name] = {mid_plane(s).p0, s.creep[0]};
       const std::string what = name + ", zone " + std::to_string(parts) + " x " + std::to_string(parts) + ": ";
       expect_error(what + "p0, fine meshes", relative(found[name].first, example1::fine_p0),
@@ -90,7 +90,7 @@ TEST(Rings_long, quadratic_elements_agree) {
   shape.around = 24, shape.zone_around = 6, shape.across = 6, shape.deep = 2;
   auto pair = example1::pair(shape, ElementType::quad8, "characteristic");
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
-  const scenes::Solution s = pair->solution();
+  const Solution s = pair->solution();
   const scenes::MidPlane m = mid_plane(s);
   expect_error("quad8, 6 x 6: p0 at mid-plane, fine meshes", relative(m.p0, example1::fine_p0), 0.002);
   expect_error("quad8, 6 x 6: half-width [elements of 0.4 mm]", (m.half_width - example1::hertz_a) / 0.4, 1);

@@ -3,15 +3,12 @@
 
 #include "support/steady_rolling.hpp"
 
-#include "report.hpp"
-#include "support/graded_disc.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
 namespace steady_rolling = scenes::steady_rolling;
-using scenes::RollingPair;
-using scenes::Solution;
 using steady_rolling::contact_error;
 
 class SteadyRollingOnGrids : public testing::TestWithParam<int> {};
@@ -43,7 +40,7 @@ TEST_P(SteadyRollingOnRings, characteristic_scheme_on_frames_fitted_to_the_conta
   const int n = GetParam();
   for (const std::string which : {"a", "b"}) {
     RollingPair pair(steady_rolling::steel, steady_rolling::steel);
-    steady_rolling::prepare(pair, scenes::graded_disc(steady_rolling::radius, steady_rolling::radius, n), which);
+    steady_rolling::prepare(pair, graded_disc(steady_rolling::radius, steady_rolling::radius, n), which);
     pair.option("convection", "characteristic");
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const Solution s = pair.solution();

@@ -4,7 +4,7 @@
 
 #include "support/example1.hpp"
 #include "support/mid_plane.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -19,15 +19,15 @@ struct Pressed {
 
 Pressed press(VolumeType type, double poisson) {
   const surfaces::Ring shape = example1::fem_ring(8);
-  scenes::MeshedBody ring =
-      scenes::meshed(volumes::ring(shape, type), {.shear = example1::young / (2 * (1 + poisson)), .poisson = poisson});
+  MeshedBody ring =
+      meshed(volumes::ring(shape, type), {.shear = example1::young / (2 * (1 + poisson)), .poisson = poisson});
   example1::hold(ring, shape);
-  scenes::RollingPair pair(ring, scenes::RigidBody{}, 1);
+  RollingPair pair(ring, RigidBody{}, 1);
   pair.axes({0, 0, example1::radius}, {1, 0, 0}, {0, 0, 1}).frame_from_body(1, 2);
   pair.friction(0).load(example1::load);
   EXPECT_EQ(pair.solve(), ROLLCON_OK);
   EXPECT_EQ(pair.stat("nodes_rim"), 0);
-  const scenes::Solution s = pair.solution();
+  const Solution s = pair.solution();
   Pressed found{scenes::mid_plane(s, shape.zone, example1::width).p0, 0, s.nodes()};
   for (std::size_t k = 0; k < s.nodes(); ++k)
     if (std::hypot(s.x[k], s.y[k]) < 1e-9) found.middle = s.pressure[k];

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "support/example4.hpp"
-#include "validation/report.hpp"
+#include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
@@ -19,18 +19,18 @@ TEST(WheelOnRail, carries_the_load_of_the_paper) {
   expect_error("wheel on rail: force at 0.015 mm, the paper's 457 N", relative(load, 457), 0.02);
   // The gap is quadratic to a good part of a per mille: Hertz for a half-space, which the rim, held 60 mm below the
   // tread, is not quite.
-  const closed_forms::Hertz hertz =
+  const Hertz hertz =
       closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
                                         closed_forms::effective_modulus(example4::material), example4::depth);
   expect_error("wheel on rail: force, half-space of the same radii", relative(load, hertz.load), 0.06);
-  const closed_forms::Hertz same_load =
+  const Hertz same_load =
       closed_forms::hertz_from_load(hertz.A, hertz.B, closed_forms::effective_modulus(example4::material), load);
   expect_error("wheel on rail: p0, half-space at the same force", relative(pair->stat("max_pressure"), same_load.p0),
                0.03);
 
   pair->friction(example4::mu).tangential_force(ROLLCON_LONGITUDINAL, example4::force_ratio * example4::mu * load);
   ASSERT_EQ(pair->solve(), ROLLCON_OK);
-  const scenes::Solution s = pair->solution();
+  const Solution s = pair->solution();
   expect_error("wheel on rail: force when friction acts as well", relative(-s.force[2], load), 0.01);
   EXPECT_GT(pair->stat("nodes_stick"), 0);
   EXPECT_GT(pair->stat("nodes_slip"), 0);

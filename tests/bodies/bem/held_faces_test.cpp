@@ -1,16 +1,10 @@
 // A frame may lie on a face whose supports leave it free along its normal, and on no other: on every side of a block.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/frame_on_body.hpp"
 #include "support/error.hpp"
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -2,21 +2,12 @@
 
 #include "bodies/bem/lifted_surface.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <string>
-
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::bem {
 namespace {
-
-using validation::expect_error;
 
 constexpr ElementType linear_types[] = {ElementType::tri3, ElementType::quad4};
 

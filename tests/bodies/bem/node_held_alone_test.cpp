@@ -1,16 +1,9 @@
 // Reactions of nodes that are held alone, without a held face, on elements with nodes between their corners: the same
 // whichever corner an element's list of nodes begins at.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

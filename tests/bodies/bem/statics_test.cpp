@@ -1,25 +1,15 @@
 // What holds for every elastic body at rest: equilibrium, linearity, independence of axes and units; supports that do
 // not hold it; edges where held faces meet.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <functional>
-#include <numbers>
-#include <string>
-
 #include "support/error.hpp"
 #include "support/static_solution.hpp"
 #include "support/surface_meshes.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
 
 using statics::StaticBody;
-using validation::expect_error;
-using validation::expect_order;
-using validation::observed_order;
 
 constexpr double young = 1e4, poisson = 0.3;
 

@@ -3,14 +3,11 @@
 
 #include "bodies/bem/unknowns.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cstdio>
 #include <span>
 
 #include "mesh/traction_nodes.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::bem {
 namespace {

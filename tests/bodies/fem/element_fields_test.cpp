@@ -1,19 +1,9 @@
 // What one element makes of known fields: patch test, quadratic fields, bending.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "bodies/fem/element_cases.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -21,9 +11,6 @@ namespace {
 using elements::Formulation;
 using elements::Nodes;
 using elements::Stiffness;
-using validation::expect_error;
-using validation::relative;
-using validation::report;
 
 using Matrix = std::array<Vec3, 3>;
 

@@ -1,16 +1,9 @@
 // Stiffness of one element: rigid motions, rank, symmetry, invariance, units.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <vector>
-
 #include "bodies/fem/element_cases.hpp"
 #include "bodies/model/mesh_models.hpp"
 #include "linalg/lapack.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon::fem {
 namespace {
@@ -18,8 +11,6 @@ namespace {
 using elements::Formulation;
 using elements::Nodes;
 using elements::Stiffness;
-using validation::expect_error;
-using validation::report;
 
 const std::vector<double> ratios{-0.9, 0, 0.3, 0.499, 0.4999999};
 

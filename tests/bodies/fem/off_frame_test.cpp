@@ -1,22 +1,16 @@
 // Displacements off a frame that is made of the body's own faces: they go down as those of a half-space do, and agree
 // with those under a frame that reaches as far.
 
-#include <cmath>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "support/frames.hpp"
 #include "support/scene.hpp"
+#include "support/testing.hpp"
 #include "support/volume_meshes.hpp"
-#include "validation/report.hpp"
 
 namespace rollcon {
 namespace {
 
 using frames::uniform_lines;
 using scenes::RollingPair;
-using validation::expect_error;
 
 const closed_forms::Elastic material{.shear = 1, .poisson = 0.3};
 constexpr double width = 0.5, rim = width / 2;

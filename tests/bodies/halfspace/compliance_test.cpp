@@ -3,17 +3,10 @@
 
 #include "bodies/model/compliance.hpp"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <vector>
-
 #include "bodies/halfspace/halfspace.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

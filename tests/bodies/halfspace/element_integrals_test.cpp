@@ -1,13 +1,8 @@
 // The five integrals over single elements of every type, for observers on, near and far from them, against adaptive
 // brute force.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/halfspace/brute_force.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,15 +1,8 @@
 // Groups of elements seen from afar: their scale and their choice of rules, against the formulas.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numeric>
-#include <vector>
-
 #include "bodies/halfspace/far_field.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

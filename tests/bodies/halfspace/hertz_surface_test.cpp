@@ -1,15 +1,8 @@
 // Hertz's pressure, interpolated on rings graded to the contact's edge, must leave a paraboloid.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-#include <vector>
-
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,15 +1,9 @@
 /// Integrals of points that differ by rounding alone: at the corners of slender elements and on the nodes of grids,
 /// where rules change, slip divides their difference by a short step.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,13 +1,8 @@
 // Love's rectangle: uniform and bilinear loads, closed forms.
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
-#include <numbers>
-
 #include "bodies/halfspace/brute_force.hpp"
 #include "bodies/halfspace/halfspace.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,14 +1,9 @@
 // The selector of rules: a sweep over distance, direction, aspect ratio and distortion, each integral against adaptive
 // brute force.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "bodies/halfspace/brute_force.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

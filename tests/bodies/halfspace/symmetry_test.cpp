@@ -1,14 +1,8 @@
 // What the compliance inherits from the half-space: reflections, scale, reciprocity.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "bodies/halfspace/halfspace.hpp"
 #include "support/frames.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

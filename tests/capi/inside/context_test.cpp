@@ -2,11 +2,8 @@
 
 #include "support/context.hpp"
 
-#include <gtest/gtest.h>
-
-#include <string>
-
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 #ifdef _OPENMP
 #include <omp.h>

@@ -2,13 +2,10 @@
 
 #include "contact/scene/scene.hpp"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <cstdio>
 #include <random>
 
 #include "support/error.hpp"
+#include "support/testing.hpp"
 
 using namespace rollcon;
 

@@ -1,17 +1,11 @@
 // Rows as a whole: instruction sets, units, incompressible bodies, points of a layer, unwanted columns, tolerance.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "bodies/bem/integrals/element_reference.hpp"
 #include "bodies/halfspace/kernels.hpp"
 #include "support/error.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

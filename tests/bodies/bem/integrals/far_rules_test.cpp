@@ -1,14 +1,8 @@
 // The far field's rules, chosen from the distance of a whole pack alone, cost little more than those chosen for each
 // point with all that is known of the element.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/bem/integrals/element_reference.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -40,8 +34,8 @@ TEST_P(FarRules, take_few_points_more_than_those_of_a_single_point) {
           }
       }
     std::printf(
-        "%d nodes, layer %d: %.1f points, %.1f chosen point by point (bound: 1.7 times as many), "
-        "%lld of %lld left to the near field (bound: 1 in 10)\n",
+        "%d nodes, layer %d: %.1f points, %.1f chosen point by point (bound: 1.7 times as many), %lld of %lld left to "
+        "the near field (bound: 1 in 10)\n",
         node_count(GetParam()), terms, static_cast<double>(far) / static_cast<double>(cases),
         static_cast<double>(pointwise) / static_cast<double>(cases), static_cast<long long>(left),
         static_cast<long long>(left + cases));

@@ -1,15 +1,9 @@
 // The accuracy of the single layer is measured by the largest integral of an element whose traction is wanted, wherever
 // a pack's points stand: middles of edges are as far from their elements' middle as the scale's own length.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <vector>
-
 #include "bodies/bem/boundary_integrals.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

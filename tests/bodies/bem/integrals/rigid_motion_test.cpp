@@ -1,14 +1,9 @@
 // Rigid motions leave no traction: rows of h times a translation vanish to rounding, times a rotation to the tolerance.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "mesh/shape.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

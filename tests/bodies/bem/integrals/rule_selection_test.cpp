@@ -2,14 +2,8 @@
 // distortion and curvature; each integral against brute force. Errors of T are relative to the free term of a smooth
 // point, 1/2, the largest entry of a row; those of U to the element's own largest integral.
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <string>
-
 #include "bodies/bem/integrals/element_reference.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -42,11 +36,9 @@ class KelvinRules : public ::testing::TestWithParam<ElementType> {
   void check(const char* what) {
     for (int k = 0; k < 3; ++k) {
       const Result& r = result_[k];
-      std::printf(
-          "%d nodes, %s: tolerance %.0e, error/tolerance T %.2g U %.2g (bound 1), %.0f points on "
-          "average\n",
-          node_count(GetParam()), what, tolerance[k], r.t, r.u,
-          static_cast<double>(r.points) / static_cast<double>(r.cases));
+      std::printf("%d nodes, %s: tolerance %.0e, error/tolerance T %.2g U %.2g (bound 1), %.0f points on average\n",
+                  node_count(GetParam()), what, tolerance[k], r.t, r.u,
+                  static_cast<double>(r.points) / static_cast<double>(r.cases));
       EXPECT_GT(r.cases, 0);
       EXPECT_LE(r.t, 1);
       EXPECT_LE(r.u, 1);

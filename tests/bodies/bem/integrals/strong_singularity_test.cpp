@@ -2,18 +2,11 @@
 // evaluation plus the known free term: 1/2 at smooth points, flat and curved; at a cube's edges and corners
 //   c_ij = integral over the directions into the body of ((1-2nu) d_ij + 3 e_i e_j)/(8 pi (1-nu)).
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <functional>
-#include <numbers>
-
 #include "bodies/bem/integrals/assembled_rows.hpp"
 #include "bodies/bem/integrals/guiggiani.hpp"
 #include "mesh/shape.hpp"
 #include "support/surface_meshes.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {

@@ -1,13 +1,8 @@
-// The ring of the paper's first example under loads on a patch of its outer surface (support/loaded_ring.hpp).
-
-#include <gtest/gtest.h>
-
-#include <memory>
-#include <string>
-#include <vector>
+// The ring of the paper's first example, of boundary and of finite elements, under loads on a patch of its outer
+// surface (support/loaded_ring.hpp).
 
 #include "support/loaded_ring_body.hpp"
-#include "validation/report.hpp"
+#include "support/testing.hpp"
 
 namespace rollcon {
 namespace {
@@ -15,22 +10,19 @@ namespace {
 namespace loaded_ring = statics::loaded_ring;
 using loaded_ring::Load;
 using statics::StaticBody;
-using validation::expect_error;
-using validation::relative;
 
 /// How the whole ring is made of what is meshed.
 enum class Part { whole, quarter };
 
 struct Case {
   Part part;
-  ElementType type;
+  AnyElement type;
   loaded_ring::Quarter elements;
-  double bound, axial;  ///< axial: of the load that bends the ring out of its plane
+  double bound, axial = 0;  ///< axial: of the load that bends the ring out of its plane; 0: not asked
 };
 
-SurfaceMesh ring_mesh(const Case& c) {
+SurfaceMesh whole_ring(const Case& c) {
   const auto [zone, far, across, deep] = c.elements;
-  if (c.part == Part::quarter) return surfaces::block(loaded_ring::quarter(c.elements), c.type);
   SurfaceMesh mesh = surfaces::ring({.zone = 4,
                                      .around = 2 * (zone + far),
                                      .zone_around = 2 * zone,
@@ -39,50 +31,50 @@ SurfaceMesh ring_mesh(const Case& c) {
                                      .largest = 0,
                                      .top_layer = 2.0 / zone,
                                      .side_grading = 1},
-                                    c.type);
+                                    std::get<ElementType>(c.type));
   for (std::int32_t& tag : mesh.tag)  // as the quarter's: outer 6, hub 5, sides 3 and 4
     tag = tag <= 2 ? 6 : tag == 3 ? 5 : tag - 1;
   return mesh;
 }
 
 /// The factorised ring for one kind of load (the quarter's supports depend on it).
-std::unique_ptr<StaticBody> held_ring(Part part, SurfaceMesh mesh, Load kind, double poisson) {
-  auto body = std::make_unique<StaticBody>(std::move(mesh), loaded_ring::young, poisson);
-  if (part == Part::whole) {
-    body->hold_tags({5}).solve();
-  } else {
-    loaded_ring::hold_quarter(*body, kind);
+StaticBody held_ring(const Case& c, Load kind, double poisson) {
+  if (c.part == Part::whole) {
+    StaticBody body(whole_ring(c), loaded_ring::young, poisson);
+    body.hold_tags({5}).solve();
+    return body;
   }
+  StaticBody body(loaded_ring::quarter(c.elements), c.type, loaded_ring::young, poisson);
+  loaded_ring::hold_quarter(body, kind);
   return body;
-}
-
-void expect_listed(const Case& c, const SurfaceMesh& mesh, Load kind, double poisson) {
-  const auto body = held_ring(c.part, mesh, kind, poisson);
-  for (const auto& [what, error] : loaded_ring::listed_errors(*body, kind, poisson))
-    expect_error(surfaces::name_of(c.type) + (c.part == Part::whole ? " ring, " : " quarter ring, ") +
-                     std::to_string(mesh.nodes()) + " nodes, " + what,
-                 error, kind == Load::axial ? c.axial : c.bound);
 }
 
 class PatchLoad : public ::testing::TestWithParam<Case> {};
 
 TEST_P(PatchLoad, moves_the_ring_as_listed) {
   const Case& c = GetParam();
-  const SurfaceMesh mesh = ring_mesh(c);
-  expect_listed(c, mesh, Load::normal, 0.3);
-  expect_listed(c, mesh, Load::tangential, 0.3);
-  expect_listed(c, mesh, Load::normal, 0.49);
-  expect_listed(c, mesh, Load::axial, 0.3);
+  if (absent(c.type)) GTEST_SKIP() << "not in this build";
+  for (const auto& [kind, poisson] :
+       {std::pair{Load::normal, 0.3}, {Load::tangential, 0.3}, {Load::normal, 0.49}, {Load::axial, 0.3}}) {
+    if ((locks(c.type) && poisson > 0.45) || (kind == Load::axial && c.axial == 0)) continue;
+    StaticBody body = held_ring(c, kind, poisson);
+    for (const auto& [what, error] : loaded_ring::listed_errors(body, kind, poisson))
+      expect_error(name_of(c.type) + (c.part == Part::whole ? " ring, " : " quarter ring, ") +
+                       std::to_string(body.mesh().nodes()) + " nodes, " + what,
+                   error, kind == Load::axial ? c.axial : c.bound);
+  }
 }
 
 constexpr auto ring_part_name = [](const auto& param) {
-  return surfaces::name_of(param.param.type) + (param.param.part == Part::whole ? "_whole" : "_quarter");
+  return name_of(param.param.type) + (param.param.part == Part::whole ? "_whole" : "_quarter");
 };
 
 // Bounds: 2 % (linear) and 0.5 % (quadratic) as asked of meshes that fit 4000 nodes; coarser ones as measured. Wholes
 // of 2816 nodes (quad4) and 3456 (quad8), too long for here: 0.7 % and 0.4 %.
 INSTANTIATE_TEST_SUITE_P(Ring, PatchLoad,
-                         ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.011}),
+                         ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.011},
+                                           Case{Part::quarter, VolumeType::hex8, {8, 20, 6, 14}, 0.02},
+                                           Case{Part::quarter, VolumeType::hex20, {4, 10, 3, 8}, 0.005}),
                          ring_part_name);
 INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
                          ::testing::Values(Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085, 0.03},
@@ -90,12 +82,36 @@ INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
                                            Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02, 0.006},
                                            Case{Part::quarter, ElementType::tri6, {2, 8, 3, 6}, 0.0075, 0.012},
                                            Case{Part::quarter, ElementType::quad8, {4, 10, 3, 8}, 0.005, 0.012},
-                                           Case{Part::quarter, ElementType::quad9, {2, 8, 3, 6}, 0.0075, 0.012}),
+                                           Case{Part::quarter, ElementType::quad9, {2, 8, 3, 6}, 0.0075, 0.012},
+                                           Case{Part::quarter, VolumeType::wedge6, {8, 20, 6, 14}, 0.02},
+                                           Case{Part::quarter, VolumeType::wedge15, {4, 10, 3, 8}, 0.008},
+                                           Case{Part::quarter, VolumeType::tet4, {10, 20, 6, 14}, 0.1},
+                                           Case{Part::quarter, VolumeType::tet10, {6, 12, 3, 10}, 0.02}),
                          ring_part_name);
+
+// Orders from the root mean square of all listed errors; edges of the patch and of the ring limit those of quadratic
+// elements.
+TEST(RingRefinement_long, of_finite_elements) {
+  for (const VolumeType type : {VolumeType::hex8, VolumeType::hex20}) {
+    if (absent(type)) GTEST_SKIP() << "not in this build";
+    const bool quadratic = is_quadratic(type);
+    double error[2] = {};
+    for (const int level : {0, 1}) {
+      const int f = (quadratic ? 1 : 2) << level;
+      StaticBody body = held_ring({Part::quarter, type, {2 * f, 5 * f, 3 * f, 4 * f}, 0}, Load::normal, 0.3);
+      const auto errors = loaded_ring::listed_errors(body, Load::normal, 0.3);
+      for (const auto& e : errors) error[level] += e.error * e.error / static_cast<double>(errors.size());
+      error[level] = std::sqrt(error[level]);
+      report(name_of(type) + " ring, mean error", error[level]);
+    }
+    expect_order(name_of(type) + " ring", observed_order(error[0], error[1], 2, 1), quadratic ? 1.7 : 1.2);
+  }
+}
 
 // Three ways to the same load: nodal tractions on the body's faces, on a mesh of its own laid on them, and the body's
 // own load by tag.
 TEST(RingLoads_long, by_faces_by_a_layer_and_by_tag_agree) {
+  if (absent(ElementType::tri3)) GTEST_SKIP() << "not in this build";
   for (const ElementType type : surfaces::all_types) {
     SurfaceMesh mesh = surfaces::block(loaded_ring::quarter({2, 6, 3, 3}), type);
     const auto patch = loaded_ring::patch_of(mesh);
@@ -124,10 +140,10 @@ TEST(RingLoads_long, by_faces_by_a_layer_and_by_tag_agree) {
 }
 
 TEST(RingMaterials_long, displacements_are_smooth_up_to_incompressible) {
-  const SurfaceMesh mesh = surfaces::block(loaded_ring::quarter({4, 6, 3, 3}), ElementType::quad8);
-  const auto middle = [&](double poisson) {
-    const auto body = held_ring(Part::quarter, mesh, Load::normal, poisson);
-    return loaded_ring::loaded(*body, Load::normal).at(0, 0)[2];
+  if (absent(ElementType::quad8)) GTEST_SKIP() << "not in this build";
+  const auto middle = [](double poisson) {
+    StaticBody body = held_ring({Part::quarter, ElementType::quad8, {4, 6, 3, 3}, 0}, Load::normal, poisson);
+    return loaded_ring::loaded(body, Load::normal).at(0, 0)[2];
   };
   const double u49 = middle(0.49), u499 = middle(0.499), u5 = middle(0.5);
   // A straight line through 0.49 and 0.499 misses 0.5 by the curvature only.

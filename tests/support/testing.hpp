@@ -1,13 +1,24 @@
 #pragma once
-/// How validation tests speak: one line with what was measured, the error and its bound.
+/// What nearly every test includes, and how tests speak: one line with what was measured, the error and its bound.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-namespace rollcon::validation {
+namespace rollcon {
 
 inline double relative(double value, double reference) {
   return std::abs(value - reference) / std::abs(reference);
@@ -35,4 +46,4 @@ inline void expect_order(const std::string& what, double order, double least) {
   EXPECT_GE(order, least) << what;
 }
 
-}  // namespace rollcon::validation
+}  // namespace rollcon
