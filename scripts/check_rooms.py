@@ -23,7 +23,8 @@ ROOMS = [
 INSIDE = {
     "bodies": [["model"], ["*"], [""]],
     "contact": [
-        ["scene", "laws"],
+        ["laws"],
+        ["scene"],
         ["operators"],
         ["problem"],
         ["linear"],

@@ -66,7 +66,7 @@ def main():
     parser.add_argument("--check", action="store_true")
     parser.add_argument("files", nargs="*", type=pathlib.Path)
     options = parser.parse_args()
-    files = options.files or [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")),
+    files = options.files or [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md")),
                               ROOT / "fortran/README.md", ROOT / "bindings/api_contract.md",
                               ROOT / "bindings/python/README.md"]
     stale = 0

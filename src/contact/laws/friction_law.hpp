@@ -3,6 +3,7 @@
 /// this folder.
 
 #include <array>
+#include <span>
 
 namespace rollcon {
 
@@ -64,5 +65,12 @@ class FrictionLaw {
 
 /// Coulomb's: no slip, or a traction of mu times the pressure against it.
 const FrictionLaw& coulomb();
+
+/// What callers may name (law_names.cpp).
+struct LawName {
+  const char* name;
+  const FrictionLaw& (*law)();
+};
+std::span<const LawName> law_names();
 
 }  // namespace rollcon

@@ -135,6 +135,7 @@ void read_friction(SolverState& state, const Scene& scene) {
   if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction)) return;
   ++state.work.frictions;
   Problem& p = preparation.made->problem;
+  p.law = &scene.law();
   p.mu.resize(at(p.nodes));
   bool frictionless = true;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
+#include <utility>
 
 #include "support/input_checks.hpp"
 
@@ -114,13 +116,21 @@ void Scene::prescribe(std::int32_t direction, std::int32_t how, double value) {
 void Scene::set_friction(const char* law, std::int32_t n, const double* parameters) {
   require_pointer(law, "law");
   require_count(n, "n");
-  if (std::strcmp(law, "coulomb") != 0) fail(Status::err_argument, "law is '%.64s'; allowed: 'coulomb'", law);
-  if (n != 1) fail(Status::err_argument, "n is %d; 'coulomb' has 1 parameter: mu", n);
+  const auto names = law_names();
+  const auto named =
+      std::find_if(names.begin(), names.end(), [&](const LawName& l) { return !std::strcmp(law, l.name); });
+  if (named == names.end()) {
+    std::string allowed;
+    for (const LawName& l : names) allowed += std::string(allowed.empty() ? "'" : ", '") + l.name + "'";
+    fail(Status::err_argument, "law is '%.64s'; allowed: %s", law, allowed.c_str());
+  }
+  if (n != 1) fail(Status::err_argument, "n is %d; '%s' has 1 parameter: mu", n, named->name);
   require_pointer(parameters, "parameters");
   const double mu = parameters[0];
   require_finite(mu, "mu");
   if (mu < 0) fail(Status::err_argument, "mu is %g; allowed: 0 or more", mu);
-  if (!replace(friction_, mu) && friction_given_) return;
+  const bool another = std::exchange(law_, &named->law()) != &named->law();
+  if (!replace(friction_, mu) && friction_given_ && !another) return;
   friction_given_ = true;
   ++revision.friction;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/laws/friction_law.hpp"
 #include "contact/scene/options.hpp"
 #include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
@@ -80,6 +81,7 @@ class Scene {
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
+  const FrictionLaw& law() const { return *law_; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh), friction. (Arrays always
   /// fit the frame: their length is checked when they are set, and new nodes forget them.)
   void require_complete(bool body_meshed = false) const;
@@ -102,6 +104,7 @@ class Scene {
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;
+  const FrictionLaw* law_ = &coulomb();
   std::vector<double> friction_field_;
 };
 
