@@ -1,4 +1,4 @@
-#include "contact/laws/coulomb.hpp"
+/// Coulomb's law as a projection (Alart & Curnier 1991; docs/theory.md, sections 2 and 6).
 
 #include <algorithm>
 #include <array>

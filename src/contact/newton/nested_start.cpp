@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/laws/coulomb.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -127,10 +126,10 @@ bool take_from_coarser(const Problem& problem, const Prescribed& given, const La
   for (std::size_t k = 0; k < at(problem.nodes); ++k) {
     double& normal = iterate.lambda[2][k];
     normal = problem.used[k] ? std::min(normal, 0.0) : 0.0;
-    double t1 = 0, t2 = 0;
-    project_on_disk(iterate.lambda[0][k], iterate.lambda[1][k], -given.friction * problem.mu[k] * normal, t1, t2);
-    iterate.lambda[0][k] = t1;
-    iterate.lambda[1][k] = t2;
+    const FrictionTraction t =
+        problem.law->traction({given.friction * problem.mu[k], -normal, iterate.lambda[0][k], iterate.lambda[1][k]});
+    iterate.lambda[0][k] = t.t1;
+    iterate.lambda[1][k] = t.t2;
   }
   iterate.motion = start.motion;
   iterate.invalidate();
