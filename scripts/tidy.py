@@ -65,11 +65,19 @@ def commands_for(commands, sources, folder, jobs):
     return joined + [alone[source] for source in sources if source in alone]
 
 
-def compiles_alone(command, file):
+def system_folders(commands):
+    """Of all sources: a header of a component may need one that others do not."""
+    found = {}
+    for command in commands:
+        words = shlex.split(command["command"])
+        found |= {words[at + 1]: None for at, word in enumerate(words) if word == "-isystem"}
+    return [part for folder in found for part in ("-isystem", folder)]
+
+
+def compiles_alone(command, file, folders):
     """What the compiler says of a source or header by itself, without anything included before."""
     words = shlex.split(command["command"])
-    kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word) and "pch" not in word]
-    kept += [part for at, word in enumerate(words) if word == "-isystem" for part in (word, words[at + 1])]
+    kept = [word for word in words[1:] if re.match(r"-([DIWf]|std)", word) and "pch" not in word] + folders
     # A header is no main file.
     once = ["-Wno-pragma-once-outside-header", "-Wno-unused-function", "-Wno-unused-const-variable"]
     result = subprocess.run([words[0], *kept, *once, "-fsyntax-only", "-x", "c++", file],
@@ -126,9 +134,10 @@ def main():
     by_itself = {command["file"]: command for command in commands}
     files = sorted(file for file in changed if re.search(r"/src/.*\.[ch]pp$", file) and os.path.exists(file))
     first = next(command for command in commands if parts_of(pathlib.Path(command["file"])))
+    folders = system_folders(commands)
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
-        outcomes = [*pool.map(lambda file: compiles_alone(by_itself.get(file, first), file), files),
+        outcomes = [*pool.map(lambda file: compiles_alone(by_itself.get(file, first), file, folders), files),
                     *pool.map(check, runs)]
         for status, output in outcomes:
             finding = re.search(r": (?:warning|error):", output)

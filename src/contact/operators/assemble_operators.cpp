@@ -6,6 +6,7 @@
 
 #include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon {
 namespace {
@@ -81,7 +82,7 @@ class Assembly {
         if (!wanted.block[r][c]) continue;
         if (op.block[r][c].empty()) op.block[r][c].resize_untouched(n_, n_);
         buffer_[r][c].resize(chunk, n_);
-        if (r < 2) std::fill_n(op.block[r][c].data(), n_ * n_, 0.0);
+        if (r < 2) clear(op.block[r][c]);
       }
     if (wanted.slip()) users_ = transpose(convection.rows, samples());
   }
@@ -100,6 +101,13 @@ class Assembly {
   }
 
  private:
+  /// Some rows at a time: the system takes seconds to give gigabytes.
+  static void clear(RowMatrix<double>& block) {
+    for (std::int64_t first = 0; first < block.rows(); first += chunk) {
+      check_interrupt();
+      std::fill_n(block.row(first), std::min(chunk, block.rows() - first) * block.columns(), 0.0);
+    }
+  }
   std::size_t samples() const { return at(n_) + convection_.ahead.size(); }
   /// By a slip row.
   bool used(std::size_t sample) const { return users_.start[sample] < users_.start[sample + 1]; }
