@@ -87,7 +87,8 @@ def main():
         for room in sorted(uses):
             print(f"{room}: {', '.join(f'{used} {count}' for used, count in sorted(uses[room].items()))}")
         return 0
-    print("\n".join(bad) if bad else f"includes between rooms: {sum(sum(c.values()) for c in uses.values())}, none upwards")
+    count = sum(sum(c.values()) for c in uses.values())
+    print("\n".join(bad) if bad else f"includes between rooms: {count}, none upwards")
     return 1 if bad else 0
 
 

@@ -85,8 +85,8 @@ MeshedBody cube() {
   return body;
 }
 
-// Root mean square over the ellipse's middle, over p0; a ball on the middle of a node's or a face's surroundings. With
-// displacements that bent with the faces alone it was 0.02, 0.05 and 0.07.
+// Root mean square over the middle of the contact, over p0; the ball stands over a node or over the middle of a face.
+// With displacements that bent with the faces alone it was 0.02, 0.05 and 0.07.
 TEST(FinerThanFaces, a_ball_on_finite_elements) {
   constexpr double face = 0.125, radius_over_a = 50, modulus = 2.1e5 / (1 - 0.09);
   const MeshedBody body = cube();
