@@ -19,6 +19,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_cancelled = 3_c_int32_t
   integer(c_int32_t), parameter :: rollcon_rim_contact = 4_c_int32_t
   integer(c_int32_t), parameter :: rollcon_coarse = 5_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_inaccurate = 6_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_argument = -1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_handle = -2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_nonfinite = -3_c_int32_t
@@ -595,6 +596,53 @@ module rollcon_c
       integer(c_int32_t), value :: tag
       integer(c_int32_t) :: rc
     end function rollcon_contact_frame_from_body
+
+    function rollcon_contact_frame_rectangle(contact, type, nx, ny, x_least, x_greatest, y_least, &
+        y_greatest) result(rc) bind(C, name="rollcon_contact_frame_rectangle")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: type
+      integer(c_int32_t), value :: nx
+      integer(c_int32_t), value :: ny
+      real(c_double), value :: x_least
+      real(c_double), value :: x_greatest
+      real(c_double), value :: y_least
+      real(c_double), value :: y_greatest
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_frame_rectangle
+
+    function rollcon_contact_frame_ellipse(contact, along, across, a, b, angle) &
+        result(rc) bind(C, name="rollcon_contact_frame_ellipse")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: along
+      integer(c_int32_t), value :: across
+      real(c_double), value :: a
+      real(c_double), value :: b
+      real(c_double), value :: angle
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_frame_ellipse
+
+    function rollcon_contact_frame_strips(contact, along, n, lines) &
+        result(rc) bind(C, name="rollcon_contact_frame_strips")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: along
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: lines(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_frame_strips
+
+    function rollcon_contact_frame_automatic(contact) &
+        result(rc) bind(C, name="rollcon_contact_frame_automatic")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_frame_automatic
 
     function rollcon_contact_set_pose(contact, which, rotation, translation) &
         result(rc) bind(C, name="rollcon_contact_set_pose")

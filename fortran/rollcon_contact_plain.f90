@@ -21,6 +21,10 @@ module rollcon_contact_plain
   contains
     procedure :: create
     procedure :: frame_from_body => contact_frame_from_body
+    procedure :: frame_rectangle => contact_frame_rectangle
+    procedure :: frame_ellipse => contact_frame_ellipse
+    procedure :: frame_strips => contact_frame_strips
+    procedure :: frame_automatic => contact_frame_automatic
     procedure :: set_pose => contact_set_pose
     procedure :: set_axes => contact_set_axes
     procedure :: set_gap => contact_set_gap
@@ -246,6 +250,77 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_frame_from_body(self%p, int(which, rc_int), int(tag, rc_int)), self%p, &
       'rc_contact%frame_from_body', stat, errmsg)
+  end subroutine
+
+  !> Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny elements of one size. Replaces
+  !> nodes and elements of the frame and forgets the gap array and the creep and friction fields. Nodes come line by
+  !> line along t1, from the least y. Linear quadrilaterals make a regular frame, which half-spaces solve by fast
+  !> Fourier transforms.
+  subroutine contact_frame_rectangle(self, type, nx, ny, x_least, x_greatest, y_least, y_greatest, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: type
+    integer, intent(in) :: nx
+    integer, intent(in) :: ny
+    real(rc_real), intent(in) :: x_least
+    real(rc_real), intent(in) :: x_greatest
+    real(rc_real), intent(in) :: y_least
+    real(rc_real), intent(in) :: y_greatest
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish( &
+      rollcon_contact_frame_rectangle(self%p, type, int(nx, rc_int), int(ny, rc_int), x_least, x_greatest, y_least, y_greatest), &
+      self%p, 'rc_contact%frame_rectangle', stat, errmsg)
+  end subroutine
+
+  !> Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the rolling direction, as
+  !> rollcon_contact_frame_strips makes them, on lines that lie closer towards the sides. It is meant to be the contact
+  !> itself.
+  subroutine contact_frame_ellipse(self, along, across, a, b, angle, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: along
+    integer, intent(in) :: across
+    real(rc_real), intent(in) :: a
+    real(rc_real), intent(in) :: b
+    real(rc_real), intent(in), optional :: angle
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: angle_or_standard
+    angle_or_standard = 0
+    if (present(angle)) angle_or_standard = angle
+    call finish( &
+      rollcon_contact_frame_ellipse(self%p, int(along, rc_int), int(across, rc_int), a, b, angle_or_standard), self%p, &
+      'rc_contact%frame_ellipse', stat, errmsg)
+  end subroutine
+
+  !> Makes strips along the rolling direction the frame: what the contact covers of lines at ascending y. Each has along
+  !> + 1 nodes from end to end, close together near the ends, where tractions grow like the square root of the distance.
+  !> Nodes come line by line. Replaces the frame as rollcon_contact_frame_rectangle does. Nodes on the outline carry no
+  !> traction (ROLLCON_EXCLUDED): bodies that overlap there are told as ROLLCON_RIM_CONTACT.
+  subroutine contact_frame_strips(self, along, lines, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: along
+    real(rc_real), intent(in), contiguous :: lines(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(lines, 1) /= 3) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%frame_strips', stat, errmsg, &
+      'the first extent of lines must be 3')
+      return
+    end if
+    call finish(rollcon_contact_frame_strips(self%p, int(along, rc_int), size(lines, 2, rc_long), lines), self%p, &
+      'rc_contact%frame_strips', stat, errmsg)
+  end subroutine
+
+  !> Leaves the frame to the library, as in a new contact: solves then find the contact from the quadratic gap and from
+  !> load or approach, fit two frames of strips to its edge, one twice as fine as the other, extrapolate their results,
+  !> and take finer pairs until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
+  !> moment, approach, creepages, their sensitivities and the statistics contact_area and error_estimate are the
+  !> extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace.
+  subroutine contact_frame_automatic(self, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_frame_automatic(self%p), self%p, 'rc_contact%frame_automatic', stat, errmsg)
   end subroutine
 
   !> Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0. Standard: identity and

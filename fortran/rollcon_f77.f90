@@ -545,6 +545,42 @@ subroutine rcfram(icon, iwhich, itag, ierr)
   ierr = rollcon_contact_frame_from_body(contact_of(icon), narrow(iwhich), narrow(itag))
 end subroutine
 
+!> Makes a rectangle in the plane of the axes, as they are now, the frame.
+subroutine rcfrec(icon, itype, nx, ny, x_least, x_greatest, y_least, y_greatest, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, itype, nx, ny, ierr
+  double precision :: x_least, x_greatest, y_least, y_greatest
+  ierr = rollcon_contact_frame_rectangle(contact_of(icon), narrow(itype), narrow(nx), narrow(ny), x_least, &
+    x_greatest, y_least, y_greatest)
+end subroutine
+
+!> Makes an ellipse in the plane of the axes, as they are now, the frame.
+subroutine rcfell(icon, ialong, iacross, a, b, angle, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ialong, iacross, ierr
+  double precision :: a, b, angle
+  ierr = rollcon_contact_frame_ellipse(contact_of(icon), narrow(ialong), narrow(iacross), a, b, angle)
+end subroutine
+
+!> Makes strips along the rolling direction the frame.
+subroutine rcfstr(icon, ialong, n, xlines, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ialong, n, ierr
+  double precision :: xlines(*)
+  ierr = rollcon_contact_frame_strips(contact_of(icon), narrow(ialong), int(n, c_int64_t), xlines)
+end subroutine
+
+!> Leaves the frame to the library, as in a new contact.
+subroutine rcfaut(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_frame_automatic(contact_of(icon))
+end subroutine
+
 !> Says where a body with a mesh stands.
 subroutine rcpose(icon, iwhich, rotation, translation, ierr)
   use rollcon_f77_support

@@ -79,6 +79,7 @@ enum {
   ROLLCON_CANCELLED       = 3,    /* stopped by the progress callback or by a cancel request */
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which */
   ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
+  ROLLCON_INACCURATE      = 6,    /* the accuracy asked for (option frame_accuracy) was not reached; statistic error_estimate says which was */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
@@ -713,9 +714,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_
 
 /*
  * Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
- * creepages and spin 0, all by motion, bodies posed as given. Frame and friction have no
- * standard, the gap only if a body has a mesh: solving without them is ROLLCON_ERR_STATE. At
- * least one of the bodies must be elastic.
+ * creepages and spin 0, all by motion, bodies posed as given. Without a frame the library makes
+ * one (rollcon_contact_frame_automatic). Friction has no standard, the gap only if a body has a
+ * mesh: solving without them is ROLLCON_ERR_STATE. At least one of the bodies must be elastic.
  *   body1    tractions are those on this body; n points out of it
  *   body2    may be of another context, and the same as body1
  *   contact  new handle
@@ -780,6 +781,67 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_contact *contact,
     int32_t which, int32_t tag);
+
+/*
+ * Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny elements of
+ * one size. Replaces nodes and elements of the frame and forgets the gap array and the creep and
+ * friction fields. Nodes come line by line along t1, from the least y. Linear quadrilaterals make
+ * a regular frame, which half-spaces solve by fast Fourier transforms.
+ *   type        ROLLCON_TRI3, TRI6, QUAD4, QUAD8 or QUAD9
+ *   nx          elements along t1, 1 to 30000
+ *   ny          elements along t2, 1 to 30000
+ *   x_least     along t1 from the origin of the axes, length
+ *   x_greatest  > x_least
+ *   y_least     along t2, likewise
+ *   y_greatest  > y_least
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_rectangle(rollcon_contact *contact,
+    int32_t type, int32_t nx, int32_t ny, double x_least, double x_greatest, double y_least,
+    double y_greatest);
+
+/*
+ * Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the rolling
+ * direction, as rollcon_contact_frame_strips makes them, on lines that lie closer towards the
+ * sides. It is meant to be the contact itself.
+ *   along    elements along each strip, 2 to 10000
+ *   across   strips, 2 to 10000
+ *   a        semi-axis at `angle` from t1, length, > 0
+ *   b        the other semi-axis, length, > 0
+ *   angle    radian, from t1 towards t2
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 4.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_ellipse(rollcon_contact *contact,
+    int32_t along, int32_t across, double a, double b, double angle);
+
+/*
+ * Makes strips along the rolling direction the frame: what the contact covers of lines at
+ * ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
+ * tractions grow like the square root of the distance. Nodes come line by line. Replaces the
+ * frame as rollcon_contact_frame_rectangle does. Nodes on the outline carry no traction
+ * (ROLLCON_EXCLUDED): bodies that overlap there are told as ROLLCON_RIM_CONTACT.
+ *   along    elements along each strip, 2 to 10000
+ *   n        lines, 3 to 10001
+ *   lines    [n][3]; y of each line, ascending, and the least and greatest x that the contact
+ *            covers of it, the first less than the second (equal on the first and the last line,
+ *            if it is a point), length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 4.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_contact *contact,
+    int32_t along, int64_t n, const double *lines);
+
+/*
+ * Leaves the frame to the library, as in a new contact: solves then find the contact from the
+ * quadratic gap and from load or approach, fit two frames of strips to its edge, one twice as
+ * fine as the other, extrapolate their results, and take finer pairs until the option
+ * frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces, moment, approach,
+ * creepages, their sensitivities and the statistics contact_area and error_estimate are the
+ * extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace.
+ * Source: docs/theory.md, section 4.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_automatic(rollcon_contact *contact);
 
 /*
  * Says where a body with a mesh stands: x = rotation x_body + translation, at approach 0.
@@ -1034,7 +1096,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_request_cancel(rollcon_c
  * allowed. Nodes that are never to touch may have any gap, with the option "system" = monolithic
  * up to that limit.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE,
  *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_OPTION, ROLLCON_ERR_UNSUPPORTED,
  *   ROLLCON_ERR_LOAD.
  * Source: docs/theory.md; contact laws: equations (16) to (24) of the paper.

@@ -17,6 +17,7 @@ ROOMS = [
     ["bodies"],
     ["contact"],
     ["procedures"],
+    ["framing"],
     ["capi"],
 ]
 # The same inside a room; "" is what lies flat in it, "*" each folder that is not named.

@@ -4,6 +4,7 @@
 
 #include "build_info.hpp"
 #include "capi/guard.hpp"
+#include "framing/automatic_frames.hpp"
 #include "procedures/published.hpp"
 #include "support/input_checks.hpp"
 
@@ -36,7 +37,8 @@ rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* bo
     require_pointer(contact, "contact");
     auto object = std::make_shared<Object>();
     object->context = parent.context;
-    object->contact = std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published);
+    object->contact =
+        std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published, make_frame_maker);
     *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
   });
 }

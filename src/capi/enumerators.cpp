@@ -17,6 +17,7 @@ static_assert(same(Status::no_contact, ROLLCON_NO_CONTACT));
 static_assert(same(Status::cancelled, ROLLCON_CANCELLED));
 static_assert(same(Status::rim_contact, ROLLCON_RIM_CONTACT));
 static_assert(same(Status::coarse, ROLLCON_COARSE));
+static_assert(same(Status::inaccurate, ROLLCON_INACCURATE));
 static_assert(same(Status::err_argument, ROLLCON_ERR_ARGUMENT));
 static_assert(same(Status::err_handle, ROLLCON_ERR_HANDLE));
 static_assert(same(Status::err_nonfinite, ROLLCON_ERR_NONFINITE));

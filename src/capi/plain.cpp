@@ -125,6 +125,12 @@ rollcon_status rollcon_contact_frame_from_body(rollcon_contact *contact, int32_t
   });
 }
 
+rollcon_status rollcon_contact_frame_automatic(rollcon_contact *contact) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.forget_frame();
+  });
+}
+
 rollcon_status rollcon_contact_set_pose(rollcon_contact *contact, int32_t which,
     const double *rotation, const double *translation) {
   return with_contact(__func__, contact, [&](Contact& self) {

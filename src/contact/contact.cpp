@@ -5,8 +5,10 @@
 #include <string>
 
 #include "contact/cases/solve_many.hpp"
+#include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/solution.hpp"
@@ -115,16 +117,30 @@ void tell_caveats(const SolverState& s, Status status, const Context& context) {
 void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
   if (s.procedure.standard()) {
     run_standard(s, options, monitor);
-    return;
+  } else {
+    if (!s.published) s.published = s.make_published();
+    s.published->run(s, options, monitor);
   }
-  if (!s.published) s.published = s.make_published();
-  s.published->run(s, options, monitor);
+  // What nodes_at_rim() looks at.
+  const Problem& p = s.prepared->problem;
+  if (s.prepared->ends_at_edge && p.op->normal)
+    for (std::size_t k = 0; k < p.used.size(); ++k)
+      if (!p.used[k]) s.iterate.update_gap(p, static_cast<std::int64_t>(k));
 }
 
 std::int64_t nodes_at_rim(const SolverState& s) {
   const std::uint8_t* rim = s.prepared->frame.rim.data();
   const double* normal = s.iterate.lambda[2].data();
   std::int64_t count = 0;
+  if (s.prepared->ends_at_edge) {
+    // Friction of unlike bodies moves the contact's edge a little.
+    constexpr double overlap = 0.05;  // of the approach
+    const Problem& p = s.prepared->problem;
+    const double depth = s.given.approach_of(s.iterate.motion, p.datum);
+    for (std::size_t k = 0; k < s.prepared->frame.rim.size(); ++k)
+      count += rim[k] && p.rigid_gap(k, s.iterate.motion[approach]) - s.iterate.image[2][k] < -overlap * depth;
+    return count;
+  }
   for (std::size_t k = 0; k < s.prepared->frame.rim.size(); ++k)
     count += static_cast<std::int64_t>(rim[k] != 0) & static_cast<std::int64_t>(normal[k] < 0);
   return count;
@@ -156,15 +172,20 @@ Status status_of(const SolverState& s) {
 }
 
 Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
-                 MakePublished published)
+                 MakePublished published, MakeFrameMaker frames)
     : context_(std::move(context)),
       body1_(std::move(body1)),
       body2_(std::move(body2)),
-      state_(std::make_unique<SolverState>()) {
+      state_(std::make_unique<SolverState>()),
+      make_frames_(frames) {
   state_->make_published = published;
   if (body1_->rigid() && body2_->rigid())
     fail(Status::err_argument, "body1 and body2 are both rigid: at least one body must be elastic (%s)",
          elastic_kinds().c_str());
+}
+
+Contact::Contact(Contact& lead) : Contact(lead.context_, lead.body1_, lead.body2_, lead.state_->make_published) {
+  cancel_ = lead.cancel_;
 }
 
 Contact::~Contact() = default;
@@ -212,9 +233,44 @@ void Contact::reset() {
   s.history.clear();
   s.merit.clear();
   s.timings = {};
+  if (frames_) frames_->reset();
+}
+
+void Contact::follow(const Contact& lead) {
+  scene.follow(lead.scene);
+  progress_ = lead.progress_;
+  progress_user_ = lead.progress_user_;
 }
 
 Status Contact::solve() {
+  // A request belongs to the solve during which it was made.
+  cancel_->store(false);
+  coarser_ = nullptr;
+  if (scene.frame_given() || !make_frames_) return solve_on_frame();
+  if (!frames_) frames_ = make_frames_();
+  return frames_->solve(*this);
+}
+
+void Contact::extrapolate_from(const Contact& coarse) {
+  extrapolate(*state_, *coarse.state_);
+  state_->timings.total += coarse.state_->timings.total;
+  coarser_ = &coarse;
+}
+
+double Contact::modulus() {
+  prepare_bodies(*state_, *body1_, *body2_);
+  return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
+}
+
+double Contact::error_estimate() const {
+  return find_error_estimate(*state_).worst();
+}
+
+void Contact::log(LogLevel level, const std::string& text) const {
+  context_->log(level, "%s", text.c_str());
+}
+
+Status Contact::solve_on_frame() {
   try {
     return solve_scene();
   } catch (const Cancelled&) {
@@ -235,17 +291,16 @@ Status Contact::solve_scene() {
   s.solved = s.derived = s.laws_checked = s.settled = false;
   s.sensitivities.forget();
   s.error_estimate = {};
+  s.extrapolated.reset();
   s.timings = {};
   s.history.clear();
   s.history.reserve(8 * history_rows);
   s.merit.clear();
   s.merit.reserve(history_rows);
   const BlasThreads blas(context_->threads());
-  Watch watch(s, *context_, progress_, progress_user_, cancel_, start);
-  // A request belongs to the solve during which it was made.
-  cancel_.store(false);
+  Watch watch(s, *context_, progress_, progress_user_, *cancel_, start);
   {
-    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
+    const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
   }
   s.revision_solved = scene.revision;
@@ -284,18 +339,22 @@ Status Contact::solve_scene() {
 
 Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   SolverState& s = *state_;
+  if (!scene.frame_given() && make_frames_)
+    fail(Status::err_state,
+         "no frame was given, and the cases of a list share one: call rollcon_contact_frame_ellipse or another maker "
+         "of frames; frames made for each load alone are those of rollcon_contact_solve");
   // What was set since the last solve makes its results those of another scene.
   if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) {
     s.solved = s.derived = s.laws_checked = false;
     s.sensitivities.forget();
     s.error_estimate = {};
   }
-  cancel_.store(false);
-  const CaseHost host{*context_, progress_, progress_user_, cancel_};
+  cancel_->store(false);
+  const CaseHost host{*context_, progress_, progress_user_, *cancel_};
   try {
     s.settled = false;
     const BlasThreads blas(context_->threads());
-    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
+    const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
     s.settled = true;
   } catch (const Cancelled&) {

@@ -17,13 +17,29 @@ namespace rollcon {
 
 struct CaseList;     // contact/cases/solve_many.hpp
 struct CaseResults;  // contact/cases/solve_many.hpp
+struct Rates;        // contact/solution.hpp
 struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
+
+class Contact;
+
+/// Solves contacts whose frame nobody gave, on frames that it makes (src/framing/).
+class FrameMaker {
+ public:
+  virtual ~FrameMaker() = default;
+  /// As Contact::solve.
+  virtual Status solve(Contact& contact) = 0;
+  /// Forgets warm starts.
+  virtual void reset() = 0;
+};
+using MakeFrameMaker = std::unique_ptr<FrameMaker> (*)();
 
 class Contact {
  public:
-  /// published: makes the published procedures; null where the build has none.
+  /// published: makes the published procedures; null where the build has none. frames: null: the scene has one.
   Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
-          MakePublished published = nullptr);
+          MakePublished published = nullptr, MakeFrameMaker frames = nullptr);
+  /// Of the same bodies; solves with follow() and solve_on_frame() as part of a solve of `lead`, which outlives it.
+  explicit Contact(Contact& lead);
   ~Contact();
 
   Scene scene;  ///< setters live here
@@ -34,10 +50,21 @@ class Contact {
 
   void set_progress(ProgressFunction function, void* user);
   /// Stops the solve that is running, if one is. Any thread.
-  void request_cancel() noexcept { cancel_.store(true); }
+  void request_cancel() noexcept { cancel_->store(true); }
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
+  /// The same on the scene's frame, whoever made it; for frame makers.
+  Status solve_on_frame();
+  /// Takes over everything but the frame from the scene of the lead.
+  void follow(const Contact& lead);
+  /// Both are solved on frames of one family: results become what they tend to. coarse outlives them.
+  void extrapolate_from(const Contact& coarse);
+  /// E* of the pair; prepares the bodies.
+  double modulus();
+  /// As the statistic error_estimate of the last solve.
+  double error_estimate() const;
+  void log(LogLevel level, const std::string& text) const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
   /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
   /// last solution unless something was set since.
@@ -73,6 +100,7 @@ class Contact {
 
  private:
   Status solve_scene();
+  const Rates& rates(Parameter parameter) const;
   void clear_state();
 
   std::shared_ptr<Context> context_;
@@ -80,7 +108,11 @@ class Contact {
   std::unique_ptr<SolverState> state_;
   ProgressFunction progress_ = nullptr;
   void* progress_user_ = nullptr;
-  std::atomic<bool> cancel_{false};
+  std::atomic<bool> cancel_here_{false};
+  std::atomic<bool>* cancel_ = &cancel_here_;  ///< the lead's, if there is one
+  MakeFrameMaker make_frames_ = nullptr;
+  std::unique_ptr<FrameMaker> frames_;  ///< made when a frame is
+  const Contact* coarser_ = nullptr;    ///< that the last results were extrapolated from
 };
 
 }  // namespace rollcon

@@ -6,6 +6,7 @@
 
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/results/extrapolation.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
 #include "contact/solution.hpp"
@@ -154,7 +155,10 @@ void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
 void Contact::resultant(InAxes axes, double* force, double* moment) const {
   require_solution(*state_, scene);
   Vec3 f, m;
-  sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
+  if (state_->extrapolated)
+    f = state_->extrapolated->force, m = state_->extrapolated->moment;
+  else
+    sum_tractions(state_->prepared->problem, state_->prepared->frame, state_->iterate.lambda, f, m);
   const Triad local = triad_of(state_->prepared->frame.axes);
   if (force) put(local, axes, f[0], f[1], f[2], force);
   if (moment) put(local, axes, m[0], m[1], m[2], moment);
@@ -162,9 +166,16 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 
 void Contact::motion(double* depth, double* creep) const {
   require_solution(*state_, scene);
-  const auto& m = state_->iterate.motion;
-  if (depth) *depth = state_->given.approach_of(m, state_->prepared->problem.datum);
+  auto m = state_->iterate.motion;
+  m[approach] = state_->given.approach_of(m, state_->prepared->problem.datum);
+  if (state_->extrapolated) m = state_->extrapolated->motion;
+  if (depth) *depth = m[approach];
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
+}
+
+const Rates& Contact::rates(Parameter parameter) const {
+  require_operators(*state_);
+  return find_rates(*state_, parameter);
 }
 
 void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth, double* creep) const {
@@ -174,7 +185,8 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
     fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
   const BlasThreads blas(context_->threads());
   require_operators(s);
-  const Rates& r = find_rates(s, parameter);
+  Rates r = find_rates(s, parameter);
+  if (coarser_) r = beyond(r, coarser_->rates(parameter));
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
   if (depth) *depth = r.motion[approach];

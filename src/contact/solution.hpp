@@ -46,6 +46,13 @@ struct ErrorEstimate {
   double worst() const { return tangential <= normal || normal != normal ? normal : tangential; }
 };
 
+/// What results on two frames of a family tend to (contact/results/extrapolation.hpp).
+struct Extrapolated {
+  Vec3 force{}, moment{};          ///< on body 1, about the origin, in the axes
+  std::array<double, 4> motion{};  ///< by Motion; the approach from no approach on
+  double area = 0;                 ///< in contact
+};
+
 /// Derivatives of results (contact/results/sensitivity.hpp), per unit of a parameter, in the axes.
 struct Rates {
   Vec3 force{}, moment{};          ///< on body 1, about the origin
@@ -85,6 +92,7 @@ class PublishedSolver {
 struct Prepared {
   Frame frame;
   FrameSource frame_source;                ///< as far as the body still has these faces
+  bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
   PairOfBodies pair;                       ///< where the bodies stood
   std::shared_ptr<Compliance> compliance;  ///< of the pair
   double accuracy = 0;
@@ -143,12 +151,15 @@ struct SolverState {
   std::vector<std::int32_t> status;
   Sensitivities sensitivities;
   ErrorEstimate error_estimate;
+  std::optional<Extrapolated> extrapolated;
   bool laws_checked = false;
   std::array<double, 4> laws{};  ///< normal, friction, slip, equilibrium
 
   std::size_t bytes() const;
 };
 
+/// As the first solve with them does. Throws Error naming the body.
+void prepare_bodies(SolverState& state, Body& body1, Body& body2);
 /// Brings everything that depends on the scene up to date; only what changed is done again.
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads);
 /// The dense operators, which the monolithic form leaves out: for what needs them after a solve.

@@ -16,6 +16,7 @@ enum class Status : std::int32_t {
   cancelled = 3,
   rim_contact = 4,
   coarse = 5,
+  inaccurate = 6,
   err_argument = -1,
   err_handle = -2,
   err_nonfinite = -3,

@@ -55,6 +55,10 @@ const char* const recorded_names[] = {
   "contact_set_frame_nodes",
   "contact_add_frame_elements",
   "contact_frame_from_body",
+  "contact_frame_rectangle",
+  "contact_frame_ellipse",
+  "contact_frame_strips",
+  "contact_frame_automatic",
   "contact_set_pose",
   "contact_set_axes",
   "contact_set_gap",
@@ -102,7 +106,7 @@ const char* const recorded_names[] = {
   "contact_from_id",
 };
 
-const int recorded_number = 95;
+const int recorded_number = 99;
 
 enum {
   recorded_rollcon_version,
@@ -155,6 +159,10 @@ enum {
   recorded_rollcon_contact_set_frame_nodes,
   recorded_rollcon_contact_add_frame_elements,
   recorded_rollcon_contact_frame_from_body,
+  recorded_rollcon_contact_frame_rectangle,
+  recorded_rollcon_contact_frame_ellipse,
+  recorded_rollcon_contact_frame_strips,
+  recorded_rollcon_contact_frame_automatic,
   recorded_rollcon_contact_set_pose,
   recorded_rollcon_contact_set_axes,
   recorded_rollcon_contact_set_gap,
@@ -606,6 +614,49 @@ rollcon_status rollcon_contact_frame_from_body(rollcon_contact *contact, int32_t
   record_handle(contact);
   record_integer(which);
   record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_frame_rectangle(rollcon_contact *contact, int32_t type,
+    int32_t nx, int32_t ny, double x_least, double x_greatest, double y_least,
+    double y_greatest) {
+  record_begin(recorded_rollcon_contact_frame_rectangle);
+  record_handle(contact);
+  record_integer(type);
+  record_integer(nx);
+  record_integer(ny);
+  record_real(x_least);
+  record_real(x_greatest);
+  record_real(y_least);
+  record_real(y_greatest);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_frame_ellipse(rollcon_contact *contact, int32_t along,
+    int32_t across, double a, double b, double angle) {
+  record_begin(recorded_rollcon_contact_frame_ellipse);
+  record_handle(contact);
+  record_integer(along);
+  record_integer(across);
+  record_real(a);
+  record_real(b);
+  record_real(angle);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_frame_strips(rollcon_contact *contact, int32_t along, int64_t n,
+    const double *lines) {
+  record_begin(recorded_rollcon_contact_frame_strips);
+  record_handle(contact);
+  record_integer(along);
+  record_integer(n);
+  record_reals(lines, n * 3);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_frame_automatic(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_frame_automatic);
+  record_handle(contact);
   return record_end();
 }
 

@@ -101,6 +101,14 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_add_frame_elements(object, 1, 1, a.integers, 1, 1));
   check("rollcon_contact_frame_from_body", false,
         rollcon_contact_frame_from_body(object, 1, 1));
+  check("rollcon_contact_frame_rectangle", false,
+        rollcon_contact_frame_rectangle(object, 1, 1, 1, 1, 1, 1, 1));
+  check("rollcon_contact_frame_ellipse", false,
+        rollcon_contact_frame_ellipse(object, 1, 1, 1, 1, 1));
+  check("rollcon_contact_frame_strips", false,
+        rollcon_contact_frame_strips(object, 1, 1, a.reals));
+  check("rollcon_contact_frame_automatic", false,
+        rollcon_contact_frame_automatic(object));
   check("rollcon_contact_set_pose", false,
         rollcon_contact_set_pose(object, 1, a.reals, a.reals));
   check("rollcon_contact_set_axes", false,

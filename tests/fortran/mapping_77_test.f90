@@ -41,6 +41,10 @@ program mapping_77_test
   call test_rcnodt()
   call test_rcelem()
   call test_rcfram()
+  call test_rcfrec()
+  call test_rcfell()
+  call test_rcfstr()
+  call test_rcfaut()
   call test_rcpose()
   call test_rcaxes()
   call test_rcgap()
@@ -616,6 +620,58 @@ contains
     call rcfram(icon, 11, 21, stat)
     call rclerr(message)
     call failed('contact_frame_from_body', stat, message)
+  end subroutine
+
+  subroutine test_rcfrec()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfrec(icon, 203, 21, 31, 4.5d0, 5.5d0, 6.5d0, 7.5d0, stat)
+    call told('contact_frame_rectangle', 'contact1 203 21 31 4.5 5.5 6.5 7.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfrec(icon, 203, 21, 31, 4.5d0, 5.5d0, 6.5d0, 7.5d0, stat)
+    call rclerr(message)
+    call failed('contact_frame_rectangle', stat, message)
+  end subroutine
+
+  subroutine test_rcfell()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfell(icon, 11, 21, 3.5d0, 4.5d0, 5.5d0, stat)
+    call told('contact_frame_ellipse', 'contact1 11 21 3.5 4.5 5.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfell(icon, 11, 21, 3.5d0, 4.5d0, 5.5d0, stat)
+    call rclerr(message)
+    call failed('contact_frame_ellipse', stat, message)
+  end subroutine
+
+  subroutine test_rcfstr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfstr(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call told('contact_frame_strips', 'contact1 11 2 [3.125 3.25 3.375 3.5 3.625 3.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfstr(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call rclerr(message)
+    call failed('contact_frame_strips', stat, message)
+  end subroutine
+
+  subroutine test_rcfaut()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfaut(icon, stat)
+    call told('contact_frame_automatic', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfaut(icon, stat)
+    call rclerr(message)
+    call failed('contact_frame_automatic', stat, message)
   end subroutine
 
   subroutine test_rcpose()

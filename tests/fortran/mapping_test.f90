@@ -17,6 +17,10 @@ program mapping_test
   call body_get_reaction()
   call body_get_stat()
   call contact_frame_from_body()
+  call contact_frame_rectangle()
+  call contact_frame_ellipse()
+  call contact_frame_strips()
+  call contact_frame_automatic()
   call contact_set_pose()
   call contact_set_axes()
   call contact_set_gap()
@@ -186,6 +190,61 @@ contains
     message = ''
     call contact%frame_from_body(11, 21, stat, message)
     call failed('contact_frame_from_body', stat, message)
+  end subroutine
+
+  subroutine contact_frame_rectangle()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%frame_rectangle(203_rc_int, 21, 31, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real, 7.5_rc_real, stat, &
+      message)
+    call told('contact_frame_rectangle', 'contact1 203 21 31 4.5 5.5 6.5 7.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%frame_rectangle(203_rc_int, 21, 31, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real, 7.5_rc_real, stat, &
+      message)
+    call failed('contact_frame_rectangle', stat, message)
+  end subroutine
+
+  subroutine contact_frame_ellipse()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%frame_ellipse(11, 21, 3.5_rc_real, 4.5_rc_real, stat=stat, errmsg=message)
+    call told('contact_frame_ellipse', 'contact1 11 21 3.5 4.5 0', stat)
+    call answers(ROLLCON_OK)
+    call contact%frame_ellipse(11, 21, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, stat, message)
+    call told('contact_frame_ellipse', 'contact1 11 21 3.5 4.5 5.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%frame_ellipse(11, 21, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, stat, message)
+    call failed('contact_frame_ellipse', stat, message)
+  end subroutine
+
+  subroutine contact_frame_strips()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%frame_strips(11, reshape([3.125_rc_real, 3.25_rc_real, 3.375_rc_real, 3.5_rc_real, 3.625_rc_real, &
+      3.75_rc_real], [3, 2]), stat, message)
+    call told('contact_frame_strips', 'contact1 11 2 [3.125 3.25 3.375 3.5 3.625 3.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%frame_strips(11, reshape([3.125_rc_real, 3.25_rc_real, 3.375_rc_real, 3.5_rc_real, 3.625_rc_real, &
+      3.75_rc_real], [3, 2]), stat, message)
+    call failed('contact_frame_strips', stat, message)
+  end subroutine
+
+  subroutine contact_frame_automatic()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%frame_automatic(stat, message)
+    call told('contact_frame_automatic', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%frame_automatic(stat, message)
+    call failed('contact_frame_automatic', stat, message)
   end subroutine
 
   subroutine contact_set_pose()

@@ -16,6 +16,7 @@ NO_CONTACT = 2
 CANCELLED = 3
 RIM_CONTACT = 4
 COARSE = 5
+INACCURATE = 6
 ERR_ARGUMENT = -1
 ERR_HANDLE = -2
 ERR_NONFINITE = -3
@@ -127,6 +128,7 @@ STATUS_NAMES = {
     3: "CANCELLED",
     4: "RIM_CONTACT",
     5: "COARSE",
+    6: "INACCURATE",
     -1: "ERR_ARGUMENT",
     -2: "ERR_HANDLE",
     -3: "ERR_NONFINITE",
@@ -208,6 +210,14 @@ FUNCTIONS = {
         c_void_p, c_int32, c_int64,
         POINTER(c_int32), c_int32, c_int32]),
     "rollcon_contact_frame_from_body": (c_int32, [c_void_p, c_int32, c_int32]),
+    "rollcon_contact_frame_rectangle": (c_int32, [
+        c_void_p, c_int32, c_int32, c_int32,
+        c_double, c_double, c_double, c_double]),
+    "rollcon_contact_frame_ellipse": (c_int32, [
+        c_void_p, c_int32, c_int32,
+        c_double, c_double, c_double]),
+    "rollcon_contact_frame_strips": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),
+    "rollcon_contact_frame_automatic": (c_int32, [c_void_p]),
     "rollcon_contact_set_pose": (c_int32, [
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
@@ -279,10 +289,10 @@ FUNCTIONS = {
 ENUMERATORS = {
     "status": {
         "ok": 0, "not_converged": 1, "no_contact": 2, "cancelled": 3, "rim_contact": 4, "coarse":
-        5, "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh": -4, "err_state":
-        -5, "err_option": -6, "err_capacity": -7, "err_singular": -8, "err_memory": -9,
-        "err_unsupported": -10, "err_busy": -11, "err_load": -12, "err_io": -13, "err_internal":
-        -99
+        5, "inaccurate": 6, "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh":
+        -4, "err_state": -5, "err_option": -6, "err_capacity": -7, "err_singular": -8,
+        "err_memory": -9, "err_unsupported": -10, "err_busy": -11, "err_load": -12, "err_io": -13,
+        "err_internal": -99
     },
     "body kind": {
         "fem": 1, "bem": 2, "halfspace": 3, "rigid": 4, "body_fem": 1, "body_bem": 2,
@@ -395,6 +405,15 @@ ARGUMENTS = {
         ""), ("tag", "")
     ],
     "rollcon_contact_frame_from_body": [("contact", ""), ("which", ""), ("tag", "")],
+    "rollcon_contact_frame_rectangle": [
+        ("contact", ""), ("type", "element type"), ("nx", ""), ("ny", ""), ("x_least", ""),
+        ("x_greatest", ""), ("y_least", ""), ("y_greatest", "")
+    ],
+    "rollcon_contact_frame_ellipse": [
+        ("contact", ""), ("along", ""), ("across", ""), ("a", ""), ("b", ""), ("angle", "")
+    ],
+    "rollcon_contact_frame_strips": [("contact", ""), ("along", ""), ("n", ""), ("lines", "")],
+    "rollcon_contact_frame_automatic": [("contact", "")],
     "rollcon_contact_set_pose": [
         ("contact", ""), ("which", ""), ("rotation", ""), ("translation", "")
     ],

@@ -161,6 +161,62 @@ class ContactPlain:
         """
         self._call("frame_from_body", which, tag)
 
+    def frame_rectangle(self, type, nx, ny, x_least, x_greatest, y_least, y_greatest):
+        """Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny
+        elements of one size. Replaces nodes and elements of the frame and forgets the gap array
+        and the creep and friction fields. Nodes come line by line along t1, from the least y.
+        Linear quadrilaterals make a regular frame, which half-spaces solve by fast Fourier
+        transforms.
+
+        type: TRI3, TRI6, QUAD4, QUAD8 or QUAD9.
+        nx: elements along t1, 1 to 30000.
+        ny: elements along t2, 1 to 30000.
+        x_least: along t1 from the origin of the axes, length.
+        x_greatest: > x_least.
+        y_least: along t2, likewise.
+        y_greatest: > y_least.
+        """
+        self._call("frame_rectangle", type, nx, ny, x_least, x_greatest, y_least, y_greatest)
+
+    def frame_ellipse(self, along, across, a, b, angle=0):
+        """Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the
+        rolling direction, as frame_strips() makes them, on lines that lie closer towards the
+        sides. It is meant to be the contact itself.
+
+        along: elements along each strip, 2 to 10000.
+        across: strips, 2 to 10000.
+        a: semi-axis at `angle` from t1, length, > 0.
+        b: the other semi-axis, length, > 0.
+        angle: radian, from t1 towards t2.
+        """
+        self._call("frame_ellipse", along, across, a, b, angle)
+
+    def frame_strips(self, along, lines):
+        """Makes strips along the rolling direction the frame: what the contact covers of lines at
+        ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
+        tractions grow like the square root of the distance. Nodes come line by line. Replaces the
+        frame as frame_rectangle() does. Nodes on the outline carry no traction (EXCLUDED): bodies
+        that overlap there are told as RIM_CONTACT.
+
+        along: elements along each strip, 2 to 10000.
+        lines: y of each line, ascending, and the least and greatest x that the contact covers of
+          it, the first less than the second (equal on the first and the last line, if it is a
+          point), length.
+        """
+        lines, lines_at = reals(lines, 3)
+        self._call("frame_strips", along, len(lines), lines_at)
+
+    def frame_automatic(self):
+        """Leaves the frame to the library, as in a new contact: solves then find the contact from
+        the quadratic gap and from load or approach, fit two frames of strips to its edge, one
+        twice as fine as the other, extrapolate their results, and take finer pairs until the
+        option frame_accuracy is met or INACCURATE says that it was not. Forces, moment, approach,
+        creepages, their sensitivities and the statistics contact_area and error_estimate are the
+        extrapolated ones; nodes and fields those of the finer frame, which the next solve may
+        replace.
+        """
+        self._call("frame_automatic")
+
     def set_axes(self, origin, rolling, normal):
         """Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent
         plane, t2 = n x t1. Vectors need not have unit length. Creepages, spin and moments belong

@@ -38,7 +38,10 @@ std::int64_t nodes_inside(const SolverState& s) {
   const std::vector<double>& normal = s.iterate.lambda[2];
   std::vector<std::uint8_t>& node = s.edge_of_contact;
   node.resize(normal.size());
-  for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 ? touching : 0;
+  // Beyond the last nodes that may touch there is an edge that is known.
+  const bool known = s.prepared->ends_at_edge;
+  const std::uint8_t* const used = s.prepared->frame.used.data();
+  for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 || (known && !used[k]) ? touching : 0;
   // Bytes may alias anything: what the loop reads is in locals.
   std::uint8_t* const state = node.data();
   const ElementType* const type = mesh.type.data();
@@ -62,7 +65,9 @@ std::int64_t nodes_inside(const SolverState& s) {
     }
     n += node_count(type[e]);
   }
-  return std::count(node.begin(), node.end(), touching);
+  std::int64_t inside = 0;
+  for (std::size_t k = 0; k < node.size(); ++k) inside += normal[k] < 0 && state[k] == touching;
+  return inside;
 }
 
 bool too_few_nodes(const SolverState& s) {

@@ -77,8 +77,13 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);
+    on.ends_at_edge = scene.ends_at_edge();
+    if (on.ends_at_edge)
+      for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
-    const bool same_size = frame.nodes() == on.frame.nodes() && preparation.mesh == scene.revision.mesh;
+    const bool same_size = preparation.mesh == scene.revision.mesh
+                               ? frame.nodes() == on.frame.nodes()
+                               : scene.ends_at_edge() && frame.mesh.connectivity == on.frame.mesh.connectivity;
     preparation.mesh = scene.revision.mesh;
     on.frame = std::move(frame);
     take_frame(on.problem, on.frame);
@@ -302,16 +307,19 @@ std::size_t SolverState::bytes() const {
          at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
+void prepare_bodies(SolverState& state, Body& body1, Body& body2) {
+  if (body1.prepared() && body2.prepared()) return;
+  const Stopwatch watch(state.timings.compliance);
+  prepare_body(body1, 1, state.work);
+  prepare_body(body2, 2, state.work);
+}
+
 void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, int threads) {
   state.work_before = state.work;
   state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.meshed() || body2.meshed());
-  if (!body1.prepared() || !body2.prepared()) {
-    const Stopwatch watch(state.timings.compliance);
-    prepare_body(body1, 1, state.work);
-    prepare_body(body2, 2, state.work);
-  }
+  prepare_bodies(state, body1, body2);
   Prepared& on = begin_preparation(state);
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
   build_frame_part(state, scene);

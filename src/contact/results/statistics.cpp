@@ -100,7 +100,10 @@ constexpr Statistic table[] = {
     {"overlap_depth",
      [](SolverState& s) { return initial_overlap(s.prepared->frame, s.prepared->problem.undeformed_gaps()).depth; }},
     {"contact_area",
-     [](SolverState& s) { return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; }); },
+     [](SolverState& s) {
+       if (s.extrapolated) return s.extrapolated->area;
+       return sum_in_contact(s, [&](std::size_t k) { return s.prepared->problem.cell_area[k]; });
+     },
      true},
     {"friction_power", [](SolverState& s) { return power_at_nodes(s); }, true},
     {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }, true},

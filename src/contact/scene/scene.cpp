@@ -36,8 +36,11 @@ bool replace(Load& held, Load value) {
 
 void Scene::require_frame_size(std::int64_t n, const char* what) const {
   require_count(n, "n");
-  if (mesh_.nodes() == 0)
-    fail(Status::err_state, "the frame has no nodes: call rollcon_contact_set_frame_nodes before %s", what);
+  if (!frame_given_ || mesh_.nodes() == 0)
+    fail(Status::err_state,
+         "%s is given node by node, and the frame has no nodes yet: call rollcon_contact_set_frame_nodes, "
+         "rollcon_contact_frame_ellipse, ... before",
+         what);
   if (n != mesh_.nodes())
     fail(Status::err_argument, "n is %lld; the frame has %lld nodes", static_cast<long long>(n),
          static_cast<long long>(mesh_.nodes()));
@@ -63,6 +66,10 @@ void Scene::set_gap_quadratic(double a, double b, double c) {
   quadratic_given_ = true;
   gap_given_ = false;
   ++revision.gap;
+}
+
+std::optional<std::array<double, 3>> Scene::quadratic_gap() const {
+  return quadratic_given_ ? std::optional(quadratic_) : std::nullopt;
 }
 
 double Scene::gap(std::int64_t k, double x, double y) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,14 @@ class Scene {
   /// The faces of body `which` (0 or 1) with that tag, nodes numbered anew in ascending order; those of body 2 are
   /// turned over. They follow the body's pose. Forgets what set_frame_nodes forgets.
   void set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag);
+  /// A frame in the plane of the axes that the library made. ends_at_edge: nodes on its outline lie where the contact
+  /// ends and carry no traction. given: asked for by the caller; else the next solve may take another one. Forgets what
+  /// set_frame_nodes forgets.
+  void set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given);
+  /// From now on the library makes the frame, as in a new scene.
+  void forget_frame();
+  /// Takes over what was set in another scene, apart from the frame and what is given node by node.
+  void follow(const Scene& lead);
   /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
   void set_axes(const double* origin, const double* rolling, const double* normal);
@@ -69,6 +78,8 @@ class Scene {
   void set_friction_field(std::int64_t n, const double* mu);
 
   const SurfaceMesh& mesh() const { return mesh_; }
+  bool frame_given() const { return frame_given_; }
+  bool ends_at_edge() const { return ends_at_edge_; }
   const FrameSource& frame_source() const { return frame_source_; }
   const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
   const Axes& axes() const { return axes_; }
@@ -76,6 +87,8 @@ class Scene {
   const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
   const std::vector<double>& creep_field() const { return creep_field_; }
   bool has_gap() const { return gap_given_ || quadratic_given_; }
+  /// a, b, c of set_gap_quadratic, where that is what was given last.
+  std::optional<std::array<double, 3>> quadratic_gap() const;
   /// Gap of node k at local coordinates (x, y); needs has_gap().
   double gap(std::int64_t k, double x, double y) const;
   double friction(std::int64_t k) const {
@@ -95,6 +108,7 @@ class Scene {
 
   SurfaceMesh mesh_;
   FrameSource frame_source_;
+  bool frame_given_ = false, ends_at_edge_ = false;
   std::array<Pose, 2> pose_{};
   Axes axes_;
   bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;

@@ -34,7 +34,41 @@ void Scene::set_frame_nodes(std::int64_t n, const double* x, std::int64_t node_s
   replace_frame(mesh_of_nodes(n, x, node_stride, component_stride, mesh_.index_base), {});
 }
 
+void Scene::set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given) {
+  mesh.index_base = mesh_.index_base;
+  replace_frame(std::move(mesh), {});
+  ends_at_edge_ = ends_at_edge;
+  frame_given_ = given;
+}
+
+void Scene::forget_frame() {
+  if (!frame_given_) return;
+  SurfaceMesh none;
+  none.index_base = mesh_.index_base;
+  none.offset.push_back(0);
+  replace_frame(std::move(none), {});
+  frame_given_ = false;
+}
+
+void Scene::follow(const Scene& lead) {
+  options = lead.options;
+  const std::int64_t mesh = revision.mesh;
+  revision = lead.revision;
+  revision.mesh = mesh;
+  pose_ = lead.pose_;
+  axes_ = lead.axes_;
+  quadratic_given_ = lead.quadratic_given_;
+  quadratic_ = lead.quadratic_;
+  speed_ = lead.speed_;
+  load_ = lead.load_;
+  friction_given_ = lead.friction_given_;
+  friction_ = lead.friction_;
+  law_ = lead.law_;
+}
+
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
+  frame_given_ = true;
+  ends_at_edge_ = false;
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;
@@ -49,6 +83,8 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
 
 void Scene::add_frame_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity,
                                std::int32_t index_base, std::int32_t tag) {
+  if (ends_at_edge_)
+    fail(Status::err_state, "the frame was made by the library: rollcon_contact_set_frame_nodes starts another one");
   if (frame_source_.body >= 0)
     fail(Status::err_state, "the frame was taken from body %d: rollcon_contact_set_frame_nodes starts another one",
          frame_source_.body + 1);

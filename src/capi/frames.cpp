@@ -1,0 +1,89 @@
+/// Frames that the library makes for a caller.
+
+#include <vector>
+
+#include "capi/guard.hpp"
+#include "contact/contact.hpp"
+#include "framing/makers.hpp"
+#include "support/input_checks.hpp"
+
+using namespace rollcon;
+using namespace rollcon::capi;
+
+namespace {
+
+constexpr std::int64_t most_intervals = 10'000, most_cells = 30'000;
+
+void require_within(std::int64_t value, std::int64_t least, std::int64_t most, const char* name) {
+  if (value < least || value > most)
+    fail(Status::err_argument, "%s is %lld; allowed: %lld to %lld", name, static_cast<long long>(value),
+         static_cast<long long>(least), static_cast<long long>(most));
+}
+
+void require_ascending(double less, const char* name, double greater, const char* name_of_greater) {
+  require_finite(less, name);
+  require_finite(greater, name_of_greater);
+  if (!(less < greater))
+    fail(Status::err_argument, "%s is %g and %s is %g; allowed: the first less than the second", name, less,
+         name_of_greater, greater);
+}
+
+void require_length(double value, const char* name) {
+  require_finite(value, name);
+  if (!(value > 0)) fail(Status::err_argument, "%s is %g; allowed: > 0", name, value);
+}
+
+}  // namespace
+
+rollcon_status rollcon_contact_frame_rectangle(rollcon_contact* contact, int32_t type, int32_t nx, int32_t ny,
+                                               double x_least, double x_greatest, double y_least, double y_greatest) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    if (!is_element_type(type))
+      fail(Status::err_argument, "type is %d; allowed: 203 (tri3), 206 (tri6), 214 (quad4), 218 (quad8), 219 (quad9)",
+           type);
+    require_within(nx, 1, most_cells, "nx");
+    require_within(ny, 1, most_cells, "ny");
+    require_ascending(x_least, "x_least", x_greatest, "x_greatest");
+    require_ascending(y_least, "y_least", y_greatest, "y_greatest");
+    const Rectangle bounds{x_least, x_greatest, y_least, y_greatest};
+    self.scene.set_made_frame(rectangle_mesh(self.scene.axes(), static_cast<ElementType>(type), nx, ny, bounds), false,
+                              true);
+  });
+}
+
+rollcon_status rollcon_contact_frame_ellipse(rollcon_contact* contact, int32_t along, int32_t across, double a,
+                                             double b, double angle) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_within(along, 2, most_intervals, "along");
+    require_within(across, 2, most_intervals, "across");
+    require_length(a, "a");
+    require_length(b, "b");
+    require_finite(angle, "angle");
+    self.scene.set_made_frame(strips_mesh(self.scene.axes(), strips_of_ellipse(a, b, angle, across), along), true,
+                              true);
+  });
+}
+
+rollcon_status rollcon_contact_frame_strips(rollcon_contact* contact, int32_t along, int64_t n, const double* lines) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_within(along, 2, most_intervals, "along");
+    require_within(n, 3, most_intervals + 1, "n");
+    require_pointer(lines, "lines");
+    require_finite(n, 3, lines, "lines", 0);
+    std::vector<Strip> strip;
+    for (std::int64_t i = 0; i < n; ++i) {
+      const double* l = lines + 3 * i;
+      if (i > 0 && !(l[0] > l[-3]))
+        fail(Status::err_argument, "y of lines %lld and %lld (counting from 0) is %g and %g; allowed: ascending",
+             static_cast<long long>(i - 1), static_cast<long long>(i), l[-3], l[0]);
+      const bool outer = i == 0 || i == n - 1;
+      if (!(l[2] > l[1] || (outer && l[2] == l[1])))
+        fail(Status::err_argument,
+             "line %lld (counting from 0) goes from %g to %g; allowed: ascending, and on the first and the last "
+             "line equal",
+             static_cast<long long>(i), l[1], l[2]);
+      strip.push_back({l[0], l[1], l[2]});
+    }
+    self.scene.set_made_frame(strips_mesh(self.scene.axes(), strip, along), true, true);
+  });
+}

@@ -1,0 +1,124 @@
+#include "framing/automatic_frames.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "framing/hertz.hpp"
+#include "framing/makers.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Intervals of the coarser frame of a pair, along and across the rolling direction; the finer one has twice as many.
+struct Level {
+  std::int64_t along, across;
+  /// Error of the finer frame that its pair shows on average, over random Hertzian contacts (docs/accuracy.md).
+  double usual;
+};
+constexpr std::array levels{Level{6, 4, 0.012}, Level{8, 6, 0.0053}, Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
+                            Level{24, 16, 0.0007}};
+
+/// Semi-axes, the first at `angle` from the rolling direction.
+struct Ellipse {
+  double semi1 = 0, semi2 = 0, angle = 0;
+  bool operator==(const Ellipse&) const = default;
+};
+
+class AutomaticFrames final : public FrameMaker {
+ public:
+  Status solve(Contact& contact) override {
+    const Ellipse ellipse = find_ellipse(contact);
+    if (level_ == levels.size()) level_ = first_level(contact.scene.options.frame_accuracy);
+    for (;; ++level_) {
+      const Status status = solve_on(contact, ellipse);
+      if (status != Status::ok) return status;
+      const double wanted = contact.scene.options.frame_accuracy, reached = contact.error_estimate();
+      if (reached <= wanted) return status;
+      if (level_ + 1 == levels.size()) {
+        contact.log(LogLevel::warning, "frames: the estimate of the error is " + std::to_string(100 * reached) +
+                                           " % on the finest frame, " + std::to_string(100 * wanted) +
+                                           " % was asked for (frame_accuracy)");
+        return Status::inaccurate;
+      }
+    }
+  }
+
+  void reset() override {
+    level_ = levels.size();
+    if (coarse_) coarse_->reset();
+  }
+
+ private:
+  static std::size_t first_level(double accuracy) {
+    std::size_t level = 0;
+    while (level + 1 < levels.size() && levels[level].usual > 1.1 * accuracy) ++level;
+    return level;
+  }
+
+  static Ellipse find_ellipse(Contact& contact) {
+    const Scene& scene = contact.scene;
+    const auto quadratic = scene.quadratic_gap();
+    if (!quadratic)
+      fail(Status::err_state,
+           "no frame was given: the library makes one where the gap is known between nodes, too "
+           "(rollcon_contact_set_gap_quadratic); else call rollcon_contact_frame_ellipse, "
+           "rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
+    const QuadraticGap gap{(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]};
+    if (!has_ellipse(gap))
+      fail(Status::err_state,
+           "no frame was given, and the gap %g x^2 + %g y^2 + %g x y does not grow in all directions: no ellipse "
+           "bounds the contact; call rollcon_contact_frame_rectangle or another maker of frames",
+           gap.a, gap.b, gap.c);
+    const Load& normal = scene.load(Direction::normal);
+    const double modulus = contact.modulus();
+    HertzContact hertz = normal.how == How::by_force ? hertz_by_load(gap, modulus, normal.value)
+                                                     : hertz_by_approach(gap, modulus, normal.value);
+    // Bodies that do not touch still have a frame: of the size under a thousandth of the radius of curvature.
+    if (!(hertz.larger > 0 && hertz.smaller > 0 && std::isfinite(hertz.larger)))
+      hertz = hertz_by_approach(gap, modulus, 1e-6 / (gap.a + gap.b));
+    return {hertz.larger, hertz.smaller, hertz.angle};
+  }
+
+  SurfaceMesh mesh(const Contact& contact, const Ellipse& e, const Level& level) const {
+    return strips_mesh(contact.scene.axes(), strips_of_ellipse(e.semi1, e.semi2, e.angle, level.across), level.along);
+  }
+
+  Status solve_on(Contact& contact, const Ellipse& ellipse) {
+    const Level& l = levels[level_];
+    if (!coarse_) coarse_ = std::make_unique<Contact>(contact);
+    if (!(ellipse == made_for_ && level_ == made_at_ && axes_ == contact.scene.revision.axes &&
+          mesh_ == contact.scene.revision.mesh)) {
+      contact.scene.set_made_frame(mesh(contact, ellipse, {2 * l.along, 2 * l.across, 0}), true, false);
+      coarse_->scene.set_made_frame(mesh(contact, ellipse, l), true, false);
+      made_for_ = ellipse;
+      made_at_ = level_;
+      axes_ = contact.scene.revision.axes;
+      mesh_ = contact.scene.revision.mesh;
+    }
+    coarse_->follow(contact);
+    const Status status = contact.solve_on_frame();
+    if (status != Status::ok) return status;
+    const Status coarse = coarse_->solve_on_frame();
+    if (coarse != Status::ok) return coarse;
+    contact.extrapolate_from(*coarse_);
+    return status;
+  }
+
+  std::unique_ptr<Contact> coarse_;
+  std::size_t level_ = levels.size();  ///< none yet
+  Ellipse made_for_;
+  std::size_t made_at_ = levels.size();
+  std::int64_t axes_ = -1, mesh_ = -1;  ///< revisions when it was made
+};
+
+}  // namespace
+
+std::unique_ptr<FrameMaker> make_frame_maker() {
+  return std::make_unique<AutomaticFrames>();
+}
+
+}  // namespace rollcon

@@ -1,0 +1,34 @@
+#pragma once
+/// Meshes of contact frames in the plane of the axes, from coordinates along t1 and t2.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+/// What a contact covers of a line along the rolling direction.
+struct Strip {
+  double y = 0, from = 0, to = 0;
+};
+
+/// A mesh whose lines of nodes are the strips, each with along + 1 nodes from end to end, graded to both ends by
+/// cosines: quadrilaterals, and triangles beside a first or last strip that is a point. At least three strips in
+/// ascending order of y, all but the outer ones longer than 0; along >= 2.
+SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int64_t along);
+
+/// across + 1 strips of an ellipse with these semi-axes, the first at `angle` (radian) from t1, at the heights h cos(pi
+/// j / across) from its centre.
+std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, std::int64_t across);
+
+struct Rectangle {
+  double x_least, x_greatest, y_least, y_greatest;
+};
+
+/// nx by ny elements of one size; triangles halve quadrilaterals along alternating diagonals. Nodes line by line from
+/// the least y. Any type.
+SurfaceMesh rectangle_mesh(const Axes& axes, ElementType type, std::int64_t nx, std::int64_t ny, const Rectangle& r);
+
+}  // namespace rollcon
