@@ -92,6 +92,8 @@ class PublishedSolver {
 struct Prepared {
   Frame frame;
   FrameSource frame_source;                ///< as far as the body still has these faces
+  bool placed = false;                     ///< a frame at a place of its own, which solves may change
+  FramePlace place;
   bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
   PairOfBodies pair;                       ///< where the bodies stood
   std::shared_ptr<Compliance> compliance;  ///< of the pair

@@ -22,19 +22,13 @@ struct Level {
 constexpr std::array levels{Level{6, 4, 0.012}, Level{8, 6, 0.0053}, Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
                             Level{24, 16, 0.0007}};
 
-/// Semi-axes, the first at `angle` from the rolling direction.
-struct Ellipse {
-  double semi1 = 0, semi2 = 0, angle = 0;
-  bool operator==(const Ellipse&) const = default;
-};
-
 class AutomaticFrames final : public FrameMaker {
  public:
   Status solve(Contact& contact) override {
-    const Ellipse ellipse = find_ellipse(contact);
+    const FramePlace place = find_place(contact);
     if (level_ == levels.size()) level_ = first_level(contact.scene.options.frame_accuracy);
     for (;; ++level_) {
-      const Status status = solve_on(contact, ellipse);
+      const Status status = solve_on(contact, place);
       if (status != Status::ok) return status;
       const double wanted = contact.scene.options.frame_accuracy, reached = contact.error_estimate();
       if (reached <= wanted) return status;
@@ -59,7 +53,7 @@ class AutomaticFrames final : public FrameMaker {
     return level;
   }
 
-  static Ellipse find_ellipse(Contact& contact) {
+  static FramePlace find_place(Contact& contact) {
     const Scene& scene = contact.scene;
     const auto quadratic = scene.quadratic_gap();
     if (!quadratic)
@@ -80,37 +74,39 @@ class AutomaticFrames final : public FrameMaker {
     // Bodies that do not touch still have a frame: of the size under a thousandth of the radius of curvature.
     if (!(hertz.larger > 0 && hertz.smaller > 0 && std::isfinite(hertz.larger)))
       hertz = hertz_by_approach(gap, modulus, 1e-6 / (gap.a + gap.b));
-    return {hertz.larger, hertz.smaller, hertz.angle};
+    return place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
   }
 
-  SurfaceMesh mesh(const Contact& contact, const Ellipse& e, const Level& level) const {
-    return strips_mesh(contact.scene.axes(), strips_of_ellipse(e.semi1, e.semi2, e.angle, level.across), level.along);
+  static SurfaceMesh mesh(std::int64_t along, std::int64_t across) {
+    return strips_mesh({}, strips_of_ellipse(1, 1, 0, across), along);
   }
 
-  Status solve_on(Contact& contact, const Ellipse& ellipse) {
+  Status solve_on(Contact& contact, const FramePlace& place) {
     const Level& l = levels[level_];
     if (!coarse_) coarse_ = std::make_unique<Contact>(contact);
-    if (!(ellipse == made_for_ && level_ == made_at_ && axes_ == contact.scene.revision.axes &&
-          mesh_ == contact.scene.revision.mesh)) {
-      contact.scene.set_made_frame(mesh(contact, ellipse, {2 * l.along, 2 * l.across, 0}), true, false);
-      coarse_->scene.set_made_frame(mesh(contact, ellipse, l), true, false);
-      made_for_ = ellipse;
-      made_at_ = level_;
-      axes_ = contact.scene.revision.axes;
-      mesh_ = contact.scene.revision.mesh;
-    }
     coarse_->follow(contact);
+    Scene &fine = contact.scene, &coarse = coarse_->scene;
+    if (level_ != made_at_ || mesh_ != fine.revision.mesh) {
+      fine.set_placed_frame(mesh(2 * l.along, 2 * l.across), place);
+      coarse.set_placed_frame(mesh(l.along, l.across), place);
+      made_at_ = level_;
+      mesh_ = fine.revision.mesh;
+      axes_ = fine.revision.axes;
+    } else if (!(place == fine.place()) || axes_ != fine.revision.axes) {
+      fine.place_frame(place);
+      coarse.place_frame(place);
+      axes_ = fine.revision.axes;
+    }
     const Status status = contact.solve_on_frame();
     if (status != Status::ok) return status;
-    const Status coarse = coarse_->solve_on_frame();
-    if (coarse != Status::ok) return coarse;
+    const Status below = coarse_->solve_on_frame();
+    if (below != Status::ok) return below;
     contact.extrapolate_from(*coarse_);
     return status;
   }
 
   std::unique_ptr<Contact> coarse_;
   std::size_t level_ = levels.size();  ///< none yet
-  Ellipse made_for_;
   std::size_t made_at_ = levels.size();
   std::int64_t axes_ = -1, mesh_ = -1;  ///< revisions when it was made
 };

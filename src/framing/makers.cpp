@@ -70,16 +70,20 @@ SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int
   return mesh.take();
 }
 
-std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, std::int64_t across) {
+FramePlace place_of_disc(double semi1, double semi2, double angle) {
   // x^T S^-1 x = 1 with S = [xx xy; xy yy].
   const double c = std::cos(angle), s = std::sin(angle);
   const double yy = semi1 * semi1 * s * s + semi2 * semi2 * c * c, xy = (semi1 - semi2) * (semi1 + semi2) * c * s;
-  const double height = std::sqrt(yy), half = semi1 * (semi2 / height);
-  const std::vector<double> part = graded(across);
+  const double width = std::sqrt(yy);
+  return {semi1 * (semi2 / width), width, xy / width};
+}
+
+std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, std::int64_t across) {
+  const FramePlace place = place_of_disc(semi1, semi2, angle);
   std::vector<Strip> strip;
-  for (const double p : part) {
-    const double y = (2 * p - 1) * height, middle = xy / yy * y, reach = 2 * half * std::sqrt(p * (1 - p));
-    strip.push_back({y, middle - reach, middle + reach});
+  for (const double p : graded(across)) {
+    const double height = 2 * p - 1, middle = place.shear * height, reach = place.length * 2 * std::sqrt(p * (1 - p));
+    strip.push_back({place.width * height, middle - reach, middle + reach});
   }
   return strip;
 }

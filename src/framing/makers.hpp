@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/scene/scene.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
@@ -18,6 +19,9 @@ struct Strip {
 /// cosines: quadrilaterals, and triangles beside a first or last strip that is a point. At least three strips in
 /// ascending order of y, all but the outer ones longer than 0; along >= 2.
 SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int64_t along);
+
+/// Of the unit disc: an ellipse with these semi-axes, the first at `angle` (radian) from t1.
+FramePlace place_of_disc(double semi1, double semi2, double angle);
 
 /// across + 1 strips of an ellipse with these semi-axes, the first at `angle` (radian) from t1, at the heights h cos(pi
 /// j / across) from its centre.

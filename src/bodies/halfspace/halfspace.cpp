@@ -64,6 +64,10 @@ class HalfspaceCompliance final : public Compliance {
   std::int64_t nodes() const override { return nodes_; }
   bool couples() const override { return c_.ck != 0; }
   std::shared_ptr<const TranslationKernel> translation() const override { return kernel_; }
+  bool follow_frame() override {
+    grouped_.store(false);
+    return true;
+  }
   std::int64_t kernel_evaluations() const override { return evaluations_.load(); }
   std::size_t bytes() const override {
     std::size_t sum = sizeof *this;
@@ -102,7 +106,7 @@ class HalfspaceCompliance final : public Compliance {
   std::shared_ptr<const TranslationKernel> kernel_;
   double tolerance_;
   int threads_;
-  mutable std::once_flag grouping_;
+  mutable std::mutex grouping_;
   mutable std::atomic<bool> grouped_{false};
   mutable std::vector<FarGroup> groups_;
   mutable std::int64_t largest_group_ = 0;
@@ -111,19 +115,21 @@ class HalfspaceCompliance final : public Compliance {
 
 // Some kilobytes per element that regular frames never ask for.
 void HalfspaceCompliance::require_groups() const {
-  std::call_once(grouping_, [this] {
-    groups_.clear();  // of an attempt that ran out of memory
-    std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
-    for (std::int64_t e = 0; e < frame_.elements(); ++e) {
-      const ElementGeometry shape = plane_geometry(frame_, e);
-      kinds[{shape.type, shape.map}].push_back(e);
-    }
-    for (auto& [kind, elements] : kinds) {
-      groups_.emplace_back(frame_, std::move(elements), kind.first, kind.second);
-      largest_group_ = std::max(largest_group_, groups_.back().size());
-    }
-    grouped_.store(true);
-  });
+  if (grouped_.load()) return;
+  const std::lock_guard lock(grouping_);
+  if (grouped_.load()) return;
+  groups_.clear();  // of an attempt that ran out of memory, or of another place
+  largest_group_ = 0;
+  std::map<std::pair<ElementType, MapKind>, std::vector<std::int64_t>> kinds;
+  for (std::int64_t e = 0; e < frame_.elements(); ++e) {
+    const ElementGeometry shape = plane_geometry(frame_, e);
+    kinds[{shape.type, shape.map}].push_back(e);
+  }
+  for (auto& [kind, elements] : kinds) {
+    groups_.emplace_back(frame_, std::move(elements), kind.first, kind.second);
+    largest_group_ = std::max(largest_group_, groups_.back().size());
+  }
+  grouped_.store(true);
 }
 
 template <class Work>

@@ -47,6 +47,7 @@ class HalfspaceRows final : public LatticeRows {
 class HalfspaceKernel final : public TranslationKernel {
  public:
   explicit HalfspaceKernel(HalfspaceConstants c) : c_(c) {}
+  bool scales() const override { return true; }
   bool couples() const override { return c_.ck != 0; }
   bool shears() const override { return c_.cv != 0; }
   std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,

@@ -76,6 +76,8 @@ class Compliance {
   virtual bool expand(Points /*points*/, ExpandedCompliance& /*out*/) const { return false; }
   /// What displacements by offset come from, under the frame's own shape functions; null: they depend on the place.
   virtual std::shared_ptr<const TranslationKernel> translation() const { return nullptr; }
+  /// The frame's nodes have moved, in its plane. False: has to be made again.
+  virtual bool follow_frame() { return false; }
   /// One line for the plan: model, how the frame lies on it.
   virtual std::string description() const { return {}; }
   /// OpenMP threads that block and apply may use.

@@ -42,6 +42,8 @@ class TranslationKernel {
   virtual bool couples() const = 0;
   /// False: tractions along t1 cause no displacement along t2, nor the reverse.
   virtual bool shears() const = 0;
+  /// Stretched with what is loaded, tractions held, displacements grow in the same ratio.
+  virtual bool scales() const { return false; }
   /// May not outlive the kernel.
   virtual std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,
                                                   OffsetReach reach) const = 0;

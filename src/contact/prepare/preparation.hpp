@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "contact/operators/dense_operators.hpp"
+#include "contact/prepare/operator_family.hpp"
+#include "contact/prepare/placed_frame.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {
@@ -43,19 +45,25 @@ struct Preparation {
   std::shared_ptr<Prepared> made = std::make_shared<Prepared>();
   /// The operators of `made` where their rows are formed: more can be added. Else null.
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
-  Revision mesh = -1;                              ///< of the frame
-  Stage<Revision, Revision, Poses> frame;          ///< mesh, axes, poses that turn or move it
-  Stage<Revision, Poses> rim;                      ///< frame, poses of bodies with a mesh
-  Stage<Revision, double> compliance;              ///< frame, accuracy
-  Stage<Revision, Scheme> convection;              ///< compliance, scheme
-  Stage<Revision> offset;                          ///< convection
-  Stage<Revision, Revision> friction;              ///< convection, revision
-  Stage<Revision, Revision, Revision, Poses> gap;  ///< frame, offset, revision, poses if measured
-  Stage<Revision, Revision, Revision> slip;        ///< convection, offset, revision
-  Stage<Revision> lattice;                         ///< frame
-  Stage<Revision, Revision, bool> scales;          ///< frame, rows, estimated
-  Revision offset_change = 0;                      ///< one is there, or there was one before
-  Revision rows = 0;                               ///< of the operators were assembled
+  Revision mesh = -1;  ///< of the frame
+  /// mesh, place if it cannot follow that, axes, poses that turn or move it
+  Stage<Revision, Revision, Revision, Poses> frame;
+  Stage<Revision, Revision> place;     ///< frame, revision
+  Stage<Revision, Poses> rim;          ///< frame, poses of bodies with a mesh
+  Stage<Revision, double> compliance;  ///< frame, accuracy
+  Stage<Revision, Scheme> convection;  ///< compliance, scheme
+  Stage<Revision> offset;              ///< convection
+  Stage<Revision, Revision> friction;  ///< convection, revision
+  /// frame, place, offset, revision, poses if measured
+  Stage<Revision, Revision, Revision, Revision, Poses> gap;
+  Stage<Revision, Revision, Revision> slip;  ///< convection, offset, revision
+  Stage<Revision> lattice;                   ///< frame
+  Stage<Revision, Revision, bool> scales;    ///< frame, rows, estimated
+  Revision offset_change = 0;                ///< one is there, or there was one before
+  Revision rows = 0;                         ///< of the operators were assembled
+  UnitFrame unit;                            ///< of a frame that is placed
+  OperatorFamily family;                     ///< likewise
+  int threads = 1;
   SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
 };
 

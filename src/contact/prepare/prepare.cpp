@@ -69,10 +69,34 @@ void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
 }
 
+// Whether a frame may be placed anew without being made again: a flat one above bodies that respond alike everywhere.
+bool follows_its_place(const PairOfBodies& pair) {
+  return !pair.body[0]->meshed() && !pair.body[1]->meshed();
+}
+
+void put_in_place(SolverState& state, const Scene& scene) {
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  on.place = scene.place();
+  preparation.unit.put_frame(on.place, scene.mesh().node, on.frame);
+  preparation.unit.put_problem(on.place, on.problem);
+  if (!on.compliance) return;
+  for (auto& own : state.body_compliance) own.reset();
+  state.published.reset();
+  if (!on.compliance->follow_frame()) return preparation.compliance.forget();
+  if (on.scheme == Scheme::characteristic)
+    preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
+  else
+    preparation.convection.forget();
+  // The blocks stay, to be filled again.
+  if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;
+}
+
 void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  if (preparation.frame.enter(scene.revision.mesh, scene.revision.axes, poses_of_frame(scene, on.pair))) {
+  const auto placed = follows_its_place(on.pair) ? 0 : scene.revision.place;
+  if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair))) {
     refuse_too_many_nodes(state, scene.mesh());
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
@@ -86,18 +110,24 @@ void build_frame_part(SolverState& state, const Scene& scene) {
                                : scene.ends_at_edge() && frame.mesh.connectivity == on.frame.mesh.connectivity;
     preparation.mesh = scene.revision.mesh;
     on.frame = std::move(frame);
+    on.place = scene.place();
     take_frame(on.problem, on.frame);
+    preparation.place.enter(preparation.frame.version(), scene.revision.place);
+    on.placed = scene.placed();
+    if (on.placed && !on.frame.curved()) preparation.unit.take_frame(on.frame, on.problem, on.place);
     if (!same_size) {
       state.iterate.resize(on.problem.nodes);
       state.warm_usable = false;
     }
   }
+  if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(state, scene);
   if (preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair))) find_rim(on.frame, on.pair);
 }
 
 void build_compliance(SolverState& state, const Scene& scene, int threads) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
+  preparation.threads = threads;
   if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy))
     return on.compliance->set_threads(threads);
   const Stopwatch watch(state.timings.compliance);
@@ -122,6 +152,8 @@ void build_stencils(SolverState& state, const Scene& scene) {
   else
     forget_operators(preparation);
   on.problem.convection = make_convection(on.frame, scheme);
+  if (scheme == Scheme::characteristic && on.placed && !on.frame.curved())
+    preparation.unit.take_convection(on.frame, on.problem.convection, on.place);
   ++state.work.stencils;
   on.scheme = scheme;
   preparation.field_rows = {};
@@ -217,8 +249,8 @@ void read_gap(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   const bool measured = !scene.has_gap();
-  if (!preparation.gap.enter(preparation.frame.version(), preparation.offset_change, scene.revision.gap,
-                             measured ? poses_of_meshes(scene, on.pair) : Poses{-1, -1}))
+  if (!preparation.gap.enter(preparation.frame.version(), preparation.place.version(), preparation.offset_change,
+                             scene.revision.gap, measured ? poses_of_meshes(scene, on.pair) : Poses{-1, -1}))
     return;
   ++state.work.gaps;
   Problem& p = on.problem;

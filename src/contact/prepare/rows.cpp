@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
@@ -33,6 +34,27 @@ void refuse_held_nodes(const Frame& frame, const Operators& op) {
          first, frame.mesh.index_base, held);
 }
 
+// Frames that are placed anew from solve to solve keep the operators of their shape.
+bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  if (!on.placed || on.frame.curved() || on.scheme != Scheme::characteristic) return false;
+  const auto kernel = on.compliance->translation();
+  if (!kernel || !kernel->scales()) return false;
+  const bool tangential = !state.frictionless;
+  preparation.family.belong_to(preparation.convection.version(), tangential);
+  const auto assemble = [&](const FramePlace& place, DenseOperators& op) {
+    Frame frame = on.frame;
+    Convection convection = on.problem.convection;
+    preparation.unit.put_frame(place, on.frame.mesh.node, frame);
+    preparation.unit.put_convection(place, frame, convection);
+    const auto compliance = make_pair_compliance(frame, on.pair, on.accuracy, preparation.threads);
+    assemble_operators(frame, *compliance, convection, tangential, op);
+  };
+  assemblies = preparation.family.fill(on.place, std::cref(assemble), *preparation.dense);  // copies nothing
+  return true;
+}
+
 }  // namespace
 
 void assemble_missing(SolverState& state) {
@@ -42,11 +64,15 @@ void assemble_missing(SolverState& state) {
   DenseOperators& op = *preparation.dense;
   if (op.normal && (state.frictionless || op.tangential)) return;
   const Stopwatch watch(state.timings.compliance);
-  if (!fill_from_table(state))
+  std::int64_t assemblies = 1;
+  const bool stretched = fill_from_family(state, assemblies);
+  if (!stretched && !fill_from_table(state))
     assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op);
-  refuse_held_nodes(on.frame, op);
-  op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty());
-  ++state.assemblies;
+  if (!stretched) {  // by bodies without supports
+    refuse_held_nodes(on.frame, op);
+    op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty());
+  }
+  state.assemblies += assemblies;
   state.iterate.invalidate();
   ++preparation.rows;
   state.newton.operators_changed();
@@ -57,7 +83,9 @@ void choose_scales(SolverState& state) {
   const bool estimate = !state.procedure.standard();
   Preparation& preparation = *state.preparation;
   Problem& problem = preparation.made->problem;
-  if (!preparation.scales.enter(preparation.frame.version(), estimate ? 0 : preparation.rows, estimate)) return;
+  if (!preparation.scales.enter(preparation.frame.version(), estimate ? preparation.place.version() : preparation.rows,
+                                estimate))
+    return;
   estimate ? estimate_scales(problem) : set_scales(problem);
   ++state.work.scales;
   state.newton.operators_changed();

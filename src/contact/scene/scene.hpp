@@ -28,9 +28,16 @@ struct Load {
 /// kinematics: speed and creep field; load: what is prescribed, creepages included. mesh: nodes and elements of the
 /// frame; a frame that moves with its body counts as pose alone.
 struct Revisions {
-  std::int64_t mesh = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
+  std::int64_t mesh = 0, place = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
   std::array<std::int64_t, 2> pose{};
   bool operator==(const Revisions&) const = default;
+};
+
+/// Where a mesh of the unit disc, or another that was given in the axes, lies as a frame: x = length X + shear Y, y =
+/// width Y.
+struct FramePlace {
+  double length = 1, width = 1, shear = 0;
+  bool operator==(const FramePlace&) const = default;
 };
 
 /// Where a frame that was taken from a body comes from.
@@ -60,6 +67,13 @@ class Scene {
   /// ends and carry no traction. given: asked for by the caller; else the next solve may take another one. Forgets what
   /// set_frame_nodes forgets.
   void set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given);
+  /// A frame of the library's choice that ends at the contact's edge: a mesh with nodes (X, Y, 0), to be placed anew
+  /// where contacts change.
+  void set_placed_frame(SurfaceMesh mesh, const FramePlace& place);
+  /// Of such a frame; follows the axes, too.
+  void place_frame(const FramePlace& place);
+  bool placed() const { return !unplaced_.empty(); }
+  const FramePlace& place() const { return place_; }
   /// From now on the library makes the frame, as in a new scene.
   void forget_frame();
   /// Takes over what was set in another scene, apart from the frame and what is given node by node.
@@ -109,6 +123,8 @@ class Scene {
   SurfaceMesh mesh_;
   FrameSource frame_source_;
   bool frame_given_ = false, ends_at_edge_ = false;
+  std::vector<Vec3> unplaced_;  ///< nodes of a placed frame; empty: it is none
+  FramePlace place_;
   std::array<Pose, 2> pose_{};
   Axes axes_;
   bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;

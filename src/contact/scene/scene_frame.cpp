@@ -41,6 +41,21 @@ void Scene::set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given) {
   frame_given_ = given;
 }
 
+void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place) {
+  set_made_frame(std::move(mesh), true, false);
+  unplaced_ = mesh_.node;
+  place_frame(place);
+}
+
+void Scene::place_frame(const FramePlace& place) {
+  place_ = place;
+  ++revision.place;
+  for (std::size_t k = 0; k < unplaced_.size(); ++k) {
+    const double x = place.length * unplaced_[k][0] + place.shear * unplaced_[k][1], y = place.width * unplaced_[k][1];
+    mesh_.node[k] = axes_.origin + x * axes_.t1 + y * axes_.t2;
+  }
+}
+
 void Scene::forget_frame() {
   if (!frame_given_) return;
   SurfaceMesh none;
@@ -52,9 +67,10 @@ void Scene::forget_frame() {
 
 void Scene::follow(const Scene& lead) {
   options = lead.options;
-  const std::int64_t mesh = revision.mesh;
+  const std::int64_t mesh = revision.mesh, place = revision.place;
   revision = lead.revision;
   revision.mesh = mesh;
+  revision.place = place;
   pose_ = lead.pose_;
   axes_ = lead.axes_;
   quadratic_given_ = lead.quadratic_given_;
@@ -69,6 +85,8 @@ void Scene::follow(const Scene& lead) {
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   frame_given_ = true;
   ends_at_edge_ = false;
+  unplaced_.clear();
+  place_ = {};
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;

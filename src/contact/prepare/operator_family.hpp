@@ -1,0 +1,47 @@
+#pragma once
+/// Dense operators of a frame that is stretched from solve to solve, above bodies that respond alike everywhere and at
+/// all sizes: those of one shape serve all sizes, those of other shapes are interpolated (docs/theory.md, section 4).
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "contact/operators/dense_operators.hpp"
+#include "contact/scene/scene.hpp"
+
+namespace rollcon {
+
+class OperatorFamily {
+ public:
+  /// Integrals for a frame at a place; fills the rows that `op` is to have.
+  using Assemble = std::function<void(const FramePlace&, DenseOperators& op)>;
+
+  /// Whose operators they are; another number forgets all.
+  void belong_to(std::int64_t version, bool tangential);
+  /// The operators at a place, into blocks that are there or are made at the first call. How many were assembled.
+  std::int64_t fill(const FramePlace& place, const Assemble& assemble, DenseOperators& op);
+  std::size_t bytes() const;
+
+ private:
+  /// At width 1.
+  struct Entry {
+    double length = 0, shear = 0;
+    std::int64_t step = none;  ///< on the grid of shapes; none: beside it
+    DenseOperators op;
+  };
+  static constexpr std::int64_t none = INT64_MIN;
+
+  const Entry* beside_grid(double length, double shear) const;
+  const Entry& on_grid(std::int64_t step, const Assemble& assemble);
+  Entry& add(double length, double shear, std::int64_t step, const Assemble& assemble);
+  void forget_farthest(double length);
+
+  std::int64_t version_ = none;
+  bool tangential_ = false;
+  double last_length_ = 0;
+  std::int64_t assemblies_ = 0;
+  std::vector<std::unique_ptr<Entry>> entry_;
+};
+
+}  // namespace rollcon

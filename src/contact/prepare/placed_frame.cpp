@@ -1,0 +1,61 @@
+#include "contact/prepare/placed_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rollcon {
+
+void UnitFrame::take_frame(const Frame& frame, const Problem& problem, const FramePlace& place) {
+  const std::size_t n = frame.x.size();
+  const double stretch = place.length * place.width;
+  for (auto* v : {&x_, &y_, &weight_, &cell_area_, &moment_x_, &moment_y_}) v->resize(n);
+  area_ = frame.area / stretch;
+  for (std::size_t k = 0; k < n; ++k) {
+    y_[k] = frame.y[k] / place.width;
+    x_[k] = (frame.x[k] - place.shear * y_[k]) / place.length;
+    weight_[k] = frame.weight[k] / stretch;
+    cell_area_[k] = frame.cell_area[k] / stretch;
+    moment_y_[k] = problem.moment_y[k] / (stretch * place.width);
+    moment_x_[k] = (problem.moment_x[k] / stretch - place.shear * moment_y_[k]) / place.length;
+  }
+}
+
+void UnitFrame::take_convection(const Frame& frame, const Convection& convection, const FramePlace& place) {
+  ahead_.resize(frame.x.size());
+  for (std::size_t k = 0; k < ahead_.size(); ++k) ahead_[k] = convection.ahead[k] / place.length;
+}
+
+void UnitFrame::put_frame(const FramePlace& place, const std::vector<Vec3>& node, Frame& frame) const {
+  const double stretch = place.length * place.width;
+  std::copy(node.begin(), node.end(), frame.mesh.node.begin());
+  frame.area = area_ * stretch;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    frame.x[k] = place.length * x_[k] + place.shear * y_[k];
+    frame.y[k] = place.width * y_[k];
+    frame.weight[k] = stretch * weight_[k];
+    frame.cell_area[k] = stretch * cell_area_[k];
+  }
+}
+
+void UnitFrame::put_problem(const FramePlace& place, Problem& problem) const {
+  const double stretch = place.length * place.width;
+  problem.length = std::sqrt(area_ * stretch);
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    problem.weight[k] = stretch * weight_[k];
+    problem.cell_area[k] = stretch * cell_area_[k];
+    problem.moment_x[k] = stretch * (place.length * moment_x_[k] + place.shear * moment_y_[k]);
+    problem.moment_y[k] = stretch * place.width * moment_y_[k];
+  }
+}
+
+void UnitFrame::put_convection(const FramePlace& place, const Frame& frame, Convection& convection) const {
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    const double ahead = place.length * ahead_[k];
+    convection.ahead[k] = ahead;
+    convection.factor[k] = ahead > 0 ? 1 / ahead : 0;
+    convection.slip_x[k] = frame.x[k] + ahead / 2;
+    convection.slip_y[k] = frame.y[k];
+  }
+}
+
+}  // namespace rollcon

@@ -1,0 +1,30 @@
+#pragma once
+/// Frames that keep their shape but for a stretch: what depends on the frame alone follows it without being made again.
+
+#include <vector>
+
+#include "contact/operators/convection/convection.hpp"
+#include "contact/problem/problem.hpp"
+#include "contact/scene/scene.hpp"
+
+namespace rollcon {
+
+/// A flat frame and its characteristic scheme as they would be on the mesh before it was placed (FramePlace).
+class UnitFrame {
+ public:
+  /// From the frame at `place`.
+  void take_frame(const Frame& frame, const Problem& problem, const FramePlace& place);
+  void take_convection(const Frame& frame, const Convection& convection, const FramePlace& place);
+
+  /// In place: nothing is allocated. node: where they are then.
+  void put_frame(const FramePlace& place, const std::vector<Vec3>& node, Frame& frame) const;
+  void put_problem(const FramePlace& place, Problem& problem) const;
+  void put_convection(const FramePlace& place, const Frame& frame, Convection& convection) const;
+
+ private:
+  double area_ = 0;
+  std::vector<double> x_, y_, weight_, cell_area_, moment_x_, moment_y_;
+  std::vector<double> ahead_;
+};
+
+}  // namespace rollcon
