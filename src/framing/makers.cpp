@@ -1,5 +1,6 @@
 #include "framing/makers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -75,7 +76,10 @@ FramePlace place_of_disc(double semi1, double semi2, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   const double yy = semi1 * semi1 * s * s + semi2 * semi2 * c * c, xy = (semi1 - semi2) * (semi1 + semi2) * c * s;
   const double width = std::sqrt(yy);
-  return {semi1 * (semi2 / width), width, xy / width};
+  // Of angles at right angles to the rolling direction, whose cosines are no zeros.
+  constexpr double rounding = 1e-15;
+  const double shear = xy / width;
+  return {semi1 * (semi2 / width), width, std::abs(shear) < rounding * std::max(semi1, semi2) ? 0 : shear};
 }
 
 std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, std::int64_t across) {

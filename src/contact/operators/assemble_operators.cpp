@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <span>
 
 #include "contact/operators/dense_operators.hpp"
 #include "support/index.hpp"
@@ -75,8 +75,14 @@ struct Wanted {
 class Assembly {
  public:
   Assembly(const Frame& frame, const Compliance& compliance, const Convection& convection, const Wanted& wanted,
-           DenseOperators& op)
-      : frame_(frame), compliance_(compliance), convection_(convection), wanted_(wanted), op_(op), n_(frame.nodes()) {
+           std::span<const std::int32_t> mirror, DenseOperators& op)
+      : frame_(frame),
+        compliance_(compliance),
+        convection_(convection),
+        wanted_(wanted),
+        mirror_(mirror),
+        op_(op),
+        n_(frame.nodes()) {
     for (int r = 0; r < 3; ++r)
       for (int c = 0; c < 3; ++c) {
         if (!wanted.block[r][c]) continue;
@@ -89,15 +95,18 @@ class Assembly {
 
   void run() {
     const std::size_t nodes = at(n_);
-    std::vector<std::int32_t> needed(nodes);
-    std::iota(needed.begin(), needed.end(), 0);
+    std::vector<std::int32_t> needed;
+    for (std::size_t k = 0; k < nodes; ++k)
+      if (!mirrored(k)) needed.push_back(static_cast<std::int32_t>(k));
     in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_nodes(sample); });
-    if (!wanted_.slip()) return;
-    needed.clear();
-    for (std::size_t k = nodes; k < samples(); ++k)
-      if (used(k)) needed.push_back(static_cast<std::int32_t>(k));
-    in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_ahead(sample); });
-    scale();
+    if (wanted_.slip()) {
+      needed.clear();
+      for (std::size_t k = nodes; k < samples(); ++k)
+        if (used(k) && !mirrored(k - nodes)) needed.push_back(static_cast<std::int32_t>(k));
+      in_chunks(needed, [&](std::span<const std::int32_t> sample) { take_ahead(sample); });
+      scale();
+    }
+    if (!mirror_.empty()) fill_mirrored();
   }
 
  private:
@@ -107,6 +116,22 @@ class Assembly {
       check_interrupt();
       std::fill_n(block.row(first), std::min(chunk, block.rows() - first) * block.columns(), 0.0);
     }
+  }
+  /// Rows of this node are those of its mirror image.
+  bool mirrored(std::size_t k) const { return !mirror_.empty() && at(mirror_[k]) < k; }
+  /// Components along t2 change their sign.
+  void fill_mirrored() {
+    for (int r = 0; r < 3; ++r)
+      for (int c = 0; c < 3; ++c) {
+        if (!wanted_.block[r][c]) continue;
+        const double sign = (r == 1) == (c == 1) ? 1 : -1;
+        for (std::int64_t k = 0; k < n_; ++k) {
+          if (!mirrored(at(k))) continue;
+          const double* from = op_.block[r][c].row(mirror_[at(k)]);
+          double* to = op_.block[r][c].row(k);
+          for (std::int64_t j = 0; j < n_; ++j) to[j] = sign * from[mirror_[at(j)]];
+        }
+      }
   }
   std::size_t samples() const { return at(n_) + convection_.ahead.size(); }
   /// By a slip row.
@@ -178,6 +203,7 @@ class Assembly {
   const Compliance& compliance_;
   const Convection& convection_;
   const Wanted& wanted_;
+  std::span<const std::int32_t> mirror_;
   DenseOperators& op_;
   std::int64_t n_;
   RowMatrix<double> buffer_[3][3];
@@ -188,7 +214,7 @@ class Assembly {
 }  // namespace
 
 void assemble_operators(const Frame& frame, const Compliance& compliance, const Convection& convection,
-                        bool want_tangential, DenseOperators& op) {
+                        bool want_tangential, DenseOperators& op, std::span<const std::int32_t> mirror) {
   op.nodes = frame.nodes();
   op.coupled = compliance.couples() && !op.coupling_vanished;
   const bool slip = want_tangential || op.tangential, first = slip && !op.tangential;
@@ -200,7 +226,7 @@ void assemble_operators(const Frame& frame, const Compliance& compliance, const 
   for (int r = 0; r < 2; ++r)
     for (int c = 0; c < 3; ++c) wanted.block[r][c] = first && (c < 2 || op.coupled);
   op.require_memory_for(wanted.block);
-  Assembly(frame, compliance, convection, wanted, op).run();
+  Assembly(frame, compliance, convection, wanted, mirror, op).run();
   op.normal = true;
   op.tangential = slip;
   // A kernel knows whether it couples; under little friction the smallest coupling counts.

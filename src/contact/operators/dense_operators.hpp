@@ -41,7 +41,9 @@ class DenseOperators final : public Operators {
 
 /// Assembles the blocks asked for that are not there yet. Coupling blocks that turn out to be zero (two bodies that
 /// mirror each other) are dropped. docs/theory.md, sections 3 and 5.
+/// mirror, if not empty: node at (x, -y) for each node, of a frame that is its own mirror image above bodies that are,
+/// under the characteristic scheme; nodes of y < 0 before the others. Half the rows are assembled, the others mirrored.
 void assemble_operators(const Frame& frame, const Compliance& compliance, const Convection& convection,
-                        bool want_tangential, DenseOperators& op);
+                        bool want_tangential, DenseOperators& op, std::span<const std::int32_t> mirror = {});
 
 }  // namespace rollcon

@@ -18,6 +18,22 @@ void UnitFrame::take_frame(const Frame& frame, const Problem& problem, const Fra
     moment_y_[k] = problem.moment_y[k] / (stretch * place.width);
     moment_x_[k] = (problem.moment_x[k] / stretch - place.shear * moment_y_[k]) / place.length;
   }
+  find_mirror();
+}
+
+void UnitFrame::find_mirror() {
+  constexpr double same = 1e-12;
+  mirror_.clear();
+  bool upper = false;
+  for (std::size_t k = 0; k < x_.size(); ++k) {
+    // Line by line, images of the first nodes are among the last ones.
+    std::size_t image = x_.size();
+    for (std::size_t j = x_.size(); j-- > 0 && image == x_.size();)
+      if (std::abs(y_[j] + y_[k]) < same && std::abs(x_[j] - x_[k]) < same) image = j;
+    upper = upper || image < k;
+    if (image == x_.size() || (upper && image > k)) return mirror_.clear();
+    mirror_.push_back(static_cast<std::int32_t>(image));
+  }
 }
 
 void UnitFrame::take_convection(const Frame& frame, const Convection& convection, const FramePlace& place) {

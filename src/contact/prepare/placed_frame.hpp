@@ -1,6 +1,8 @@
 #pragma once
 /// Frames that keep their shape but for a stretch: what depends on the frame alone follows it without being made again.
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact/operators/convection/convection.hpp"
@@ -16,6 +18,9 @@ class UnitFrame {
   void take_frame(const Frame& frame, const Problem& problem, const FramePlace& place);
   void take_convection(const Frame& frame, const Convection& convection, const FramePlace& place);
 
+  /// Node at (X, -Y) for each; empty: there is none for some, or nodes of Y < 0 do not come first.
+  std::span<const std::int32_t> mirror() const { return mirror_; }
+
   /// In place: nothing is allocated. node: where they are then.
   void put_frame(const FramePlace& place, const std::vector<Vec3>& node, Frame& frame) const;
   void put_problem(const FramePlace& place, Problem& problem) const;
@@ -25,6 +30,9 @@ class UnitFrame {
   double area_ = 0;
   std::vector<double> x_, y_, weight_, cell_area_, moment_x_, moment_y_;
   std::vector<double> ahead_;
+  std::vector<std::int32_t> mirror_;
+
+  void find_mirror();
 };
 
 }  // namespace rollcon

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
@@ -49,7 +50,9 @@ bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
     preparation.unit.put_frame(place, on.frame.mesh.node, frame);
     preparation.unit.put_convection(place, frame, convection);
     const auto compliance = make_pair_compliance(frame, on.pair, on.accuracy, preparation.threads);
-    assemble_operators(frame, *compliance, convection, tangential, op);
+    const bool mirrors = place.shear == 0;
+    assemble_operators(frame, *compliance, convection, tangential, op,
+                       mirrors ? preparation.unit.mirror() : std::span<const std::int32_t>{});
   };
   assemblies = preparation.family.fill(on.place, std::cref(assemble), *preparation.dense);  // copies nothing
   return true;
