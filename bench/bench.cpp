@@ -49,9 +49,10 @@ bool trustworthy(std::int32_t status) {
 }  // namespace
 
 void Runner::emit(const Record& r) {
-  std::printf("%-12s %-15s %-12s %-26s %6lld nodes  %s = %.6g, error %+.3e  %.4f s  %lld it%s\n", r.case_name.c_str(),
-              r.method.c_str(), r.element.c_str(), r.mesh.c_str(), static_cast<long long>(r.nodes), r.quantity.c_str(),
-              r.value, r.error, r.seconds, static_cast<long long>(r.iterations),
+  std::printf("%-12s %-15s %-12s %-26s %6lld nodes  %s = %.6g, error %+.3e", r.case_name.c_str(), r.method.c_str(),
+              r.element.c_str(), r.mesh.c_str(), static_cast<long long>(r.nodes), r.quantity.c_str(), r.value, r.error);
+  if (r.moment_error) std::printf(", moment %.3e", *r.moment_error);
+  std::printf("  %.4f s  %lld it%s\n", r.seconds, static_cast<long long>(r.iterations),
               trustworthy(r.status) ? "" : "  (not converged)");
   for (const auto& [name, value] : r.extra) std::printf("    %s = %.6g\n", name.c_str(), value);
   std::fflush(stdout);
@@ -70,6 +71,7 @@ void Runner::write(const Record& r) {
   object.add("nodes", r.nodes).add("elements", r.elements).add("pairs", r.pairs);
   object.add("unknowns", r.unknowns).add("status", static_cast<std::int64_t>(r.status));
   object.add("quantity", r.quantity).add("value", r.value).add("error", r.error);
+  if (r.moment_error) object.add("moment_error", *r.moment_error);
   object.add("against", r.against).add("seconds", seconds).add("peak_bytes", r.peak_bytes);
   object.add("resident_bytes", r.resident_bytes).add("iterations", r.iterations);
   object.add("linear_iterations", r.linear_iterations);

@@ -4,11 +4,12 @@
 #include <cstdint>
 #include <cstdio>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "support/scene.hpp"
+#include "support/rolling_errors.hpp"
 
 namespace rollcon::bench {
 
@@ -16,7 +17,10 @@ struct Record {
   std::string case_name{}, method{}, model{}, mesh{};
   std::string element{};              ///< kind of element: with method and model it names a curve of a plot
   std::string quantity{}, against{};  ///< what `error` is of, and what it is against
-  double value = 0, error = 0;        ///< error relative unless `quantity` says otherwise
+  /// Relative and signed unless `quantity` says otherwise; of rolling cases that of the force vector, never negative.
+  double value = 0, error = 0;
+  /// Of rolling cases: |dMz| / (mu Fn sqrt(a b)); NaN where a plane problem has no moment.
+  std::optional<double> moment_error{};
   std::int64_t nodes = 0, elements = 0, pairs = 0, unknowns = 0;
   std::int32_t status = 0;
   double seconds = 0;  ///< wall, from arrays to results
@@ -28,6 +32,8 @@ struct Record {
   std::vector<std::pair<std::string, double>> extra{};
   std::vector<std::pair<std::string, std::vector<double>>> series{};  ///< by iteration
   std::string note{};                                                 ///< what the library said, if it refused
+
+  void judge(const scenes::RollingErrors& errors) { error = errors.force, moment_error = errors.moment; }
 };
 
 class Runner {

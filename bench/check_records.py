@@ -20,6 +20,8 @@ def faults(record):
         yield f"status {record['status']}"
     if not math.isfinite(record.get("error", math.nan)):
         yield "error is not a number"
+    if "moment_error" in record and not (record["error"] >= 0 and (record["moment_error"] or 0) >= 0):
+        yield "errors of rolling are never negative"
     if not record.get("seconds", {}).get("wall", 0) > 0:
         yield "no time"
 

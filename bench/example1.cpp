@@ -24,7 +24,7 @@ Record blank(const Runner& runner, const std::string& model, const std::string& 
   Record record{.case_name = "example1", .model = model};
   record.element = element;
   record.threads = runner.threads;
-  record.quantity = "creepage at Ft = 0.6271 mu Fn";
+  record.quantity = "creepage at Ft = 0.6271 mu Fn, turned like the force";
   return record;
 }
 
@@ -44,17 +44,16 @@ void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coa
       [](scenes::RollingPair& pair, int n) {
         pair.frame(graded_frame(n)).solve();
         const scenes::Solution s = pair.solution();
-        return std::array{s.creep[0], s.approach};
+        return std::vector{s.creep[0], s.approach};
       });
 }
 
 void solve(Runner& runner, Study& study, const Record& start, double across, const MakePair& make) {
   const double zone = example1::paper_ring().zone;
   solve_by_schemes(runner, start, make, [&](Record& record, const Solved& solved) {
-    record.value = solved.solution.creep[0];
     record.extra.emplace_back("approach", solved.solution.approach);
     record.extra.emplace_back("p0", scenes::mid_plane(solved.solution, zone, example1::width).p0);
-    study.add(record, across);
+    study.add(record, scenes::found_creepage(solved.solution, example1::mu * example1::load, example1::arm), across);
   });
 }
 
@@ -112,8 +111,8 @@ void run(Runner& runner) {
                     ring(surface, n), n, volume.quadratic);
   solve_on_graded(runner, study, blank(runner, "BEM on BEM", ""), quad8, runner.quick ? 3 : 4);
   solve_on_graded(runner, study, blank(runner, "FEM on FEM", ""), hex20, runner.quick ? 4 : 6);
-  study.compare("approach", combine(limits.second));
-  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edges");
+  study.compare("approach", combine(limits[1]));
+  study.emit(runner, symmetric_limit(combine(limits[0])), "own extrapolation, frames graded to the contact's edges");
 }
 
 }  // namespace

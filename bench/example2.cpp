@@ -62,7 +62,7 @@ void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coa
       [](scenes::RollingPair& pair, int n) {
         pair.frame(graded_frame(n)).solve();
         const scenes::Solution s = pair.solution();
-        return std::array{s.creep[0], s.approach};
+        return std::vector{s.creep[0], s.approach};
       });
 }
 
@@ -92,13 +92,13 @@ void run(Runner& runner) {
     Record blank{.case_name = "example2"};
     blank.model = on_block ? "FEM on BEM block" : "FEM on half-space";
     blank.threads = runner.threads;
-    blank.quantity = "creepage at Ft = 0.5373 mu Fn";
+    blank.quantity = "creepage at Ft = 0.5373 mu Fn, turned like the force";
     const auto solve = [&](double across, const MakePair& make) {
       solve_by_schemes(runner, blank, make, [&](Record& record, const Solved& solved) {
-        record.value = solved.solution.creep[0];
         record.extra.emplace_back("approach", solved.solution.approach);
         record.extra.emplace_back("p0", scenes::mid_plane(solved.solution, zone, example2::width).p0);
-        study.add(record, across);
+        const scenes::Solution& s = solved.solution;
+        study.add(record, scenes::found_creepage(s, example2::mu * example2::load, example2::arm), across);
       });
     };
     const auto zone_name = [](const std::string& element, int n) {
@@ -127,8 +127,8 @@ void run(Runner& runner) {
         return pair;
       });
     }
-    study.compare("approach", combine(limits.second));
-    study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edges");
+    study.compare("approach", combine(limits[1]));
+    study.emit(runner, symmetric_limit(combine(limits[0])), "own extrapolation, frames graded to the contact's edges");
   }
 }
 

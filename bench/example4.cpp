@@ -73,25 +73,32 @@ std::unique_ptr<scenes::RollingPair> roll(const scenes::MeshedBody& on, int thre
   return p;
 }
 
+const closed_forms::Hertz hertz =
+    closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
+                                      closed_forms::effective_modulus(example4::material), example4::depth);
+
+/// Forces and moment over those of half-spaces with this approach.
+scenes::RollingAnswer found(const scenes::Solution& s) {
+  return scenes::found_forces(s, example4::mu * hertz.load, std::sqrt(hertz.a * hertz.b));
+}
+
 /// Rings graded to the edge of the contact, on top of the wheel.
 SurfaceMesh graded_frame(int rings) {
-  const closed_forms::Hertz hertz =
-      closed_forms::hertz_from_approach(1 / (2 * example4::radius), 1 / (2 * example4::rail),
-                                        closed_forms::effective_modulus(example4::material), example4::depth);
   const double c = 1 / std::hypot(1, example4::cone), s = example4::cone * c;
   SurfaceMesh frame = scenes::graded_disc(hertz.a, hertz.b, rings);
   for (Vec3& x : frame.node) x = {x[0], c * x[1], example4::radius - s * x[1]};
   return frame;
 }
 
-/// Such rings on a fine wheel: longitudinal and normal force.
+/// Such rings on a fine wheel: tangential forces, moment and normal force.
 void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coarse, int rings, int threads) {
   add_frame_limits(
       limits, parts, coarse, rings, [&](int n) { return roll(wheel(kind, n), threads); },
       [](scenes::RollingPair& pair, int n) {
         pair.frame(graded_frame(n)).solve();
         const scenes::Solution solution = pair.solution();
-        return std::array{solution.force[0], -solution.force[2]};
+        const scenes::RollingAnswer answer = found(solution);
+        return std::vector{answer.force[0], answer.force[1], answer.moment, -solution.force[2]};
       });
 }
 
@@ -119,14 +126,13 @@ void run(Runner& runner) {
                     runner.threads);
   Record blank{.case_name = "example4"};
   blank.threads = runner.threads;
-  blank.quantity = "longitudinal force at creepage -9e-4 and approach 0.015 mm";
+  blank.quantity = "tangential force over mu Fn of half-spaces at creepage -9e-4 and approach 0.015 mm";
   const auto solve = [&](const BodyKind& kind, double across, const MakePair& make) {
     blank.model = kind.volume ? "FEM on rigid rail" : "BEM on rigid rail";
     solve_by_schemes(runner, blank, make, [&](Record& record, const Solved& solved) {
-      record.value = solved.solution.force[0];
       record.extra.emplace_back("normal_force", -solved.solution.force[2]);
       record.extra.emplace_back("p0", solved.pair->stat("max_pressure"));
-      study.add(record, across);
+      study.add(record, found(solved.solution), across);
     });
   };
   const auto zone_name = [](const BodyKind& kind, int n) {
@@ -153,8 +159,9 @@ void run(Runner& runner) {
       });
     }
   }
-  study.compare("normal_force", combine(limits.second));
-  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edge");
+  study.compare("normal_force", combine(limits[3]));
+  study.emit(runner, rolling_limit(combine(limits[0]), combine(limits[1]), combine(limits[2])),
+             "own extrapolation, frames graded to the contact's edge");
 }
 
 }  // namespace

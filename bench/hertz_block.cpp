@@ -47,7 +47,7 @@ void add_reference(FrameLimits& limits, const BodyKind& kind, int parts, int coa
       [&](scenes::RollingPair& pair, int n) {
         pair.frame(scenes::graded_disc(hertz.a, hertz.a, n)).solve();
         const scenes::Solution s = pair.solution();
-        return std::array{s.approach, scenes::fit_hertz(s, hertz.a, hertz.a).p0};
+        return std::vector{s.approach, scenes::fit_hertz(s, hertz.a, hertz.a).p0};
       });
 }
 
@@ -78,8 +78,8 @@ void run(Runner& runner) {
       const int parts = runner.quick ? 4 : 6;
       add_reference(limits, kind, parts, parts - 2, runner.quick ? 8 : 12, runner.threads);
     }
-  study.compare("p0", combine(limits.second));
-  study.emit(runner, combine(limits.first), "own extrapolation, frames graded to the contact's edge");
+  study.compare("p0", combine(limits[1]));
+  study.emit(runner, combine(limits[0]), "own extrapolation, frames graded to the contact's edge");
 }
 
 }  // namespace

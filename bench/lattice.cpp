@@ -67,7 +67,7 @@ void solve(Runner& runner, const Variant& v, int n, const char* operators) {
   RollingPair& pair = *solved.pair;
   const scenes::Solution& s = solved.solution;
   record.value = s.force[0] / (steady_rolling::mu * steady_rolling::hertz.load);
-  if (!v.rigid) record.error = steady_rolling::force_error(s, v.which);
+  if (!v.rigid) record.judge(steady_rolling::errors(s, v.which));
   record.extra.emplace_back("n", n);
   record.extra.emplace_back("applications", pair.stat("operator_applications"));
   record.extra.emplace_back("bytes_per_node",

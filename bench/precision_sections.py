@@ -1,10 +1,10 @@
 """Sections of the work-precision part: for each family of cases a pair of plots and a table."""
 
-import os
 from collections import defaultdict
 
+from errors import error_text, moment_error
 from precision_plots import Panel, panels
-from report import of_case, seconds
+from report import COARSE, contact_elements, contact_marks, of_case, seconds
 
 SCHEMES = ("godunov", "least_squares", "characteristic")
 TIME, MEMORY = "seconds, arrays to results", "peak memory, MB"
@@ -12,8 +12,6 @@ TIME, MEMORY = "seconds, arrays to results", "peak memory, MB"
 # Wall seconds of CONTACT published with its own performance tests: sequential, a workstation of
 # 2016, steady rolling with given creepages, SteadyGS; by elements that slip.
 PUBLISHED_2016 = [(1872, 4.8), (7735, 97.0), (30181, 2210.0)]
-LIMITS = os.path.join(os.path.dirname(os.path.abspath(__file__)),
-                      "../tests/data/steady_rolling_limits.csv")
 # CONTACT's published Carter example (user guide): 50 strips across the contact.
 PUBLISHED_STRIPS = [(50, 0.0125)]
 
@@ -60,10 +58,6 @@ def by_scheme(records, x, xlabel, marks=None, **kwargs):
     return row
 
 
-def error_text(r):
-    return f"{100 * r['error']:+.2g} %" if abs(r["error"]) >= 1e-4 else f"{100 * r['error']:+.1g} %"
-
-
 def memory_text(r):
     return f"{megabytes(r):.0f} MB" if megabytes(r) >= 1 else f"{megabytes(r):.1f} MB"
 
@@ -78,7 +72,7 @@ def size_table(records, columns):
         found.sort(key=lambda r: r["extra"]["across"])
         most = max(most, len(found))
         cells = [f"**{r['extra']['across']:.3g}**: {error_text(r)}, {seconds(wall(r))}, "
-                 f"{memory_text(r)}" for r in found]
+                 f"{memory_text(r)}" + (", coarse" if r["status"] == COARSE else "") for r in found]
         lines.append("| " + " | ".join(list(key) + cells) + " |")
     head = list(columns) + ["**size**: error, time, memory"] + [""] * (most - 1)
     return ("| " + " | ".join(head) + " |\n|" + " --- |" * len(head) + "\n" + "\n".join(lines) + "\n")
@@ -100,6 +94,10 @@ def reference_text(records):
     if floor > 0:
         text += (f", which is uncertain by {100 * floor:.2g} % (grey line: below it a curve says "
                  "nothing)")
+    if moment_error(r) is not None:
+        text += ". Plots: error of the force vector; table: that of the moment beside it"
+        if floor_of(records, "moment") > 0:
+            text += f", uncertain by {100 * floor_of(records, 'moment'):.2g} %"
     return text + "."
 
 
@@ -158,43 +156,21 @@ def plain(case, title, image_name, ylabel, note, y=error):
     return make
 
 
-def worst_coefficient(r):
-    return max(abs(r["extra"][f"error_{c}"]) for c in ("C11", "C22", "C23", "C33"))
-
-
 def kalker(records, images):
     found = of_case(records, "kalker_meshes")
     if not found:
         return ""
-    image = panels(f"{images}/precision_kalker.png", "worst error of the four",
-                   [by_scheme(found, wall, TIME, y=worst_coefficient),
-                    by_scheme(found, megabytes, MEMORY, y=worst_coefficient)])
+    image = panels(f"{images}/precision_kalker.png", "error of the force vector, worst of three",
+                   [by_scheme(found, wall, TIME), by_scheme(found, megabytes, MEMORY)])
     finest = [r for r in found if r["element"] == "tri6 rings" and r["method"] == "characteristic"]
     finest = max(finest, key=lambda r: r["extra"]["across"])["extra"]
-    listed = ", ".join(f"{c} {finest[c]:.4g} ({100 * finest['table_' + c]:+.1f} %)"
-                       for c in ("C11", "C22", "C23", "C33"))
+    listed = ", ".join(f"{c} {finest[c]:.4g}" for c in ("C11", "C22", "C23", "C32", "C33"))
     return section("Kalker's coefficients", found, image,
                    "Circle, nu = 1/4, creepages of 0.06 % of those at which all would slip; three "
-                   "solves on each frame. Plots: the worst of C11, C22, C23, C33; table: C11. "
-                   f"Finest tri6 rings beside Kalker's table: {listed}. Size: nodes across.",
+                   "solves on each frame (longitudinal creepage, lateral creepage, spin), the worst of their errors; "
+                   "the moment over what each carries at an arm of sqrt(a b). Finest tri6 rings: "
+                   f"{listed} (Kalker's table: 4.12, 3.67, 1.47, 1.47, 1.19). Size: nodes across.",
                    SCHEME | ELEMENT)
-
-
-def contact_marks(which):
-    """CONTACT's measured error and warm seconds by N (tests/data says how)."""
-    own = defaultdict(dict)
-    with open(LIMITS, encoding="utf-8") as lines:
-        for line in lines:
-            fields = line.strip().split(",")
-            kind, _, n = fields[1].partition("_") if len(fields) == 3 else ("", "", "")
-            if fields[0] == which and n.isdigit():
-                own[int(n)][kind] = float(fields[2])
-    return sorted((n, e["seconds"], e["error"]) for n, e in own.items())
-
-
-def contact_elements(n):
-    """Of N x N grids, nine tenths of their width in a circular contact."""
-    return 0.81 * 3.14159265 / 4 * n * n
 
 
 def steady_rolling(which):
@@ -202,9 +178,9 @@ def steady_rolling(which):
         found = of_case(records, "case_" + which)
         if not found:
             return ""
-        measured = contact_marks(which)
+        measured = contact_marks(records, which)
         marks = {"CONTACT, measured": [(t, e) for _, t, e in measured]}
-        image = panels(f"{images}/precision_case_{which}.png", "relative error of Fx",
+        image = panels(f"{images}/precision_case_{which}.png", "error of the force vector",
                        [by_scheme(found, wall, TIME),
                         by_scheme(found, warm, "seconds of a warm solve", marks),
                         by_scheme(found, megabytes, MEMORY)])
@@ -221,7 +197,7 @@ def steady_rolling(which):
         return section(f"Case ({which})", found, image,
                        "Circle, identical half-spaces, longitudinal creepage"
                        + (" and spin" if which == "b" else "")
-                       + ". CONTACT (black): its error against its own limit and its warm time, "
+                       + ". CONTACT (black): its error of the force vector against its own limit and its warm time, "
                        "N = 16 to 256, measured on one core of a machine of this kind; warm: solved "
                        "again after 1 % of change in creepage. Size: nodes across.",
                        SCHEME | ELEMENT,
@@ -277,7 +253,8 @@ def bodies(case, title, note, second, second_label):
         several = len({r["model"] for r in found}) > 2 or case == "example2"
         def named(r):
             return r["element"] + (", block" if "BEM block" in r["model"] else "")
-        image = panels(f"{images}/precision_{case}.png", "relative error",
+        ylabel = "error of the force vector" if case == "example4" else "error of the creepage"
+        image = panels(f"{images}/precision_{case}.png", ylabel,
                        [by_scheme(found, wall, TIME, name=named),
                         by_scheme(found, megabytes, MEMORY, name=named)])
         one = [r for r in found if r["method"] == "characteristic"]
@@ -301,7 +278,7 @@ SECTIONS = [
     steady_rolling("a"),
     steady_rolling("b"),
     kalker,
-    plain("creep_curve_meshes", "Creep-force curve", "creep_curve", "largest error of F/(mu P)",
+    plain("creep_curve_meshes", "Creep-force curve", "creep_curve", "error of the force vector, worst of eleven",
           "Eleven creepages from stick to slip on one frame, a/b = 1/2; time is that of the whole "
           "curve. Size: nodes across."),
     lame,

@@ -15,6 +15,8 @@ import subprocess
 import sys
 from collections import defaultdict
 
+import errors
+
 
 def load(path):
     with open(path, encoding="utf-8") as lines:
@@ -23,12 +25,14 @@ def load(path):
 
 # Parts of accuracy.md in their order; each command rewrites its own.
 PARTS = ("work-precision", "estimates", "half-spaces")
-TITLE = """# Accuracy, time and memory
+TITLE = f"""# Accuracy, time and memory
 
 First error over time and memory for every method, and which to choose; then the half-space scenes in
 detail. Bodies with a mesh in detail: [accuracy_bodies.md](accuracy_bodies.md) (boundary elements),
-[accuracy_fem.md](accuracy_fem.md) (finite elements). Times are of single runs, on a shared machine good
-to a few ten per cent. Errors are signed and relative unless said otherwise.
+[accuracy_fem.md](accuracy_fem.md) (finite elements). Times are of single runs on a shared machine: good to a few ten
+per cent where its load was below its cores, several times too long where it was above.
+
+{errors.MEANING}
 """
 
 
@@ -50,12 +54,22 @@ def write_part(path, part, text):
                 out.write(f"\n<!-- {name} -->\n{kept[name]}<!-- end of {name} -->\n")
 
 
+COARSE = 5
+
+
 def unfinished_text(records):
-    unfinished = [r for r in records if r["status"] not in (0, 4)]  # 4: rim, meant in the strips
-    if not unfinished:
-        return ""
-    return (f"{len(unfinished)} of {len(records)} solves did not converge: "
-            + "; ".join(f"{r['case']} {r['mesh']} {r['method']}" for r in unfinished) + ".\n\n")
+    unfinished = [r for r in records if r["status"] not in (0, 4, COARSE)]  # 4: rim, meant in the strips
+    coarse = [r for r in records if r["status"] == COARSE]
+    text = ""
+    if unfinished:
+        text += (f"{len(unfinished)} of {len(records)} solves did not converge: "
+                 + "; ".join(f"{r['case']} {r['mesh']} {r['method']}" for r in unfinished) + ".\n\n")
+    if coarse:
+        cases = dict.fromkeys(r["case"] for r in coarse)
+        text += (f"In {len(coarse)} of {len(records)} solves, of {', '.join(cases)}, too few nodes touch for the "
+                 "solution to mean anything (`ROLLCON_COARSE`). Tables say so, plots and comparisons leave them "
+                 "out.\n\n")
+    return text
 
 
 def of_case(records, *names):
@@ -128,8 +142,8 @@ def carter(records, docs):
     for r in of_case(records, "carter"):
         if not r["element"].startswith("quad4"):
             continue
-        rows.append([r["mesh"], r["method"], percent(r["error"], 3),
-                     percent(r["extra"]["error_traction_l2"]), r["iterations"],
+        rows.append([r["mesh"], r["method"], errors.percent(r["error"], 3),
+                     errors.percent(r["extra"]["error_traction_l2"]), r["iterations"],
                      seconds(r["seconds"]["wall"])])
         series[r["mesh"].split()[0] + ", " + r["method"].replace("_", " ")].append(
             (r["extra"]["across"], abs(r["error"])))
@@ -138,8 +152,8 @@ def carter(records, docs):
     image = plot(f"{docs}/images/accuracy_carter.png", "Carter: F/(mu P) at given creepage",
                  "nodes across the contact", "relative error", series)
     return ("## Carter: long strip, frames aligned with the flow\n\n"
-            "Middle section of a strip 40 half-widths long. CONTACT with 50 strips: force +1.25 %, "
-            "traction 1.54 %.\n\n"
+            "Middle section of a strip 40 half-widths long; a plane problem has no spin moment. CONTACT "
+            "with 50 strips: force 1.25 %, traction 1.54 %.\n\n"
             + table(["nodes across", "scheme", "force", "traction L2", "iterations", "cold"], rows)
             + f"\n![Carter]({image})\n")
 
@@ -150,31 +164,51 @@ def kalker(records, _docs):
         grouped[(r["extra"]["a_over_b"], r["extra"]["nu"])][r["quantity"]] = r
     if not grouped:
         return ""
-    names = ["C11", "C22", "C23", "C33"]
-    rows = [[f"{ratio:g}", f"{nu:g}"] + [f"{g[n]['value']:.4g} ({percent(g[n]['error'], 1)})"
-                                         if n in g else "-" for n in names]
-            for (ratio, nu), g in sorted(grouped.items())]
-    return ("## Kalker's creepage coefficients\n\n"
-            "In brackets: difference from Kalker's table, which has three digits.\n\n"
-            + table(["a/b", "nu"] + names, rows))
+    rows = []
+    for (ratio, nu), g in sorted(grouped.items()):
+        along, across, spin = (g[motion] for motion in ("longitudinal creepage", "lateral creepage", "spin"))
+        found = (along["value"], across["value"], spin["value"], across["extra"]["C32"],
+                 spin["extra"]["C33"])
+        rows.append([f"{ratio:g}", f"{nu:g}"] + [f"{c:.4g}" for c in found]
+                    + [f"{errors.percent(r['error'])}, {errors.percent(r['moment_error'])}"
+                       for r in (along, across, spin)])
+    return ("## Kalker's creepage coefficients\n\nRings of tri6, characteristic scheme. "
+            "C32 is C23 by the moment of lateral creepage; the two are equal in theory. Then, for each motion by "
+            "itself, errors of force vector and moment against Kalker's table, which has three digits; zeros by "
+            "symmetry. As hardly anything slips, not mu Fn but what is carried counts: the moment is over "
+            "F sqrt(a b), F the force (with spin the force or the moment over sqrt(a b), whichever is more).\n\n"
+            + table(["a/b", "nu", "C11", "C22", "C23", "C32", "C33", "longitudinal creepage: force, moment",
+                     "lateral creepage", "spin"], rows))
 
 
 def creep_curve(records, _docs):
     rows = [[f"{r['extra']['xi']:.1e}", f"{r['value']:.5f}", f"{r['extra']['contact']:.5f}",
-             f"{100 * r['error']:+.2f} %", r["iterations"], seconds(r["seconds"]["wall"])]
+             errors.percent(r["error"]), errors.percent(r["moment_error"], 4), r["iterations"],
+             seconds(r["seconds"]["wall"])]
             for r in of_case(records, "creep_curve")]
     if not rows:
         return ""
-    return ("## Creep-force curve\n\nDifference in per cent of mu P.\n\n"
-            + table(["creepage", "F/(mu P)", "CONTACT 44 x 48", "difference", "iterations", "time"],
+    return ("## Creep-force curve\n\nDifference of the force vector from CONTACT's longitudinal force, which is 1.5 % "
+            "above linear theory at the smallest creepage; lateral force and moment vanish by symmetry.\n\n"
+            + table(["creepage", "F/(mu P)", "CONTACT 44 x 48", "force differs by", "moment by", "iterations", "time"],
                     rows))
+
+
+def contact_marks(records, which):
+    """N, warm seconds and error of the force vector of CONTACT in case a or b, where its time is known."""
+    return sorted((r["extra"]["n"], r["seconds"]["wall"], r["error"])
+                  for r in of_case(records, f"case_{which}_contact"))
+
+
+def contact_elements(n):
+    """Of N x N grids, nine tenths of their width in a circular contact."""
+    return 0.81 * 3.14159265 / 4 * n * n
 
 
 def steady_rolling(records, docs):
     text = ""
     for which in ("a", "b"):
         rows, by_nodes, by_time = [], defaultdict(list), defaultdict(list)
-        contact_nodes, contact_time = [], []
         for r in of_case(records, "case_" + which):
             e = r["extra"]
             rings = r["element"] == "tri3 rings"
@@ -183,35 +217,39 @@ def steady_rolling(records, docs):
                 continue
             ratio = e.get("error_over_contact")
             time_ratio = e.get("warm_seconds_over_contact")
-            rows.append([r["mesh"], r["method"], r["pairs"], percent(r["error"]),
-                         percent(e.get("contact_error"))
-                         + ("*" if "contact_error" in e and "contact_seconds" not in e else ""),
+            rows.append([r["mesh"], r["method"], r["pairs"], errors.percent(r["error"]),
+                         errors.percent(r["moment_error"], 3),
+                         errors.percent(e.get("contact_error"))
+                         + ("*" if "contact_interpolated" in e else ""),
                          "-" if ratio is None else f"{ratio:.2f}",
                          r["iterations"], seconds(r["seconds"]["wall"]), seconds(e["warm_seconds"]),
                          seconds(e.get("contact_seconds")),
                          "-" if time_ratio is None else f"{time_ratio:.2g}"])
             name = r["mesh"].split()[0] + ", " + r["method"].replace("_", " ")
-            by_nodes[name].append((r["pairs"], abs(r["error"])))
-            by_time[name].append((e["warm_seconds"], abs(r["error"])))
-            if "contact_seconds" in e and r["method"] == "least_squares":
-                contact_nodes.append((r["pairs"], e["contact_error"]))
-                contact_time.append((e["contact_seconds"], e["contact_error"]))
+            by_nodes[name].append((r["pairs"], r["error"]))
+            by_time[name].append((e["warm_seconds"], r["error"]))
         if not rows:
             continue
-        by_nodes["CONTACT"], by_time["CONTACT"] = contact_nodes, contact_time
+        for n, time, error in contact_marks(records, which):
+            by_nodes["CONTACT"].append((contact_elements(n), error))
+            by_time["CONTACT"].append((time, error))
         first = plot(f"{docs}/images/accuracy_case_{which}_nodes.png",
-                     f"Case ({which}): error of Fx", "nodes in contact", "relative error", by_nodes)
+                     f"Case ({which}): error of the force vector", "nodes in contact", "relative error", by_nodes)
         second = plot(f"{docs}/images/accuracy_case_{which}_time.png",
-                      f"Case ({which}): error of Fx against time of a warm solve", "seconds",
-                      "relative error", by_time)
+                      f"Case ({which}): error of the force vector over time of a warm solve",
+                      "seconds", "relative error", by_time)
         text += (f"## Case ({which}) beside CONTACT\n\n"
                  "Circle, identical bodies, longitudinal creepage"
                  + (" and spin" if which == "b" else "")
                  + "; grids of N x N nodes, 90 % filled, and rings of triangles fitted to the "
-                 "contact. Warm: solved again after 1 % of change in creepage. CONTACT's error and "
-                 "warm time were measured on a machine of the same kind at N = 16, 32, 64, 128 "
-                 "and 256; * marks first-order interpolation between those.\n\n"
-                 + table(["frame", "scheme", "in contact", "Fx", "CONTACT", "ratio", "iterations",
+                 "contact. Force: error of the force vector; moment: of the spin moment over mu Fn a. Warm: solved "
+                 "again after 1 % of change in creepage. CONTACT's error is that of the force vector as "
+                 "well"
+                 + (" (its lateral force vanishes by symmetry), at N = 16, 32, 64, 128 and 256"
+                    if which == "a" else ", at N = 20, 40, 80, 112 and 224; that of its moment is not published")
+                 + "; * marks first-order interpolation between those. Its warm time was measured on a machine of the "
+                 "same kind.\n\n"
+                 + table(["frame", "scheme", "in contact", "force", "moment", "CONTACT's force", "ratio", "iterations",
                           "cold", "warm", "CONTACT warm", "time ratio"], rows)
                  + f"\n![nodes]({first})\n\n![time]({second})\n\n")
     return text
@@ -221,7 +259,8 @@ PAPER_FRAMES = ("673 quad4", "703 tri3", "1985 quad8", "2745 tri6")
 
 
 def example3(records, _docs):
-    rows = [[r["mesh"], r["method"], f"{r['value']:.5e}", percent(r["error"]),
+    rows = [[r["mesh"], r["method"], f"{r['value']:.5e}", errors.percent(r["error"], 3),
+             errors.percent(r["moment_error"], 4),
              f"{r['extra']['p0']:.1f}", r["iterations"], seconds(r["seconds"]["wall"]),
              seconds(r["seconds"]["compliance"]),
              f"{r['resident_bytes'] / 1e6:.0f} MB", seconds(r["extra"]["warm_seconds"]),
@@ -232,10 +271,11 @@ def example3(records, _docs):
         return ""
     uncertain = max(r["extra"]["uncertainty"] for r in of_case(records, "example3"))
     return ("## Example 3: sphere on a rigid plane, Ft = 0.75 mu Fn\n\n"
-            "Error of the creepage against what frames graded to the contact's edge extrapolate to "
-            f"(uncertain by {100 * uncertain:.2g} %). Cold: from arrays to tractions. Warm: creepage "
+            "Error of the creepage, turned like the force, against what frames graded to the contact's "
+            f"edge extrapolate to (uncertain by {100 * uncertain:.2g} %), and of the spin moment, zero by "
+            "symmetry. Cold: from arrays to tractions. Warm: creepage "
             "given, changed by 1 %.\n\n"
-            + table(["frame", "scheme", "creepage", "error", "p0, MPa", "iterations", "cold",
+            + table(["frame", "scheme", "creepage", "error", "moment", "p0, MPa", "iterations", "cold",
                      "of it compliance", "memory", "warm", "iterations", "allocations"], rows))
 
 
@@ -276,7 +316,8 @@ def blas_kernels():
 
 
 def processor():
-    return processor_name() + blas_kernels()
+    load = os.getloadavg()[2]
+    return f"{processor_name()}{blas_kernels()}, {os.cpu_count()} cores under a load of {load:.1f}"
 
 
 def processor_name():

@@ -85,20 +85,32 @@ Limit combine(std::span<const Limit> limits) {
 
 void add_frame_limits(FrameLimits& limits, int parts, int coarse, int lines,
                       const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
-                      const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve) {
-  std::array<std::vector<Sample>, 2> curve;
+                      const std::function<std::vector<double>(scenes::RollingPair&, int lines)>& solve) {
+  std::vector<std::vector<Sample>> curve;
   const auto fine = make(parts);
   for (const int n : {lines / 2, 3 * lines / 4, lines}) {
     const auto answer = solve(*fine, n);
-    for (std::size_t k = 0; k < 2; ++k) curve[k].push_back({1.0 * n, answer[k]});
+    curve.resize(answer.size());
+    for (std::size_t k = 0; k < answer.size(); ++k) curve[k].push_back({1.0 * n, answer[k]});
   }
   const auto rough = solve(*make(coarse), 3 * lines / 4);
-  for (std::size_t k = 0; k < 2; ++k) {
+  limits.resize(curve.size());
+  for (std::size_t k = 0; k < curve.size(); ++k) {
     const double body = rough[k] - curve[k][1].value;
     Limit limit = extrapolate(curve[k]);
     limit.uncertainty = std::hypot(limit.uncertainty, body);
-    (k == 0 ? limits.first : limits.second).push_back(limit);
+    limits[k].push_back(limit);
   }
+}
+
+RollingLimit rolling_limit(const Limit& longitudinal, const Limit& lateral, const Limit& moment) {
+  return {{{longitudinal.value, lateral.value}, moment.value},
+          std::hypot(longitudinal.uncertainty, lateral.uncertainty) / std::hypot(longitudinal.value, lateral.value),
+          moment.uncertainty};
+}
+
+RollingLimit symmetric_limit(const Limit& longitudinal) {
+  return rolling_limit(longitudinal, {}, {});
 }
 
 void add_size(Record& record, double across, double uncertainty) {
@@ -107,7 +119,14 @@ void add_size(Record& record, double across, double uncertainty) {
 }
 
 void Study::add(Record record, double across, bool trusted) {
-  entries_.push_back({std::move(record), across, trusted});
+  entries_.push_back({std::move(record), {}, across, trusted});
+}
+
+void Study::add(Record record, const scenes::RollingAnswer& found, double across, bool trusted) {
+  record.value = found.force[0];
+  record.extra.emplace_back("lateral", found.force[1]);
+  record.extra.emplace_back("moment", found.moment);
+  entries_.push_back({std::move(record), found, across, trusted});
 }
 
 Limit Study::limit(const std::string& extra) const {
@@ -130,11 +149,26 @@ void Study::compare(const std::string& name, const Limit& limit) {
 }
 
 void Study::emit(Runner& runner, const Limit& limit, const std::string& against) {
-  for (Entry& e : entries_) {
-    e.record.error = e.record.value / limit.value - 1;
-    e.record.against = against;
-    add_size(e.record, e.across, std::abs(limit.uncertainty / limit.value));
-    runner.emit(e.record);
+  const auto judge = [&](Record& record, std::size_t) { record.error = record.value / limit.value - 1; };
+  emit(runner, judge, std::abs(limit.uncertainty / limit.value), against);
+}
+
+void Study::emit(Runner& runner, const RollingLimit& limit, const std::string& against) {
+  const auto judge = [&](Record& record, std::size_t number) {
+    record.judge(scenes::rolling_errors(entries_[number].found, limit.answer));
+    record.extra.emplace_back("uncertainty_moment", limit.moment_uncertainty);
+  };
+  emit(runner, judge, limit.uncertainty, against);
+}
+
+void Study::emit(Runner& runner, const std::function<void(Record&, std::size_t number)>& judge, double uncertainty,
+                 const std::string& against) {
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    Record& record = entries_[k].record;
+    judge(record, k);
+    record.against = against;
+    add_size(record, entries_[k].across, uncertainty);
+    runner.emit(record);
   }
   entries_.clear();
 }

@@ -31,20 +31,30 @@ Limit extrapolate(std::vector<Sample> curve);
 /// whichever is more.
 Limit combine(std::span<const Limit> limits);
 
-/// Two quantities of a pair on frames of its own that grow finer, laid on bodies of fixed meshes.
-struct FrameLimits {
-  std::vector<Limit> first, second;  ///< one for each kind of body that was asked for
+/// Of the force vector, or what stands for it, relative; of the moment over mu Fn sqrt(a b).
+struct RollingLimit {
+  scenes::RollingAnswer answer{};
+  double uncertainty = 0, moment_uncertainty = 0;
 };
+RollingLimit rolling_limit(const Limit& longitudinal, const Limit& lateral, const Limit& moment);
+/// Lateral force and moment vanish by symmetry.
+RollingLimit symmetric_limit(const Limit& longitudinal);
+
+/// Quantities of a pair on frames of its own that grow finer, laid on bodies of fixed meshes: of each the limits on the
+/// kinds of bodies that were asked for.
+using FrameLimits = std::vector<std::vector<Limit>>;
 /// Appends what frames of lines/2, 3 lines/4 and `lines` extrapolate to on bodies of `parts`. Bodies of `coarse` parts
-/// tell how much the bodies' meshes may add; solve(pair, lines) reads the answers.
+/// tell how much the bodies' meshes may add; solve(pair, lines) reads the quantities.
 void add_frame_limits(FrameLimits& limits, int parts, int coarse, int lines,
                       const std::function<std::unique_ptr<scenes::RollingPair>(int parts)>& make,
-                      const std::function<std::array<double, 2>(scenes::RollingPair&, int lines)>& solve);
+                      const std::function<std::vector<double>(scenes::RollingPair&, int lines)>& solve);
 
 class Study {
  public:
   /// `trusted`: its curve (method, model, element) counts for the limit.
   void add(Record record, double across, bool trusted = true);
+  /// Of a rolling contact; the record's value is its longitudinal force, or what stands for it.
+  void add(Record record, const scenes::RollingAnswer& found, double across, bool trusted = true);
   /// From the trusted curves, of the records' values or of one of their extras.
   Limit limit(const std::string& extra = "") const;
   /// A second quantity, an extra `name`: gives every record its `error_name` relative to `limit`, and
@@ -52,10 +62,16 @@ class Study {
   void compare(const std::string& name, const Limit& limit);
   /// Errors relative to `limit`; `against` says where it is from.
   void emit(Runner& runner, const Limit& limit, const std::string& against);
+  /// The same of rolling contacts.
+  void emit(Runner& runner, const RollingLimit& limit, const std::string& against);
+  /// The same of records that `judge` gives their errors; the number counts them as they were added.
+  void emit(Runner& runner, const std::function<void(Record&, std::size_t number)>& judge, double uncertainty,
+            const std::string& against);
 
  private:
   struct Entry {
     Record record;
+    scenes::RollingAnswer found;
     double across;
     bool trusted;
   };

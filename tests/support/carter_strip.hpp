@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "support/frames.hpp"
+#include "support/rolling_errors.hpp"
 #include "support/strip.hpp"
 
 namespace rollcon::scenes {
@@ -40,14 +41,18 @@ inline std::vector<double> graded_nodes(int n) {
 
 struct CarterErrors {
   double load = 0, force = 0, traction = 0;
+  double force_ratio = 0;  ///< longitudinal force found, over mu P
 };
 
-/// Middle section against the closed form: normal load, F/(mu P) relative, and the relative L2 norm of the nodal
-/// tractions.
+/// Middle section against the closed form: normal load, force vector over mu P relative (none is lateral), and the
+/// relative L2 norm of the nodal tractions.
 inline CarterErrors compare(const Section& section) {
   CarterErrors error;
   error.load = section.load() / carter.hertz.load - 1;
-  error.force = section.force() / (carter.mu * section.load()) / carter.force_ratio() - 1;
+  const double unit = carter.mu * section.load();
+  error.force_ratio = section.force() / unit;
+  error.force =
+      rolling_errors({{error.force_ratio, section.lateral_force() / unit}, 0}, {{carter.force_ratio(), 0}, 0}).force;
   double difference = 0, norm = 0;
   for (std::size_t k = 1; k + 1 < section.x.size(); ++k) {
     const double width = 0.5 * (section.x[k + 1] - section.x[k - 1]);

@@ -214,4 +214,12 @@ double steady_rolling(const std::string& which_case, const std::string& quantity
   throw std::invalid_argument("steady_rolling: no entry " + which_case + " " + quantity);
 }
 
+std::map<int, double> steady_rolling_by_size(const std::string& which_case, const std::string& quantity) {
+  std::map<int, double> found;
+  for (const auto& row : read_table("steady_rolling_limits.csv"))
+    if (row[0] == which_case && row[1].starts_with(quantity + "_"))
+      found[std::stoi(row[1].substr(quantity.size() + 1))] = std::stod(row[2]);
+  return found;
+}
+
 }  // namespace rollcon::closed_forms

@@ -3,6 +3,7 @@
 /// Half-spaces; a: semi-axis along rolling (x), b: lateral; undeformed gap
 /// h = A x^2 + B y^2; 1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,8 @@ double no_slip_free_rolling(const Elastic& body1, const Elastic& body2, double l
 
 /// An entry of tests/data/steady_rolling_limits.csv; throws when there is none.
 double steady_rolling(const std::string& which_case, const std::string& quantity);
+/// Entries `quantity`_N by N.
+std::map<int, double> steady_rolling_by_size(const std::string& which_case, const std::string& quantity);
 
 /// Rows of a data file: comments (#) and the heading are skipped.
 std::vector<std::vector<std::string>> read_table(const std::string& file);

@@ -198,10 +198,9 @@ Judgement judge_steady_rolling(const std::string& which, const JudgedFrame& fram
   const Solution s = judge.solve(pair);
   // The force at the approach found: F goes with its power 3/2.
   judge.normal(1 - std::pow(s.approach / sr::hertz.approach, 1.5), "Hertz's closed form");
-  const double unit = sr::mu * sr::hertz.load;
-  const auto limit = [&](const char* what) { return unit * closed_forms::steady_rolling(which, what); };
-  const double across = which == "b" ? s.force[1] - limit("fy") : 0;
-  judge.tangential(std::hypot(s.force[0] - limit("fx"), across), "CONTACT extrapolated");
+  const auto limit = sr::limit(which).force;
+  judge.tangential(sr::mu * sr::hertz.load * sr::errors(s, which).force * std::hypot(limit[0], limit[1]),
+                   "CONTACT extrapolated");
   return judge.result();
 }
 

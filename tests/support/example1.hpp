@@ -22,6 +22,8 @@ inline const double hertz_p0 = 2 * (load / width) / (std::acos(-1.0) * hertz_a);
 /// At mid-plane of these rings, whose sides are free: quadratic boundary elements of 1400 to 1800 nodes (quad9, tri6,
 /// quad8) agree on it to 0.05 %.
 inline constexpr double fine_p0 = 106.7;
+/// Of the spin moment: mean semi-axis of a contact as long as the rings are wide.
+inline const double arm = std::sqrt(hertz_a * width / 2);
 inline const double carter_creepage = -mu * hertz_a / (radius / 2) * (1 - std::sqrt(1 - force_ratio));
 
 /// The paper's ring: 1472 nodes and quadrilaterals, 12 x 12 of them in the zone.

@@ -17,6 +17,8 @@ inline const closed_forms::Elastic ground{.shear = 1e6 / (2 * (1 + poisson)), .p
 /// A long cylinder on a half-space under the same load per length.
 inline const closed_forms::HertzLine hertz =
     closed_forms::hertz_line_from_load(radius, closed_forms::effective_modulus(ring, ground), load / width);
+/// Of the spin moment: mean semi-axis of a contact as long as the ring is wide.
+inline const double arm = std::sqrt(hertz.a * width / 2);
 /// Carter's creepage at the same force. It is that of equal bodies; body 1 is driven along +t1.
 inline const double carter_creepage = -mu * hertz.a / radius * (1 - std::sqrt(1 - force_ratio));
 /// The creepage of long cylinders of these two materials, by half-spaces.

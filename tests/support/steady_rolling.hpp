@@ -2,10 +2,12 @@
 /// Cases (a) and (b): a circular contact of identical steel bodies in steady rolling, with longitudinal creepage, and
 /// with spin as well (tests/data/steady_rolling_limits.csv).
 
+#include <iterator>
+#include <map>
 #include <string>
 
 #include "support/frames.hpp"
-#include "support/scene.hpp"
+#include "support/rolling_errors.hpp"
 
 namespace rollcon::scenes::steady_rolling {
 
@@ -28,15 +30,30 @@ inline SurfaceMesh grid(int n) {
   return frames::rectangle(ElementType::quad4, lines, lines);
 }
 
-/// CONTACT's error of Fx at N; first order between the sizes it was run at.
+/// CONTACT's error of the force vector at N: linear in 1/N between the sizes that are known, in proportion to it
+/// beyond.
 inline double contact_error(const std::string& which, int n) {
-  const int known = n >= 256 ? 256 : n >= 128 ? 128 : n >= 64 ? 64 : n >= 32 ? 32 : 16;
-  return closed_forms::steady_rolling(which, "error_" + std::to_string(known)) * known / n;
+  const std::map<int, double> known = closed_forms::steady_rolling_by_size(which, "error");
+  const auto finer = known.lower_bound(n);
+  if (finer == known.begin()) return finer->second * finer->first / n;
+  const auto coarser = std::prev(finer);
+  if (finer == known.end()) return coarser->second * coarser->first / n;
+  const double share = (1.0 / n - 1.0 / finer->first) / (1.0 / coarser->first - 1.0 / finer->first);
+  return finer->second + share * (coarser->second - finer->second);
 }
 
-/// Error of Fx against the extrapolated limit.
-inline double force_error(const Solution& s, const std::string& which) {
-  return s.force[0] / (mu * hertz.load) / closed_forms::steady_rolling(which, "fx") - 1;
+/// Forces over mu Fn, moment over mu Fn a.
+inline RollingAnswer found(const Solution& s) {
+  return found_forces(s, mu * hertz.load, radius);
+}
+
+inline RollingAnswer limit(const std::string& which) {
+  const auto entry = [&](const char* what) { return closed_forms::steady_rolling(which, what); };
+  return {{entry("fx"), entry("fy")}, entry("mz")};
+}
+
+inline RollingErrors errors(const Solution& s, const std::string& which) {
+  return rolling_errors(found(s), limit(which));
 }
 
 }  // namespace rollcon::scenes::steady_rolling

@@ -91,6 +91,9 @@ double Section::load() const {
 double Section::force() const {
   return trapezoid(x, traction);
 }
+double Section::lateral_force() const {
+  return trapezoid(x, lateral);
+}
 
 Section middle_section(const Solution& s) {
   const double extent = *std::max_element(s.y.begin(), s.y.end());
@@ -103,6 +106,7 @@ Section middle_section(const Solution& s) {
     section.x.push_back(s.x[k]);
     section.pressure.push_back(s.pressure[k]);
     section.traction.push_back(s.traction[k][0]);
+    section.lateral.push_back(s.traction[k][1]);
   }
   return section;
 }

@@ -31,9 +31,10 @@ std::vector<double> strip_lines(double half_length, double a = 1);
 
 /// Values on the line y = 0 ordered by x.
 struct Section {
-  std::vector<double> x, pressure, traction;  ///< traction: longitudinal, on body 1
-  double load() const;                        ///< integral of the piecewise linear pressure
+  std::vector<double> x, pressure, traction, lateral;  ///< traction: longitudinal, on body 1
+  double load() const;                                 ///< integral of the piecewise linear pressure
   double force() const;
+  double lateral_force() const;
 };
 Section middle_section(const Solution& s);
 

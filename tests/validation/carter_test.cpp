@@ -34,7 +34,7 @@ TEST(Carter, aligned_50_nodes_across) {
   for (int i = 0; i < 3; ++i) {
     const std::string name = schemes[i];
     expect_error(name + ": load of the middle section", r.errors[i].load, 1e-2);
-    expect_error(name + ": F/(mu P) at given creepage", r.errors[i].force, 1e-2);
+    expect_error(name + ": F/(mu P) at given creepage", r.errors[i].force, 9e-3);
     expect_error(name + ": traction, relative L2", r.errors[i].traction, 1.5e-2);
   }
 }
@@ -43,7 +43,7 @@ TEST(Carter, aligned_50_nodes_across_with_the_edge_on_a_node) {
   const Result r = roll(strip_nodes(50, 0), 20);
   for (int i = 0; i < 3; ++i) {
     const std::string name = schemes[i];
-    expect_error(name + ": F/(mu P) at given creepage", r.errors[i].force, 1e-2);
+    expect_error(name + ": F/(mu P) at given creepage", r.errors[i].force, 9e-3);
     expect_error(name + ": traction, relative L2", r.errors[i].traction, 1.5e-2);
   }
 }
@@ -74,7 +74,7 @@ TEST(Carter_long, nodes_graded_to_the_edge_converge_faster) {
       expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 0.5);
       continue;
     }
-    expect_error(name + ": F/(mu P), 40 graded elements", fine.errors[i].force, 3e-3);
+    expect_error(name + ": F/(mu P), 40 graded elements", fine.errors[i].force, 5e-4);
     expect_error(name + ": traction, 40 graded elements", fine.errors[i].traction, 1.5e-2);
     expect_order(name + ": F/(mu P)", observed_order(coarse.errors[i].force, fine.errors[i].force, 2, 1), 1.5);
   }
@@ -82,7 +82,8 @@ TEST(Carter_long, nodes_graded_to_the_edge_converge_faster) {
 
 TEST(Carter_long, the_strip_is_long_enough) {
   double force[3];
-  for (int i = 0; i < 3; ++i) force[i] = roll(graded_nodes(24), 5.0 * (1 << i)).errors[2].force;
+  for (int i = 0; i < 3; ++i)
+    force[i] = roll(graded_nodes(24), 5.0 * (1 << i)).errors[2].force_ratio / carter.force_ratio();
   report("F/(mu P), half length  5 a", force[0]);
   report("F/(mu P), half length 10 a", force[1]);
   report("F/(mu P), half length 20 a", force[2]);
@@ -106,7 +107,8 @@ TEST(Carter, more_creepage_more_slip_until_all_slides) {
     exact.xi = -xi;
     char name[60];
     std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.4f, in mu P", xi, exact.force_ratio());
-    expect_error(name, s.force() / (carter.mu * s.load()) - exact.force_ratio(), 1e-2);
+    const double unit = carter.mu * s.load();
+    expect_error(name, std::hypot(s.force() / unit - exact.force_ratio(), s.lateral_force() / unit), 6e-3);
   }
 }
 
@@ -117,16 +119,17 @@ TEST(Carter, more_creepage_more_slip_until_all_slides) {
 constexpr double half_length = 3;  // of the short strips with near-isotropic meshes
 constexpr double pi = 3.14159265358979323846;
 
-/// F/(mu P) of the strip's middle half by the nodes' weights, and the relative L2 error of its tractions against a
-/// function of x.
-double middle_force(const Solution& s) {
-  double force = 0, load = 0;
+/// Force vector over mu P of the strip's middle half by the nodes' weights, and the relative L2 error of its tractions
+/// against a function of x.
+RollingAnswer middle_force(const Solution& s) {
+  std::array<double, 2> force{};
+  double load = 0;
   for (std::size_t k = 0; k < s.nodes(); ++k) {
     if (std::abs(s.y[k]) > 0.5 * half_length) continue;
-    force += s.weight[k] * s.traction[k][0];
+    for (std::size_t c = 0; c < 2; ++c) force[c] += s.weight[k] * s.traction[k][c];
     load += s.weight[k] * s.pressure[k];
   }
-  return force / (carter.mu * load);
+  return {{force[0] / (carter.mu * load), force[1] / (carter.mu * load)}, 0};
 }
 
 double middle_traction_error(const Solution& s) {
@@ -161,8 +164,8 @@ std::vector<double> strip_gap(const SurfaceMesh& mesh) {
 }
 
 /// What the short strip's middle half gives on a fine aligned frame.
-double reference_force() {
-  static const double value = [] {
+RollingAnswer reference_force() {
+  static const RollingAnswer value = [] {
     const auto mesh =
         frames::rectangle(ElementType::quad4, graded_nodes(32), frames::uniform_lines(-half_length, half_length, 16));
     return middle_force(roll(mesh, strip_gap(mesh), "characteristic"));
@@ -217,7 +220,7 @@ void expect_first_order(const std::string& what, double h, double factor, Make&&
     for (int i = 0; i < 2; ++i) {
       const SurfaceMesh mesh = make(i);
       const Solution s = roll(mesh, strip_gap(mesh), scheme);
-      error[i] = middle_force(s) / reference_force() - 1;
+      error[i] = rolling_errors(middle_force(s), reference_force()).force;
       const std::string name =
           std::string(scheme) + ", " + what + ", " + std::to_string(std::lround((2 << i) / h)) + " across: ";
       report(name + "traction, relative L2 (plane theory)", middle_traction_error(s));
@@ -228,12 +231,12 @@ void expect_first_order(const std::string& what, double h, double factor, Make&&
 }
 
 TEST(CarterFlow_long, at_30_degrees_to_a_grid) {
-  // First order with the constant of Godunov's smearing: about h/a of the force.
-  expect_first_order("grid at 30 degrees", 0.2, 0.6, [](int i) { return turned_grid(0.2 / (1 << i), pi / 6); });
+  // First order with the constant of Godunov's smearing, measured: 0.14 h/a of the force.
+  expect_first_order("grid at 30 degrees", 0.2, 0.15, [](int i) { return turned_grid(0.2 / (1 << i), pi / 6); });
 }
 
 TEST(CarterFlow_long, on_unstructured_triangles) {
-  expect_first_order("triangles", 0.2, 0.6, [](int i) { return random_triangles(10 << i); });
+  expect_first_order("triangles", 0.2, 0.23, [](int i) { return random_triangles(10 << i); });
 }
 
 }  // namespace

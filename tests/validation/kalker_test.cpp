@@ -2,59 +2,52 @@
 // Creepages are so small that 0.6 % of the friction bound is used. Quadratic triangles in nine rings: the spin moment
 // of a long ellipse needs them (linear ones: 20 rings).
 
+#include <array>
 #include <tuple>
 
+#include "support/linear_theory.hpp"
 #include "validation/scenes.hpp"
 
 namespace rollcon::validation {
 namespace {
 
-using closed_forms::Kalker;
+namespace linear = scenes::linear_theory;
 
-constexpr double mu = 0.3;
 constexpr double share = 0.006;  ///< of mu P, that the creepage would carry without slip
 constexpr int rings = 9;
+/// By motion: measured at most 1.1, 1.1 and 1.6 % of the force; 0.02, 0.4 and 1.3 % of the moment. The table has three
+/// digits.
+constexpr double force_bound[] = {0.0125, 0.012, 0.0175}, moment_bound[] = {2e-4, 0.004, 0.014};
 
 class KalkerCoefficients : public testing::TestWithParam<std::tuple<double, double>> {};
 
-TEST_P(KalkerCoefficients, within_two_percent) {
+TEST_P(KalkerCoefficients, forces_and_moments_of_linear_theory) {
   const double ratio = std::get<0>(GetParam()), nu = std::get<1>(GetParam());
   const Elastic body{.shear = 82000, .poisson = nu};
-  // ab = 1: the scales G ab, G (ab)^1.5 and G (ab)^2 are all G.
-  const Hertz hertz = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
-                                                    closed_forms::effective_modulus(body, body));
-  const Kalker table = closed_forms::kalker_table(ratio, nu);
-  const double unit = share * mu * hertz.load / body.shear;
-
+  const Hertz hertz = linear::ellipse(ratio, body);
+  const linear::Coefficients table = linear::table(ratio, nu);
+  const linear::Motions motions(table, hertz, body, share);
   RollingPair pair(body, body);
   pair.frame(graded_disc(hertz.a, hertz.b, rings, ElementType::tri6))
       .gap_quadratic(hertz.A, hertz.B)
       .load(hertz.load)
-      .friction(mu)
+      .friction(linear::mu)
       .option("convection", "characteristic");
-  auto solve = [&](double xi, double eta, double phi) {
-    pair.creep(xi, eta, phi);
+  std::array<scenes::RollingAnswer, 3> found;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const linear::Motion& motion = motions.all[k];
+    pair.creep(motion.creep[0], motion.creep[1], motion.creep[2]);
     EXPECT_EQ(pair.solve(), ROLLCON_OK);
-    return pair.solution();
-  };
-  const double xi = unit / table.c11, eta = unit / table.c22;
-  const double phi = unit / std::max(table.c23, table.c33);
-  const Solution along = solve(xi, 0, 0), across = solve(0, eta, 0), spin = solve(0, 0, phi);
-  const double c11 = -along.force[0] / (body.shear * xi);
-  const double c22 = -across.force[1] / (body.shear * eta);
-  const double c32 = across.moment[2] / (body.shear * eta);
-  const double c23 = -spin.force[1] / (body.shear * phi);
-  const double c33 = -spin.moment[2] / (body.shear * phi);
-  char name[160];
-  auto check = [&](const char* which, double value, double expected) {
-    std::snprintf(name, sizeof name, "a/b = %g, nu = %g: %s = %.4g, table %.4g", ratio, nu, which, value, expected);
-    expect_error(name, relative(value, expected), 2e-2);
-  };
-  check("C11", c11, table.c11);
-  check("C22", c22, table.c22);
-  check("C23", c23, table.c23);
-  check("C32 (moment of lateral creep)", c32, table.c23);
-  check("C33", c33, table.c33);
+    found[k] = motions.found(pair.solution());
+    const auto errors = scenes::rolling_errors(found[k], motions.exact(motion, table));
+    char name[80];
+    std::snprintf(name, sizeof name, "a/b = %g, nu = %g, %s: ", ratio, nu, motion.name);
+    expect_error(name + std::string("force"), errors.force, force_bound[k]);
+    expect_error(name + std::string("moment"), errors.moment, moment_bound[k]);
+  }
+  const linear::Coefficients c = motions.coefficients(found);
+  std::printf("C11 %.4g (%.4g), C22 %.4g (%.4g), C23 %.4g and C32 %.4g (%.4g), C33 %.4g (%.4g)\n", c.c11, table.c11,
+              c.c22, table.c22, c.c23, c.c32, table.c23, c.c33, table.c33);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ellipses, KalkerCoefficients,

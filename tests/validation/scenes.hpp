@@ -4,6 +4,7 @@
 #include "support/frames.hpp"
 #include "support/graded_disc.hpp"
 #include "support/hertz_fit.hpp"
+#include "support/rolling_errors.hpp"
 #include "support/scene.hpp"
 #include "support/testing.hpp"
 

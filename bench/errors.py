@@ -1,0 +1,44 @@
+"""What the error of a record means. Rolling cases have that of the force vector, never negative, and that of the spin
+moment beside it; all others one signed error."""
+
+MEANING = ("Errors of rolling cases are those of all components: of the force vector, |(dFx, dFy)| / |(Fx, Fy)|, and "
+           "beside it of the spin moment, |dMz| / (mu Fn sqrt(a b)), a and b the contact's semi-axes. Where a "
+           "longitudinal force is given, the creepage found stands for it, turned like the force, so that a lateral "
+           "force which should not be there counts. Other errors are signed; all are relative unless said otherwise.")
+
+
+def rolling(r):
+    return "moment_error" in r
+
+
+def moment_error(r):
+    """None: not a rolling case, or a plane one."""
+    return r.get("moment_error")
+
+
+def judged(r):
+    """The larger one of both."""
+    return max(abs(r["error"]), moment_error(r) or 0)
+
+
+def uncertainty(r):
+    """Of the reference, in the error that is judged."""
+    return max(r["extra"].get("uncertainty", 0), r["extra"].get("uncertainty_moment", 0))
+
+
+def _short(x, sign):
+    return f"{100 * x:{sign}.{2 if abs(x) >= 1e-4 else 1}g} %"
+
+
+def error_text(r):
+    if not rolling(r):
+        return _short(r["error"], "+")
+    moment = moment_error(r)
+    if moment is None:
+        return _short(r["error"], "")
+    return _short(r["error"], "") + (", moment " + _short(moment, "") if moment > 5e-6 else ", moment 0")
+
+
+def percent(x, digits=2):
+    """Of an error that has no sign."""
+    return "-" if x is None else f"{100 * x:.{digits}f} %"
