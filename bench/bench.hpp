@@ -83,6 +83,7 @@ std::vector<Case> lattice_cases();
 std::vector<Case> saved_body_cases();
 std::vector<Case> resolve_cases();
 std::vector<Case> guard_cases();
+std::vector<Case> automatic_frame_cases();
 std::vector<Case> thrift_cases();
 std::vector<Case> time_loop_cases();
 std::vector<Case> many_cases();

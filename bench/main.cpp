@@ -18,11 +18,32 @@ using rollcon::bench::Case;
 std::vector<Case> all_cases() {
   using namespace rollcon::bench;
   std::vector<Case> cases;
-  for (auto family : {hertz_cases,     carter_cases,      kalker_cases,      kalker_mesh_cases,   steady_rolling_cases,
-                      lame_cases,      hertz_block_cases, example1_cases,    example2_cases,      example3_cases,
-                      example4_cases,  procedure_cases,   kernel_cases,      linear_solver_cases, body_cases,
-                      ring_load_cases, fem_cases,         effectivity_cases, resolve_cases,       guard_cases,
-                      thrift_cases,    time_loop_cases,   many_cases,        saved_body_cases,    lattice_cases,
+  for (auto family : {hertz_cases,
+                      carter_cases,
+                      kalker_cases,
+                      kalker_mesh_cases,
+                      steady_rolling_cases,
+                      lame_cases,
+                      hertz_block_cases,
+                      example1_cases,
+                      example2_cases,
+                      example3_cases,
+                      example4_cases,
+                      procedure_cases,
+                      kernel_cases,
+                      linear_solver_cases,
+                      body_cases,
+                      ring_load_cases,
+                      fem_cases,
+                      effectivity_cases,
+                      resolve_cases,
+                      guard_cases,
+                      automatic_frame_cases,
+                      thrift_cases,
+                      time_loop_cases,
+                      many_cases,
+                      saved_body_cases,
+                      lattice_cases,
                       stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
 #ifdef ROLLCON_BENCH_KERNELS

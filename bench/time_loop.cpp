@@ -33,7 +33,7 @@ struct Loop {
 struct Part {
   double seconds = 0;
   std::int64_t solves = 0, iterations = 0, most_iterations = 0, fallbacks = 0, allocations = 0;
-  std::array<std::int64_t, 6> status{};  ///< how often each status >= 0
+  std::array<std::int64_t, 7> status{};  ///< how often each status >= 0
   std::int64_t failed = 0;
 };
 

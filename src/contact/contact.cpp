@@ -266,8 +266,8 @@ double Contact::error_estimate() const {
   return find_error_estimate(*state_).worst();
 }
 
-void Contact::log(LogLevel level, const std::string& text) const {
-  context_->log(level, "%s", text.c_str());
+void Contact::log(LogLevel level, const char* text) const {
+  context_->log(level, "%s", text);
 }
 
 Status Contact::solve_on_frame() {

@@ -64,7 +64,7 @@ class Contact {
   double modulus();
   /// As the statistic error_estimate of the last solve.
   double error_estimate() const;
-  void log(LogLevel level, const std::string& text) const;
+  void log(LogLevel level, const char* text) const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
   /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
   /// last solution unless something was set since.

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <string>
+#include <cstdio>
 
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
@@ -33,9 +33,12 @@ class AutomaticFrames final : public FrameMaker {
       const double wanted = contact.scene.options.frame_accuracy, reached = contact.error_estimate();
       if (reached <= wanted) return status;
       if (level_ + 1 == levels.size()) {
-        contact.log(LogLevel::warning, "frames: the estimate of the error is " + std::to_string(100 * reached) +
-                                           " % on the finest frame, " + std::to_string(100 * wanted) +
-                                           " % was asked for (frame_accuracy)");
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for "
+                      "(option frame_accuracy)",
+                      100 * reached, 100 * wanted);
+        contact.log(LogLevel::warning, text);
         return Status::inaccurate;
       }
     }
