@@ -33,10 +33,7 @@ void mark_edge(std::uint8_t* state, const std::int32_t* node) {
 
 }  // namespace
 
-std::int64_t nodes_inside(const SolverState& s) {
-  const SurfaceMesh& mesh = s.prepared->frame.mesh;
-  const std::vector<double>& normal = s.iterate.lambda[2];
-  std::vector<std::uint8_t>& node = s.edge_of_contact;
+std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node) {
   node.resize(normal.size());
   for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 ? touching : 0;
   // Bytes may alias anything: what the loop reads is in locals.
@@ -63,6 +60,10 @@ std::int64_t nodes_inside(const SolverState& s) {
     n += node_count(type[e]);
   }
   return std::count(node.begin(), node.end(), touching);
+}
+
+std::int64_t nodes_inside(const SolverState& s) {
+  return nodes_inside(s.prepared->frame.mesh, s.iterate.lambda[2], s.edge_of_contact);
 }
 
 bool too_few_nodes(const SolverState& s) {
