@@ -179,7 +179,7 @@ std::int32_t solve_and_check(World& world, rollcon_contact* contact) {
 void require_usable(World& world, rollcon_contact* contact, int recipe) {
   if (recipe == gap_of_mesh || rollcon_id_of(contact) == 0 || world.bodies.size() < 2) return;
   // A failure that its context remembers is all that the contact would answer with.
-  if (rollcon_context_set_latch(const_cast<rollcon_context*>(world.context_of(contact)), 0) != ROLLCON_OK) return;
+  rollcon_context_set_latch(const_cast<rollcon_context*>(world.context_of(contact)), 0);
   rollcon_contact* fresh = nullptr;
   rollcon_context* context = nullptr;
   require(rollcon_context_create(ROLLCON_ABI, &context) == ROLLCON_OK, "no context");
