@@ -49,7 +49,8 @@ filter() {
 '*BodyModels.written_out*:*positive_definite*:*exact_integrals*:*RuleSelection*:*as_the_mesh_refines*:'\
 '*error_of_the_integrals*:*units*:*every_input_counts*:ForgedFiles.of_boundary*:*KelvinRules*:'\
 '*loads_superpose*:*well_conditioned*' ;;
-  contact) more='monolithic_system.*:sensitivity.costs_*:*setter_of_a_meshed_scene*:tilted_plane.*' ;;
+  contact) more='monolithic_system.*:sensitivity.costs_*:*setter_of_a_meshed_scene*:tilted_plane.*:'\
+'sensitivity.of_boundary_*:sensitivity.asking_does_not_*:sensitivity.under_every_*' ;;
   mesh) more='*Converge*:*ManyNodes*:VolumeCheck.DoesNotCompareAllNodes' ;;
   linalg) more='*sparse_factor*.both_methods_agree_*:*sparse_factor.a_body_in_the_air_*:'\
 '*sparse_factor.too_large_*:*sparse_factor*threads*:*sparse_factor.*_against_dense:'\
