@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The library without components: each build links and contains nothing of what it leaves out, says so
 # by rollcon_has_feature, and passes the quick tests. Each build has a folder of its own.
+#   check_components.sh [build...]     default: all, by the names below
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -15,6 +16,16 @@ builds=(
   "no OpenMP: FEM BEM PROCEDURES VTU CHOLMOD UMFPACK FFTW"
   "half-spaces alone:"
 )
+if [ $# -gt 0 ]; then
+  named=()
+  for name in "$@"; do
+    for build in "${builds[@]}"; do
+      [ "${build%%:*}" != "$name" ] || named+=("$build")
+    done
+    [[ ${named[*]} == *"$name:"* ]] || fail "no build '$name'"
+  done
+  builds=("${named[@]}")
+fi
 # What a library that has the component shows: symbols, or for files the text that they begin with.
 declare -A symbols=(
   [FEM]='rollcon::fem::(System|Assembly|element_stiffness)|rollcon::volume_rule'
@@ -43,8 +54,9 @@ shows() {  # shows <component> <library>
   fi
 }
 
-check_library() {  # check_library <library> <components...>
-  local library=$1 name
+check_library() {  # check_library <folder> <components...>
+  local library=$1/librollcon.so name sources
+  sources=$(grep -c -- '-o CMakeFiles/rollcon_objects.dir/src/' "$1/compile_commands.json")
   shift
   nm -C "$library" >"$work/symbols"
   objdump -p "$library" | awk '/NEEDED/ { print $2 }' >"$work/needed"
@@ -70,7 +82,7 @@ print(ctypes.CDLL(sys.argv[1]).rollcon_has_feature(sys.argv[2].encode()))" "$lib
     fail "a library without SuiteSparse loads parts of it"
   fi
   strip -o "$work/stripped" "$library"
-  say "$(stat -c %s "$work/stripped") bytes stripped; links $(tr '\n' ' ' <"$work/needed")"
+  say "$sources sources; $(stat -c %s "$work/stripped") bytes stripped; links $(tr '\n' ' ' <"$work/needed")"
 }
 
 work=$(mktemp -d)
@@ -91,7 +103,7 @@ for build in "${builds[@]}"; do
     fail "$name: build"
   }
   say "$name"
-  check_library "$folder/librollcon.so" "${components[@]}"
+  check_library "$folder" "${components[@]}"
   ctest --test-dir "$folder" -j "$jobs" -LE '^(abi|long|nightly)$' --output-on-failure -Q || fail "$name: tests"
   say "$((SECONDS - start)) s"
 done

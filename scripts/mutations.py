@@ -52,6 +52,8 @@ PROGRAMS = {
     "bodies": ["bodies", "contact", "capi", "capi_inside", "stability", "validation"],
     "mesh": ["mesh", "bodies", "contact", "capi", "capi_inside", "stability", "validation"],
 }
+PROGRAMS["quadrature"] = PROGRAMS["bodies"]
+PROGRAMS["geometry"] = PROGRAMS["mesh"]
 # Seconds that a test of each stage takes at most; longer tests than the last stage's are left out.
 STAGES = [0.03, 0.15, 1.0, 4.0, 20.0]
 
@@ -356,6 +358,10 @@ def main():
     parser.add_argument("--self-test", action="store_true")
     options = parser.parse_args()
     if options.self_test:
+        rooms = {pathlib.Path(file).parts[1] for files in all_mutants(ROOT).values() for file in files}
+        if rooms - set(PROGRAMS):
+            print("no programs are named for mutants of", *sorted(rooms - set(PROGRAMS)))
+            return 1
         return self_test(ROOT)
     if options.report:
         return report(options.report, options.equivalent, options.least)

@@ -13,7 +13,7 @@ endfunction()
 # rollcon_drop_absent_tests(): takes them out of the caller's list `sources`.
 macro(rollcon_drop_absent_tests)
   rollcon_tests_need(FEM "bodies/fem/|mesh/(volume_|surface_coupling)")
-  rollcon_tests_need(FEM "validation/(ring_on_halfspace|error_estimate)")
+  rollcon_tests_need(FEM "validation/(ring_on_halfspace|tet10_faces)")
   rollcon_tests_need(BEM "bodies/bem/|validation/(rings|wheel_on_rail|conformal|procedures_limits)_test")
   rollcon_tests_need("FEM;BEM" "bodies/(statics/|compliance_suite|expanded_compliance|equal_bodies|forged_files)")
   rollcon_tests_need("FEM;BEM"

@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "bodies/halfspace/halfspace.hpp"
 #include "contact/cases/solve_many.hpp"
 #include "contact/newton/newton.hpp"
 #include "contact/operators/dense_operators.hpp"
 #include "contact/scene_fixture.hpp"
+#include "linalg/fft.hpp"
 
 namespace rollcon {
 namespace {
@@ -35,10 +37,11 @@ void give_loads(Pair& pair, double moment) {
 
 TEST(last_guard, several_loads_leave_the_normal_one_as_it_is) {
   for (const double moment : {0.0, 0.05, 0.1, 0.15, 0.25})
-    for (const char* operators : {"dense", "table", "fft"}) {
+    for (const std::string operators : {"dense", "table", "fft"}) {
+      if (operators == "fft" && !has_fft()) continue;
       Pair pair(2.1e5, 0.3, 2.1e5, 0.3);
       give_loads(pair, moment);
-      pair.contact->scene.options.set_text("operators", operators);
+      pair.contact->scene.options.set_text("operators", operators.c_str());
       Status status = Status::err_load;
       try {
         status = pair.contact->solve();
@@ -48,7 +51,7 @@ TEST(last_guard, several_loads_leave_the_normal_one_as_it_is) {
       // Few nodes touch.
       EXPECT_EQ(status, moment > 0.2 ? Status::err_load : Status::coarse) << moment << operators;
       if (status != Status::coarse) continue;
-      std::printf("moment %.2f, %s: loads off by %.1e, laws by %.1e (bound %.0e)\n", moment, operators,
+      std::printf("moment %.2f, %s: loads off by %.1e, laws by %.1e (bound %.0e)\n", moment, operators.c_str(),
                   pair.contact->stat("law_equilibrium"), pair.worst_law(), bound);
       EXPECT_LT(pair.worst_law(), bound) << moment << operators;
     }

@@ -34,7 +34,13 @@ std::int32_t press(scenes::RollingPair& pair, double z) {
   return status;
 }
 
-TEST(RimAtEdges, the_edge_of_body_1_is_none) {
+class RimAtEdges : public testing::Test {
+  void SetUp() override {
+    if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
+  }
+};
+
+TEST_F(RimAtEdges, the_edge_of_body_1_is_none) {
   scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
   pair.frame(laid(0, height));
   EXPECT_EQ(press(pair, height), ROLLCON_OK);
@@ -42,21 +48,21 @@ TEST(RimAtEdges, the_edge_of_body_1_is_none) {
   EXPECT_EQ(pair.stat("nodes_rim"), 0);
 }
 
-TEST(RimAtEdges, the_edge_of_body_2_is_none) {
+TEST_F(RimAtEdges, the_edge_of_body_2_is_none) {
   scenes::RollingPair pair(scenes::RigidBody{}, block(6), 1);
   pair.frame(laid(0, 0));
   EXPECT_EQ(press(pair, 0), ROLLCON_OK);
   EXPECT_EQ(pair.stat("nodes_rim"), 0);
 }
 
-TEST(RimAtEdges, a_frame_that_ends_before_the_edge_has_one) {
+TEST_F(RimAtEdges, a_frame_that_ends_before_the_edge_has_one) {
   scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
   pair.frame(laid(0.05, height));
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
   EXPECT_EQ(pair.stat("nodes_rim"), 20);
 }
 
-TEST(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
+TEST_F(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
   scenes::RollingPair pair(block(5), scenes::RigidBody{}, 1);
   const auto lines = frames::uniform_lines(0, side, 5);
   const auto half = frames::uniform_lines(0, side / 2, 5);
@@ -68,7 +74,7 @@ TEST(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
 }
 
 // The edge of a rigid surface that moves along: the frame is not made anew.
-TEST(RimAtEdges, follows_a_rigid_body_that_moves) {
+TEST_F(RimAtEdges, follows_a_rigid_body_that_moves) {
   scenes::MeshedBody plate;
   plate.mesh = surfaces::block(surfaces::brick({2, 2, 1}, {side, side, height}), ElementType::quad4);
   scenes::RollingPair pair(block(5), plate, 1);

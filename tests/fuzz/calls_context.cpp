@@ -47,6 +47,9 @@ void retain(World& w) {
 
 void release(World& w) {
   rollcon_context* c = w.context();
+  // Of what was made from it nobody could tell afterwards whether it answers with a failure that is remembered.
+  for (const auto& entry : w.contexts)
+    if (entry.handle == c && entry.references == 1) rollcon_context_set_latch(c, 0);
   rollcon_context_release(c);
   for (auto& entry : w.contexts)
     if (entry.handle == c && entry.references > 0) --entry.references;

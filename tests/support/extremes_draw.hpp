@@ -5,7 +5,9 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
+#include "rollcon.h"
 #include "support/frames.hpp"
 
 namespace rollcon::extremes {
@@ -23,6 +25,12 @@ class Draw {
   template <class T, std::size_t N>
   T of(const T (&list)[N]) {
     return list[static_cast<std::size_t>(pick(static_cast<int>(N)))];
+  }
+  /// Dense ones for "fft" where the library has none: what is drawn afterwards is the same in all builds.
+  template <std::size_t N>
+  std::string operators(const char* const (&list)[N]) {
+    const std::string drawn = of(list);
+    return drawn == "fft" && !rollcon_has_feature("fftw") ? "dense" : drawn;
   }
 
  private:

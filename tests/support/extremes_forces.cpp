@@ -94,7 +94,7 @@ Scene forces_scene(std::uint32_t seed) {
   scene.scheme(d.of(schemes));
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "dense", "fft"};
-    scene.set("operators", std::string(d.of(operators)));
+    scene.set("operators", d.operators(operators));
     scene.set("accuracy", 1e-10);  // as the tables have it
   }
   scene.group = std::string("random: several loads, ") + (pairing < 2 ? "unlike bodies" : "like bodies");

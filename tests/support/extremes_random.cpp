@@ -181,7 +181,7 @@ Scene random_scene(std::uint32_t seed) {
   scene.scheme(d.of(schemes));
   if (g.regular) {
     constexpr const char* operators[] = {"auto", "auto", "dense", "table", "fft"};
-    scene.set("operators", std::string(d.of(operators)));
+    scene.set("operators", d.operators(operators));
     scene.set("accuracy", 1e-10);  // as the tables have it
   }
   const bool twins =

@@ -114,6 +114,7 @@ TEST_P(ErrorEstimateOfRolling, of_the_sphere_on_rings) {
 
 TEST_P(ErrorEstimateOfRolling, of_a_ball_on_a_block) {
   for (const bool finite_elements : {true, false}) {
+    if (!rollcon_has_feature(finite_elements ? "fem" : "bem")) continue;
     std::vector<Judgement> scenes;
     for (const int across : {10, 16}) scenes.push_back(judge_block(finite_elements, across, GetParam()));
     expect_effectivity(scenes, normal, 0.3, 3);
@@ -146,6 +147,7 @@ TEST(ErrorEstimate_long, of_linear_theory) {
 
 // No solution is known here; the finer ring's estimates must be numbers, and less.
 TEST(ErrorEstimate_long, on_the_curved_frame_of_a_ring) {
+  if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
   namespace example2 = scenes::example2;
   const char* names[] = {"error_estimate_normal", "error_estimate_tangential", "error_estimate_tractions"};
   double last[] = {0.02, 0.2, 0.5};

@@ -33,10 +33,7 @@ void mark_edge(std::uint8_t* state, const std::int32_t* node) {
 
 }  // namespace
 
-std::int64_t nodes_inside(const SolverState& s) {
-  const SurfaceMesh& mesh = s.prepared->frame.mesh;
-  const std::vector<double>& normal = s.iterate.lambda[2];
-  std::vector<std::uint8_t>& node = s.edge_of_contact;
+std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node) {
   node.resize(normal.size());
   // Beyond the last nodes that may touch there is an edge that is known.
   const bool known = s.prepared->ends_at_edge;
@@ -68,6 +65,10 @@ std::int64_t nodes_inside(const SolverState& s) {
   std::int64_t inside = 0;
   for (std::size_t k = 0; k < node.size(); ++k) inside += normal[k] < 0 && state[k] == touching;
   return inside;
+}
+
+std::int64_t nodes_inside(const SolverState& s) {
+  return nodes_inside(s.prepared->frame.mesh, s.iterate.lambda[2], s.edge_of_contact);
 }
 
 bool too_few_nodes(const SolverState& s) {

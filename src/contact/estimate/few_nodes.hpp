@@ -3,6 +3,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
 
 namespace rollcon {
 
@@ -11,6 +14,8 @@ struct SolverState;
 /// Nodes in contact without an open node in any of their elements: the contact's extent is known to one element, so
 /// that all others are its edge.
 std::int64_t nodes_inside(const SolverState& state);
+/// Likewise, of a mesh's nodes those whose normal traction is negative; `node` is workspace.
+std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node);
 
 /// The contact has no inside, or with friction not enough of it.
 bool too_few_nodes(const SolverState& state);
