@@ -33,12 +33,10 @@ void mark_edge(std::uint8_t* state, const std::int32_t* node) {
 
 }  // namespace
 
-std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node) {
+std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node,
+                          const std::uint8_t* inner) {
   node.resize(normal.size());
-  // Beyond the last nodes that may touch there is an edge that is known.
-  const bool known = s.prepared->ends_at_edge;
-  const std::uint8_t* const used = s.prepared->frame.used.data();
-  for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 || (known && !used[k]) ? touching : 0;
+  for (std::size_t k = 0; k < normal.size(); ++k) node[k] = normal[k] < 0 || (inner && !inner[k]) ? touching : 0;
   // Bytes may alias anything: what the loop reads is in locals.
   std::uint8_t* const state = node.data();
   const ElementType* const type = mesh.type.data();
@@ -68,7 +66,10 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
 }
 
 std::int64_t nodes_inside(const SolverState& s) {
-  return nodes_inside(s.prepared->frame.mesh, s.iterate.lambda[2], s.edge_of_contact);
+  // Beyond the last nodes that may touch there is an edge that is known.
+  const Frame& frame = s.prepared->frame;
+  return nodes_inside(frame.mesh, s.iterate.lambda[2], s.edge_of_contact,
+                      s.prepared->ends_at_edge ? frame.used.data() : nullptr);
 }
 
 bool too_few_nodes(const SolverState& s) {

@@ -14,8 +14,10 @@ struct SolverState;
 /// Nodes in contact without an open node in any of their elements: the contact's extent is known to one element, so
 /// that all others are its edge.
 std::int64_t nodes_inside(const SolverState& state);
-/// Likewise, of a mesh's nodes those whose normal traction is negative; `node` is workspace.
-std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node);
+/// Likewise, of a mesh's nodes those whose normal traction is negative; `node` is workspace. inner: 0 for nodes on an
+/// outline that is the contact's; null: the contact ends where nodes are open.
+std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& normal, std::vector<std::uint8_t>& node,
+                          const std::uint8_t* inner = nullptr);
 
 /// The contact has no inside, or with friction not enough of it.
 bool too_few_nodes(const SolverState& state);
