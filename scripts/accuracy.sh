@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
 # Runs rollcon-bench and rewrites documents with their tables and plots:
+#   frames           docs/frames.md, frames made by the library
 #   half-spaces      docs/accuracy.md, scenes of half-spaces in detail
 #   work-precision   docs/accuracy.md, error over time and memory of every method
 #   estimates        docs/accuracy.md, error estimates beside true errors
@@ -24,8 +25,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
-    *) echo "no part $name: half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
+    frames|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
+    *) echo "no part $name: frames, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -63,6 +64,12 @@ run_cases() {
 
 wanted() { [[ ",$part," == *",$1,"* || $part == all ]]; }
 
+if wanted frames; then
+  run_cases 1 automatic_frames vehicle_loop
+  cat "${files[@]}" > "$build/frames.jsonl"
+  python3 bench/report_frames.py "$build/frames.jsonl" docs "$command frames"
+  echo "wrote docs/frames.md"
+fi
 if wanted half-spaces; then
   run_cases 1 "${half_spaces[@]}"
   cat "${files[@]}" > "$build/half_spaces.jsonl"

@@ -262,6 +262,10 @@ double Contact::modulus() {
   return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }
 
+bool Contact::meshed() const {
+  return body1_->meshed() || body2_->meshed();
+}
+
 double Contact::error_estimate() const {
   return find_error_estimate(*state_).worst();
 }

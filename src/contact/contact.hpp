@@ -62,6 +62,8 @@ class Contact {
   void extrapolate_from(const Contact& coarse);
   /// E* of the pair; prepares the bodies.
   double modulus();
+  /// Whether one of the bodies has a mesh.
+  bool meshed() const;
   /// As the statistic error_estimate of the last solve.
   double error_estimate() const;
   void log(LogLevel level, const char* text) const;

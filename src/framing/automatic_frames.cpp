@@ -58,6 +58,11 @@ class AutomaticFrames final : public FrameMaker {
 
   static FramePlace find_place(Contact& contact) {
     const Scene& scene = contact.scene;
+    if (contact.meshed())
+      fail(
+          Status::err_state,
+          "no frame was given: the library makes one for half-spaces and rigid planes only, and a body of this contact "
+          "has a mesh; call rollcon_contact_frame_from_body, rollcon_contact_set_frame_nodes or a maker of frames");
     const auto quadratic = scene.quadratic_gap();
     if (!quadratic)
       fail(Status::err_state,

@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""docs/frames.md: frames made by the library, from the records of rollcon-bench.
+
+usage: report_frames.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
+"""
+
+import sys
+
+from report import load, of_case, processor, table
+
+TEXT = """# Frames made by the library: errors and times
+
+Contacts whose caller gave no frame ([theory.md](theory.md), section 4). Made by `{command}` on {processor}, one thread,
+whose dgemm does {speed:.0f} Gflop/s. Times are of the processor for everything from the first call to the resultants;
+other work ran on the machine.
+
+Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), beside the same scene on the library's finest frames; those
+agree with published limits of cases (a) and (b) (tests, automatic_frames). Where the friction force is far below μFn,
+its error relative to itself is larger.
+
+## Random Hertzian scenes
+
+Ellipses of ratio 0.2 to 5; creepages whose linear theory asks for 0.2 to 2.5 μFn, two of three with spin. Cold: from
+nothing to the resultants; warm: the median of steps that change load and creepages by 0.3 %. Means are pulled up by
+scenes that need a finer pair than the first.
+
+{scenes}
+
+A body on a rigid one is the worst case of unlike bodies: pressure strains one of them alone, and convergence is slower
+than second order.
+
+## A vehicle's time loop
+
+Load ± 30 %, radius of curvature across from 150 to 550 mm, creepages and spin, each with a period of its own; every step
+sets all of them; `tolerance` 1e-6. Errors are root mean squares over 50 steps; jump: the largest second difference of any component.
+
+{loop}
+"""
+
+
+def percent(x):
+    return f"{100 * x:.2g} %"
+
+
+def ms(x):
+    return f"{1e3 * x:.3g} ms"
+
+
+def main():
+    records, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
+    scenes, loop = of_case(records, "automatic_frames"), of_case(records, "vehicle_loop")
+    rows = [[r["model"], r["mesh"].split()[1], f"{r['extra']['scenes']:.0f}",
+             f"{percent(r['error'])} / {percent(r['extra']['force_worst'])}",
+             f"{percent(r['moment_error'])} / {percent(r['extra']['moment_worst'])}",
+             percent(r["extra"]["estimate_mean"]),
+             f"{ms(r['extra']['cold_seconds'])} / {ms(r['extra']['cold_seconds_median'])}",
+             f"{ms(r['extra']['warm_seconds'])} / {ms(r['extra']['warm_seconds_median'])}",
+             f"{r['extra']['inaccurate']:.0f}"] for r in scenes]
+    first = table(["bodies", "`frame_accuracy`", "scenes", "force, mean / worst", "moment, mean / worst",
+                   "estimate, mean", "cold, mean / median", "warm, mean / median", "`INACCURATE`"], rows)
+    rows = [[r["mesh"].split()[1], f"{r['extra']['steps']:.0f}", f"{r['nodes']}", percent(r["extra"]["rms_x"]),
+             percent(r["extra"]["rms_y"]), percent(r["extra"]["rms_moment"]), percent(r["extra"]["second_difference"]),
+             f"{ms(r['extra']['seconds_mean'])} / {ms(r['extra']['seconds_99'])}",
+             f"{r['extra']['allocations']:.0f}"] for r in loop]
+    second = table(["`frame_accuracy`", "steps", "nodes of the finer frame", "Fx", "Fy", "moment", "jump",
+                    "step, mean / 99 %", "allocations in all"], rows)
+    text = TEXT.format(command=command, processor=processor(), speed=scenes[0]["extra"]["dgemm_gflops"],
+                       scenes=first, loop=second)
+    with open(f"{docs}/frames.md", "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+main()
