@@ -91,8 +91,8 @@ class PublishedSolver {
 /// What a solve stands on: made from the scene by prepare(), not changed by a solve, shared by the cases of a list.
 struct Prepared {
   Frame frame;
-  FrameSource frame_source;                ///< as far as the body still has these faces
-  bool placed = false;                     ///< a frame at a place of its own, which solves may change
+  FrameSource frame_source;  ///< as far as the body still has these faces
+  bool placed = false;       ///< a frame at a place of its own, which solves may change
   FramePlace place;
   bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
   PairOfBodies pair;                       ///< where the bodies stood
