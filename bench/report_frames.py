@@ -25,7 +25,6 @@ nothing to the resultants; warm: the median of steps that change load and creepa
 scenes that need a finer pair than the first.
 
 {scenes}
-
 A body on a rigid one is the worst case of unlike bodies: pressure strains one of them alone, and convergence is slower
 than second order.
 
@@ -43,7 +42,7 @@ def percent(x):
 
 
 def ms(x):
-    return f"{1e3 * x:.3g} ms"
+    return f"{1e3 * x:.0f} ms" if x >= 1 else f"{1e3 * x:.3g} ms"
 
 
 def main():

@@ -39,6 +39,7 @@ class AutomaticFrames final : public FrameMaker {
                       "(option frame_accuracy)",
                       100 * reached, 100 * wanted);
         contact.log(LogLevel::warning, text);
+        level_ = levels.size();  // the next scene may be an easier one
         return Status::inaccurate;
       }
     }

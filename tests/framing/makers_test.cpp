@@ -90,10 +90,17 @@ TEST(makers, a_frame_that_cuts_the_contact_off_is_told) {
   RollingPair pair(steel, steel);
   const auto hertz = closed_forms::hertz_from_axes(2, 1, 1000, closed_forms::effective_modulus(steel, steel));
   pair.gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(0);
-  ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), 16, 12, 1.9, 1, 0), ROLLCON_OK);
-  EXPECT_EQ(pair.solve(), ROLLCON_OK);
-  ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), 16, 12, 1.3, 1, 0), ROLLCON_OK);
-  EXPECT_EQ(pair.solve(), ROLLCON_RIM_CONTACT);
+  const int sizes[3][2] = {{6, 4}, {12, 8}, {24, 16}};
+  for (const auto& [along, across] : sizes) {
+    for (const double part : {1.0, 1.05, 1.2}) {
+      ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), along, across, 2 * part, part, 0), ROLLCON_OK);
+      EXPECT_EQ(pair.solve(), ROLLCON_OK) << along << ' ' << part;
+    }
+    for (const double part : {0.7, 0.5}) {
+      ASSERT_EQ(rollcon_contact_frame_ellipse(pair.handle(), along, across, 2 * part, part, 0), ROLLCON_OK);
+      EXPECT_EQ(pair.solve(), ROLLCON_RIM_CONTACT) << along << ' ' << part;
+    }
+  }
 }
 
 void expect_refused(std::int32_t status, const char* words) {

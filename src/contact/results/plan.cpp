@@ -72,6 +72,8 @@ void describe_frame(std::string& text, const SolverState& s, const Scene& scene,
   if (s.prepared->frame_source.body >= 0)
     line(text, "frame: the %lld faces of body %d with tag %d", static_cast<long long>(s.prepared->frame.elements()),
          s.prepared->frame_source.body + 1, s.prepared->frame_source.tag);
+  if (s.prepared->placed)
+    line(text, "frame: made by the library, strips that end at the contact's edge; solves may move and stretch it");
   if (s.prepared->frame.curved()) {
     double cosine = 1;
     for (const Vec3& n : s.prepared->frame.n) cosine = std::min(cosine, dot(n, s.prepared->frame.axes.n));
@@ -110,6 +112,8 @@ void describe_contact(std::string& text, const SolverState& s) {
   const auto touching = std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; });
   line(text, "contact: %lld node(s) touch, %lld of them with all their neighbours", static_cast<long long>(touching),
        static_cast<long long>(nodes_inside(s)));
+  if (s.extrapolated)
+    text += "results: extrapolated from this frame and one with half its intervals; fields are those of this one\n";
   const ErrorEstimate& e = s.error_estimate;
   if (e.known)
     line(text, "discretisation: the normal force is off by about %.2g %%, friction by %.2g %%", 100 * e.normal,
