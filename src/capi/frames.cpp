@@ -1,11 +1,13 @@
 /// Frames that the library makes for a caller.
 
+#include <cstdint>
 #include <vector>
 
 #include "capi/guard.hpp"
 #include "contact/contact.hpp"
 #include "framing/makers.hpp"
 #include "support/input_checks.hpp"
+#include "support/memory_limit.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -33,6 +35,18 @@ void require_length(double value, const char* name) {
   if (!(value > 0)) fail(Status::err_argument, "%s is %g; allowed: > 0", name, value);
 }
 
+/// Of a mesh whose lines of nodes have `along` and `across` of them.
+void require_room(std::int64_t along, std::int64_t across) {
+  const std::int64_t nodes = along * across;
+  if (nodes > INT32_MAX)
+    fail(Status::err_argument, "the frame would have %lld nodes; allowed: at most %d", static_cast<long long>(nodes),
+         INT32_MAX);
+  // Coordinates and elements, while arrays grow.
+  const double bytes = 200.0 * static_cast<double>(nodes);
+  require_memory({bytes, bytes}, "ask for fewer elements", "a frame of %lld nodes needs",
+                 static_cast<long long>(nodes));
+}
+
 }  // namespace
 
 rollcon_status rollcon_contact_frame_rectangle(rollcon_contact* contact, int32_t type, int32_t nx, int32_t ny,
@@ -43,6 +57,8 @@ rollcon_status rollcon_contact_frame_rectangle(rollcon_contact* contact, int32_t
            type);
     require_within(nx, 1, most_cells, "nx");
     require_within(ny, 1, most_cells, "ny");
+    const std::int64_t lines = is_quadratic(static_cast<ElementType>(type)) ? 2 : 1;
+    require_room(lines * nx + 1, lines * ny + 1);
     require_ascending(x_least, "x_least", x_greatest, "x_greatest");
     require_ascending(y_least, "y_least", y_greatest, "y_greatest");
     const Rectangle bounds{x_least, x_greatest, y_least, y_greatest};
@@ -56,6 +72,7 @@ rollcon_status rollcon_contact_frame_ellipse(rollcon_contact* contact, int32_t a
   return with_contact(__func__, contact, [&](Contact& self) {
     require_within(along, 2, most_intervals, "along");
     require_within(across, 2, most_intervals, "across");
+    require_room(along + 1, across + 1);
     require_length(a, "a");
     require_length(b, "b");
     require_finite(angle, "angle");
@@ -68,6 +85,7 @@ rollcon_status rollcon_contact_frame_strips(rollcon_contact* contact, int32_t al
   return with_contact(__func__, contact, [&](Contact& self) {
     require_within(along, 2, most_intervals, "along");
     require_within(n, 3, most_intervals + 1, "n");
+    require_room(along + 1, n);
     require_pointer(lines, "lines");
     require_finite(n, 3, lines, "lines", 0);
     std::vector<Strip> strip;

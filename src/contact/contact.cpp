@@ -145,7 +145,9 @@ static std::int64_t nodes_cut_off(const SolverState& s) {
   std::int64_t count = 0;
   for (std::ptrdiff_t k = 0; k < n; ++k) {
     if (p.used[at(k)]) continue;
-    bool cut = p.rigid_gap(at(k), s.iterate.motion[approach]) - s.iterate.image[2][at(k)] < -overlap * depth;
+    // Without rows nobody knows the gap there.
+    bool cut =
+        p.op->normal && p.rigid_gap(at(k), s.iterate.motion[approach]) - s.iterate.image[2][at(k)] < -overlap * depth;
     // Nodes follow each other along a strip.
     for (const std::ptrdiff_t step : {-1, 1}) {
       const std::ptrdiff_t next = k + step, second = k + 2 * step;
@@ -205,10 +207,6 @@ Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, 
          elastic_kinds().c_str());
 }
 
-Contact::Contact(Contact& lead) : Contact(lead.context_, lead.body1_, lead.body2_, lead.state_->make_published) {
-  cancel_ = lead.cancel_;
-}
-
 Contact::~Contact() = default;
 
 void Contact::clear_state() {
@@ -257,6 +255,12 @@ void Contact::reset() {
   if (frames_) frames_->reset();
 }
 
+std::unique_ptr<Contact> Contact::make_follower() const {
+  auto follower = std::make_unique<Contact>(context_, body1_, body2_, state_->make_published);
+  follower->cancel_ = cancel_;
+  return follower;
+}
+
 void Contact::follow(const Contact& lead) {
   scene.follow(lead.scene);
   progress_ = lead.progress_;
@@ -269,12 +273,18 @@ Status Contact::solve() {
   coarser_ = nullptr;
   if (scene.frame_given() || !make_frames_) return solve_on_frame();
   if (!frames_) frames_ = make_frames_();
-  return frames_->solve(*this);
+  try {
+    return frames_->solve(*this);
+  } catch (...) {
+    state_->solved = false;  // of one frame of a pair
+    throw;
+  }
 }
 
 void Contact::extrapolate_from(const Contact& coarse) {
   extrapolate(*state_, *coarse.state_);
   state_->timings.total += coarse.state_->timings.total;
+  state_->peak_bytes = std::max(state_->peak_bytes, state_->bytes() + coarse.state_->bytes());
   coarser_ = &coarse;
 }
 

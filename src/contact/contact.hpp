@@ -38,8 +38,6 @@ class Contact {
   /// published: makes the published procedures; null where the build has none. frames: null: the scene has one.
   Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
           MakePublished published = nullptr, MakeFrameMaker frames = nullptr);
-  /// Of the same bodies; solves with follow() and solve_on_frame() as part of a solve of `lead`, which outlives it.
-  explicit Contact(Contact& lead);
   ~Contact();
 
   Scene scene;  ///< setters live here
@@ -56,6 +54,8 @@ class Contact {
   Status solve();
   /// The same on the scene's frame, whoever made it; for frame makers.
   Status solve_on_frame();
+  /// Of the same bodies, for solve_on_frame() as part of a solve of this contact, which outlives it.
+  std::unique_ptr<Contact> make_follower() const;
   /// Takes over everything but the frame from the scene of the lead.
   void follow(const Contact& lead);
   /// Both are solved on frames of one family: results become what they tend to. coarse outlives them.

@@ -24,9 +24,9 @@ Elliptic elliptic(double ratio) {
     a = mean;
     sum += power * c2_over_m;
     if (!(std::abs(c) > 1e-17 * a)) break;
-    const double next = c * c / (4 * (a + g) / 2);
-    c2_over_m *= (c / (4 * (a + g) / 2)) * (c / (4 * (a + g) / 2));
-    c = next;
+    const double shrink = c / (2 * (a + g));
+    c2_over_m *= shrink * shrink;
+    c *= shrink;
     power *= 2;
   }
   const double k = pi / (2 * a);

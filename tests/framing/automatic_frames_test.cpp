@@ -59,7 +59,7 @@ TEST(automatic_frames, frictionless_contact_is_that_of_hertz) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const std::string name = "a/b = " + std::to_string(ratio);
     expect_error(name + ": approach", relative(pair.solution().approach, hertz.approach), 2e-3);
-    expect_error(name + ": area", relative(pair.stat("contact_area"), std::numbers::pi * hertz.a * hertz.b), 2e-2);
+    expect_error(name + ": area", relative(pair.stat("contact_area"), std::numbers::pi * hertz.a * hertz.b), 2e-3);
     pair.approach(hertz.approach);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     expect_error(name + ": load of an approach", relative(-pair.solution().force[2], hertz.load), 3e-3);
@@ -84,8 +84,8 @@ TEST(automatic_frames_long, ellipses_at_any_angle_beside_lattices) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const auto lattice = shares(pair.solution(), mu * hertz.load, std::sqrt(a * b));
     const std::string name = "ellipse at " + std::to_string(angle);
-    expect_error(name + ", force vector beside 127 x 127", vector_error(automatic, lattice), 0.008);
-    expect_error(name + ", spin moment", automatic[2] - lattice[2], 0.004);
+    expect_error(name + ", force vector beside 127 x 127", vector_error(automatic, lattice), 0.004);
+    expect_error(name + ", spin moment", automatic[2] - lattice[2], 0.002);
   }
 }
 
@@ -103,7 +103,7 @@ TEST(automatic_frames, motions_found_for_given_forces_lead_back_to_them) {
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   const Solution back = pair.solution();
   expect_error("forces under the creepages found",
-               std::hypot(back.force[0] - given.force[0], back.force[1] - given.force[1]) / bound, 1e-3);
+               std::hypot(back.force[0] - given.force[0], back.force[1] - given.force[1]) / bound, 1e-4);
 }
 
 // The pair's sensitivities are those of its extrapolated results.
@@ -123,7 +123,7 @@ TEST(automatic_frames, sensitivities_are_derivatives_of_the_results) {
             ROLLCON_OK);
   for (std::size_t i = 0; i < 2; ++i)
     expect_error("derivative of force " + std::to_string(i),
-                 (rate[i] - (more[i] - less[i]) / (2 * step)) / std::abs(rate[0]), 1e-5);
+                 (rate[i] - (more[i] - less[i]) / (2 * step)) / std::abs(rate[0]), 1e-7);
 }
 
 TEST(automatic_frames, units_do_not_matter) {
@@ -137,8 +137,8 @@ TEST(automatic_frames, units_do_not_matter) {
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     found[u] = shares(pair.solution(), 1500, l);
   }
-  expect_error("mm and m, force", vector_error(found[0], found[1]), 1e-9);
-  expect_error("mm and m, moment", found[0][2] - found[1][2], 1e-9);
+  expect_error("mm and m, force", vector_error(found[0], found[1]), 1e-11);
+  expect_error("mm and m, moment", found[0][2] - found[1][2], 1e-11);
 }
 
 TEST(automatic_frames, bodies_apart_are_told) {

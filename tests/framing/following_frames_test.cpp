@@ -39,6 +39,7 @@ TEST(following_frames, the_way_does_not_matter) {
     RollingPair follows(steel, second);
     follows.option("frame_accuracy", 0.1);
     double worst = 0, assembled = 0, nodes = 0;
+    int compared = 0;
     for (int i = 0; i < 120; ++i) {
       const double phase = 0.05 * i;
       const Step s{.load = 1e5 * (1 + 0.3 * std::sin(2 * phase)),
@@ -52,9 +53,11 @@ TEST(following_frames, the_way_does_not_matter) {
       fresh.option("frame_accuracy", 0.1);
       const auto anew = solve(fresh, s);
       if (static_cast<double>(fresh.solution().nodes()) != nodes) continue;
+      ++compared;
       worst = std::max(worst, largest({there[0] - anew[0], there[1] - anew[1], there[2] - anew[2]}));
     }
-    expect_error("stretched frames beside new ones, over mu Fn", worst, 3e-5);
+    expect_error("stretched frames beside new ones, over mu Fn", worst, 1e-5);
+    EXPECT_GE(compared, 8) << "of 12, on frames of one level";
     report("shapes assembled in 120 steps", assembled);
     EXPECT_LE(assembled, 16);
   }
@@ -76,7 +79,7 @@ TEST(following_frames, loads_alone_assemble_nothing) {
                1e-9);
   // What is computed from integrals knows where the frame went.
   for (const char* law : {"law_normal", "law_friction", "law_slip", "law_equilibrium"})
-    expect_error(law, follows.stat(law), 1e-5);
+    expect_error(law, follows.stat(law), 1e-9);
 }
 
 // Axes may turn, too.

@@ -335,7 +335,8 @@ std::size_t SolverState::bytes() const {
   const Problem& p = prepared->problem;
   const Compliance* compliance = prepared->compliance.get();
   const std::size_t system = published ? published->bytes() : 0;
-  return p.op->bytes() + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
+  const std::size_t family = preparation ? preparation->family.bytes() : 0;
+  return p.op->bytes() + family + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
          at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
