@@ -687,6 +687,21 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_gap_quadratic
 
+    function rollcon_contact_set_gap_grid(contact, nx, x_least, x_greatest, y_least, y_greatest, &
+        n, gap) result(rc) bind(C, name="rollcon_contact_set_gap_grid")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: nx
+      real(c_double), value :: x_least
+      real(c_double), value :: x_greatest
+      real(c_double), value :: y_least
+      real(c_double), value :: y_greatest
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: gap(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_gap_grid
+
     function rollcon_contact_set_rolling(contact, speed) &
         result(rc) bind(C, name="rollcon_contact_set_rolling")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

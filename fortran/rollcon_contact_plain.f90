@@ -29,6 +29,7 @@ module rollcon_contact_plain
     procedure :: set_axes => contact_set_axes
     procedure :: set_gap => contact_set_gap
     procedure :: set_gap_quadratic => contact_set_gap_quadratic
+    procedure :: set_gap_grid => contact_set_gap_grid
     procedure :: set_rolling => contact_set_rolling
     procedure :: set_creep => contact_set_creep
     procedure :: set_creep_field => contact_set_creep_field
@@ -311,11 +312,12 @@ contains
       'rc_contact%frame_strips', stat, errmsg)
   end subroutine
 
-  !> Leaves the frame to the library, as in a new contact: solves then find the contact from the quadratic gap and from
-  !> load or approach, fit two frames of strips to its edge, one twice as fine as the other, extrapolate their results,
-  !> and take finer pairs until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
-  !> moment, approach, creepages, their sensitivities and the statistics contact_area and error_estimate are the
-  !> extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace.
+  !> Leaves the frame to the library, as in a new contact: solves then find the contact from the gap
+  !> (rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or approach, fit two frames of
+  !> strips to the edge of each patch, one twice as fine as the other, extrapolate their results, and take finer pairs
+  !> until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces, moment, approach,
+  !> creepages, their sensitivities and the statistics contact_area and error_estimate are the extrapolated ones; nodes
+  !> and fields those of the finer frame, which the next solve may replace.
   subroutine contact_frame_automatic(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
@@ -372,6 +374,25 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_set_gap_quadratic(self%p, a, b, c), self%p, 'rc_contact%set_gap_quadratic', stat, &
       errmsg)
+  end subroutine
+
+  !> Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in the axes (t1, t2): between
+  !> the points it is bicubic, with continuous slopes. Values that are +infinity say that a body is not there: the
+  !> contact ends at the cells beside them, and there only (rollcon_contact_frame_automatic); the grid's own rim is no
+  !> such edge. Replaces a gap array or a quadratic gap. A frame must lie within the cells that have a gap.
+  subroutine contact_set_gap_grid(self, nx, x_least, x_greatest, y_least, y_greatest, gap, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: nx
+    real(rc_real), intent(in) :: x_least
+    real(rc_real), intent(in) :: x_greatest
+    real(rc_real), intent(in) :: y_least
+    real(rc_real), intent(in) :: y_greatest
+    real(rc_real), intent(in), contiguous :: gap(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish( &
+      rollcon_contact_set_gap_grid(self%p, int(nx, rc_int), x_least, x_greatest, y_least, y_greatest, size(gap, 1, rc_long), gap), &
+      self%p, 'rc_contact%set_gap_grid', stat, errmsg)
   end subroutine
 
   !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).

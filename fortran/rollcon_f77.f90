@@ -617,6 +617,16 @@ subroutine rcgapq(icon, a, b, c, ierr)
   ierr = rollcon_contact_set_gap_quadratic(contact_of(icon), a, b, c)
 end subroutine
 
+!> Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in the axes (t1, t2).
+subroutine rcgapg(icon, nx, x_least, x_greatest, y_least, y_greatest, n, gap, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, nx, n, ierr
+  double precision :: x_least, x_greatest, y_least, y_greatest, gap(*)
+  ierr = rollcon_contact_set_gap_grid(contact_of(icon), narrow(nx), x_least, x_greatest, y_least, y_greatest, &
+    int(n, c_int64_t), gap)
+end subroutine
+
 !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
 subroutine rcroll(icon, speed, ierr)
   use rollcon_f77_support

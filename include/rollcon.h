@@ -833,12 +833,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
     int32_t along, int64_t n, const double *lines);
 
 /*
- * Leaves the frame to the library, as in a new contact: solves then find the contact from the
- * quadratic gap and from load or approach, fit two frames of strips to its edge, one twice as
- * fine as the other, extrapolate their results, and take finer pairs until the option
- * frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces, moment, approach,
- * creepages, their sensitivities and the statistics contact_area and error_estimate are the
- * extrapolated ones; nodes and fields those of the finer frame, which the next solve may replace.
+ * Leaves the frame to the library, as in a new contact: solves then find the contact from the gap
+ * (rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or approach,
+ * fit two frames of strips to the edge of each patch, one twice as fine as the other, extrapolate
+ * their results, and take finer pairs until the option frame_accuracy is met or
+ * ROLLCON_INACCURATE says that it was not. Forces, moment, approach, creepages, their
+ * sensitivities and the statistics contact_area and error_estimate are the extrapolated ones;
+ * nodes and fields those of the finer frame, which the next solve may replace.
  * Source: docs/theory.md, section 4.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_automatic(rollcon_contact *contact);
@@ -891,6 +892,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap(rollcon_contact 
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
     rollcon_contact *contact, double a, double b, double c);
+
+/*
+ * Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in the axes
+ * (t1, t2): between the points it is bicubic, with continuous slopes. Values that are +infinity
+ * say that a body is not there: the contact ends at the cells beside them, and there only
+ * (rollcon_contact_frame_automatic); the grid's own rim is no such edge. Replaces a gap array or
+ * a quadratic gap. A frame must lie within the cells that have a gap.
+ *   nx          points along t1 of each line, 2 or more
+ *   x_least     of the first point of a line, length
+ *   x_greatest  of the last point, length
+ *   y_least     of the first line, length
+ *   y_greatest  of the last line, length
+ *   n           points: nx times the number of lines, which is 2 or more
+ *   gap         [n]; line by line, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_grid(rollcon_contact *contact,
+    int32_t nx, double x_least, double x_greatest, double y_least, double y_greatest, int64_t n,
+    const double *gap);
 
 /* ------------------------------------------------------- Contact: motion, loads and friction */
 /* What is set again in a time loop. Setting values that are already set costs nothing at the next

@@ -1,4 +1,4 @@
-/// Frames that the library makes for a caller.
+/// Gaps on grids, and frames that the library makes for a caller.
 
 #include <cstdint>
 #include <vector>
@@ -20,14 +20,6 @@ void require_within(std::int64_t value, std::int64_t least, std::int64_t most, c
   if (value < least || value > most)
     fail(Status::err_argument, "%s is %lld; allowed: %lld to %lld", name, static_cast<long long>(value),
          static_cast<long long>(least), static_cast<long long>(most));
-}
-
-void require_ascending(double less, const char* name, double greater, const char* name_of_greater) {
-  require_finite(less, name);
-  require_finite(greater, name_of_greater);
-  if (!(less < greater))
-    fail(Status::err_argument, "%s is %g and %s is %g; allowed: the first less than the second", name, less,
-         name_of_greater, greater);
 }
 
 void require_length(double value, const char* name) {
@@ -78,6 +70,17 @@ rollcon_status rollcon_contact_frame_ellipse(rollcon_contact* contact, int32_t a
     require_finite(angle, "angle");
     self.scene.set_made_frame(strips_mesh(self.scene.axes(), strips_of_ellipse(a, b, angle, across), along), true,
                               true);
+  });
+}
+
+rollcon_status rollcon_contact_set_gap_grid(rollcon_contact* contact, int32_t nx, double x_least, double x_greatest,
+                                            double y_least, double y_greatest, int64_t n, const double* gap) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    if (nx < 2) fail(Status::err_argument, "nx is %d; allowed: 2 or more", nx);
+    if (n < 2 * static_cast<std::int64_t>(nx) || n % nx != 0)
+      fail(Status::err_argument, "n is %lld; allowed: a multiple of nx = %d, 2 lines or more",
+           static_cast<long long>(n), nx);
+    self.scene.set_gap_grid({nx, n / nx, x_least, x_greatest, y_least, y_greatest}, gap);
   });
 }
 

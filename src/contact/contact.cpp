@@ -148,10 +148,12 @@ static std::int64_t nodes_cut_off(const SolverState& s) {
     // Without rows nobody knows the gap there.
     bool cut =
         p.op->normal && p.rigid_gap(at(k), s.iterate.motion[approach]) - s.iterate.image[2][at(k)] < -overlap * depth;
-    // Nodes follow each other along a strip.
+    // Nodes follow each other along a strip; the next strip starts after the last one.
+    const std::vector<double>&x = s.prepared->frame.x, &y = s.prepared->frame.y;
     for (const std::ptrdiff_t step : {-1, 1}) {
       const std::ptrdiff_t next = k + step, second = k + 2 * step;
       if (second < 0 || second >= n || !p.used[at(next)] || !p.used[at(second)]) continue;
+      if (std::abs(y[at(next)] - y[at(k)]) > 1e-6 * std::abs(x[at(next)] - x[at(k)])) continue;
       cut = cut || (-normal[at(next)] > least * largest && normal[at(next)] < rise * normal[at(second)]);
     }
     count += cut;
@@ -261,6 +263,15 @@ std::unique_ptr<Contact> Contact::make_follower() const {
   return follower;
 }
 
+std::unique_ptr<Contact> Contact::make_half_space(double modulus) const {
+  const auto elastic = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::halfspace));
+  elastic->set_elastic(0, modulus, 0);
+  const auto rigid = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::rigid));
+  auto follower = std::make_unique<Contact>(context_, elastic, rigid);
+  follower->cancel_ = cancel_;
+  return follower;
+}
+
 void Contact::follow(const Contact& lead) {
   scene.follow(lead.scene);
   progress_ = lead.progress_;
@@ -281,8 +292,9 @@ Status Contact::solve() {
   }
 }
 
-void Contact::extrapolate_from(const Contact& coarse) {
+void Contact::extrapolate_from(const Contact& coarse, double cover) {
   extrapolate(*state_, *coarse.state_);
+  state_->extrapolated->area *= cover;
   state_->timings.total += coarse.state_->timings.total;
   state_->peak_bytes = std::max(state_->peak_bytes, state_->bytes() + coarse.state_->bytes());
   coarser_ = &coarse;

@@ -56,16 +56,21 @@ class Contact {
   Status solve_on_frame();
   /// Of the same bodies, for solve_on_frame() as part of a solve of this contact, which outlives it.
   std::unique_ptr<Contact> make_follower() const;
+  /// Likewise, of an elastic half-space with this E* and a rigid body.
+  std::unique_ptr<Contact> make_half_space(double modulus) const;
   /// Takes over everything but the frame from the scene of the lead.
   void follow(const Contact& lead);
-  /// Both are solved on frames of one family: results become what they tend to. coarse outlives them.
-  void extrapolate_from(const Contact& coarse);
+  /// Both are solved on frames of one family: results become what they tend to. coarse outlives them. cover: what the
+  /// contact is of the area of frames that were made too large.
+  void extrapolate_from(const Contact& coarse, double cover);
   /// E* of the pair; prepares the bodies.
   double modulus();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;
   /// As the statistic error_estimate of the last solve.
   double error_estimate() const;
+  /// Somebody asked this solve to stop.
+  bool cancelled() const noexcept { return cancel_->load(); }
   void log(LogLevel level, const char* text) const;
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
   /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the

@@ -49,8 +49,7 @@ std::vector<double> graded(std::int64_t intervals) {
 
 }  // namespace
 
-SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int64_t along) {
-  Builder mesh(axes);
+static void add_strips(Builder& mesh, std::span<const Strip> strip, std::int64_t along) {
   const std::vector<double> part = graded(along);
   std::vector<std::int32_t> line, next;
   for (const Strip& s : strip) {
@@ -68,6 +67,17 @@ SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int
     }
     line.swap(next);
   }
+}
+
+SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int64_t along) {
+  Builder mesh(axes);
+  add_strips(mesh, strip, along);
+  return mesh.take();
+}
+
+SurfaceMesh strips_mesh(const Axes& axes, std::span<const std::vector<Strip>> patch, std::int64_t along) {
+  Builder mesh(axes);
+  for (const std::vector<Strip>& strip : patch) add_strips(mesh, strip, along);
   return mesh.take();
 }
 

@@ -19,6 +19,8 @@ struct Strip {
 /// cosines: quadrilaterals, and triangles beside a first or last strip that is a point. At least three strips in
 /// ascending order of y, all but the outer ones longer than 0; along >= 2.
 SurfaceMesh strips_mesh(const Axes& axes, std::span<const Strip> strip, std::int64_t along);
+/// Of several patches, each of strips as above.
+SurfaceMesh strips_mesh(const Axes& axes, std::span<const std::vector<Strip>> patch, std::int64_t along);
 
 /// Of the unit disc: an ellipse with these semi-axes, the first at `angle` (radian) from t1.
 FramePlace place_of_disc(double semi1, double semi2, double angle);

@@ -12,8 +12,9 @@ void Gmres::reserve(std::int64_t n, int krylov) {
   const auto k = static_cast<std::size_t>(krylov);
   if (basis_.size() < size * (k + 1)) basis_.resize(size * (k + 1));
   if (z_.size() < size) z_.resize(size), r_.resize(size);
-  if (krylov > krylov_) {
-    krylov_ = krylov;
+  // The basis has room for so many vectors of this size, whatever an earlier system had.
+  krylov_ = krylov;
+  if (cosine_.size() < k) {
     hessenberg_.resize((k + 1) * k);
     cosine_.resize(k);
     sine_.resize(k);

@@ -36,6 +36,14 @@ inline void require_count(std::int64_t n, const char* name) {
   if (n < 0) fail(Status::err_argument, "%s is %lld; allowed: 0 or more", name, static_cast<long long>(n));
 }
 
+inline void require_ascending(double less, const char* name, double greater, const char* name_of_greater) {
+  require_finite(less, name);
+  require_finite(greater, name_of_greater);
+  if (!(less < greater))
+    fail(Status::err_argument, "%s is %g and %s is %g; allowed: the first less than the second", name, less,
+         name_of_greater, greater);
+}
+
 inline void require_index_base(std::int32_t index_base) {
   if (index_base != 0 && index_base != 1) fail(Status::err_argument, "index_base is %d; allowed: 0, 1", index_base);
 }

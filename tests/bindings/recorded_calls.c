@@ -63,6 +63,7 @@ const char* const recorded_names[] = {
   "contact_set_axes",
   "contact_set_gap",
   "contact_set_gap_quadratic",
+  "contact_set_gap_grid",
   "contact_set_rolling",
   "contact_set_creep",
   "contact_set_creep_field",
@@ -106,7 +107,7 @@ const char* const recorded_names[] = {
   "contact_from_id",
 };
 
-const int recorded_number = 99;
+const int recorded_number = 100;
 
 enum {
   recorded_rollcon_version,
@@ -167,6 +168,7 @@ enum {
   recorded_rollcon_contact_set_axes,
   recorded_rollcon_contact_set_gap,
   recorded_rollcon_contact_set_gap_quadratic,
+  recorded_rollcon_contact_set_gap_grid,
   recorded_rollcon_contact_set_rolling,
   recorded_rollcon_contact_set_creep,
   recorded_rollcon_contact_set_creep_field,
@@ -695,6 +697,20 @@ rollcon_status rollcon_contact_set_gap_quadratic(rollcon_contact *contact, doubl
   record_real(a);
   record_real(b);
   record_real(c);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_gap_grid(rollcon_contact *contact, int32_t nx, double x_least,
+    double x_greatest, double y_least, double y_greatest, int64_t n, const double *gap) {
+  record_begin(recorded_rollcon_contact_set_gap_grid);
+  record_handle(contact);
+  record_integer(nx);
+  record_real(x_least);
+  record_real(x_greatest);
+  record_real(y_least);
+  record_real(y_greatest);
+  record_integer(n);
+  record_reals(gap, n);
   return record_end();
 }
 

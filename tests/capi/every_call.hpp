@@ -117,6 +117,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_set_gap(object, 1, a.reals));
   check("rollcon_contact_set_gap_quadratic", false,
         rollcon_contact_set_gap_quadratic(object, 1, 1, 1));
+  check("rollcon_contact_set_gap_grid", false,
+        rollcon_contact_set_gap_grid(object, 1, 1, 1, 1, 1, 1, a.reals));
   check("rollcon_contact_set_rolling", false,
         rollcon_contact_set_rolling(object, 1));
   check("rollcon_contact_set_creep", false,

@@ -49,6 +49,7 @@ program mapping_77_test
   call test_rcaxes()
   call test_rcgap()
   call test_rcgapq()
+  call test_rcgapg()
   call test_rcroll()
   call test_rccrp()
   call test_rccrpf()
@@ -727,6 +728,19 @@ contains
     call rcgapq(icon, 1.5d0, 2.5d0, 3.5d0, stat)
     call rclerr(message)
     call failed('contact_set_gap_quadratic', stat, message)
+  end subroutine
+
+  subroutine test_rcgapg()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcgapg(icon, 11, 2.5d0, 3.5d0, 4.5d0, 5.5d0, 2, [7.125d0, 7.25d0], stat)
+    call told('contact_set_gap_grid', 'contact1 11 2.5 3.5 4.5 5.5 2 [7.125 7.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcgapg(icon, 11, 2.5d0, 3.5d0, 4.5d0, 5.5d0, 2, [7.125d0, 7.25d0], stat)
+    call rclerr(message)
+    call failed('contact_set_gap_grid', stat, message)
   end subroutine
 
   subroutine test_rcroll()

@@ -25,6 +25,7 @@ program mapping_test
   call contact_set_axes()
   call contact_set_gap()
   call contact_set_gap_quadratic()
+  call contact_set_gap_grid()
   call contact_set_rolling()
   call contact_set_creep()
   call contact_set_creep_field()
@@ -300,6 +301,20 @@ contains
     message = ''
     call contact%set_gap_quadratic(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
     call failed('contact_set_gap_quadratic', stat, message)
+  end subroutine
+
+  subroutine contact_set_gap_grid()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_gap_grid(11, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, [7.125_rc_real, &
+      7.25_rc_real], stat, message)
+    call told('contact_set_gap_grid', 'contact1 11 2.5 3.5 4.5 5.5 2 [7.125 7.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_gap_grid(11, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, [7.125_rc_real, &
+      7.25_rc_real], stat, message)
+    call failed('contact_set_gap_grid', stat, message)
   end subroutine
 
   subroutine contact_set_rolling()

@@ -97,6 +97,22 @@ TEST(gmres, restarts_converge_too) {
   EXPECT_TRUE(gmres.solve(n, matrix, identity, b.data(), x.data(), 1e-9, 400).converged);
 }
 
+// One solver serves small systems with many vectors and large ones with few.
+TEST(gmres, a_larger_system_with_fewer_vectors) {
+  Gmres gmres;
+  for (const auto& [n, vectors] : {std::pair<std::int64_t, int>{20, 60}, {90, 20}, {20, 60}}) {
+    const std::vector<double> a = test_matrix(n);
+    std::vector<double> b(static_cast<std::size_t>(n), 1.0), x(b.size());
+    Dense matrix(a, n);
+    Identity identity(n);
+    gmres.reserve(n, vectors);
+    const std::size_t room = gmres.bytes();
+    EXPECT_TRUE(gmres.solve(n, matrix, identity, b.data(), x.data(), 1e-9, 400).converged);
+    EXPECT_GE(room, sizeof(double) * static_cast<std::size_t>(n * (vectors + 1)));
+    EXPECT_LE(matrix.calls, n <= vectors ? n + 2 : 400 + 400 / vectors + 1);
+  }
+}
+
 TEST(gmres, zero_right_side_needs_no_iteration) {
   const std::int64_t n = 5;
   const std::vector<double> a = test_matrix(n);

@@ -31,6 +31,7 @@ ROWS = list(starmap(Row, [
     ('contact', 'set_gap', False, ([2.125, 2.25],), 'contact_set_gap', 'contact1 2 [2.125 2.25]', None),
     ('contact', 'set_gap_quadratic', False, (1.5, 2.5, 3.5), 'contact_set_gap_quadratic', 'contact1 1.5 2.5 3.5', None),
     ('contact', 'set_gap_quadratic', False, (1.5, 2.5), 'contact_set_gap_quadratic', 'contact1 1.5 2.5 0', None),
+    ('contact', 'set_gap_grid', False, (11, 2.5, 3.5, 4.5, 5.5, [7.125, 7.25]), 'contact_set_gap_grid', 'contact1 11 2.5 3.5 4.5 5.5 2 [7.125 7.25]', None),
     ('contact', 'set_rolling', False, (1.5,), 'contact_set_rolling', 'contact1 1.5', None),
     ('contact', 'set_creep', False, (1.5, 2.5, 3.5), 'contact_set_creep', 'contact1 1.5 2.5 3.5', None),
     ('contact', 'set_creep', False, (), 'contact_set_creep', 'contact1 0 0 0', None),

@@ -226,6 +226,9 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_set_gap": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_gap_quadratic": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_contact_set_gap_grid": (c_int32, [
+        c_void_p, c_int32, c_double, c_double,
+        c_double, c_double, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_rolling": (c_int32, [c_void_p, c_double]),
     "rollcon_contact_set_creep": (c_int32, [c_void_p, c_double, c_double, c_double]),
     "rollcon_contact_set_creep_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
@@ -420,6 +423,10 @@ ARGUMENTS = {
     "rollcon_contact_set_axes": [("contact", ""), ("origin", ""), ("rolling", ""), ("normal", "")],
     "rollcon_contact_set_gap": [("contact", ""), ("n", ""), ("gap", "")],
     "rollcon_contact_set_gap_quadratic": [("contact", ""), ("a", ""), ("b", ""), ("c", "")],
+    "rollcon_contact_set_gap_grid": [
+        ("contact", ""), ("nx", ""), ("x_least", ""), ("x_greatest", ""), ("y_least", ""),
+        ("y_greatest", ""), ("n", ""), ("gap", "")
+    ],
     "rollcon_contact_set_rolling": [("contact", ""), ("speed", "")],
     "rollcon_contact_set_creep": [
         ("contact", ""), ("longitudinal", ""), ("lateral", ""), ("spin", "")

@@ -208,12 +208,12 @@ class ContactPlain:
 
     def frame_automatic(self):
         """Leaves the frame to the library, as in a new contact: solves then find the contact from
-        the quadratic gap and from load or approach, fit two frames of strips to its edge, one
-        twice as fine as the other, extrapolate their results, and take finer pairs until the
-        option frame_accuracy is met or INACCURATE says that it was not. Forces, moment, approach,
-        creepages, their sensitivities and the statistics contact_area and error_estimate are the
-        extrapolated ones; nodes and fields those of the finer frame, which the next solve may
-        replace.
+        the gap (set_gap_quadratic(), set_gap_grid()) and from load or approach, fit two frames of
+        strips to the edge of each patch, one twice as fine as the other, extrapolate their
+        results, and take finer pairs until the option frame_accuracy is met or INACCURATE says
+        that it was not. Forces, moment, approach, creepages, their sensitivities and the
+        statistics contact_area and error_estimate are the extrapolated ones; nodes and fields
+        those of the finer frame, which the next solve may replace.
         """
         self._call("frame_automatic")
 
@@ -253,6 +253,23 @@ class ContactPlain:
         c: 1/length.
         """
         self._call("set_gap_quadratic", a, b, c)
+
+    def set_gap_grid(self, nx, x_least, x_greatest, y_least, y_greatest, gap):
+        """Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in
+        the axes (t1, t2): between the points it is bicubic, with continuous slopes. Values that
+        are +infinity say that a body is not there: the contact ends at the cells beside them, and
+        there only (frame_automatic()); the grid's own rim is no such edge. Replaces a gap array
+        or a quadratic gap. A frame must lie within the cells that have a gap.
+
+        nx: points along t1 of each line, 2 or more.
+        x_least: of the first point of a line, length.
+        x_greatest: of the last point, length.
+        y_least: of the first line, length.
+        y_greatest: of the last line, length.
+        gap: line by line, length.
+        """
+        gap, gap_at = reals(gap)
+        self._call("set_gap_grid", nx, x_least, x_greatest, y_least, y_greatest, len(gap), gap_at)
 
     def set_rolling(self, speed):
         """Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for

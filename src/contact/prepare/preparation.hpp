@@ -46,14 +46,14 @@ struct Preparation {
   /// The operators of `made` where their rows are formed: more can be added. Else null.
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;  ///< of the frame
-  /// mesh, place if it cannot follow that, axes, poses that turn or move it
-  Stage<Revision, Revision, Revision, Poses> frame;
-  Stage<Revision, Revision> place;     ///< frame, revision
-  Stage<Revision, Poses> rim;          ///< frame, poses of bodies with a mesh
-  Stage<Revision, double> compliance;  ///< frame, accuracy
-  Stage<Revision, Scheme> convection;  ///< compliance, scheme
-  Stage<Revision> offset;              ///< convection
-  Stage<Revision, Revision> friction;  ///< convection, revision
+  /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there
+  Stage<Revision, Revision, Revision, Poses, Revision> frame;
+  Stage<Revision, Revision> place;       ///< frame, revision
+  Stage<Revision, Poses, Revision> rim;  ///< frame, poses of bodies with a mesh, grid of the gap
+  Stage<Revision, double> compliance;    ///< frame, accuracy
+  Stage<Revision, Scheme> convection;    ///< compliance, scheme
+  Stage<Revision> offset;                ///< convection
+  Stage<Revision, Revision> friction;    ///< convection, revision
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
   Stage<Revision, Revision, Revision> slip;  ///< convection, offset, revision

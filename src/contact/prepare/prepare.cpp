@@ -96,14 +96,18 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   const auto placed = follows_its_place(on.pair) ? 0 : scene.revision.place;
-  if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair))) {
+  // Nodes at which a body ends carry tractions.
+  const auto ends = scene.ends_at_edge() && scene.gap_grid() ? scene.revision.gap : -1;
+  if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends)) {
     refuse_too_many_nodes(state, scene.mesh());
     ++state.work.frames;
     Frame frame = build_frame(scene.mesh(), scene.axes());
     on.frame_source = present_source(scene, on.pair);
     on.ends_at_edge = scene.ends_at_edge();
-    if (on.ends_at_edge)
+    if (on.ends_at_edge) {
+      find_rim(frame, on.pair, scene.gap_grid());
       for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
+    }
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
     const bool same_size = preparation.mesh == scene.revision.mesh
                                ? frame.nodes() == on.frame.nodes()
@@ -121,7 +125,9 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     }
   }
   if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(state, scene);
-  if (preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair))) find_rim(on.frame, on.pair);
+  const bool moved = preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair),
+                                           scene.gap_grid() ? scene.revision.gap : -1);
+  if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, scene.gap_grid());
 }
 
 void build_compliance(SolverState& state, const Scene& scene, int threads) {

@@ -35,7 +35,7 @@ InitialOverlap initial_overlap(const Frame& frame, const std::vector<double>& ga
 void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap, const PairOfBodies& pair);
 
 /// Nodes at which the frame cuts the contact off: those on its boundary, but for nodes on an edge of either body beyond
-/// which the body does not go on, or only too steeply for a frame.
-void find_rim(Frame& frame, const PairOfBodies& pair);
+/// which the body does not go on, or only too steeply for a frame, or at which the gap says so (null: it does not).
+void find_rim(Frame& frame, const PairOfBodies& pair, const HeightGrid* gap);
 
 }  // namespace rollcon

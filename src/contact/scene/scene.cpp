@@ -1,6 +1,7 @@
 #include "contact/scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <string>
 #include <utility>
@@ -50,9 +51,8 @@ void Scene::set_gap(std::int64_t n, const double* gap) {
   require_frame_size(n, "the gap");
   require_pointer(gap, "gap");
   require_finite(n, 1, gap, "gap", mesh_.index_base);
-  if (!replace(gap_, n, gap) && gap_given_) return;
-  gap_given_ = true;
-  quadratic_given_ = false;
+  if (!replace(gap_, n, gap) && gap_kind_ == GapKind::nodes) return;
+  gap_kind_ = GapKind::nodes;
   ++revision.gap;
 }
 
@@ -61,19 +61,49 @@ void Scene::set_gap_quadratic(double a, double b, double c) {
   require_finite(b, "b");
   require_finite(c, "c");
   const std::array<double, 3> form{a, b, c};
-  if (quadratic_given_ && quadratic_ == form) return;
+  if (gap_kind_ == GapKind::quadratic && quadratic_ == form) return;
   quadratic_ = form;
-  quadratic_given_ = true;
-  gap_given_ = false;
+  gap_kind_ = GapKind::quadratic;
+  ++revision.gap;
+}
+
+void Scene::set_gap_grid(const GridPlace& place, const double* gap) {
+  require_ascending(place.x_least, "x_least", place.x_greatest, "x_greatest");
+  require_ascending(place.y_least, "y_least", place.y_greatest, "y_greatest");
+  require_pointer(gap, "gap");
+  for (std::int64_t j = 0; j < place.ny; ++j)
+    for (std::int64_t i = 0; i < place.nx; ++i)
+      if (const double value = gap[j * place.nx + i]; !(value > -INFINITY))
+        fail(Status::err_nonfinite,
+             "gap of point %lld of line %lld (both counting from %d) is %g; allowed: finite, or "
+             "+infinity where a body ends",
+             static_cast<long long>(i) + mesh_.index_base, static_cast<long long>(j) + mesh_.index_base,
+             mesh_.index_base, value);
+  if (gap_kind_ == GapKind::grid && gap_grid_->same_as(place, gap)) return;
+  gap_grid_ = std::make_shared<HeightGrid>(place, gap);
+  gap_kind_ = GapKind::grid;
   ++revision.gap;
 }
 
 std::optional<std::array<double, 3>> Scene::quadratic_gap() const {
-  return quadratic_given_ ? std::optional(quadratic_) : std::nullopt;
+  return gap_kind_ == GapKind::quadratic ? std::optional(quadratic_) : std::nullopt;
 }
 
 double Scene::gap(std::int64_t k, double x, double y) const {
-  if (gap_given_) return gap_[static_cast<std::size_t>(k)];
+  if (gap_kind_ == GapKind::nodes) return gap_[static_cast<std::size_t>(k)];
+  if (gap_kind_ == GapKind::grid) {
+    const double gap = (*gap_grid_)(x, y);
+    if (std::isfinite(gap)) return gap;
+    // Frames made by the library cover holes of a body: nothing touches there.
+    if (!frame_given_) {
+      const GridPlace& place = gap_grid_->place();
+      return gap_grid_->greatest() + 100 * (place.x_greatest - place.x_least + place.y_greatest - place.y_least);
+    }
+    fail(Status::err_argument,
+         "frame node %lld (counting from %d) at (%g, %g) lies where the grid of the gap ends "
+         "or is infinite",
+         static_cast<long long>(k) + mesh_.index_base, mesh_.index_base, x, y);
+  }
   const auto [a, b, c] = quadratic_;
   return a * x * x + b * y * y + c * x * y;
 }
@@ -167,8 +197,8 @@ void Scene::require_complete(bool body_meshed) const {
   if (mesh_.elements() == 0) fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
   if (!has_gap() && !body_meshed)
     fail(Status::err_state,
-         "no gap was given and no body has a mesh to compute it from: rollcon_contact_set_gap or "
-         "rollcon_contact_set_gap_quadratic");
+         "no gap was given and no body has a mesh to compute it from: rollcon_contact_set_gap, "
+         "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
   if (!friction_given_ && friction_field_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
 }

@@ -3,12 +3,14 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "contact/laws/friction_law.hpp"
 #include "contact/scene/options.hpp"
+#include "geometry/height_grid.hpp"
 #include "geometry/pose.hpp"
 #include "mesh/frame.hpp"
 
@@ -81,8 +83,9 @@ class Scene {
   /// Where body `which` (1 or 2) stands: x = rotation x_body + translation, rotation row by row.
   void set_pose(std::int32_t which, const double* rotation, const double* translation);
   void set_axes(const double* origin, const double* rolling, const double* normal);
-  void set_gap(std::int64_t n, const double* gap);  ///< replaces a quadratic gap, and the reverse
+  void set_gap(std::int64_t n, const double* gap);  ///< each of the three replaces the others
   void set_gap_quadratic(double a, double b, double c);
+  void set_gap_grid(const GridPlace& place, const double* gap);
   void set_speed(double speed);
   void set_creep(double longitudinal, double lateral, double spin);
   /// Rigid slip velocity at each node, (c1, c2) pairs in the axes; added to creepages and spin.
@@ -100,10 +103,12 @@ class Scene {
   double speed() const { return speed_; }
   const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
   const std::vector<double>& creep_field() const { return creep_field_; }
-  bool has_gap() const { return gap_given_ || quadratic_given_; }
+  bool has_gap() const { return gap_kind_ != GapKind::none; }
   /// a, b, c of set_gap_quadratic, where that is what was given last.
   std::optional<std::array<double, 3>> quadratic_gap() const;
-  /// Gap of node k at local coordinates (x, y); needs has_gap().
+  /// Of set_gap_grid, likewise; else null.
+  const HeightGrid* gap_grid() const { return gap_kind_ == GapKind::grid ? gap_grid_.get() : nullptr; }
+  /// Gap of node k at local coordinates (x, y); needs has_gap(). err_argument: the node lies where a grid has no gap.
   double gap(std::int64_t k, double x, double y) const;
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
@@ -127,9 +132,11 @@ class Scene {
   FramePlace place_;
   std::array<Pose, 2> pose_{};
   Axes axes_;
-  bool gap_given_ = false, quadratic_given_ = false, friction_given_ = false;
+  enum class GapKind { none, nodes, quadratic, grid } gap_kind_ = GapKind::none;
+  bool friction_given_ = false;
   std::vector<double> gap_;
   std::array<double, 3> quadratic_{0, 0, 0};
+  std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
   double speed_ = 1;
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;

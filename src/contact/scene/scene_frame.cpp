@@ -73,8 +73,9 @@ void Scene::follow(const Scene& lead) {
   revision.place = place;
   pose_ = lead.pose_;
   axes_ = lead.axes_;
-  quadratic_given_ = lead.quadratic_given_;
+  gap_kind_ = lead.gap_kind_ == GapKind::nodes ? GapKind::none : lead.gap_kind_;
   quadratic_ = lead.quadratic_;
+  gap_grid_ = lead.gap_grid_;
   speed_ = lead.speed_;
   load_ = lead.load_;
   friction_given_ = lead.friction_given_;
@@ -90,10 +91,12 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;
-  if (gap_given_) ++revision.gap;
+  if (gap_kind_ == GapKind::nodes) {
+    ++revision.gap;
+    gap_kind_ = GapKind::none;
+  }
   if (!creep_field_.empty()) ++revision.kinematics;
   if (!friction_field_.empty()) ++revision.friction;
-  gap_given_ = false;
   gap_.clear();
   creep_field_.clear();
   friction_field_.clear();

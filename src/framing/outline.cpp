@@ -1,0 +1,181 @@
+#include "framing/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// y = c0 + c1 x + c2 x^2 by least squares, x from their mean; false: the points do not tell.
+bool fit_parabola(std::span<const EdgePoint> point, double& origin, std::array<double, 3>& c) {
+  origin = 0;
+  for (const EdgePoint& p : point) origin += p.x / static_cast<double>(point.size());
+  double scale = 0;
+  for (const EdgePoint& p : point) scale = std::max(scale, std::abs(p.x - origin));
+  if (point.size() < 5 || !(scale > 0)) return false;
+  // Normal equations of three unknowns, by elimination.
+  std::array<std::array<double, 4>, 3> a{};
+  for (const EdgePoint& p : point) {
+    const double x = (p.x - origin) / scale;
+    const std::array v{1.0, x, x * x};
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) a[i][j] += v[i] * v[j];
+      a[i][3] += v[i] * p.y;
+    }
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(a[i][i] > 1e-9 * static_cast<double>(point.size()))) return false;
+    for (std::size_t r = 0; r < 3; ++r) {
+      if (r == i) continue;
+      const double factor = a[r][i] / a[i][i];
+      for (std::size_t j = i; j < 4; ++j) a[r][j] -= factor * a[i][j];
+    }
+  }
+  c = {a[0][3] / a[0][0], a[1][3] / a[1][1] / scale, a[2][3] / a[2][2] / (scale * scale)};
+  return true;
+}
+
+}  // namespace
+
+Outline::Outline(double x, double y, double radius) : x_middle_(x), y_middle_(y), half_height_(radius) {
+  for (Side& side : side_) side = {{0.5 * pi}, {radius}, {1}};
+}
+
+void Outline::find_end(std::span<const EdgePoint> point, int which) {
+  // Of the height: as far a parabola is near an ellipse, and the points are seen along its normal.
+  constexpr double near = 0.08, flat = 0.01;
+  // Of the length, what an ellipse has within `flat` is 0.2.
+  constexpr double wide = 0.4;
+  const double sign = which == 0 ? -1 : 1;
+  double extreme = -INFINITY, opposite = INFINITY, first = INFINITY, last = -INFINITY;
+  for (const EdgePoint& p : point) {
+    extreme = std::max(extreme, sign * p.y);
+    opposite = std::min(opposite, sign * p.y);
+    first = std::min(first, p.x);
+    last = std::max(last, p.x);
+  }
+  const double height = extreme - opposite;
+  std::vector<EdgePoint> close;
+  End& end = end_[at(which)];
+  std::size_t outermost = 0, of_body = 0;
+  double least = INFINITY, greatest = -INFINITY;
+  for (const EdgePoint& p : point) {
+    if (sign * p.y > extreme - near * height) close.push_back(p);
+    if (sign * p.y <= extreme - flat * height) continue;
+    ++outermost;
+    of_body += p.ends_body;
+    least = std::min(least, p.x);
+    greatest = std::max(greatest, p.x);
+    if (sign * p.y == extreme) end.x = p.x;
+  }
+  end.y = sign * extreme;
+  end.ends_body = of_body >= 3 && 2 * of_body > outermost;
+  end.line = end.ends_body || greatest - least > wide * (last - first);
+  if (end.line) {
+    end.x = 0.5 * (least + greatest);
+    return;
+  }
+  double origin = 0;
+  std::array<double, 3> c{};
+  if (!fit_parabola(close, origin, c) || !(sign * c[2] < 0)) return;
+  const double top = -0.5 * c[1] / c[2];
+  const auto [left, right] =
+      std::minmax_element(close.begin(), close.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
+  if (origin + top < left->x || origin + top > right->x) return;
+  end.x = origin + top;
+  end.y = c[0] + 0.5 * c[1] * top;
+}
+
+// Strips of an ellipse are as long as this times its semi-axis.
+static double shape(double height, bool line_below, bool line_above) {
+  return std::sqrt((line_below ? 1 : std::max(0.0, 1 + height)) * (line_above ? 1 : std::max(0.0, 1 - height)));
+}
+
+Outline::Outline(std::span<const EdgePoint> point, double cell) {
+  // Nearer to the ends points say little about the length of strips.
+  constexpr double least_shape = 0.2;
+  find_end(point, 0);
+  find_end(point, 1);
+  y_middle_ = 0.5 * (end_[0].y + end_[1].y);
+  half_height_ = 0.5 * (end_[1].y - end_[0].y);
+  x_middle_ = 0.5 * (end_[0].x + end_[1].x);
+  slant_ = half_height_ > 0 ? 0.5 * (end_[1].x - end_[0].x) / half_height_ : 0;
+  for (const double least : {least_shape, 0.0}) {
+    for (const EdgePoint& p : point) {
+      const double height = std::clamp((p.y - y_middle_) / half_height_, -1.0, 1.0);
+      const double factor = shape(height, end_[0].line, end_[1].line), off = p.x - middle(p.y);
+      if (!(factor > least)) continue;
+      Side& side = side_[off > 0 ? 1 : 0];
+      side.angle.push_back(std::acos(height));
+      side.reach.push_back(std::abs(off) / factor);
+      side.weight.push_back(factor * factor);
+    }
+    if (!side_[0].angle.empty() && !side_[1].angle.empty()) break;
+  }
+  // Edges of what is open inside.
+  for (Side& side : side_) {
+    Side outer;
+    for (std::size_t i = 0; i < side.angle.size(); ++i) {
+      const double factor = std::sqrt(side.weight[i]), beside = 1.5 * cell / (half_height_ * std::max(factor, 0.3));
+      bool inside = false;
+      for (std::size_t j = 0; j < side.angle.size() && !inside; ++j)
+        inside =
+            std::abs(side.angle[j] - side.angle[i]) <= beside && (side.reach[j] - side.reach[i]) * factor > 2 * cell;
+      if (inside) continue;
+      outer.angle.push_back(side.angle[i]);
+      outer.reach.push_back(side.reach[i]);
+      outer.weight.push_back(side.weight[i]);
+    }
+    side = std::move(outer);
+  }
+}
+
+// Straight line by least squares through the points nearest to the angle.
+double Outline::reach(const Side& side, double angle) const {
+  constexpr std::size_t nearest = 9;
+  const std::size_t n = side.angle.size();
+  if (n == 0) return 0;
+  std::vector<double> distance(n);
+  for (std::size_t i = 0; i < n; ++i) distance[i] = std::abs(side.angle[i] - angle);
+  std::vector<double> sorted = distance;
+  const std::size_t k = std::min(nearest, n - 1);
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(k), sorted.end());
+  const double width = std::max(1.001 * sorted[k], 1e-12);
+  double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    if (distance[i] >= width) continue;
+    const double part = distance[i] / width, tricube = 1 - part * part * part;
+    const double weight = side.weight[i] * tricube * tricube * tricube, x = side.angle[i] - angle;
+    w += weight;
+    wx += weight * x;
+    wy += weight * side.reach[i];
+    wxx += weight * x * x;
+    wxy += weight * x * side.reach[i];
+  }
+  const double determinant = w * wxx - wx * wx;
+  const bool line = determinant > 1e-6 * w * w * width * width;
+  return std::max(0.0, line ? (wxx * wy - wx * wxy) / determinant : wy / w);
+}
+
+std::vector<Strip> Outline::strips(std::int64_t across, double stretch) const {
+  std::vector<Strip> strip;
+  for (std::int64_t j = across; j >= 0; --j) {
+    const double angle = pi * static_cast<double>(j) / static_cast<double>(across);
+    // cos of the mirror image is the same to the last digit.
+    const double height = 2 * j > across ? -std::cos(pi - angle) : std::cos(angle);
+    const End& end = end_[height < 0 ? 0 : 1];
+    const double y = y_middle_ + half_height_ * height * (end.ends_body ? 1 : stretch);
+    const double factor =
+        (2 * j == across || end.line || (j > 0 && j < across)) ? shape(height, end_[0].line, end_[1].line) : 0;
+    const double x = middle(y);
+    strip.push_back({y, x - stretch * factor * reach(side_[0], angle), x + stretch * factor * reach(side_[1], angle)});
+  }
+  return strip;
+}
+
+}  // namespace rollcon

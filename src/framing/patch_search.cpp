@@ -1,0 +1,219 @@
+#include "framing/patch_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "support/index.hpp"
+#include "support/interrupt.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr std::int64_t usual_intervals = 32, most_intervals = 128;
+
+struct Extent {
+  double least = INFINITY, greatest = -INFINITY;
+  void take(double v) {
+    least = std::min(least, v);
+    greatest = std::max(greatest, v);
+  }
+  double half() const { return 0.5 * (greatest - least); }
+  double middle() const { return 0.5 * (greatest + least); }
+};
+
+// Angle of one of the principal axes; that of the lattice where they are about equal, or the same but for little.
+double principal_angle(const std::vector<EdgePoint>& point, double before) {
+  constexpr double slender = 2;  // square root of the ratio of moments
+  double x = 0, y = 0, xx = 0, yy = 0, xy = 0;
+  const double share = 1 / static_cast<double>(point.size());
+  for (const EdgePoint& p : point) x += share * p.x, y += share * p.y;
+  for (const EdgePoint& p : point) {
+    xx += share * (p.x - x) * (p.x - x);
+    yy += share * (p.y - y) * (p.y - y);
+    xy += share * (p.x - x) * (p.y - y);
+  }
+  const double mean = 0.5 * (xx + yy), off = std::hypot(0.5 * (xx - yy), xy);
+  if (!(mean + off > slender * slender * (mean - off))) return before;
+  const double turn = std::remainder(0.5 * std::atan2(2 * xy, xx - yy) - before, 0.5 * std::numbers::pi);
+  constexpr double least_turn = 0.1;
+  return std::abs(turn) < least_turn ? before : before + turn;
+}
+
+// The lattice whose axes are turned by `angle` and that holds the points with a margin.
+SearchGrid around(const std::vector<EdgePoint>& point, double angle, double margin_along, double margin_across,
+                  std::int64_t intervals) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Extent u, v;
+  for (const EdgePoint& p : point) {
+    u.take(c * p.x + s * p.y);
+    v.take(c * p.y - s * p.x);
+  }
+  SearchGrid lattice;
+  lattice.angle = angle;
+  lattice.half_length = u.half() + margin_along;
+  lattice.half_width = v.half() + margin_across;
+  lattice.x = c * u.middle() - s * v.middle();
+  lattice.y = s * u.middle() + c * v.middle();
+  lattice.intervals = intervals;
+  return lattice;
+}
+
+}  // namespace
+
+// The gaps at the lattice's nodes; where there are none, more than any approach.
+void PatchSearch::lay(const SearchGrid& lattice, const PatchScene& scene) {
+  lattice_ = lattice;
+  pressed_ = false;
+  const std::int64_t n = lattice.lines();
+  gap_.resize(at(n * n));
+  for (std::int64_t j = 0; j < n; ++j)
+    for (std::int64_t i = 0; i < n; ++i) {
+      const EdgePoint p = lattice.point(static_cast<double>(i), static_cast<double>(j));
+      gap_[at(j * n + i)] = scene.gap(p.x, p.y);
+    }
+}
+
+// Solves for the pressures.
+void PatchSearch::press(const PatchScene& scene) {
+  if (std::exchange(pressed_, true)) return;
+  Extent known;
+  for (const double g : gap_)
+    if (std::isfinite(g)) known.take(g);
+  const double far = known.greatest + 100 * (known.greatest - known.least + lattice_.half_length + lattice_.half_width);
+  std::vector<double> gap = gap_;
+  for (double& g : gap)
+    if (!std::isfinite(g)) g = far;
+  Scene& on = contact_->scene;
+  const Rectangle sides{-lattice_.half_length, lattice_.half_length, -lattice_.half_width, lattice_.half_width};
+  on.set_made_frame(rectangle_mesh(on.axes(), ElementType::quad4, lattice_.intervals, lattice_.intervals, sides), false,
+                    true);
+  on.set_gap(static_cast<std::int64_t>(gap.size()), gap.data());
+  on.prescribe(static_cast<std::int32_t>(Direction::normal),
+               static_cast<std::int32_t>(scene.by_force ? How::by_force : How::by_motion), scene.value);
+  const Status status = contact_->solve_on_frame();
+  if (status == Status::cancelled) throw Cancelled();
+  const auto n = static_cast<std::int64_t>(gap.size());
+  pressure_.resize(gap.size());
+  deformed_.resize(gap.size());
+  contact_->field(Field::pressure, InAxes::local, n, pressure_.data());
+  contact_->field(Field::gap, InAxes::local, n, deformed_.data());
+  contact_->motion(&depth_, nullptr);
+}
+
+// The contact lies where the gap is less than the approach. Lattices that are much wider than that close in on it.
+SearchGrid PatchSearch::close_in(Contact& lead, const PatchScene& scene) {
+  constexpr double filled = 0.6, filled_by_contact = 0.5;
+  constexpr int most_rounds = 60;
+  SearchGrid next;
+  next.half_length = 0.5 * (scene.bounds.x_greatest - scene.bounds.x_least);
+  next.half_width = 0.5 * (scene.bounds.y_greatest - scene.bounds.y_least);
+  next.x = 0.5 * (scene.bounds.x_greatest + scene.bounds.x_least);
+  next.y = 0.5 * (scene.bounds.y_greatest + scene.bounds.y_least);
+  next.intervals = usual_intervals;
+  const std::int64_t n = next.lines();
+  std::vector<EdgePoint> near, touching;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (lead.cancelled()) throw Cancelled();
+    lay(next, scene);
+    if (std::none_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); }))
+      fail(Status::err_argument, "the gap is nowhere finite on a lattice of %lld x %lld points over its bounds",
+           static_cast<long long>(n), static_cast<long long>(n));
+    depth_ = scene.value;
+    if (scene.by_force) press(scene);
+    near.clear();
+    touching.clear();
+    double least = INFINITY;
+    EdgePoint nearest;
+    for (std::int64_t j = 0; j < n; ++j)
+      for (std::int64_t i = 0; i < n; ++i) {
+        const double g = gap_[at(j * n + i)];
+        if (!std::isfinite(g)) continue;
+        const EdgePoint p = next.point(static_cast<double>(i), static_cast<double>(j));
+        if (g < least) least = g, nearest = p;
+        // Between nodes the gap may be less by half of what it changes by up to the next one.
+        double change = 0;
+        for (std::int64_t dj = -1; dj <= 1; ++dj)
+          for (std::int64_t di = -1; di <= 1; ++di)
+            if (i + di >= 0 && j + dj >= 0 && i + di < n && j + dj < n)
+              if (const double beside = gap_[at((j + dj) * n + i + di)]; std::isfinite(beside))
+                change = std::max(change, std::abs(beside - g));
+        if (g - 0.5 * change <= depth_) near.push_back(p);
+        if (scene.by_force && pressure_[at(j * n + i)] > 0) touching.push_back(p);
+      }
+    if (near.empty()) near.push_back(nearest);
+    const double along = next.spacing_along(), across = next.spacing_across();
+    const double angle = near.size() > 8 ? principal_angle(near, next.angle) : next.angle;
+    SearchGrid closer = around(near, angle, along, across, usual_intervals);
+    if (angle == next.angle && closer.half_length > filled * next.half_length &&
+        closer.half_width > filled * next.half_width) {
+      // What touches is less than what overlaps; with several lattice lines of it the pressures tell how much.
+      if (!scene.by_force || touching.size() < 30) break;
+      closer = around(touching, angle, 3 * along, 3 * across, usual_intervals);
+      if (closer.half_length > filled_by_contact * next.half_length &&
+          closer.half_width > filled_by_contact * next.half_width)
+        break;
+    }
+    const double size = std::max(next.half_length, next.half_width);
+    if (std::max(closer.half_length, closer.half_width) < 1e-9 * (std::hypot(closer.x, closer.y) + 1e-3 * size)) break;
+    next = closer;
+  }
+  return next;
+}
+
+Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
+  if (!contact_ || modulus_ != scene.modulus) {
+    contact_ = lead.make_half_space(scene.modulus);
+    modulus_ = scene.modulus;
+    const double none = 0;
+    contact_->scene.set_friction("coulomb", 1, &none);
+  }
+  SearchGrid lattice = close_in(lead, scene);
+  Patches found;
+  std::vector<PatchEdge> edge;
+  for (int round = 0;; ++round) {
+    press(scene);
+    edge = contact_edges(lattice_, pressure_, deformed_, scene.modulus, scene.gap);
+    std::vector<EdgePoint> all;
+    std::int64_t least = most_intervals;
+    for (const PatchEdge& e : edge) {
+      all.insert(all.end(), e.point.begin(), e.point.end());
+      least = std::min(least, e.least_nodes_across);
+    }
+    constexpr std::int64_t enough = 12;
+    if (edge.empty() || round == 2) break;
+    // The contact alone, as fine as its smallest patch needs.
+    SearchGrid next =
+        around(all, lattice.angle, 2 * lattice.spacing_along(), 2 * lattice.spacing_across(), lattice.intervals);
+    const bool closer = next.half_length < 0.7 * lattice.half_length || next.half_width < 0.7 * lattice.half_width;
+    if (!closer && (least >= enough || lattice.intervals == most_intervals)) break;
+    if (!closer) {
+      next = lattice;
+      next.intervals = std::min(most_intervals, lattice.intervals * ((enough + least - 1) / least));
+    }
+    lattice = next;
+    lay(lattice, scene);
+  }
+  const double cell = std::max(lattice_.spacing_along(), lattice_.spacing_across());
+  for (const PatchEdge& e : edge)
+    if (e.point.size() >= 4) {
+      found.outline.emplace_back(e.point, cell);
+      for (const EdgePoint& p : e.point) {
+        const Rectangle& b = scene.bounds;
+        const double rounding = 1e-6 * cell;
+        found.at_bounds = found.at_bounds || p.x < b.x_least + rounding || p.x > b.x_greatest - rounding ||
+                          p.y < b.y_least + rounding || p.y > b.y_greatest - rounding;
+      }
+    }
+  if (found.outline.empty()) {
+    const auto nearest = std::min_element(gap_.begin(), gap_.end()) - gap_.begin();
+    const EdgePoint p = lattice_.point(static_cast<double>(nearest % lattice_.lines()),
+                                       static_cast<double>(nearest / lattice_.lines()));
+    found.outline.emplace_back(p.x, p.y, cell);
+  }
+  return found;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,45 @@
+#pragma once
+/// Where bodies touch each other: from the undeformed gap and what presses them together, without friction, on a
+/// lattice that closes in on the contact. docs/theory.md, section 4.
+
+#include <memory>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "framing/contact_edge.hpp"
+
+namespace rollcon {
+
+struct PatchScene {
+  GapBetween gap;
+  Rectangle bounds;  ///< of what the gap is known on, in the axes
+  double modulus = 0;
+  bool by_force = false;
+  double value = 0;  ///< load or approach
+};
+
+struct Patches {
+  std::vector<Outline> outline;
+  bool at_bounds = false;  ///< the contact reaches them
+};
+
+class PatchSearch {
+ public:
+  /// lead: whose context and cancelling it takes part in; outlives it. Where the bodies do not touch one outline tells
+  /// where they are nearest to each other. err_argument: there is no finite gap. Throws Cancelled.
+  Patches find(Contact& lead, const PatchScene& scene);
+
+ private:
+  void lay(const SearchGrid& lattice, const PatchScene& scene);
+  void press(const PatchScene& scene);
+  SearchGrid close_in(Contact& lead, const PatchScene& scene);
+
+  std::unique_ptr<Contact> contact_;  ///< of half-spaces, on the lattice
+  double modulus_ = 0;
+  SearchGrid lattice_;
+  std::vector<double> gap_, pressure_, deformed_;
+  double depth_ = 0;  ///< approach
+  bool pressed_ = false;
+};
+
+}  // namespace rollcon
