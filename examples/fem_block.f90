@@ -5,7 +5,7 @@ program fem_block
   use rollcon
   implicit none
   integer, parameter :: nx = 17, ny = 17, nz = 9  ! nodes of the block along x, y, z, 1 mm apart; its top is z = 0
-  integer, parameter :: along = 12                ! elements along each side of the frame, a square in the middle of the top
+  integer, parameter :: along = 12                ! elements along each side of the frame, a square on the top
   integer, parameter :: base = 1, tread = 2       ! tags of elements: materials
   integer, parameter :: top = 1                   ! tag of faces
   real(rc_real), parameter :: radius = 200, load = 1500, mu = 0.3_rc_real, speed = 10, half = 5
@@ -45,7 +45,7 @@ program fem_block
   call block%tag_faces_of_nodes([(n, n=1 + nx*ny*(nz - 1), nx*ny*nz)], top)
   call block%set_contact_faces([top])
 
-  ! 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, about as large as its faces
+  ! 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, as large as its faces
   call ball%create(context, ROLLCON_BODY_RIGID)
   call contact%create(context, block, ball)
   call contact%frame_rectangle(ROLLCON_QUAD4, along, along, -half, half, -half, half)
