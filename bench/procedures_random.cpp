@@ -29,8 +29,7 @@ Drawn draw(std::uint32_t seed, int threads) {
   auto pair = twins || !rigid ? std::make_unique<scenes::RollingPair>(first, second, threads)
                               : std::make_unique<scenes::RollingPair>(first, std::nullopt, threads);
   const int n = 2 * static_cast<int>(random.between(5, 9));
-  const auto lines = [&](double half) { return frames::uniform_lines(-1.25 * half, 1.25 * half, n); };
-  pair->frame(frames::rectangle(ElementType::quad4, lines(a), lines(b)));
+  pair->rectangle(ElementType::quad4, n, n, 1.25 * a, 1.25 * b);
   pair->gap_quadratic(hertz.A, hertz.B).friction(mu).option("convection", "godunov");
   if (either())
     pair->load(hertz.load);

@@ -37,24 +37,8 @@ static int32_t must(int32_t result) {
 }
 
 static void set_scene(rollcon_contact* contact) {
-  static double x[(SIDE + 1) * (SIDE + 1)][3];
-  static int32_t corner[SIDE * SIDE][4];
-  int i, j, k, n = 0;
-  for (j = 0; j <= SIDE; ++j) {
-    for (i = 0; i <= SIDE; ++i) {
-      k = j * (SIDE + 1) + i;
-      x[k][0] = half_along * (2.0 * i / SIDE - 1);
-      x[k][1] = half_across * (2.0 * j / SIDE - 1);
-      if (i == SIDE || j == SIDE) continue;
-      corner[n][0] = k;
-      corner[n][1] = k + 1;
-      corner[n][2] = k + SIDE + 2;
-      corner[n][3] = k + SIDE + 1;
-      ++n;
-    }
-  }
-  must(rollcon_contact_set_frame_nodes(contact, (SIDE + 1) * (SIDE + 1), x[0], 3, 1));
-  must(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, SIDE * SIDE, corner[0], 0, 0));
+  must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, SIDE, SIDE, -half_along, half_along, -half_across,
+                                       half_across));
   must(rollcon_contact_set_gap_quadratic(contact, 0.5 / wheel_radius, 0.5 / rail_crown, 0));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   must(rollcon_contact_set_rolling(contact, speed));

@@ -12,9 +12,9 @@
 /* The block: nodes i, j, k along x, y, z, 1 mm apart; its top is z = 0. */
 enum { NX = 17, NY = 17, NZ = 9, NODES = NX * NY * NZ, LAYER = (NX - 1) * (NY - 1) };
 /* The frame: a square in the middle of the top. */
-enum { SIDE = 13, FRAME_NODES = SIDE * SIDE, FRAME_ELEMENTS = (SIDE - 1) * (SIDE - 1) };
-enum { BASE = 1, TREAD = 2 }; /* tags of elements: materials */
-enum { TOP = 1 };             /* tag of faces */
+enum { ALONG = 12, FRAME_NODES = (ALONG + 1) * (ALONG + 1) }; /* elements along each side */
+enum { BASE = 1, TREAD = 2 };                                 /* tags of elements: materials */
+enum { TOP = 1 };                                             /* tag of faces */
 
 static rollcon_context* context;
 
@@ -61,8 +61,8 @@ static void hexahedra(int k, int32_t id[LAYER][8]) {
 
 int main(void) {
   const double radius = 200, load = 1500, mu = 0.3, speed = 10, half = 5;
-  static double x[NODES][3], grid[FRAME_NODES][3], t[FRAME_NODES][3];
-  static int32_t element[LAYER][8], top[NX * NY], bottom[NX * NY], face[FRAME_ELEMENTS][4];
+  static double x[NODES][3], t[FRAME_NODES][3];
+  static int32_t element[LAYER][8], top[NX * NY], bottom[NX * NY];
   double force[3], approach, creep[3], unknowns, most = 0;
   int32_t state[FRAME_NODES], count[3] = {0, 0, 0}, status;
   int64_t sizes[2];
@@ -103,19 +103,8 @@ int main(void) {
   /* 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block,
      about as large as its faces */
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &ball));
-  for (n = 0, k = 0; k < FRAME_NODES; ++k) {
-    grid[k][0] = half * (2.0 * (k % SIDE) / (SIDE - 1) - 1);
-    grid[k][1] = half * (2.0 * (k / SIDE) / (SIDE - 1) - 1);
-    grid[k][2] = 0;
-    if (k % SIDE + 1 == SIDE || k / SIDE + 1 == SIDE) continue;
-    face[n][0] = k;
-    face[n][1] = k + 1;
-    face[n][2] = k + 1 + SIDE;
-    face[n++][3] = k + SIDE;
-  }
   must(rollcon_contact_create(context, block, ball, &contact));
-  must(rollcon_contact_set_frame_nodes(contact, FRAME_NODES, &grid[0][0], 3, 1));
-  must(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, n, &face[0][0], 0, 1));
+  must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, ALONG, ALONG, -half, half, -half, half));
   must(rollcon_contact_set_gap_quadratic(contact, 1 / (2 * radius), 1 / (2 * radius), 0));
 
   /* 4 friction, speed, loads: pressed and driven by forces */

@@ -5,17 +5,17 @@ program fem_block
   use rollcon
   implicit none
   integer, parameter :: nx = 17, ny = 17, nz = 9  ! nodes of the block along x, y, z, 1 mm apart; its top is z = 0
-  integer, parameter :: side = 13                 ! nodes along each side of the frame, a square in the middle of the top
+  integer, parameter :: along = 12                ! elements along each side of the frame, a square on the top
   integer, parameter :: base = 1, tread = 2       ! tags of elements: materials
   integer, parameter :: top = 1                   ! tag of faces
   real(rc_real), parameter :: radius = 200, load = 1500, mu = 0.3_rc_real, speed = 10, half = 5
   type(rc_context) :: context
   type(rc_body) :: block, ball
   type(rc_contact) :: contact
-  real(rc_real) :: x(3, nx*ny*nz), grid(3, side*side), force(3), moment(3), approach, creep(3), unknowns
+  real(rc_real) :: x(3, nx*ny*nz), force(3), moment(3), approach, creep(3), unknowns
   real(rc_real), allocatable :: t(:, :)
   integer(rc_int), allocatable :: state(:)
-  integer :: element(8, (nx - 1)*(ny - 1)), face(4, (side - 1)**2), i, j, k, n, nodes, elements, status
+  integer :: element(8, (nx - 1)*(ny - 1)), i, j, k, n, nodes, elements, status
 
   ! 1 the block: nodes; six layers of elements are the base, two the tread
   call context%create()
@@ -45,22 +45,10 @@ program fem_block
   call block%tag_faces_of_nodes([(n, n=1 + nx*ny*(nz - 1), nx*ny*nz)], top)
   call block%set_contact_faces([top])
 
-  ! 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, about as large as its faces
+  ! 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, as large as its faces
   call ball%create(context, ROLLCON_BODY_RIGID)
-  n = 0
-  do j = 0, side - 1
-    do i = 0, side - 1
-      k = i + 1 + side*j
-      grid(:, k) = [half*(2*real(i, rc_real)/(side - 1) - 1), half*(2*real(j, rc_real)/(side - 1) - 1), 0.0_rc_real]
-      if (i + 1 < side .and. j + 1 < side) then
-        n = n + 1
-        face(:, n) = [k, k + 1, k + 1 + side, k + side]
-      end if
-    end do
-  end do
   call contact%create(context, block, ball)
-  call contact%set_frame_nodes(grid)
-  call contact%add_frame_elements(ROLLCON_QUAD4, face)
+  call contact%frame_rectangle(ROLLCON_QUAD4, along, along, -half, half, -half, half)
   call contact%set_gap_quadratic(1/(2*radius), 1/(2*radius), 0.0_rc_real)
 
   ! 4 friction, speed, loads: pressed and driven by forces
@@ -89,7 +77,7 @@ program fem_block
   call print_numbers('max pressure', [maxval(-t(3, :))])
   call print_integers('open stk slip', [count(state == ROLLCON_OPEN), count(state == ROLLCON_STICK), &
     count(state == ROLLCON_SLIP)])
-  call print_numbers('centre', t(:, (side*side + 1)/2))
+  call print_numbers('centre', t(:, (size(t, 2) + 1)/2))
   deallocate (t, state)
 
 contains

@@ -5,7 +5,7 @@ import numpy as np
 import rollcon as rc
 
 NX, NY, NZ = 17, 17, 9  # nodes of the block along x, y, z, 1 mm apart; its top is z = 0
-SIDE = 13  # nodes along each side of the frame, a square in the middle of the top
+ALONG = 12  # elements along each side of the frame, a square in the middle of the top
 BASE, TREAD = 1, 2  # tags of elements: materials
 TOP = 1  # tag of faces
 RADIUS, LOAD, MU, SPEED, HALF = 200.0, 1500.0, 0.3, 10.0, 5.0
@@ -41,13 +41,8 @@ block.set_contact_faces([TOP])
 # 3 the ball: rigid, its shape given as a gap; the frame: 12 x 12 elements laid on the block, about
 # as large as its faces
 ball = rc.Body(context, rc.BODY_RIGID)
-side = HALF * (2.0 * np.arange(SIDE) / (SIDE - 1) - 1)
-x, y = np.meshgrid(side, side)
-n = np.arange(SIDE * SIDE).reshape(SIDE, SIDE)
 contact = rc.Contact(context, block, ball)
-contact.set_frame_nodes(np.column_stack([x.ravel(), y.ravel()]))
-contact.add_frame_elements(
-    rc.QUAD4, np.stack([n[:-1, :-1], n[:-1, 1:], n[1:, 1:], n[1:, :-1]], axis=-1).reshape(-1, 4))
+contact.frame_rectangle(rc.QUAD4, ALONG, ALONG, -HALF, HALF, -HALF, HALF)
 contact.set_gap_quadratic(1 / (2 * RADIUS), 1 / (2 * RADIUS))
 
 # 4 friction, speed, loads: pressed and driven by forces
@@ -72,4 +67,4 @@ show("approach", approach)
 show("creepages", *creep)
 show("max pressure", -t[:, 2].min())
 show("open stk slip", *(int((state == s).sum()) for s in (rc.OPEN, rc.STICK, rc.SLIP)))
-show("centre", *t[SIDE * SIDE // 2])
+show("centre", *t[len(t) // 2])

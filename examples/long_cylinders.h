@@ -39,53 +39,44 @@ static double hertz_gap(const cylinder_pair* c, double half_width, double x) {
 }
 
 /* Rolls under the tangential force `ratio` mu times the load; `file`, if not NULL, gets the
-   columns of STEM_section.txt. The frame has three lines of nodes along the rolling direction. The
-   outer two lie far off and apart from each other, so that all load is on the middle line, from
-   where it falls linearly: so slowly that nothing near the line tells it from a uniform one. */
+   columns of STEM_section.txt. The frame lies between three lines along the rolling direction. The
+   outer two are its outline, which carries nothing, and lie far off: all load is on the middle
+   line, from where it falls linearly, so slowly that nothing near the line tells it from a uniform
+   one. */
 static cylinder_results roll_long_cylinders(const cylinder_pair* c, double ratio, FILE* file) {
   cylinder_results found = hertz_line(c);
   const double a = found.half_width, far = 1e4 * a, most = 1.15 * a;
   static double x[LINES_ALONG * LINES_ACROSS][3], t[LINES_ALONG * LINES_ACROSS][3];
   static double slip[LINES_ALONG * LINES_ACROSS][2], gap[LINES_ALONG * LINES_ACROSS];
-  static int32_t id[2 * (LINES_ALONG - 1)][4];
+  const double line[LINES_ACROSS][3] = {{-far, -most, most}, {0, -most, most}, {far, -most, most}};
   double creep[3];
   rollcon_body* body[2];
   rollcon_contact* pair;
-  int i, j, n = 0;
-  for (j = 0; j < LINES_ACROSS; ++j)
-    for (i = 0; i < LINES_ALONG; ++i) {
-      const int k = j * LINES_ALONG + i;
-      x[k][0] = most * sin(acos(-1.0) * (i / (LINES_ALONG - 1.0) - 0.5)); /* finer at the edges */
-      x[k][1] = (j - 1) * far;
-      if (i + 1 == LINES_ALONG || j + 1 == LINES_ACROSS) continue;
-      id[n][0] = k;
-      id[n][1] = k + 1;
-      id[n][2] = k + 1 + LINES_ALONG;
-      id[n++][3] = k + LINES_ALONG;
-    }
+  int i;
   for (i = 0; i < 2; ++i) {
     must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body[i]));
     must(rollcon_body_set_elastic(body[i], 0, c->young[i], c->poisson[i]));
   }
   must(rollcon_contact_create(context, body[0], body[1], &pair));
-  must(rollcon_contact_set_frame_nodes(pair, LINES_ALONG * LINES_ACROSS, &x[0][0], 3, 1));
-  must(rollcon_contact_add_frame_elements(pair, ROLLCON_QUAD4, n, &id[0][0], 0, 1));
+  must(rollcon_contact_frame_strips(pair, LINES_ALONG - 1, LINES_ACROSS, line[0]));
   must(rollcon_contact_set_gap_quadratic(pair, c->curvature / 2, 1, 0));
   must(rollcon_contact_set_friction(pair, "coulomb", 1, &c->mu));
   must(rollcon_contact_set_rolling(pair, c->speed));
   must(rollcon_contact_prescribe(pair, ROLLCON_NORMAL, ROLLCON_BY_FORCE, c->load * far));
   must(rollcon_contact_prescribe(pair, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, ratio * c->mu * c->load * far));
-  if (must(rollcon_contact_solve(pair)) != ROLLCON_COARSE) { /* one line of nodes has no inside */
+  if (must(rollcon_contact_solve(pair)) != ROLLCON_OK) {
     fprintf(stderr, "the long cylinders touch elsewhere than on their middle line\n");
     exit(1);
   }
   must(rollcon_contact_get_motion(pair, NULL, creep));
   found.creepage = creep[0];
+  must(rollcon_contact_get_field(pair, ROLLCON_FIELD_POINT, ROLLCON_LOCAL, 3 * LINES_ALONG * LINES_ACROSS, &x[0][0],
+                                 NULL));
   must(rollcon_contact_get_tractions(pair, ROLLCON_LOCAL, LINES_ALONG * LINES_ACROSS, &t[0][0]));
   must(rollcon_contact_get_field(pair, ROLLCON_FIELD_SLIP, ROLLCON_LOCAL, 2 * LINES_ALONG * LINES_ACROSS, &slip[0][0],
                                  NULL));
   must(rollcon_contact_get_field(pair, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, LINES_ALONG * LINES_ACROSS, gap, NULL));
-  for (i = LINES_ALONG; i < 2 * LINES_ALONG; ++i) {
+  for (i = LINES_ALONG + 1; i + 1 < 2 * LINES_ALONG; ++i) {
     if (t[i][2] < 0) found.fastest = fmax(found.fastest, fabs(slip[i][0]));
     if (file != NULL)
       fprintf(file, "%.6f 0 %.5e %.5e %.5e %.5e %.5e %.5e\n", x[i][0], -t[i][2], t[i][0], t[i][1], slip[i][0],

@@ -16,7 +16,7 @@
 
 #include "rollcon.h"
 
-enum { SIDE = 12, NODES = SIDE * SIDE, ELEMENTS = (SIDE - 1) * (SIDE - 1) };
+enum { ALONG = 16, ACROSS = 12 }; /* elements of the frame */
 enum { RATIOS = 3, LATERALS = 5, SPINS = 3, ROWS = RATIOS * LATERALS * SPINS };
 enum { VALUES = 5 }; /* of one solve: approach, two forces, moment, status */
 
@@ -79,22 +79,9 @@ static void curvatures(double a, double b, double* A, double* B) {
 
 static void set_ellipse(double axis_ratio) {
   const double a = sqrt(axis_ratio), b = 1 / a;
-  static double x[NODES][3];
-  static int32_t element[ELEMENTS][4];
   double A, B;
-  int k;
-  for (k = 0; k < NODES; ++k) {
-    const int i = k % SIDE, j = k / SIDE;
-    int32_t* e = element[j * (SIDE - 1) + i];
-    x[k][0] = 1.2 * a * (2.0 * i / (SIDE - 1) - 1);
-    x[k][1] = 1.2 * b * (2.0 * j / (SIDE - 1) - 1);
-    x[k][2] = 0;
-    if (i == SIDE - 1 || j == SIDE - 1) continue;
-    e[0] = k, e[1] = k + 1, e[2] = k + 1 + SIDE, e[3] = k + SIDE;
-  }
   curvatures(a, b, &A, &B);
-  must(rollcon_contact_set_frame_nodes(contact, NODES, &x[0][0], 3, 1));
-  must(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, ELEMENTS, &element[0][0], 0, 1));
+  must(rollcon_contact_frame_ellipse(contact, ALONG, ACROSS, a, b, 0));
   must(rollcon_contact_set_gap_quadratic(contact, A, B, 0));
 }
 

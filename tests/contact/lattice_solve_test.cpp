@@ -188,16 +188,14 @@ TEST(Lattice, AnythingElseIsRefusedByName) {
     return {};
   };
   RollingPair triangles(steady_rolling::steel, steady_rolling::steel);
-  const auto lines = frames::uniform_lines(-6, 6, 12);
-  triangles.frame(frames::rectangle(rollcon::ElementType::tri3, lines, lines));
+  triangles.rectangle(rollcon::ElementType::tri3, 12, 12, 6, 6);
   triangles.gap_quadratic(0.01, 0.01).load(1000).friction(0.3).option("operators", "fft");
   const std::string message = error_of(triangles);
   EXPECT_NE(message.find("operators"), std::string::npos) << message;
   EXPECT_NE(message.find(have_fft() ? "grid" : "FFTW"), std::string::npos) << message;
   // Two lines of nodes have no inner one: dense operators, whatever their number.
   RollingPair strip(steady_rolling::steel, steady_rolling::steel);
-  strip.frame(frames::rectangle(rollcon::ElementType::quad4, frames::uniform_lines(-6, 6, 320),
-                                frames::uniform_lines(-0.1, 0.1, 1)));
+  strip.rectangle(rollcon::ElementType::quad4, 320, 1, 6, 0.1);
   strip.gap_quadratic(0.01, 0).load(10).friction(0.3);
   EXPECT_GE(strip.solve(), ROLLCON_OK);
   strip.option("operators", "table");
@@ -265,8 +263,7 @@ TEST(Lattice, ErrorEstimatesDoNotMissErrorsByAccident) {
     const scenes::Elastic hard{.shear = 2e5 / 2.6, .poisson = 0.3};
     const scenes::Elastic soft{.shear = 1e5 / 2.6, .poisson = 0.3};
     auto pair = std::make_unique<RollingPair>(hard, soft);
-    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);
-    pair->frame(frames::rectangle(rollcon::ElementType::quad4, lines, lines));
+    pair->rectangle(rollcon::ElementType::quad4, n, n, 1.3, 1.3);
     pair->gap_quadratic(0.01, 0.012).friction(0.3).approach(0.01).creep(1e-3, 0, 0);
     pair->option("convection", scheme).option("operators", "fft").option("tolerance", 1e-6);
     EXPECT_EQ(pair->solve(), ROLLCON_OK);

@@ -11,7 +11,6 @@
 #include <utility>
 #include <vector>
 
-#include "support/frames.hpp"
 #include "support/scene.hpp"
 #include "support/testing.hpp"
 
@@ -124,8 +123,7 @@ inline const Elastic soft{.shear = 1e4 / 2.2, .poisson = 0.1};
 
 inline std::unique_ptr<RollingPair> half_spaces(const std::optional<Elastic>& other, int n = 14) {
   auto pair = std::make_unique<RollingPair>(steel, other);
-  const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, n);
-  pair->frame(frames::rectangle(ElementType::quad4, lines, lines)).gap_quadratic(0.011, 0.009);
+  pair->rectangle(ElementType::quad4, n, n, 1.3, 1.3).gap_quadratic(0.011, 0.009);
   return pair;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/sensitivity_case.hpp"
+#include "support/frames.hpp"
 #include "support/surface_meshes.hpp"
 #include "support/volume_meshes.hpp"
 

@@ -12,7 +12,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <string>
-#include <vector>
 
 #include "rollcon.h"
 
@@ -54,16 +53,6 @@ double solve(const Library& l, std::int32_t threads) {
   rollcon_context* context = nullptr;
   rollcon_body *sphere = nullptr, *plane = nullptr;
   rollcon_contact* contact = nullptr;
-  std::vector<double> x;
-  std::vector<std::int32_t> node;
-  constexpr int n = 12;
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i) x.insert(x.end(), {0.25 * i - 1.5, 0.25 * j - 1.5, 0});
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int k = j * (n + 1) + i;
-      node.insert(node.end(), {k, k + 1, k + n + 2, k + n + 1});
-    }
   const double friction = 0.1;
   double force[3] = {};
   OF(l, rollcon_context_create, ROLLCON_ABI, &context);
@@ -72,8 +61,7 @@ double solve(const Library& l, std::int32_t threads) {
   OF(l, rollcon_body_create, context, ROLLCON_BODY_RIGID, &plane);
   OF(l, rollcon_body_set_elastic, sphere, 0, 1e4, 0.3);
   OF(l, rollcon_contact_create, context, sphere, plane, &contact);
-  OF(l, rollcon_contact_set_frame_nodes, contact, (n + 1) * (n + 1), x.data(), 3, 1);
-  OF(l, rollcon_contact_add_frame_elements, contact, ROLLCON_QUAD4, n * n, node.data(), 0, 0);
+  OF(l, rollcon_contact_frame_rectangle, contact, ROLLCON_QUAD4, 12, 12, -1.5, 1.5, -1.5, 1.5);
   OF(l, rollcon_contact_set_gap_quadratic, contact, 0.01, 0.01, 0);
   OF(l, rollcon_contact_set_friction, contact, "coulomb", 1, &friction);
   OF(l, rollcon_contact_prescribe, contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 300);

@@ -31,27 +31,14 @@ static void ROLLCON_CALL sink(int32_t level, const char* message, void* user) {
   *(size_t*)user += strlen(message);
 }
 
-#define NODES 7
-
 int main(void) {
   rollcon_context* context = NULL;
   rollcon_body *sphere = NULL, *plane = NULL;
   rollcon_contact* contact = NULL;
-  double x[3 * NODES * NODES], force[3];
-  int32_t element[4 * (NODES - 1) * (NODES - 1)], calls = 0, status;
+  double force[3];
+  int32_t calls = 0, status;
   const double friction = 0.1;
   size_t characters = 0;
-  int i, j, k;
-  for (j = 0; j < NODES; ++j)
-    for (i = 0; i < NODES; ++i) {
-      k = 3 * (j * NODES + i);
-      x[k] = 0.5 * i - 1.5, x[k + 1] = 0.5 * j - 1.5, x[k + 2] = 0;
-    }
-  for (j = 0, k = 0; j + 1 < NODES; ++j)
-    for (i = 0; i + 1 < NODES; ++i) {
-      element[k++] = j * NODES + i, element[k++] = j * NODES + i + 1;
-      element[k++] = (j + 1) * NODES + i + 1, element[k++] = (j + 1) * NODES + i;
-    }
 #define OK(call)                       \
   do {                                 \
     status = call;                     \
@@ -64,8 +51,7 @@ int main(void) {
   OK(rollcon_body_set_elastic(sphere, 0, 1e4, 0.3));
   OK(rollcon_contact_create(context, sphere, plane, &contact));
   OK(rollcon_contact_create(context, sphere, plane, &inner));
-  OK(rollcon_contact_set_frame_nodes(contact, NODES * NODES, x, 3, 1));
-  OK(rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, (NODES - 1) * (NODES - 1), element, 0, 0));
+  OK(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 6, 6, -1.5, 1.5, -1.5, 1.5));
   OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.01, 0));
   OK(rollcon_contact_set_friction(contact, "coulomb", 1, &friction));
   OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02));

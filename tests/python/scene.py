@@ -20,14 +20,10 @@ class Scene(unittest.TestCase):
         side = np.linspace(-1.3, 1.3, SIDE)
         x, y = np.meshgrid(side, side)
         self.x = np.column_stack([x.ravel(), y.ravel(), np.zeros(NODES)])
-        k = np.arange(NODES).reshape(SIDE, SIDE)
-        corners = (k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1])
-        self.elements = np.stack(corners, axis=-1).reshape(-1, 4)
 
     def contact(self):
         contact = rc.Contact(self.context, self.sphere, self.plane)
-        contact.set_frame_nodes(self.x)
-        contact.add_frame_elements(rc.QUAD4, self.elements)
+        contact.frame_rectangle(rc.QUAD4, SIDE - 1, SIDE - 1, -1.3, 1.3, -1.3, 1.3)
         contact.set_gap_quadratic(0.01, 0.01)
         contact.set_friction(MU)
         contact.set_rolling(10.0)

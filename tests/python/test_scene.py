@@ -6,7 +6,7 @@ import unittest
 import numpy as np
 import rollcon as rc
 from rollcon._library import lib
-from scene import LOAD, MU, NODES, Scene
+from scene import LOAD, MU, NODES, SIDE, Scene
 
 
 class Results(Scene):
@@ -27,6 +27,18 @@ class Results(Scene):
         self.assertTrue(contact.plan())
         self.assertTrue(all(np.isfinite(contact.stat(name)) for name in rc.stat_names()))
         self.assertEqual(rc.version_string(), rc.__version__)
+
+    def test_a_mesh_of_ones_own_does_what_the_rectangle_does(self):
+        made, given = self.contact(), self.contact()
+        k = np.arange(NODES).reshape(SIDE, SIDE)
+        corners = (k[:-1, :-1], k[:-1, 1:], k[1:, 1:], k[1:, :-1])
+        given.set_frame_nodes(self.x)
+        given.add_frame_elements(rc.QUAD4, np.stack(corners, axis=-1).reshape(-1, 4))
+        for contact in (made, given):
+            contact.set_creep(1e-3, -5e-4, 0.0)
+            self.assertEqual(contact.solve(), rc.OK)
+        self.assertGreater(np.abs(made.tractions()).max(), 100)
+        np.testing.assert_allclose(given.tractions(), made.tractions(), atol=1e-8)
 
     def test_a_case_is_a_solve(self):
         contact = self.contact()

@@ -286,9 +286,8 @@ Judgement judge_block(bool finite_elements, int across, const char* scheme) {
     return body;
   };
   const auto prepare = [&](RollingPair& pair, int n, const char* convection) {
-    const auto lines = frames::uniform_lines(-reach, reach, n);
-    pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
-    pair.axes({0, 0, 0}, {1, 0, 0}, {0, 0, 1}).gap_quadratic(curvature, curvature);
+    pair.axes({0, 0, 0}, {1, 0, 0}, {0, 0, 1}).rectangle(ElementType::quad4, n, n, reach, reach);
+    pair.gap_quadratic(curvature, curvature);
     pair.friction(mu).approach(approach).creep(-creep, 0, 0).option("convection", convection);
   };
   static std::map<bool, std::array<double, 3>> reference;

@@ -144,6 +144,13 @@ RollingPair& RollingPair::frame(const SurfaceMesh& mesh) {
   return *this;
 }
 
+RollingPair& RollingPair::rectangle(ElementType type, int nx, int ny, double half_x, double half_y) {
+  check(rollcon_contact_frame_rectangle(contact_, static_cast<std::int32_t>(type), nx, ny, -half_x, half_x, -half_y,
+                                        half_y),
+        "frame_rectangle");
+  return *this;
+}
+
 RollingPair& RollingPair::frame_from_body(int which, std::int32_t tag) {
   check(rollcon_contact_frame_from_body(contact_, which, tag), "frame_from_body");
   return *this;

@@ -78,6 +78,8 @@ class RollingPair {
   RollingPair& operator=(const RollingPair&) = delete;
 
   RollingPair& frame(const SurfaceMesh& mesh);
+  /// Of nx x ny elements, from -half_x to half_x and from -half_y to half_y in the plane of the axes.
+  RollingPair& rectangle(ElementType type, int nx, int ny, double half_x, double half_y);
   RollingPair& frame_from_body(int which, std::int32_t tag);
   RollingPair& pose(int which, const std::array<Vec3, 3>& rotation, const Vec3& translation);
   RollingPair& axes(const Vec3& origin, const Vec3& rolling, const Vec3& normal);
@@ -106,6 +108,7 @@ class RollingPair {
   double body_stat(int which, const char* name) const;
   std::string plan() const;
 
+  rollcon_context* context() const { return context_; }
   rollcon_contact* handle() const { return contact_; }
   rollcon_body* body(int which) const { return body_[which - 1]; }
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <vector>
 
 namespace rollcon::wheelset_run {
 
@@ -53,18 +52,8 @@ inline std::int32_t prescribe(rollcon_contact* contact, const Step& s, Drive dri
 
 /// Frame of n x n bilinear quadrilaterals, gap, friction and speed; the sum of the statuses.
 inline std::int32_t set_scene(rollcon_contact* contact, int n) {
-  std::vector<double> x;
-  std::vector<std::int32_t> connectivity;
-  for (int j = 0; j <= n; ++j)
-    for (int i = 0; i <= n; ++i)
-      x.insert(x.end(), {half_along * (2.0 * i / n - 1), half_across * (2.0 * j / n - 1), 0.0});
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i) {
-      const int k = j * (n + 1) + i;
-      connectivity.insert(connectivity.end(), {k, k + 1, k + n + 2, k + n + 1});
-    }
-  return rollcon_contact_set_frame_nodes(contact, std::int64_t{n + 1} * (n + 1), x.data(), 3, 1) +
-         rollcon_contact_add_frame_elements(contact, ROLLCON_QUAD4, std::int64_t{n} * n, connectivity.data(), 0, 0) +
+  return rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, n, n, -half_along, half_along, -half_across,
+                                         half_across) +
          rollcon_contact_set_gap_quadratic(contact, curvature_along, curvature_across, 0) +
          rollcon_contact_set_friction(contact, "coulomb", 1, &friction) + rollcon_contact_set_rolling(contact, 30000);
 }

@@ -59,8 +59,7 @@ Solution roll(const std::string& kind1, const std::string& kind2, const Turned& 
   } else if (meshed(kind2)) {
     pair.frame_from_body(2, 2);
   } else {
-    const auto lines = frames::uniform_lines(-zone / 2, zone / 2, 10);
-    pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
+    pair.rectangle(ElementType::quad4, 10, 10, zone / 2, zone / 2);
   }
   const double curvature = 1 / (2 * radius);
   pair.gap_quadratic(curvature, curvature).friction(mu).load(load).speed(10);

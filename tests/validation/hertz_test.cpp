@@ -96,9 +96,9 @@ TEST_P(HertzEllipse, peak_pressure_axes_and_force) {
   const double ratio = GetParam();
   const Hertz hertz = closed_forms::hertz_from_axes(std::sqrt(ratio), 1 / std::sqrt(ratio), 1000,
                                                     closed_forms::effective_modulus(steel, steel));
-  const auto lines = frames::uniform_lines(-28.0 / 24.0, 28.0 / 24.0, 28);
+  constexpr double reach = 28.0 / 24.0;
   RollingPair pair(steel, steel);
-  pair.frame(frames::stretch(frames::rectangle(ElementType::quad4, lines, lines), hertz.a, hertz.b))
+  pair.rectangle(ElementType::quad4, 28, 28, reach * hertz.a, reach * hertz.b)
       .gap_quadratic(hertz.A, hertz.B)
       .friction(0)
       .approach(hertz.approach);

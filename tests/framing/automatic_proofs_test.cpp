@@ -1,0 +1,288 @@
+/// Contacts without a caller's frame against theory and published numbers: Kalker's coefficients, strips of Carter's
+/// rolling across a wide ellipse, unlike bodies in free rolling, a creep curve, fine frames; and that the accuracy
+/// asked for is had.
+
+#include "rollcon.h"
+#include "support/graded_disc.hpp"
+#include "support/linear_theory.hpp"
+#include "support/scene.hpp"
+#include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
+
+namespace rollcon::automatic_proofs {
+namespace {
+
+using closed_forms::Elastic;
+using closed_forms::Hertz;
+using scenes::RollingAnswer;
+using scenes::RollingPair;
+namespace linear = scenes::linear_theory;
+namespace steady_rolling = scenes::steady_rolling;
+const Elastic steel = steady_rolling::steel, aluminium{.shear = 27000, .poisson = 0.34};
+
+RollingPair& hertzian(RollingPair& pair, const Hertz& hertz, double mu) {
+  return pair.gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(mu);
+}
+
+Hertz ellipse(double a, double b, double e_star) {
+  return closed_forms::hertz_from_axes(a, b, 1000, e_star);
+}
+
+// ------------------------------------------------------------------------------------ linear theory
+
+/// By motion: longitudinal and lateral creepage, spin; measured at most 1.1, 1.2 and 1.0 % of the force, 0.6 and 1.6 %
+/// of the moment. The table has three digits.
+constexpr double kalker_force[] = {0.018, 0.018, 0.016}, kalker_moment[] = {1e-9, 0.009, 0.026};
+/// Of long ellipses, a/b = 10, the moment of lateral creepage converges last: 3.2 % found.
+constexpr double moment_of_long_ellipse = 0.05;
+
+void expect_kalker(double ratio, double nu) {
+  constexpr double share = 0.006;  // of mu Fn, that the creepage would carry without slip
+  const Elastic body{.shear = 82000, .poisson = nu};
+  const Hertz hertz = linear::ellipse(ratio, body);
+  const linear::Coefficients table = linear::table(ratio, nu);
+  const linear::Motions motions(table, hertz, body, share);
+  RollingPair pair(body, body);
+  hertzian(pair, hertz, linear::mu);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const linear::Motion& motion = motions.all[k];
+    pair.creep(motion.creep[0], motion.creep[1], motion.creep[2]);
+    EXPECT_EQ(pair.solve(), ROLLCON_OK);
+    const auto errors = scenes::rolling_errors(motions.found(pair.solution()), motions.exact(motion, table));
+    char name[80];
+    std::snprintf(name, sizeof name, "a/b = %.3g, nu = %g, %s: ", ratio, nu, motion.name);
+    expect_error(name + std::string("force"), errors.force, kalker_force[k]);
+    expect_error(name + std::string("moment"), errors.moment,
+                 k == 1 && ratio > 9 ? moment_of_long_ellipse : kalker_moment[k]);
+  }
+}
+
+TEST(automatic_proofs, kalkers_coefficients) {
+  for (const double ratio : {0.5, 1.0, 2.0}) expect_kalker(ratio, 0.25);
+}
+
+TEST(automatic_proofs_long, kalkers_coefficients) {
+  for (const double ratio : {0.1, 0.2, 0.3, 0.5, 1.0, 1 / 0.7, 2.0, 1 / 0.3, 5.0, 10.0})
+    for (const double nu : {0.0, 0.25, 0.5}) expect_kalker(ratio, nu);
+}
+
+// --------------------------------------------------------------------------------- wide ellipses
+
+/// Every strip of an ellipse that is wide across rolling rolls like Carter's cylinder; creepage takes the same length
+/// from the sticking part of each (Haines and Ollerton). Force over mu Fn where that length is `part` of the middle's.
+double force_of_strips(double part) {
+  constexpr int n = 20000;
+  double force = 0, load = 0;
+  for (int i = 0; i < n; ++i) {
+    const double y = (i + 0.5) / n, half = std::sqrt(1 - y * y), stick = std::max(half - part, 0.0);
+    load += half * half;
+    force += half * half - stick * stick;
+  }
+  return force / load;
+}
+
+TEST(automatic_proofs, strips_across_a_wide_ellipse_are_carters) {
+  constexpr double mu = 0.3, part = 0.4;
+  const double e_star = closed_forms::effective_modulus(steel, steel);
+  // Of the force and of the creepage.
+  const std::array<double, 3> wide[] = {{10, 7e-3, 0.013}, {40, 3e-3, 4.5e-3}, {160, 2.5e-3, 4e-3}};
+  double last = INFINITY;
+  for (const auto& [width, force_bound, creepage_bound] : wide) {
+    const Hertz hertz = ellipse(1, width, e_star);
+    // Of cylinders with the same pressures in the middle.
+    const double radius = e_star / (2 * hertz.p0);
+    RollingPair pair(steel, steel);
+    hertzian(pair, hertz, mu).creep(-part * mu / radius, 0, 0);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const double error = pair.solution().force[0] / (mu * hertz.load) - force_of_strips(part);
+    expect_error("b/a = " + std::to_string(std::lround(width)) + ": force of strips, over mu Fn", error, force_bound);
+    EXPECT_LT(std::abs(error), last);
+    last = std::abs(error);
+    // The other way round: the creepage of that force.
+    pair.tangential_force(ROLLCON_LONGITUDINAL, force_of_strips(part) * mu * hertz.load);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    expect_error("  creepage of that force", relative(pair.solution().creep[0], -part * mu / radius), creepage_bound);
+  }
+}
+
+// Hardly any friction: slip is what pressure leaves of plane strain, xi - C p, and as much load slips forwards as
+// backwards. The load within a line of equal pressure p is 1 - (p / p0)^3 of all.
+TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
+  const auto strain = [](const Elastic& body) { return (1 - 2 * body.poisson) * (1 + body.poisson) / body.young(); };
+  const double e_star = closed_forms::effective_modulus(steel, aluminium);
+  double last = INFINITY;
+  for (const auto& [width, bound] : {std::pair{10.0, 0.16}, {40.0, 0.04}, {160.0, 0.013}}) {
+    const Hertz hertz = ellipse(1, width, e_star);
+    const double exact = (strain(aluminium) - strain(steel)) * hertz.p0 * std::cbrt(0.5);
+    RollingPair pair(steel, aluminium);
+    hertzian(pair, hertz, 1e-5).tangential_force(ROLLCON_LONGITUDINAL, 0);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const double error = pair.solution().creep[0] / exact - 1;
+    expect_error("b/a = " + std::to_string(std::lround(width)) + ": creepage of free rolling", error, bound);
+    EXPECT_LT(std::abs(error), last);
+    last = std::abs(error);
+  }
+}
+
+// ------------------------------------------------------------------------------------ creep curve
+
+// Of a contact with b = 2 a from stick to slip, forward and from the forces back to the creepages.
+TEST(automatic_proofs, creep_curve) {
+  constexpr double mu = 0.33;
+  const Hertz hertz =
+      closed_forms::hertz_from_load(.0008, .0002814173138, closed_forms::effective_modulus(steel, steel), 106700);
+  const double bound = mu * hertz.load;
+  RollingPair pair(steel, steel), back(steel, steel);
+  hertzian(pair, hertz, mu);
+  hertzian(back, hertz, mu);
+  double last = 0;
+  for (const auto& [xi, ratio] : closed_forms::creep_curve()) {
+    pair.creep(-xi, 0, 0);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const auto found = scenes::found_forces(pair.solution(), bound, std::sqrt(hertz.a * hertz.b));
+    char name[120];
+    std::snprintf(name, sizeof name, "xi = %.1e: F/(mu P) = %.5f, CONTACT %.5f", xi, found.force[0], ratio);
+    const auto errors = scenes::rolling_errors(found, {{ratio, 0}, 0});
+    // CONTACT's own error is 1.5 % in the linear range.
+    expect_error(name, errors.force, 0.015);
+    expect_error(name + std::string(": moment"), errors.moment, 1e-10);
+    EXPECT_GT(found.force[0], last);
+    EXPECT_LE(found.force[0], 1 + 1e-12);
+    last = found.force[0];
+    if (last > 0.99) continue;  // creepage there is no matter of the force
+    back.tangential_force(ROLLCON_LONGITUDINAL, last * bound);
+    ASSERT_EQ(back.solve(), ROLLCON_OK);
+    expect_error("  creepage of that force", relative(back.solution().creep[0], -xi), 2e-3);
+  }
+  // Linear range: 243.30 N at 1e-5 by Kalker's theory.
+  pair.creep(-1e-5, 0, 0);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK);
+  expect_error("force at xi = 1e-5 against linear theory", relative(pair.solution().force[0], 243.30), 0.008);
+}
+
+// ------------------------------------------------------------------------------------ fine frames
+
+struct Rolling {
+  const char* name;
+  std::optional<Elastic> other;
+  double a, b;
+  std::array<double, 3> creep;  ///< over that which linear theory gives mu Fn at, roughly
+
+  bool alike() const { return other && other->shear == steel.shear; }
+};
+
+const Rolling rollings[] = {
+    {"like bodies, both creepages", steel, 1, 1, {0.5, -0.4, 0}},
+    {"like bodies, spin", steel, 1, 1, {0, 0, 0.6}},
+    {"like bodies, a/b = 2, creepages and spin", steel, 2, 1, {-0.3, 0.5, 0.4}},
+    {"like bodies, a/b = 1/3, creepages and spin", steel, 1, 3, {0.6, 0.3, -0.5}},
+    {"like bodies, nearly sliding", steel, 1, 2, {1.2, 0.8, 0.2}},
+    {"steel on aluminium, creepages and spin", aluminium, 1, 1.5, {-0.5, 0.4, 0.4}},
+    {"steel on rigid, creepages and spin", std::nullopt, 1.5, 1, {0.3, 0.4, 0.5}},
+};
+
+struct Prepared {
+  Hertz hertz;
+  std::array<double, 3> creep;
+  double bound, arm;
+};
+constexpr double friction = 0.3;
+
+Prepared prepare(const Rolling& r) {
+  const double e_star =
+      r.other ? closed_forms::effective_modulus(steel, *r.other) : closed_forms::effective_modulus(steel);
+  Prepared p{ellipse(r.a, r.b, e_star), {}, 0, std::sqrt(r.a * r.b)};
+  p.bound = friction * p.hertz.load;
+  const double unit = p.bound / (steel.shear * r.a * r.b);
+  p.creep = {r.creep[0] * unit / 3, r.creep[1] * unit / 3, r.creep[2] * unit / p.arm};
+  return p;
+}
+
+RollingAnswer roll(RollingPair& pair, const Prepared& p) {
+  hertzian(pair, p.hertz, friction).creep(p.creep[0], p.creep[1], p.creep[2]);
+  EXPECT_GE(pair.solve(), 0);
+  return scenes::found_forces(pair.solution(), p.bound, p.arm);
+}
+
+/// Of forces and moment, over mu Fn.
+std::array<double, 2> difference(const RollingAnswer& one, const RollingAnswer& other) {
+  return {std::hypot(one.force[0] - other.force[0], one.force[1] - other.force[1]), one.moment - other.moment};
+}
+
+void beside_rings(const Rolling& r, int rings, double force_bound, double moment_bound) {
+  const Prepared p = prepare(r);
+  RollingPair none(steel, r.other), fine(steel, r.other);
+  fine.frame(scenes::graded_disc(r.a, r.b, rings));
+  const RollingAnswer found = roll(none, p), beside = roll(fine, p);
+  const auto [force, moment] = difference(found, beside);
+  const std::string name = std::string(r.name) + ": ";
+  report(name + "force on rings, over mu Fn", std::hypot(beside.force[0], beside.force[1]));
+  expect_error(name + "force beside " + std::to_string(rings) + " rings", force, force_bound);
+  expect_error(name + "moment", moment, moment_bound);
+}
+
+TEST(automatic_proofs, creepages_and_spin_beside_rings) {
+  // Pressure strains unlike bodies along the surface: both frames converge slowly.
+  for (const Rolling& r : rollings) beside_rings(r, 10, r.alike() ? 0.0055 : 0.014, 0.008);
+}
+
+TEST(automatic_proofs_long, creepages_and_spin_beside_fine_rings) {
+  for (const Rolling& r : rollings) beside_rings(r, 16, 0.0033, 0.004);
+}
+
+// ---------------------------------------------------------------------------- accuracy asked for
+
+// Approach of Hertz. The last pair of frames is twice as fine as the one before.
+TEST(automatic_proofs, frictionless_errors_fall) {
+  for (const double ratio : {0.2, 1.0, 5.0}) {
+    const Hertz hertz = ellipse(std::sqrt(ratio), 1 / std::sqrt(ratio), closed_forms::effective_modulus(steel, steel));
+    double last = INFINITY, order = 0;
+    for (const auto& [accuracy, bound] : {std::pair{0.06, 7e-3}, {0.01, 2e-3}, {0.002, 2.5e-4}}) {
+      RollingPair pair(steel, steel);
+      hertzian(pair, hertz, 0).option("frame_accuracy", accuracy);
+      ASSERT_EQ(pair.solve(), ROLLCON_OK);
+      const double error = relative(pair.solution().approach, hertz.approach);
+      char name[80];
+      std::snprintf(name, sizeof name, "a/b = %g, frame_accuracy %g: approach", ratio, accuracy);
+      expect_error(name, error, bound);
+      order = observed_order(last, error, 2, 1);
+      last = error;
+    }
+    expect_order("  of the last two", order, 2.5);
+  }
+}
+
+TEST(automatic_proofs_long, errors_fall_with_the_accuracy_asked_for) {
+  std::vector<RollingAnswer> exact;
+  const auto on = [](const Rolling& r, double accuracy) {
+    RollingPair pair(steel, r.other);
+    pair.option("frame_accuracy", accuracy);
+    return roll(pair, prepare(r));
+  };
+  // The finest frames there are.
+  for (const Rolling& r : rollings) exact.push_back(on(r, 1e-4));
+  struct Asked {
+    double accuracy, force, moment;
+  };
+  double last = 0, last_asked = 0;
+  for (const auto& [accuracy, force_bound, moment_bound] :
+       {Asked{0.06, 0.011, 0.0095}, {0.01, 0.0055, 0.0026}, {0.002, 4e-4, 2.6e-4}}) {
+    double force = 0, moment = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      const auto [f, m] = difference(on(rollings[i], accuracy), exact[i]);
+      force += f / static_cast<double>(exact.size());
+      moment += std::abs(m) / static_cast<double>(exact.size());
+    }
+    char name[80];
+    std::snprintf(name, sizeof name, "frame_accuracy %g, mean error of the ", accuracy);
+    expect_error(name + std::string("force over mu Fn"), force, force_bound);
+    expect_error(name + std::string("moment"), moment, moment_bound);
+    if (last > 0)
+      expect_order("  order in the accuracy asked for", observed_order(last, force, last_asked, accuracy), 0.3);
+    last = force;
+    last_asked = accuracy;
+  }
+}
+
+}  // namespace
+}  // namespace rollcon::automatic_proofs
