@@ -29,6 +29,8 @@ module rollcon_body_plain
     procedure :: set_contact_faces => body_set_contact_faces
     procedure :: set_profile => body_set_profile
     procedure :: set_profile_shape => body_set_profile_shape
+    procedure :: read_profile => body_read_profile
+    procedure :: write_profile => body_write_profile
     procedure :: extrude_profile => body_extrude_profile
     procedure :: revolve_profile => body_revolve_profile
     procedure :: get_profile_length => body_get_profile_length
@@ -330,6 +332,42 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_profile_shape(self%p, c_text(shape), size(parameters, 1, rc_long), parameters), &
       self%p, 'rc_body%set_profile_shape', stat, errmsg)
+  end subroutine
+
+  !> Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack, where the name ends in
+  !> .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where it ends in .ban or .whl, else two columns,
+  !> y and z. Simpack's and Miniprof's are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be read,
+  !> ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says: mirror it where the
+  !> file counts upwards.
+  subroutine body_read_profile(self, path, unit, mirror, filter_length, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in) :: unit
+    integer, intent(in), optional :: mirror
+    real(rc_real), intent(in), optional :: filter_length
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: mirror_or_standard
+    real(rc_real) :: filter_length_or_standard
+    mirror_or_standard = 0
+    if (present(mirror)) mirror_or_standard = mirror
+    filter_length_or_standard = 0
+    if (present(filter_length)) filter_length_or_standard = filter_length
+    call finish( &
+      rollcon_body_read_profile(self%p, c_text(path), unit, int(mirror_or_standard, rc_int), filter_length_or_standard), &
+      self%p, 'rc_body%read_profile', stat, errmsg)
+  end subroutine
+
+  !> Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else two columns. Read
+  !> again, a profile through points is the same, one in closed form within 1e-9 of its size where its curvature is
+  !> continuous. The file appears whole or not at all.
+  subroutine body_write_profile(self, path, unit, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in) :: unit
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_write_profile(self%p, c_text(path), unit), self%p, 'rc_body%write_profile', stat, errmsg)
   end subroutine
 
   !> The profile, moved along a straight line without end, is the surface of the body: x of the profile points along, z

@@ -503,6 +503,28 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_profile_shape
 
+    function rollcon_body_read_profile(body, path, unit, mirror, filter_length) &
+        result(rc) bind(C, name="rollcon_body_read_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: unit
+      integer(c_int32_t), value :: mirror
+      real(c_double), value :: filter_length
+      integer(c_int32_t) :: rc
+    end function rollcon_body_read_profile
+
+    function rollcon_body_write_profile(body, path, unit) &
+        result(rc) bind(C, name="rollcon_body_write_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: unit
+      integer(c_int32_t) :: rc
+    end function rollcon_body_write_profile
+
     function rollcon_body_extrude_profile(body, origin, along, z_axis) &
         result(rc) bind(C, name="rollcon_body_extrude_profile")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

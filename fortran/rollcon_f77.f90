@@ -435,6 +435,26 @@ subroutine rcbpsh(ibody, shape, n, par, ierr)
   ierr = rollcon_body_set_profile_shape(body_of(ibody), c_name(shape), int(n, c_int64_t), par)
 end subroutine
 
+!> Sets a profile through the points of a file, as rollcon_body_set_profile does.
+subroutine rcbprd(ibody, path, unit, mirror, filter_length, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, mirror, ierr
+  character(len=*) :: path
+  double precision :: unit, filter_length
+  ierr = rollcon_body_read_profile(body_of(ibody), c_text(path), unit, narrow(mirror), filter_length)
+end subroutine
+
+!> Writes points of the profile to a file.
+subroutine rcbpwr(ibody, path, unit, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: path
+  double precision :: unit
+  ierr = rollcon_body_write_profile(body_of(ibody), c_text(path), unit)
+end subroutine
+
 !> The profile, moved along a straight line without end, is the surface of the body.
 subroutine rcbext(ibody, origin, along, z_axis, ierr)
   use rollcon_f77_support

@@ -692,6 +692,36 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_b
     const char *shape, int64_t n, const double *parameters);
 
 /*
+ * Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack,
+ * where the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
+ * it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are millimetres.
+ * ROLLCON_ERR_IO names the line of a file that cannot be read, ROLLCON_ERR_ARGUMENT that of a
+ * point at which the path turns back. z goes where the file says: mirror it where the file counts
+ * upwards.
+ *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
+ *   path           name of the file
+ *   unit           factor on its numbers: length of a millimetre, > 0
+ *   mirror         0: no; 1: in y, 2: in z, 3: in both
+ *   filter_length  as of rollcon_body_set_profile, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_profile(rollcon_body *body,
+    const char *path, double unit, int32_t mirror, double filter_length);
+
+/*
+ * Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else
+ * two columns. Read again, a profile through points is the same, one in closed form within 1e-9
+ * of its size where its curvature is continuous. The file appears whole or not at all.
+ *   body  with a profile (else ROLLCON_ERR_STATE)
+ *   path  name of the file
+ *   unit  divides its numbers: length of a millimetre, > 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write_profile(const rollcon_body *body,
+    const char *path, double unit);
+
+/*
  * The profile, moved along a straight line without end, is the surface of the body: x of the
  * profile points along, z along z_axis, y along z_axis x along.
  *   body    with a profile (else ROLLCON_ERR_STATE)

@@ -49,6 +49,10 @@ class Body {
   void set_profile(std::int64_t n, const double* points, double filter_length);
   /// See profile_of_shape.
   void set_profile_shape(const char* shape, std::int64_t n, const double* parameters);
+  /// From a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
+  void read_profile(const char* path, double unit, std::int32_t mirror, double filter_length);
+  /// Its points in `unit`. err_state without a profile, err_io.
+  void write_profile(const char* path, double unit) const;
   /// x, y, z of the profile: along, z_axis x along, z_axis made normal to it. err_state without a profile.
   void extrude_profile(const double* origin, const double* along, const double* z_axis);
   /// y along the axis, radius + z away from it.

@@ -7,6 +7,7 @@
 #include "bodies/body.hpp"
 #include "geometry/profile_fit.hpp"
 #include "geometry/profile_shapes.hpp"
+#include "io/profile_file.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/input_checks.hpp"
 
@@ -24,6 +25,13 @@ Vec3 unit_vector(const double* v, const char* name) {
   const double most = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(most > 0)) fail(Status::err_argument, "%s is (0, 0, 0); allowed: any other vector", name);
   return normalized((1 / most) * vector_of(v));
+}
+
+void require_unit(double unit) {
+  constexpr double least = 1e-30, most = 1e30;
+  require_finite(unit, "unit");
+  if (!(unit >= least && unit <= most))
+    fail(Status::err_argument, "unit is %g; allowed: > 0, from %g to %g", unit, least, most);
 }
 
 }  // namespace
@@ -68,6 +76,33 @@ void Body::set_profile_shape(const char* shape, std::int64_t n, const double* pa
   replace_profile(profile_of_shape(shape, {parameters, static_cast<std::size_t>(n)}));
 }
 
+void Body::read_profile(const char* path, double unit, std::int32_t mirror, double filter_length) {
+  require_pointer(path, "path");
+  require_unit(unit);
+  if (mirror < 0 || mirror > 3) fail(Status::err_argument, "mirror is %d; allowed: 0, 1 (y), 2 (z), 3 (both)", mirror);
+  require_finite(filter_length, "filter_length");
+  ProfileFile file = read_profile_file(path);
+  const std::array<double, 2> factor{mirror & 1 ? -unit : unit, mirror & 2 ? -unit : unit};
+  for (Vec2& x : file.point)
+    for (std::size_t c = 0; c < 2; ++c) x[c] *= factor[c];
+  replace_profile(profile_through(std::move(file.point), filter_length, [&](std::size_t i) {
+    return "line " + std::to_string(file.line[i]) + " of " + path;
+  }));
+}
+
+void Body::write_profile(const char* path, double unit) const {
+  require_pointer(path, "path");
+  require_unit(unit);
+  std::vector<Vec2> point;
+  {
+    const std::lock_guard lock(mutex_);
+    require_profile();
+    point = model_->profile.curve->points();
+  }
+  for (Vec2& x : point) x = {x[0] / unit, x[1] / unit};
+  write_profile_file(path, point);
+}
+
 void Body::extrude_profile(const double* origin, const double* along, const double* z_axis) {
   constexpr double least_angle = 1e-6;
   require_finite_vector(origin, "origin");
@@ -102,7 +137,7 @@ void Body::revolve_profile(const double* origin, const double* axis, double radi
 
 void Body::require_profile() const {
   if (!model_->profile.curve)
-    fail(Status::err_state, "the body has no profile: rollcon_body_set_profile or rollcon_body_set_profile_shape");
+    fail(Status::err_state, "the body has no profile: rollcon_body_set_profile, _set_profile_shape or _read_profile");
 }
 
 double Body::profile_length() const {

@@ -118,6 +118,20 @@ rollcon_status rollcon_body_set_profile_shape(rollcon_body *body, const char *sh
   });
 }
 
+rollcon_status rollcon_body_read_profile(rollcon_body *body, const char *path, double unit,
+    int32_t mirror, double filter_length) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.read_profile(path, unit, mirror, filter_length);
+  });
+}
+
+rollcon_status rollcon_body_write_profile(const rollcon_body *body, const char *path,
+    double unit) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.write_profile(path, unit);
+  });
+}
+
 rollcon_status rollcon_body_extrude_profile(rollcon_body *body, const double *origin,
     const double *along, const double *z_axis) {
   return with_body(__func__, body, [&](Body& self) {

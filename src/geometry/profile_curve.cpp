@@ -152,8 +152,8 @@ ProfilePoint ProfileCurve::nearest(const Vec2& x) const {
 }
 
 std::vector<Vec2> ProfileCurve::points() const {
-  constexpr double turned = 0.02;
-  constexpr double least_parts = 8;
+  constexpr double turned = 0.01;
+  constexpr double least_parts = 16;
   std::vector<Vec2> found;
   for (const ProfilePiece& p : piece_) {
     const double parts = is_arc(p) ? std::max(least_parts, std::ceil(std::abs(p.curvature) * p.length / turned)) : 1;

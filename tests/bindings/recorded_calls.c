@@ -45,6 +45,8 @@ const char* const recorded_names[] = {
   "body_option_doc",
   "body_set_profile",
   "body_set_profile_shape",
+  "body_read_profile",
+  "body_write_profile",
   "body_extrude_profile",
   "body_revolve_profile",
   "body_get_profile_length",
@@ -112,7 +114,7 @@ const char* const recorded_names[] = {
   "contact_from_id",
 };
 
-const int recorded_number = 105;
+const int recorded_number = 107;
 
 enum {
   recorded_rollcon_version,
@@ -155,6 +157,8 @@ enum {
   recorded_rollcon_body_option_doc,
   recorded_rollcon_body_set_profile,
   recorded_rollcon_body_set_profile_shape,
+  recorded_rollcon_body_read_profile,
+  recorded_rollcon_body_write_profile,
   recorded_rollcon_body_extrude_profile,
   recorded_rollcon_body_revolve_profile,
   recorded_rollcon_body_get_profile_length,
@@ -540,6 +544,26 @@ rollcon_status rollcon_body_set_profile_shape(rollcon_body *body, const char *sh
   record_text(shape);
   record_integer(n);
   record_reals(parameters, n);
+  return record_end();
+}
+
+rollcon_status rollcon_body_read_profile(rollcon_body *body, const char *path, double unit,
+    int32_t mirror, double filter_length) {
+  record_begin(recorded_rollcon_body_read_profile);
+  record_handle(body);
+  record_text(path);
+  record_real(unit);
+  record_integer(mirror);
+  record_real(filter_length);
+  return record_end();
+}
+
+rollcon_status rollcon_body_write_profile(const rollcon_body *body, const char *path,
+    double unit) {
+  record_begin(recorded_rollcon_body_write_profile);
+  record_handle(body);
+  record_text(path);
+  record_real(unit);
   return record_end();
 }
 

@@ -83,6 +83,10 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_set_profile(object, 1, a.reals, 1));
   check("rollcon_body_set_profile_shape", false,
         rollcon_body_set_profile_shape(object, "never_written", 1, a.reals));
+  check("rollcon_body_read_profile", false,
+        rollcon_body_read_profile(object, "never_written", 1, 1, 1));
+  check("rollcon_body_write_profile", false,
+        rollcon_body_write_profile(object, "never_written", 1));
   check("rollcon_body_extrude_profile", false,
         rollcon_body_extrude_profile(object, a.reals, a.reals, a.reals));
   check("rollcon_body_revolve_profile", false,

@@ -250,6 +250,47 @@ TEST_F(profile, points_shapes_and_saved_bodies_agree) {
   rollcon_contact_release(c);
 }
 
+// Written and read again, in either format, in metres, mirrored twice.
+TEST_F(profile, files_round_trip) {
+  const double metre = 1e-3, circle[2] = {0.3, 0.02};
+  ASSERT_OK(rollcon_body_set_profile_shape(upper, "arc", 2, circle));
+  double length = 0;
+  ASSERT_OK(rollcon_body_get_profile_length(upper, &length));
+  for (const std::string name : {"profile.txt", "profile.prr"}) {
+    const std::string path = ::testing::TempDir() + name;
+    ASSERT_OK(rollcon_body_write_profile(upper, path.c_str(), metre));
+    ASSERT_OK(rollcon_body_read_profile(lower, path.c_str(), metre, 3, 0));
+    ASSERT_OK(rollcon_body_write_profile(lower, path.c_str(), metre));
+    ASSERT_OK(rollcon_body_read_profile(lower, path.c_str(), metre, 3, 0));
+    double error = 0;
+    for (const double s : {0.0, 0.013, 0.0317}) {
+      double x[2], y[2], t[2], k = 0;
+      ASSERT_OK(rollcon_body_get_profile_point(upper, s, x, t, &k));
+      ASSERT_OK(rollcon_body_get_profile_point(lower, s, y, t, &k));
+      error = std::max(error, std::hypot(x[0] - y[0], x[1] - y[1]));
+      rollcon::expect_error(name + ": curvature", k * 0.3 + 1, 1e-4);
+    }
+    rollcon::expect_error(name + ": points over size", error / length, 1e-9);
+    std::remove(path.c_str());
+  }
+  const std::string path = ::testing::TempDir() + "turns_back.txt";
+  std::FILE* file = std::fopen(path.c_str(), "w");
+  ASSERT_NE(file, nullptr);
+  std::fputs("! y z\n0 0\n1 0\n2 0\n1 1\n", file);
+  std::fclose(file);
+  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 0, 0), ARGUMENT, "turns back at line 4 of", path);
+  std::remove(path.c_str());
+  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 0, 0), IO, path, "no such file");
+  EXPECT_FAILS(rollcon_body_read_profile(lower, nullptr, 1, 0, 0), ARGUMENT, "path is NULL");
+  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 0, 0, 0), ARGUMENT, "unit is 0");
+  EXPECT_FAILS(rollcon_body_read_profile(lower, path.c_str(), 1, 4, 0), ARGUMENT, "mirror is 4");
+  EXPECT_FAILS(rollcon_body_write_profile(upper, "/nowhere/at/all.txt", 1), IO, "/nowhere/at/all.txt");
+  rollcon_body* bare = nullptr;
+  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_RIGID, &bare));
+  EXPECT_FAILS(rollcon_body_write_profile(bare, path.c_str(), 1), STATE, "no profile");
+  rollcon_body_release(bare);
+}
+
 TEST_F(profile, inputs_are_checked) {
   const double point[6] = {0, 0, 1, 0, 2, 0}, bad[4] = {0, 0, NAN, 1}, line[2] = {5, 0},
                back[8] = {0, 0, 1, 0, 2, 0, 1, 1};

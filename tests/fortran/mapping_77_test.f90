@@ -33,6 +33,8 @@ program mapping_77_test
   call test_rcbopd()
   call test_rcbpro()
   call test_rcbpsh()
+  call test_rcbprd()
+  call test_rcbpwr()
   call test_rcbext()
   call test_rcbrev()
   call test_rcbple()
@@ -491,6 +493,32 @@ contains
     call rcbpsh(ibody, 'text 1', 2, [3.125d0, 3.25d0], stat)
     call rclerr(message)
     call failed('body_set_profile_shape', stat, message)
+  end subroutine
+
+  subroutine test_rcbprd()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbprd(ibody, 'text 1', 2.5d0, 31, 4.5d0, stat)
+    call told('body_read_profile', 'body1 <text 1> 2.5 31 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbprd(ibody, 'text 1', 2.5d0, 31, 4.5d0, stat)
+    call rclerr(message)
+    call failed('body_read_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbpwr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpwr(ibody, 'text 1', 2.5d0, stat)
+    call told('body_write_profile', 'body1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpwr(ibody, 'text 1', 2.5d0, stat)
+    call rclerr(message)
+    call failed('body_write_profile', stat, message)
   end subroutine
 
   subroutine test_rcbext()

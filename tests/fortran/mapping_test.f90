@@ -15,6 +15,8 @@ program mapping_test
   call body_set_contact_faces()
   call body_set_profile()
   call body_set_profile_shape()
+  call body_read_profile()
+  call body_write_profile()
   call body_extrude_profile()
   call body_revolve_profile()
   call body_get_profile_length()
@@ -168,6 +170,33 @@ contains
     message = ''
     call body%set_profile_shape('text 1', [3.125_rc_real, 3.25_rc_real], stat, message)
     call failed('body_set_profile_shape', stat, message)
+  end subroutine
+
+  subroutine body_read_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%read_profile('text 1', 2.5_rc_real, stat=stat, errmsg=message)
+    call told('body_read_profile', 'body1 <text 1> 2.5 0 0', stat)
+    call answers(ROLLCON_OK)
+    call body%read_profile('text 1', 2.5_rc_real, 31, 4.5_rc_real, stat, message)
+    call told('body_read_profile', 'body1 <text 1> 2.5 31 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%read_profile('text 1', 2.5_rc_real, 31, 4.5_rc_real, stat, message)
+    call failed('body_read_profile', stat, message)
+  end subroutine
+
+  subroutine body_write_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%write_profile('text 1', 2.5_rc_real, stat, message)
+    call told('body_write_profile', 'body1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%write_profile('text 1', 2.5_rc_real, stat, message)
+    call failed('body_write_profile', stat, message)
   end subroutine
 
   subroutine body_extrude_profile()

@@ -143,6 +143,32 @@ class BodyPlain:
         parameters, parameters_at = reals(parameters)
         self._call("set_profile_shape", c_text(shape, "shape"), len(parameters), parameters_at)
 
+    def read_profile(self, path, unit, mirror=0, filter_length=0):
+        """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
+        the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
+        it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are
+        millimetres. ERR_IO names the line of a file that cannot be read, ERR_ARGUMENT that of a
+        point at which the path turns back. z goes where the file says: mirror it where the file
+        counts upwards.
+
+        path: name of the file.
+        unit: factor on its numbers: length of a millimetre, > 0.
+        mirror: 0: no; 1: in y, 2: in z, 3: in both.
+        filter_length: as of rollcon_body_set_profile, length.
+        """
+        self._call("read_profile", c_path(path), unit, mirror, filter_length)
+
+    def write_profile(self, path, unit):
+        """Writes points of the profile to a file: of Simpack, where the name ends in .prr or
+        .prw, else two columns. Read again, a profile through points is the same, one in closed
+        form within 1e-9 of its size where its curvature is continuous. The file appears whole or
+        not at all.
+
+        path: name of the file.
+        unit: divides its numbers: length of a millimetre, > 0.
+        """
+        self._call("write_profile", c_path(path), unit)
+
     def extrude_profile(self, origin, along, z_axis):
         """The profile, moved along a straight line without end, is the surface of the body: x of
         the profile points along, z along z_axis, y along z_axis x along.
