@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 #include "geometry/profile_curve.hpp"
 
@@ -38,21 +39,29 @@ class Crossings {
   Crossings(const ProfileCurve& curve, const Function& f, Visit& visit) : curve_(curve), f_(f), visit_(visit) {}
 
   void find() {
-    for (std::size_t k = 0; k < curve_.intervals().size(); ++k) {
-      const bool skip = k % ProfileCurve::block == 0 && hopeless(curve_.blocks()[k / ProfileCurve::block]);
-      if (!skip) {
-        look(curve_.intervals()[k]);
-        continue;
-      }
-      k += ProfileCurve::block - 1;
-      before_ = 0;
+    const std::vector<ProfileInterval>& part = curve_.intervals();
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      if (k % ProfileCurve::block == 0 && passed_by(part[k], curve_.blocks()[k / ProfileCurve::block]))
+        k += ProfileCurve::block - 1;
+      else if (!passed_by(part[k], part[k].box))
+        look(part[k]);
     }
   }
 
  private:
-  bool hopeless(const ProfileBox& box) const {
+  /// The function has one sign over the box, which begins with this interval.
+  bool passed_by(const ProfileInterval& part, const ProfileBox& box) {
     const auto [low, high] = f_.range(box);
-    return low > 0 || high < 0;
+    const double side = low > 0 ? 1 : high < 0 ? -1 : 0;
+    if (side == 0) return false;
+    piece_ = part.piece;
+    meet_joint(part.from, side);
+    before_ = side;
+    return true;
+  }
+  /// Pieces meet within rounding, or what a published profile was rounded to.
+  void meet_joint(double u, double first) {
+    if (before_ * first < 0 && f_.inside(at(u).x) > 0) meet(u);
   }
   ProfilePoint at(double u) const { return curve_.at(piece_, u); }
   double value(double u) const { return f_.value(at(u).x); }
@@ -76,10 +85,9 @@ class Crossings {
       (from_inside ? to : from) = in;
     }
     const double first = value(from), last = value(to);
-    // Pieces meet within rounding, or what a published profile was rounded to.
-    if (from_inside && before_ * first < 0) meet(from);
+    meet_joint(part.from, first);
     before_ = to_inside ? last : 0;
-    if ((from_inside || to_inside) && !hopeless(part.box)) look_between(from, to, first, last);
+    if (from_inside || to_inside) look_between(from, to, first, last);
   }
 
   void look_between(double from, double to, double first, double last) {
@@ -104,7 +112,7 @@ class Crossings {
   const Function& f_;
   Visit& visit_;
   std::size_t piece_ = 0;
-  double before_ = 0;  ///< value at the end of the interval before; 0: unknown
+  double before_ = 0;  ///< with the sign of the value at the end of the interval before; 0: unknown
 };
 
 template <class Function, class Visit>

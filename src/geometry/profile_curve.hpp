@@ -61,7 +61,7 @@ class ProfileCurve {
 
   const std::vector<ProfileInterval>& intervals() const { return interval_; }
   /// Of blocks of so many intervals.
-  static constexpr std::size_t block = 16;
+  static constexpr std::size_t block = 48;
   const std::vector<ProfileBox>& blocks() const { return block_; }
 
  private:

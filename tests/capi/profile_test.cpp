@@ -197,11 +197,16 @@ TEST_F(profile, tilted_crowned_roller_on_a_raceway) {
     return low - (std::sqrt(groove * groove - y * y) - groove);
   };
   expect_alike("tilted roller", f, force_of(0.5, 5.5, approach, gap), 1e-9);
-  // Another pose is seen at once; back again the first force comes back.
+  // Another pose is seen at once, and makes the gap alone anew; back again the first force comes back.
   ASSERT_OK(rollcon_contact_set_pose(c, 2, place.data(), zero));
   EXPECT_GT(std::abs(force(c)[2] / f[2] - 1), 1e-3);
   ASSERT_OK(rollcon_contact_set_pose(c, 2, q.data(), zero));
   expect_alike("tilted roller, again", force(c), f, 1e-8);
+  for (const char* built : {"frame_builds", "compliance_builds"}) {
+    double times = 0;
+    ASSERT_OK(rollcon_contact_get_stat(c, built, &times));
+    EXPECT_EQ(times, 1) << built;
+  }
   // A gap that is given goes before.
   ASSERT_OK(rollcon_contact_set_gap_quadratic(c, 1 / (2 * radius), 1e-3, 0));
   EXPECT_GT(std::abs(force(c)[2] / f[2] - 1), 1e-3);
