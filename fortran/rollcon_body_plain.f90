@@ -27,6 +27,14 @@ module rollcon_body_plain
     procedure :: set_traction => body_set_traction
     procedure :: set_pressure => body_set_pressure
     procedure :: set_contact_faces => body_set_contact_faces
+    procedure :: set_profile => body_set_profile
+    procedure :: set_profile_shape => body_set_profile_shape
+    procedure :: read_profile => body_read_profile
+    procedure :: write_profile => body_write_profile
+    procedure :: extrude_profile => body_extrude_profile
+    procedure :: revolve_profile => body_revolve_profile
+    procedure :: get_profile_length => body_get_profile_length
+    procedure :: get_profile_point => body_get_profile_point
     procedure :: get_size => body_get_size
     procedure :: get_reaction => body_get_reaction
     procedure :: get_stat => body_get_stat
@@ -286,6 +294,133 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_contact_faces(self%p, size(tags, 1, rc_long), int(tags, rc_int)), self%p, &
       'rc_body%set_contact_faces', stat, errmsg)
+  end subroutine
+
+  !> Sets a profile through points, in either order: a cubic spline in arc length with two derivatives continuous,
+  !> broken at kinks (turns of 30 degrees and more, three times as much as beside them). Points nearer to each other
+  !> than a thousandth of the usual distance are dropped, and where the path goes back and forth again the two points
+  !> are replaced by their mean. Forgets the profile before and its place. ROLLCON_ERR_ARGUMENT names the point at which
+  !> the path turns back.
+  subroutine body_set_profile(self, points, filter_length, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: points(:, :)
+    real(rc_real), intent(in), optional :: filter_length
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: filter_length_or_standard
+    filter_length_or_standard = 0
+    if (present(filter_length)) filter_length_or_standard = filter_length
+    if (size(points, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_body%set_profile', stat, errmsg, &
+      'the first extent of points must be 2')
+      return
+    end if
+    call finish(rollcon_body_set_profile(self%p, size(points, 2, rc_long), points, filter_length_or_standard), self%p, &
+      'rc_body%set_profile', stat, errmsg)
+  end subroutine
+
+  !> Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the circle through (0, 0) about
+  !> z = -radius, up to half of it; "arcs" y, z and angle of the start, then length and curvature (0: a line; positive:
+  !> from y to z) of each arc, each going on in the direction in which the one before ends; "s1002" unit: the wheel, in
+  !> lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1"
+  !> unit: the head of the rail, upright, its top at (0, 0), z down. Forgets the profile before and its place.
+  subroutine body_set_profile_shape(self, shape, parameters, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: shape
+    real(rc_real), intent(in), contiguous :: parameters(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_profile_shape(self%p, c_text(shape), size(parameters, 1, rc_long), parameters), &
+      self%p, 'rc_body%set_profile_shape', stat, errmsg)
+  end subroutine
+
+  !> Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack, where the name ends in
+  !> .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where it ends in .ban or .whl, else two columns,
+  !> y and z. Simpack's and Miniprof's are millimetres. ROLLCON_ERR_IO names the line of a file that cannot be read,
+  !> ROLLCON_ERR_ARGUMENT that of a point at which the path turns back. z goes where the file says: mirror it where the
+  !> file counts upwards.
+  subroutine body_read_profile(self, path, unit, mirror, filter_length, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in) :: unit
+    integer, intent(in), optional :: mirror
+    real(rc_real), intent(in), optional :: filter_length
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer :: mirror_or_standard
+    real(rc_real) :: filter_length_or_standard
+    mirror_or_standard = 0
+    if (present(mirror)) mirror_or_standard = mirror
+    filter_length_or_standard = 0
+    if (present(filter_length)) filter_length_or_standard = filter_length
+    call finish( &
+      rollcon_body_read_profile(self%p, c_text(path), unit, int(mirror_or_standard, rc_int), filter_length_or_standard), &
+      self%p, 'rc_body%read_profile', stat, errmsg)
+  end subroutine
+
+  !> Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else two columns. Read
+  !> again, a profile through points is the same, one in closed form within 1e-9 of its size where its curvature is
+  !> continuous. The file appears whole or not at all.
+  subroutine body_write_profile(self, path, unit, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in) :: unit
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_write_profile(self%p, c_text(path), unit), self%p, 'rc_body%write_profile', stat, errmsg)
+  end subroutine
+
+  !> The profile, moved along a straight line without end, is the surface of the body: x of the profile points along, z
+  !> along z_axis, y along z_axis x along.
+  subroutine body_extrude_profile(self, origin, along, z_axis, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: along(3)
+    real(rc_real), intent(in) :: z_axis(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_extrude_profile(self%p, origin, along, z_axis), self%p, 'rc_body%extrude_profile', stat, &
+      errmsg)
+  end subroutine
+
+  !> The profile, turned about an axis, is the surface of the body: its points lie at y along the axis and at radius + z
+  !> away from it. An axis of the opposite direction mirrors it in y.
+  subroutine body_revolve_profile(self, origin, axis, radius, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: axis(3)
+    real(rc_real), intent(in) :: radius
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_revolve_profile(self%p, origin, axis, radius), self%p, 'rc_body%revolve_profile', stat, &
+      errmsg)
+  end subroutine
+
+  !> Arc length of the profile. Works before rollcon_body_prepare.
+  subroutine body_get_profile_length(self, length, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    real(rc_real), intent(out) :: length
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    length = 0
+    call finish(rollcon_body_get_profile_length(self%p, length), self%p, 'rc_body%get_profile_length', stat, errmsg)
+  end subroutine
+
+  !> Point, tangent and curvature of the profile at an arc length, counted from the end where y is less. Works before
+  !> rollcon_body_prepare.
+  subroutine body_get_profile_point(self, s, point, tangent, curvature, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    real(rc_real), intent(in) :: s
+    real(rc_real), intent(out) :: point(2)
+    real(rc_real), intent(out) :: tangent(2)
+    real(rc_real), intent(out) :: curvature
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    point = 0
+    tangent = 0
+    curvature = 0
+    call finish(rollcon_body_get_profile_point(self%p, s, point, tangent, curvature), self%p, &
+      'rc_body%get_profile_point', stat, errmsg)
   end subroutine
 
   !> Nodes and elements given so far; 0 for bodies without a mesh. Works before rollcon_body_prepare.

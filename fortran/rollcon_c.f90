@@ -481,6 +481,93 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_option_doc
 
+    function rollcon_body_set_profile(body, n, points, filter_length) &
+        result(rc) bind(C, name="rollcon_body_set_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: points(*)
+      real(c_double), value :: filter_length
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_profile
+
+    function rollcon_body_set_profile_shape(body, shape, n, parameters) &
+        result(rc) bind(C, name="rollcon_body_set_profile_shape")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: shape(*)
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_profile_shape
+
+    function rollcon_body_read_profile(body, path, unit, mirror, filter_length) &
+        result(rc) bind(C, name="rollcon_body_read_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: unit
+      integer(c_int32_t), value :: mirror
+      real(c_double), value :: filter_length
+      integer(c_int32_t) :: rc
+    end function rollcon_body_read_profile
+
+    function rollcon_body_write_profile(body, path, unit) &
+        result(rc) bind(C, name="rollcon_body_write_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      real(c_double), value :: unit
+      integer(c_int32_t) :: rc
+    end function rollcon_body_write_profile
+
+    function rollcon_body_extrude_profile(body, origin, along, z_axis) &
+        result(rc) bind(C, name="rollcon_body_extrude_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: along(*)
+      real(c_double), intent(in) :: z_axis(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_extrude_profile
+
+    function rollcon_body_revolve_profile(body, origin, axis, radius) &
+        result(rc) bind(C, name="rollcon_body_revolve_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: axis(*)
+      real(c_double), value :: radius
+      integer(c_int32_t) :: rc
+    end function rollcon_body_revolve_profile
+
+    function rollcon_body_get_profile_length(body, length) &
+        result(rc) bind(C, name="rollcon_body_get_profile_length")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), intent(inout) :: length
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_profile_length
+
+    function rollcon_body_get_profile_point(body, s, point, tangent, curvature) &
+        result(rc) bind(C, name="rollcon_body_get_profile_point")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      real(c_double), value :: s
+      real(c_double), intent(out) :: point(*)
+      real(c_double), intent(out) :: tangent(*)
+      real(c_double), intent(inout) :: curvature
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_profile_point
+
     function rollcon_body_get_size(body, nodes, elements) &
         result(rc) bind(C, name="rollcon_body_get_size")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

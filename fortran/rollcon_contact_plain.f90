@@ -351,8 +351,8 @@ contains
   end subroutine
 
   !> Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap. Where a body has a
-  !> mesh and no gap is given, it is measured along the frame's normals between the surfaces; a half-space or rigid body
-  !> without a mesh is then the plane through the origin of the axes. These normals are level along the rolling
+  !> mesh or a profile and no gap is given, it is measured along the frame's normals between the surfaces; a body
+  !> without either is then the plane through the origin of the axes. These normals are level along the rolling
   !> direction (rollcon_contact_get_tractions): a gap along the surface's own would be longer by half the square of the
   !> angle between them.
   subroutine contact_set_gap(self, gap, stat, errmsg)

@@ -416,6 +416,81 @@ subroutine rcbopd(i, text, ierr)
   call give_text(c_null_ptr, 'RCBOPD', buffer, text, ierr)
 end subroutine
 
+!> Sets a profile through points, in either order.
+subroutine rcbpro(ibody, n, points, filter_length, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, ierr
+  double precision :: points(*), filter_length
+  ierr = rollcon_body_set_profile(body_of(ibody), int(n, c_int64_t), points, filter_length)
+end subroutine
+
+!> Sets a profile in closed form.
+subroutine rcbpsh(ibody, shape, n, par, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, ierr
+  character(len=*) :: shape
+  double precision :: par(*)
+  ierr = rollcon_body_set_profile_shape(body_of(ibody), c_name(shape), int(n, c_int64_t), par)
+end subroutine
+
+!> Sets a profile through the points of a file, as rollcon_body_set_profile does.
+subroutine rcbprd(ibody, path, unit, mirror, filter_length, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, mirror, ierr
+  character(len=*) :: path
+  double precision :: unit, filter_length
+  ierr = rollcon_body_read_profile(body_of(ibody), c_text(path), unit, narrow(mirror), filter_length)
+end subroutine
+
+!> Writes points of the profile to a file.
+subroutine rcbpwr(ibody, path, unit, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: path
+  double precision :: unit
+  ierr = rollcon_body_write_profile(body_of(ibody), c_text(path), unit)
+end subroutine
+
+!> The profile, moved along a straight line without end, is the surface of the body.
+subroutine rcbext(ibody, origin, along, z_axis, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: origin(3), along(3), z_axis(3)
+  ierr = rollcon_body_extrude_profile(body_of(ibody), origin, along, z_axis)
+end subroutine
+
+!> The profile, turned about an axis, is the surface of the body.
+subroutine rcbrev(ibody, origin, axis, radius, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: origin(3), axis(3), radius
+  ierr = rollcon_body_revolve_profile(body_of(ibody), origin, axis, radius)
+end subroutine
+
+!> Arc length of the profile.
+subroutine rcbple(ibody, xlength, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: xlength
+  ierr = rollcon_body_get_profile_length(body_of(ibody), xlength)
+end subroutine
+
+!> Point, tangent and curvature of the profile at an arc length, counted from the end where y is less.
+subroutine rcbppt(ibody, s, point, tangent, curvature, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  double precision :: s, point(2), tangent(2), curvature
+  ierr = rollcon_body_get_profile_point(body_of(ibody), s, point, tangent, curvature)
+end subroutine
+
 !> Nodes and elements given so far.
 subroutine rcbsiz(ibody, nodes, ielements, ierr)
   use rollcon_f77_support

@@ -101,8 +101,8 @@ typedef int32_t rollcon_status;
 enum {
   ROLLCON_BODY_FEM       = 1,    /* finite elements: a volume mesh, one material for each tag (ROLLCON_ERR_UNSUPPORTED in builds without them) */
   ROLLCON_BODY_BEM       = 2,    /* boundary elements: a closed surface mesh, one material (ROLLCON_ERR_UNSUPPORTED in builds without them) */
-  ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material only, no mesh */
-  ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh only to compute gaps */
+  ROLLCON_BODY_HALFSPACE = 3,    /* elastic half-space: material, no mesh; a profile only to compute gaps */
+  ROLLCON_BODY_RIGID     = 4     /* rigid: no material; a surface mesh or a profile only to compute gaps */
 };
 
 /* Elements of contact frames, of the surfaces of bodies, and of finite-element bodies. Surface
@@ -647,6 +647,126 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_info(int32_t i, int6
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_option_doc(int32_t i, int64_t capacity,
     char *text, int64_t *needed);
 
+/* ----------------------------------------------------------------------------- Body: profile */
+/* A curve in a plane as the surface of a half-space or of a rigid body without a mesh: extruded
+   (a rail, a raceway strip) or revolved (a wheel, a roller, a ring), in the body's own axes;
+   rollcon_contact_set_pose says where they are. A contact on a frame, for which no gap is given,
+   computes it from the surfaces of its bodies. A profile has no inside: it looks where the normal
+   of the contact's axes says. Half-spaces keep their compliance, and their frame stays flat.
+   Nothing after rollcon_body_prepare (ROLLCON_ERR_STATE). */
+
+/*
+ * Sets a profile through points, in either order: a cubic spline in arc length with two
+ * derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much as
+ * beside them). Points nearer to each other than a thousandth of the usual distance are dropped,
+ * and where the path goes back and forth again the two points are replaced by their mean. Forgets
+ * the profile before and its place. ROLLCON_ERR_ARGUMENT names the point at which the path turns
+ * back.
+ *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
+ *   n              points, 2 to 10000000
+ *   points         [n][2]; y and z of each, length
+ *   filter_length  0: through the points; else they are smoothed before: waves of this length to
+ *                  one half, shorter ones to nothing, longer ones stay; at most the length of the
+ *                  profile
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile(rollcon_body *body, int64_t n,
+    const double *points, double filter_length);
+
+/*
+ * Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the circle
+ * through (0, 0) about z = -radius, up to half of it; "arcs" y, z and angle of the start, then
+ * length and curvature (0: a line; positive: from y to z) of each arc, each going on in the
+ * direction in which the one before ends; "s1002" unit: the wheel, in lengths of which `unit` is
+ * a millimetre, the middle of the tread at (0, 0), z down, the flange at y < 0; "60e1" unit: the
+ * head of the rail, upright, its top at (0, 0), z down. Forgets the profile before and its place.
+ *   body        a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
+ *   shape       line, arc, arcs, s1002 or 60e1
+ *   n           parameters, of the shape
+ *   parameters  [n]; of the shape, in its order; radian, length
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_profile_shape(rollcon_body *body,
+    const char *shape, int64_t n, const double *parameters);
+
+/*
+ * Sets a profile through the points of a file, as rollcon_body_set_profile does: of Simpack,
+ * where the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
+ * it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are millimetres.
+ * ROLLCON_ERR_IO names the line of a file that cannot be read, ROLLCON_ERR_ARGUMENT that of a
+ * point at which the path turns back. z goes where the file says: mirror it where the file counts
+ * upwards.
+ *   body           a half-space or rigid, without a mesh (else ROLLCON_ERR_STATE)
+ *   path           name of the file
+ *   unit           factor on its numbers: length of a millimetre, > 0
+ *   mirror         0: no; 1: in y, 2: in z, 3: in both
+ *   filter_length  as of rollcon_body_set_profile, length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/profiles.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_profile(rollcon_body *body,
+    const char *path, double unit, int32_t mirror, double filter_length);
+
+/*
+ * Writes points of the profile to a file: of Simpack, where the name ends in .prr or .prw, else
+ * two columns. Read again, a profile through points is the same, one in closed form within 1e-9
+ * of its size where its curvature is continuous. The file appears whole or not at all.
+ *   body  with a profile (else ROLLCON_ERR_STATE)
+ *   path  name of the file
+ *   unit  divides its numbers: length of a millimetre, > 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write_profile(const rollcon_body *body,
+    const char *path, double unit);
+
+/*
+ * The profile, moved along a straight line without end, is the surface of the body: x of the
+ * profile points along, z along z_axis, y along z_axis x along.
+ *   body    with a profile (else ROLLCON_ERR_STATE)
+ *   origin  [3]; where the profile's point (0, 0) lies, length
+ *   along   [3]; direction, of any length but 0
+ *   z_axis  [3]; direction, not parallel to along; what is normal to it counts
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_extrude_profile(rollcon_body *body,
+    const double *origin, const double *along, const double *z_axis);
+
+/*
+ * The profile, turned about an axis, is the surface of the body: its points lie at y along the
+ * axis and at radius + z away from it. An axis of the opposite direction mirrors it in y.
+ *   body    with a profile (else ROLLCON_ERR_STATE)
+ *   origin  [3]; point of the axis at which y is 0, length
+ *   axis    [3]; direction of y, of any length but 0
+ *   radius  of z = 0, length; radius + z >= 0 all along the profile
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_revolve_profile(rollcon_body *body,
+    const double *origin, const double *axis, double radius);
+
+/*
+ * Arc length of the profile. Works before rollcon_body_prepare.
+ *   body    with a profile (else ROLLCON_ERR_STATE)
+ *   length  out; length
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_profile_length(const rollcon_body *body,
+    double *length);
+
+/*
+ * Point, tangent and curvature of the profile at an arc length, counted from the end where y is
+ * less. Works before rollcon_body_prepare.
+ *   body       with a profile (else ROLLCON_ERR_STATE)
+ *   s          0 to rollcon_body_get_profile_length, length
+ *   point      [2], out; y and z, length
+ *   tangent    [2], out; y and z of the unit vector in the direction of greater arc length
+ *   curvature  out; 1/length, positive where the curve turns from y to z
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_profile_point(const rollcon_body *body,
+    double s, double *point, double *tangent, double *curvature);
+
 /* ----------------------------------------------------------------------------- Body: results */
 /* Of a prepared body by itself: statics under its own loads and given displacements, no contact
    acting; in the body's axes. ROLLCON_ERR_STATE before rollcon_body_prepare or a solve that did
@@ -716,7 +836,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_stat_name(int32_t i, int64_
  * Makes a contact of two bodies. Standard scene: axes (x, y, z) at the origin, speed 1, approach,
  * creepages and spin 0, all by motion, bodies posed as given. Without a frame the library makes
  * one (rollcon_contact_frame_automatic). Friction has no standard, the gap only if a body has a
- * mesh: solving without them is ROLLCON_ERR_STATE. At least one of the bodies must be elastic.
+ * mesh or a profile: solving without them is ROLLCON_ERR_STATE. At least one of the bodies must
+ * be elastic.
  *   body1    tractions are those on this body; n points out of it
  *   body2    may be of another context, and the same as body1
  *   contact  new handle
@@ -871,10 +992,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact
 
 /*
  * Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic gap.
- * Where a body has a mesh and no gap is given, it is measured along the frame's normals between
- * the surfaces; a half-space or rigid body without a mesh is then the plane through the origin of
- * the axes. These normals are level along the rolling direction (rollcon_contact_get_tractions):
- * a gap along the surface's own would be longer by half the square of the angle between them.
+ * Where a body has a mesh or a profile and no gap is given, it is measured along the frame's
+ * normals between the surfaces; a body without either is then the plane through the origin of the
+ * axes. These normals are level along the rolling direction (rollcon_contact_get_tractions): a
+ * gap along the surface's own would be longer by half the square of the angle between them.
  *   n        nodes of the frame
  *   gap      [n]; length
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.

@@ -76,6 +76,8 @@ void Body::prepare(SectionReader* saved) {
     shared_ = model != model_;
     model_ = std::move(model);
     if (shared_ && saved && response()) response()->add_kept(*saved);
+  } else if (model_->profile.curve) {
+    model_->surface = surface_of(model_->profile);
   }
   prepared_.store(true);
   lock.unlock();  // the log sink may ask the body
@@ -128,6 +130,8 @@ void Body::require_complete() const {
     fail(Status::err_state, "the body has no mesh: %s", remedy);
   if (rigid() && given().surface.nodes() > 0 && given().surface.elements() == 0)
     fail(Status::err_state, "the rigid body has nodes but no elements: %s", remedy);
+  if (model_->profile.curve && model_->profile.place == ProfilePlace::none)
+    fail(Status::err_state, "the profile has no place: rollcon_body_extrude_profile or rollcon_body_revolve_profile");
   if (traits_.volume) require_materials();
 }
 

@@ -43,6 +43,23 @@ class Body {
   void set_traction(std::int32_t tag, const double* traction);
   void set_pressure(std::int32_t tag, double pressure);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
+  // Of half-spaces and rigid bodies without a mesh. A profile forgets the one before and its place.
+
+  /// Through n points (y, z), see profile_through; err_argument, err_nonfinite.
+  void set_profile(std::int64_t n, const double* points, double filter_length);
+  /// See profile_of_shape.
+  void set_profile_shape(const char* shape, std::int64_t n, const double* parameters);
+  /// From a file, see profile_file.hpp, whose numbers count in `unit`; mirror: 1 y, 2 z, 3 both. err_io, err_argument.
+  void read_profile(const char* path, double unit, std::int32_t mirror, double filter_length);
+  /// Its points in `unit`. err_state without a profile, err_io.
+  void write_profile(const char* path, double unit) const;
+  /// x, y, z of the profile: along, z_axis x along, z_axis made normal to it. err_state without a profile.
+  void extrude_profile(const double* origin, const double* along, const double* z_axis);
+  /// y along the axis, radius + z away from it.
+  void revolve_profile(const double* origin, const double* axis, double radius);
+  /// err_state without a profile.
+  double profile_length() const;
+  ProfilePoint profile_point(double s) const;
   void set_int(const char* option, std::int64_t value);
   void set_real(const char* option, double value);
   std::int64_t get_int(const char* option) const;
@@ -64,6 +81,8 @@ class Body {
   bool rigid() const { return !traits_.elastic; }
   /// Also while another thread gives the mesh or prepares the body.
   bool meshed() const;
+  /// A mesh or a profile; likewise. Others take the plane of the contact's axes.
+  bool has_surface() const;
   /// Nodes and elements (of a volume: those inside) given so far; likewise.
   std::pair<std::int64_t, std::int64_t> size() const;
   /// Where the contact is: of a prepared body of several materials, that of the greatest part of its contact faces.
@@ -76,7 +95,8 @@ class Body {
   const BodyOptions& options() const { return options_; }
   Context& context() const { return *context_; }
 
-  /// Its contact faces, in its axes; null: the body takes the plane of the contact's axes. Of a prepared body.
+  /// Its contact faces or profile, in its axes; null: the body takes the plane of the contact's axes. Of a prepared
+  /// body.
   const Surface* surface() const { return model_->surface.get(); }
 
   // Of a prepared body with a mesh.
@@ -101,6 +121,9 @@ class Body {
   void require_tag(std::int32_t tag, const std::string& entry) const;
   void require_complete() const;
   void require_materials() const;
+  void require_takes_profile() const;
+  void require_profile() const;
+  void replace_profile(ProfileCurve curve);
   /// From what a file has, if one is given.
   void prepare(SectionReader* saved);
   void log_preparation() const;

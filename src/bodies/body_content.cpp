@@ -106,6 +106,49 @@ void content(Archive& ar, Model& model) {
   mesh_content(ar, model.mesh, model.traits().volume);
 }
 
+/// What setters check when a caller gives it.
+void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& piece) {
+  constexpr double most = 1e31, most_turned = 3.2, unit = 1e-9;
+  const auto moderate = [](double x) { return std::abs(x) <= most; };
+  require(!piece.empty(), "a profile has no piece");
+  for (const ProfilePiece& p : piece) {
+    require(p.length > 0 && moderate(p.length), "the length of a profile's piece is out of range");
+    require(std::abs(p.curvature) * p.length <= most_turned, "an arc of a profile turns too far");
+    require(dot(p.along, p.along) > 0, "a piece of a profile has no direction");
+    for (const Vec2& v : {p.start, p.along, p.square, p.cube})
+      require(moderate(v[0]) && moderate(v[1]), "a number of a profile is out of range");
+  }
+  require(profile.place == ProfilePlace::extruded || profile.place == ProfilePlace::revolved, "a profile has no place");
+  for (const double x : profile.origin) require(std::isfinite(x), "a number is not finite");
+  require(std::abs(length(profile.axis) - 1) < unit && std::abs(length(profile.z) - 1) < unit,
+          "a direction of a profile is no unit vector");
+  require(std::isfinite(profile.radius), "a number is not finite");
+}
+
+/// At the end, of bodies that have one.
+template <class Archive, class Profile>
+void profile_content(Archive& ar, Profile& profile) {
+  std::vector<ProfilePiece> piece;
+  if constexpr (!Archive::reads) piece = profile.curve->pieces();
+  ar.list(piece, sizeof(ProfilePiece), [](auto& a, auto& p) {
+    a(p.length);
+    a(p.start);
+    a(p.along);
+    a(p.square);
+    a(p.cube);
+    a(p.curvature);
+  });
+  ar(profile.place);
+  ar(profile.origin);
+  ar(profile.axis);
+  ar(profile.z);
+  ar(profile.radius);
+  if constexpr (Archive::reads) {
+    check_profile(profile, piece);
+    profile.curve = std::make_shared<const ProfileCurve>(std::move(piece));
+  }
+}
+
 template <class Type>
 std::vector<std::int64_t> offsets(const std::vector<Type>& types, const std::vector<std::int32_t>& tags,
                                   const std::vector<std::int32_t>& connectivity) {
@@ -157,6 +200,8 @@ void check_mesh(BodyModel& model) {
   BodyMesh& mesh = model.mesh;
   const std::int64_t nodes = mesh.surface.nodes();
   require(model.traits().meshed || nodes == 0, "a half-space has nodes");
+  require(!model.profile.curve || (nodes == 0 && !(model.traits().meshed && model.traits().elastic)),
+          "a body with a mesh has a profile");
   require(model.traits().volume || (mesh.volume.type.empty() && mesh.naming.empty()),
           "a body without volume has volume elements");
   require(mesh.surface.index_base == 0 || mesh.surface.index_base == 1, "the index base is neither 0 nor 1");
@@ -194,6 +239,7 @@ ContentDigest digest_of(const BodyModel& model) {
   Digest digest;
   OutArchive ar(digest);
   content(ar, model);
+  if (model.profile.curve) profile_content(ar, model.profile);
   return digest.value();
 }
 
@@ -201,6 +247,7 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   file.begin("body");
   OutArchive ar(file);
   content(ar, model);
+  if (model.profile.curve) profile_content(ar, model.profile);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -208,6 +255,7 @@ void read_content(SectionReader& file, BodyModel& model) {
   InArchive ar(file);
   try {
     content(ar, model);
+    if (file.left() > 0) profile_content(ar, model.profile);
     file.end();
     check_materials(model);
     check_mesh(model);

@@ -93,6 +93,7 @@ void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, 
   require_mesh_kind(traits_, "nodes");
   const std::lock_guard lock(mutex_);
   require_unprepared("mesh is");
+  if (model_->profile.curve) fail(Status::err_state, "the body has a profile: it takes no mesh as well");
   BodyMesh mesh;
   mesh.surface = mesh_of_nodes(n, x, node_stride, component_stride, given().surface.index_base);
   mesh.held.assign(static_cast<std::size_t>(n), 0);

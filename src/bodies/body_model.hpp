@@ -8,6 +8,7 @@
 
 #include "bodies/body_kind.hpp"
 #include "bodies/model/body_mesh.hpp"
+#include "bodies/model/body_profile.hpp"
 #include "bodies/model/surface_response.hpp"
 #include "bodies/thinness.hpp"
 #include "geometry/mesh_surface.hpp"
@@ -23,6 +24,7 @@ struct BodyModel {
   const BodyTraits& traits() const { return traits_of(kind); }
   std::map<std::int32_t, Elastic> material;  ///< by tag; of one material: tag 0
   BodyMesh mesh;
+  BodyProfile profile;
   BodyOptions options;  ///< those it was prepared with
 
   // Made by preparing it; frozen from then on.

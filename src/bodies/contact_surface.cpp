@@ -9,7 +9,7 @@ Vec3 plane_point(const Axes& axes, double x, double y) {
 }
 
 NormalField::NormalField(const Axes& axes, const PairOfBodies& pair) : axes_(axes) {
-  const std::size_t which = pair.body[0]->surface() ? 0 : 1;
+  const std::size_t which = pair.body[0]->meshed() ? 0 : 1;
   surface_ = pair.body[which]->surface();
   pose_ = pair.pose[which];
   sign_ = which == 0 ? 1 : -1;

@@ -13,13 +13,13 @@ struct PairOfBodies {
   std::array<Pose, 2> pose{};
 };
 
-/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a surface of its own,
+/// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a mesh,
 /// else minus those of body 2. They follow the profile across the rolling direction, but along it all have the
 /// inclination found at the origin: the bodies flatten each other there, so that pressure acts along one direction and
 /// radial displacements are no slip (docs/theory.md, section 11).
 class NormalField {
  public:
-  /// One body at least must have a surface.
+  /// One body at least must have a mesh.
   NormalField(const Axes& axes, const PairOfBodies& pair);
   Vec3 at(double x, double y) const;
   /// Gives a normal, in space, the inclination along the rolling direction that all have.

@@ -34,8 +34,21 @@ std::optional<SurfacePoint> meet_contact_faces(const Frame& frame, std::size_t k
                     [&](const Vec3& from) { return body.search().along(from, direction, facing); });
 }
 
+void MissedNodes::fail_off_profile() const {
+  Listed off;
+  for (const auto& [k, n] : missed_) off.add(static_cast<long long>(k) + frame_.mesh.index_base);
+  const auto used = std::count(frame_.used.begin(), frame_.used.end(), std::uint8_t{1});
+  fail(
+      Status::err_mesh,
+      "%lld of the %lld nodes of the frame (counting from %d) do not lie over the profile of body %d, along the normal "
+      "there: they are beyond its ends, or beside the body; such nodes: %s; check frame, axes and poses",
+      static_cast<long long>(missed_.size()), static_cast<long long>(used), frame_.mesh.index_base, which_ + 1,
+      off.first.c_str());
+}
+
 void MissedNodes::fail_if_any() const {
   if (missed_.empty()) return;
+  if (!body_.meshed()) fail_off_profile();
   const SurfaceSearch everything(body_.mesh().surface, {});
   Listed behind, other, beyond;
   for (const auto& [k, n] : missed_) {

@@ -55,6 +55,8 @@ class MissedNodes {
   void fail_if_any() const;
 
  private:
+  [[noreturn]] void fail_off_profile() const;
+
   const Frame& frame_;
   const Body& body_;
   const Pose& pose_;

@@ -63,6 +63,29 @@ rollcon_status rollcon_body_prepare(rollcon_body* body) {
   });
 }
 
+rollcon_status rollcon_body_get_profile_length(const rollcon_body* body, double* length) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_pointer(length, "length");
+    *length = b.profile_length();
+  });
+}
+
+rollcon_status rollcon_body_get_profile_point(const rollcon_body* body, double s, double* point, double* tangent,
+                                              double* curvature) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_pointer(point, "point");
+    require_pointer(tangent, "tangent");
+    require_pointer(curvature, "curvature");
+    const ProfilePoint p = b.profile_point(s);
+    const Vec2 along = p.tangent();
+    for (std::size_t c = 0; c < 2; ++c) {
+      point[c] = p.x[c];
+      tangent[c] = along[c];
+    }
+    *curvature = p.curvature();
+  });
+}
+
 rollcon_status rollcon_body_get_kind(const rollcon_body* body, int32_t* kind) {
   return with_shared(__func__, Kind::body, body, [&](Object& object) {
     require_pointer(kind, "kind");

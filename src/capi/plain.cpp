@@ -104,6 +104,48 @@ rollcon_status rollcon_body_get_real(const rollcon_body *body, const char *name,
   });
 }
 
+rollcon_status rollcon_body_set_profile(rollcon_body *body, int64_t n, const double *points,
+    double filter_length) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_profile(n, points, filter_length);
+  });
+}
+
+rollcon_status rollcon_body_set_profile_shape(rollcon_body *body, const char *shape, int64_t n,
+    const double *parameters) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_profile_shape(shape, n, parameters);
+  });
+}
+
+rollcon_status rollcon_body_read_profile(rollcon_body *body, const char *path, double unit,
+    int32_t mirror, double filter_length) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.read_profile(path, unit, mirror, filter_length);
+  });
+}
+
+rollcon_status rollcon_body_write_profile(const rollcon_body *body, const char *path,
+    double unit) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.write_profile(path, unit);
+  });
+}
+
+rollcon_status rollcon_body_extrude_profile(rollcon_body *body, const double *origin,
+    const double *along, const double *z_axis) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.extrude_profile(origin, along, z_axis);
+  });
+}
+
+rollcon_status rollcon_body_revolve_profile(rollcon_body *body, const double *origin,
+    const double *axis, double radius) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.revolve_profile(origin, axis, radius);
+  });
+}
+
 rollcon_status rollcon_contact_set_frame_nodes(rollcon_contact *contact, int64_t n,
     const double *x, int64_t node_stride, int64_t component_stride) {
   return with_contact(__func__, contact, [&](Contact& self) {

@@ -1,21 +1,14 @@
 #pragma once
 /// Convex polygons in the plane, cut by lines.
 
-#include <array>
 #include <vector>
+
+#include "geometry/vec2.hpp"
 
 namespace rollcon {
 
-using Vec2 = std::array<double, 2>;
 /// Corners counter-clockwise.
 using Polygon = std::vector<Vec2>;
-
-inline Vec2 operator-(const Vec2& a, const Vec2& b) {
-  return {a[0] - b[0], a[1] - b[1]};
-}
-inline double cross(const Vec2& a, const Vec2& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 /// Signed, positive when counter-clockwise; any simple polygon.
 double area(const Polygon& p);

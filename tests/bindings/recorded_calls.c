@@ -43,6 +43,14 @@ const char* const recorded_names[] = {
   "body_option_count",
   "body_option_info",
   "body_option_doc",
+  "body_set_profile",
+  "body_set_profile_shape",
+  "body_read_profile",
+  "body_write_profile",
+  "body_extrude_profile",
+  "body_revolve_profile",
+  "body_get_profile_length",
+  "body_get_profile_point",
   "body_get_size",
   "body_get_displacements",
   "body_get_reaction",
@@ -107,7 +115,7 @@ const char* const recorded_names[] = {
   "contact_from_id",
 };
 
-const int recorded_number = 100;
+const int recorded_number = 108;
 
 enum {
   recorded_rollcon_version,
@@ -148,6 +156,14 @@ enum {
   recorded_rollcon_body_option_count,
   recorded_rollcon_body_option_info,
   recorded_rollcon_body_option_doc,
+  recorded_rollcon_body_set_profile,
+  recorded_rollcon_body_set_profile_shape,
+  recorded_rollcon_body_read_profile,
+  recorded_rollcon_body_write_profile,
+  recorded_rollcon_body_extrude_profile,
+  recorded_rollcon_body_revolve_profile,
+  recorded_rollcon_body_get_profile_length,
+  recorded_rollcon_body_get_profile_point,
   recorded_rollcon_body_get_size,
   recorded_rollcon_body_get_displacements,
   recorded_rollcon_body_get_reaction,
@@ -510,6 +526,88 @@ rollcon_status rollcon_body_option_doc(int32_t i, int64_t capacity, char *text, 
   record_room(text);
   record_room(needed);
   give_text(text, capacity, needed, recorded_rollcon_body_option_doc);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_profile(rollcon_body *body, int64_t n, const double *points,
+    double filter_length) {
+  record_begin(recorded_rollcon_body_set_profile);
+  record_handle(body);
+  record_integer(n);
+  record_reals(points, n * 2);
+  record_real(filter_length);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_profile_shape(rollcon_body *body, const char *shape, int64_t n,
+    const double *parameters) {
+  record_begin(recorded_rollcon_body_set_profile_shape);
+  record_handle(body);
+  record_text(shape);
+  record_integer(n);
+  record_reals(parameters, n);
+  return record_end();
+}
+
+rollcon_status rollcon_body_read_profile(rollcon_body *body, const char *path, double unit,
+    int32_t mirror, double filter_length) {
+  record_begin(recorded_rollcon_body_read_profile);
+  record_handle(body);
+  record_text(path);
+  record_real(unit);
+  record_integer(mirror);
+  record_real(filter_length);
+  return record_end();
+}
+
+rollcon_status rollcon_body_write_profile(const rollcon_body *body, const char *path,
+    double unit) {
+  record_begin(recorded_rollcon_body_write_profile);
+  record_handle(body);
+  record_text(path);
+  record_real(unit);
+  return record_end();
+}
+
+rollcon_status rollcon_body_extrude_profile(rollcon_body *body, const double *origin,
+    const double *along, const double *z_axis) {
+  record_begin(recorded_rollcon_body_extrude_profile);
+  record_handle(body);
+  record_reals(origin, 3);
+  record_reals(along, 3);
+  record_reals(z_axis, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_revolve_profile(rollcon_body *body, const double *origin,
+    const double *axis, double radius) {
+  record_begin(recorded_rollcon_body_revolve_profile);
+  record_handle(body);
+  record_reals(origin, 3);
+  record_reals(axis, 3);
+  record_real(radius);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_profile_length(const rollcon_body *body, double *length) {
+  record_begin(recorded_rollcon_body_get_profile_length);
+  record_handle(body);
+  record_room(length);
+  give_reals(length, 1, 1);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_profile_point(const rollcon_body *body, double s, double *point,
+    double *tangent, double *curvature) {
+  record_begin(recorded_rollcon_body_get_profile_point);
+  record_handle(body);
+  record_real(s);
+  record_room(point);
+  record_room(tangent);
+  record_room(curvature);
+  give_reals(point, 2, 2);
+  give_reals(tangent, 2, 3);
+  give_reals(curvature, 1, 4);
   return record_end();
 }
 

@@ -79,6 +79,22 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_get_int(object, "never_written", &a.n));
   check("rollcon_body_get_real", false,
         rollcon_body_get_real(object, "never_written", a.out));
+  check("rollcon_body_set_profile", false,
+        rollcon_body_set_profile(object, 1, a.reals, 1));
+  check("rollcon_body_set_profile_shape", false,
+        rollcon_body_set_profile_shape(object, "never_written", 1, a.reals));
+  check("rollcon_body_read_profile", false,
+        rollcon_body_read_profile(object, "never_written", 1, 1, 1));
+  check("rollcon_body_write_profile", false,
+        rollcon_body_write_profile(object, "never_written", 1));
+  check("rollcon_body_extrude_profile", false,
+        rollcon_body_extrude_profile(object, a.reals, a.reals, a.reals));
+  check("rollcon_body_revolve_profile", false,
+        rollcon_body_revolve_profile(object, a.reals, a.reals, 1));
+  check("rollcon_body_get_profile_length", false,
+        rollcon_body_get_profile_length(object, a.out));
+  check("rollcon_body_get_profile_point", false,
+        rollcon_body_get_profile_point(object, 1, a.out, a.out, a.out));
   check("rollcon_body_get_size", false,
         rollcon_body_get_size(object, &a.n, &a.n));
   check("rollcon_body_get_displacements", false,

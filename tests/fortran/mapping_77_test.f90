@@ -31,6 +31,14 @@ program mapping_77_test
   call test_rcbgtr()
   call test_rcbopi()
   call test_rcbopd()
+  call test_rcbpro()
+  call test_rcbpsh()
+  call test_rcbprd()
+  call test_rcbpwr()
+  call test_rcbext()
+  call test_rcbrev()
+  call test_rcbple()
+  call test_rcbppt()
   call test_rcbsiz()
   call test_rcbdis()
   call test_rcbrea()
@@ -460,6 +468,118 @@ contains
     call rcbopd(1, text, stat)
     call rclerr(message)
     call failed('body_option_doc', stat, message)
+  end subroutine
+
+  subroutine test_rcbpro()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpro(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], 3.5d0, stat)
+    call told('body_set_profile', 'body1 2 [2.125 2.25 2.375 2.5] 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpro(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], 3.5d0, stat)
+    call rclerr(message)
+    call failed('body_set_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbpsh()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpsh(ibody, 'text 1', 2, [3.125d0, 3.25d0], stat)
+    call told('body_set_profile_shape', 'body1 <text 1> 2 [3.125 3.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpsh(ibody, 'text 1', 2, [3.125d0, 3.25d0], stat)
+    call rclerr(message)
+    call failed('body_set_profile_shape', stat, message)
+  end subroutine
+
+  subroutine test_rcbprd()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbprd(ibody, 'text 1', 2.5d0, 31, 4.5d0, stat)
+    call told('body_read_profile', 'body1 <text 1> 2.5 31 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbprd(ibody, 'text 1', 2.5d0, 31, 4.5d0, stat)
+    call rclerr(message)
+    call failed('body_read_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbpwr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpwr(ibody, 'text 1', 2.5d0, stat)
+    call told('body_write_profile', 'body1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpwr(ibody, 'text 1', 2.5d0, stat)
+    call rclerr(message)
+    call failed('body_write_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbext()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbext(ibody, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], stat)
+    call told('body_extrude_profile', 'body1 [1.125 1.25 1.375] [2.125 2.25 2.375] [3.125 3.25 3.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbext(ibody, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], stat)
+    call rclerr(message)
+    call failed('body_extrude_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbrev()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbrev(ibody, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], 3.5d0, stat)
+    call told('body_revolve_profile', 'body1 [1.125 1.25 1.375] [2.125 2.25 2.375] 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbrev(ibody, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], 3.5d0, stat)
+    call rclerr(message)
+    call failed('body_revolve_profile', stat, message)
+  end subroutine
+
+  subroutine test_rcbple()
+    double precision :: xlength
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbple(ibody, xlength, stat)
+    call told('body_get_profile_length', 'body1 room', stat)
+    call gave_reals('xlength', [xlength], 100.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbple(ibody, xlength, stat)
+    call rclerr(message)
+    call failed('body_get_profile_length', stat, message)
+  end subroutine
+
+  subroutine test_rcbppt()
+    double precision :: point(2)
+    double precision :: tangent(2)
+    double precision :: curvature
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbppt(ibody, 1.5d0, point, tangent, curvature, stat)
+    call told('body_get_profile_point', 'body1 1.5 room room room', stat)
+    call gave_reals('point', point, 200.5_rc_real)
+    call gave_reals('tangent', tangent, 300.5_rc_real)
+    call gave_reals('curvature', [curvature], 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbppt(ibody, 1.5d0, point, tangent, curvature, stat)
+    call rclerr(message)
+    call failed('body_get_profile_point', stat, message)
   end subroutine
 
   subroutine test_rcbsiz()

@@ -13,6 +13,14 @@ program mapping_test
   call body_set_traction()
   call body_set_pressure()
   call body_set_contact_faces()
+  call body_set_profile()
+  call body_set_profile_shape()
+  call body_read_profile()
+  call body_write_profile()
+  call body_extrude_profile()
+  call body_revolve_profile()
+  call body_get_profile_length()
+  call body_get_profile_point()
   call body_get_size()
   call body_get_reaction()
   call body_get_stat()
@@ -133,6 +141,123 @@ contains
     message = ''
     call body%set_contact_faces([21, 22], stat, message)
     call failed('body_set_contact_faces', stat, message)
+  end subroutine
+
+  subroutine body_set_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_profile(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), stat=stat, &
+      errmsg=message)
+    call told('body_set_profile', 'body1 2 [2.125 2.25 2.375 2.5] 0', stat)
+    call answers(ROLLCON_OK)
+    call body%set_profile(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), 3.5_rc_real, &
+      stat, message)
+    call told('body_set_profile', 'body1 2 [2.125 2.25 2.375 2.5] 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_profile(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), 3.5_rc_real, &
+      stat, message)
+    call failed('body_set_profile', stat, message)
+  end subroutine
+
+  subroutine body_set_profile_shape()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_profile_shape('text 1', [3.125_rc_real, 3.25_rc_real], stat, message)
+    call told('body_set_profile_shape', 'body1 <text 1> 2 [3.125 3.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_profile_shape('text 1', [3.125_rc_real, 3.25_rc_real], stat, message)
+    call failed('body_set_profile_shape', stat, message)
+  end subroutine
+
+  subroutine body_read_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%read_profile('text 1', 2.5_rc_real, stat=stat, errmsg=message)
+    call told('body_read_profile', 'body1 <text 1> 2.5 0 0', stat)
+    call answers(ROLLCON_OK)
+    call body%read_profile('text 1', 2.5_rc_real, 31, 4.5_rc_real, stat, message)
+    call told('body_read_profile', 'body1 <text 1> 2.5 31 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%read_profile('text 1', 2.5_rc_real, 31, 4.5_rc_real, stat, message)
+    call failed('body_read_profile', stat, message)
+  end subroutine
+
+  subroutine body_write_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%write_profile('text 1', 2.5_rc_real, stat, message)
+    call told('body_write_profile', 'body1 <text 1> 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%write_profile('text 1', 2.5_rc_real, stat, message)
+    call failed('body_write_profile', stat, message)
+  end subroutine
+
+  subroutine body_extrude_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%extrude_profile([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], stat, message)
+    call told('body_extrude_profile', 'body1 [1.125 1.25 1.375] [2.125 2.25 2.375] [3.125 3.25 3.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%extrude_profile([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], stat, message)
+    call failed('body_extrude_profile', stat, message)
+  end subroutine
+
+  subroutine body_revolve_profile()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%revolve_profile([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], 3.5_rc_real, stat, message)
+    call told('body_revolve_profile', 'body1 [1.125 1.25 1.375] [2.125 2.25 2.375] 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%revolve_profile([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], 3.5_rc_real, stat, message)
+    call failed('body_revolve_profile', stat, message)
+  end subroutine
+
+  subroutine body_get_profile_length()
+    real(rc_real) :: length
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_profile_length(length, stat, message)
+    call told('body_get_profile_length', 'body1 room', stat)
+    call gave_reals('length', [length], 100.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_profile_length(length, stat, message)
+    call failed('body_get_profile_length', stat, message)
+  end subroutine
+
+  subroutine body_get_profile_point()
+    real(rc_real) :: point(2)
+    real(rc_real) :: tangent(2)
+    real(rc_real) :: curvature
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_profile_point(1.5_rc_real, point, tangent, curvature, stat, message)
+    call told('body_get_profile_point', 'body1 1.5 room room room', stat)
+    call gave_reals('point', point, 200.5_rc_real)
+    call gave_reals('tangent', tangent, 300.5_rc_real)
+    call gave_reals('curvature', [curvature], 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_profile_point(1.5_rc_real, point, tangent, curvature, stat, message)
+    call failed('body_get_profile_point', stat, message)
   end subroutine
 
   subroutine body_get_size()

@@ -194,6 +194,20 @@ FUNCTIONS = {
         c_int32, c_int64, c_char_p, POINTER(c_int32),
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_option_doc": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_body_set_profile": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_double]),
+    "rollcon_body_set_profile_shape": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
+    "rollcon_body_read_profile": (c_int32, [c_void_p, c_char_p, c_double, c_int32, c_double]),
+    "rollcon_body_write_profile": (c_int32, [c_void_p, c_char_p, c_double]),
+    "rollcon_body_extrude_profile": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_revolve_profile": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double), c_double]),
+    "rollcon_body_get_profile_length": (c_int32, [c_void_p, POINTER(c_double)]),
+    "rollcon_body_get_profile_point": (c_int32, [
+        c_void_p, c_double, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_body_get_displacements": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_body_get_reaction": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
@@ -391,6 +405,18 @@ ARGUMENTS = {
         ("standard", "")
     ],
     "rollcon_body_option_doc": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_body_set_profile": [("body", ""), ("n", ""), ("points", ""), ("filter_length", "")],
+    "rollcon_body_set_profile_shape": [("body", ""), ("shape", ""), ("n", ""), ("parameters", "")],
+    "rollcon_body_read_profile": [
+        ("body", ""), ("path", ""), ("unit", ""), ("mirror", ""), ("filter_length", "")
+    ],
+    "rollcon_body_write_profile": [("body", ""), ("path", ""), ("unit", "")],
+    "rollcon_body_extrude_profile": [("body", ""), ("origin", ""), ("along", ""), ("z_axis", "")],
+    "rollcon_body_revolve_profile": [("body", ""), ("origin", ""), ("axis", ""), ("radius", "")],
+    "rollcon_body_get_profile_length": [("body", ""), ("length", "")],
+    "rollcon_body_get_profile_point": [
+        ("body", ""), ("s", ""), ("point", ""), ("tangent", ""), ("curvature", "")
+    ],
     "rollcon_body_get_size": [("body", ""), ("nodes", ""), ("elements", "")],
     "rollcon_body_get_displacements": [("body", ""), ("capacity", ""), ("u", "")],
     "rollcon_body_get_reaction": [("body", ""), ("force", ""), ("moment", "")],

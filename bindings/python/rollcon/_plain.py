@@ -112,6 +112,109 @@ class BodyPlain:
         tags, tags_at = integer_list(tags, "tags")
         self._call("set_contact_faces", len(tags), tags_at)
 
+    def set_profile(self, points, filter_length=0):
+        """Sets a profile through points, in either order: a cubic spline in arc length with two
+        derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much
+        as beside them). Points nearer to each other than a thousandth of the usual distance are
+        dropped, and where the path goes back and forth again the two points are replaced by their
+        mean. Forgets the profile before and its place. ERR_ARGUMENT names the point at which the
+        path turns back.
+
+        points: y and z of each, length.
+        filter_length: 0: through the points; else they are smoothed before: waves of this length
+          to one half, shorter ones to nothing, longer ones stay; at most the length of the
+          profile.
+        """
+        points, points_at = reals(points, 2)
+        self._call("set_profile", len(points), points_at, filter_length)
+
+    def set_profile_shape(self, shape, parameters):
+        """Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the
+        circle through (0, 0) about z = -radius, up to half of it; "arcs" y, z and angle of the
+        start, then length and curvature (0: a line; positive: from y to z) of each arc, each
+        going on in the direction in which the one before ends; "s1002" unit: the wheel, in
+        lengths of which `unit` is a millimetre, the middle of the tread at (0, 0), z down, the
+        flange at y < 0; "60e1" unit: the head of the rail, upright, its top at (0, 0), z down.
+        Forgets the profile before and its place.
+
+        shape: line, arc, arcs, s1002 or 60e1.
+        parameters: of the shape, in its order; radian, length.
+        """
+        parameters, parameters_at = reals(parameters)
+        self._call("set_profile_shape", c_text(shape, "shape"), len(parameters), parameters_at)
+
+    def read_profile(self, path, unit, mirror=0, filter_length=0):
+        """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
+        the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
+        it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are
+        millimetres. ERR_IO names the line of a file that cannot be read, ERR_ARGUMENT that of a
+        point at which the path turns back. z goes where the file says: mirror it where the file
+        counts upwards.
+
+        path: name of the file.
+        unit: factor on its numbers: length of a millimetre, > 0.
+        mirror: 0: no; 1: in y, 2: in z, 3: in both.
+        filter_length: as of rollcon_body_set_profile, length.
+        """
+        self._call("read_profile", c_path(path), unit, mirror, filter_length)
+
+    def write_profile(self, path, unit):
+        """Writes points of the profile to a file: of Simpack, where the name ends in .prr or
+        .prw, else two columns. Read again, a profile through points is the same, one in closed
+        form within 1e-9 of its size where its curvature is continuous. The file appears whole or
+        not at all.
+
+        path: name of the file.
+        unit: divides its numbers: length of a millimetre, > 0.
+        """
+        self._call("write_profile", c_path(path), unit)
+
+    def extrude_profile(self, origin, along, z_axis):
+        """The profile, moved along a straight line without end, is the surface of the body: x of
+        the profile points along, z along z_axis, y along z_axis x along.
+
+        origin: where the profile's point (0, 0) lies, length.
+        along: direction, of any length but 0.
+        z_axis: direction, not parallel to along; what is normal to it counts.
+        """
+        origin, origin_at = vector(origin)
+        along, along_at = vector(along)
+        z_axis, z_axis_at = vector(z_axis)
+        self._call("extrude_profile", origin_at, along_at, z_axis_at)
+
+    def revolve_profile(self, origin, axis, radius):
+        """The profile, turned about an axis, is the surface of the body: its points lie at y
+        along the axis and at radius + z away from it. An axis of the opposite direction mirrors
+        it in y.
+
+        origin: point of the axis at which y is 0, length.
+        axis: direction of y, of any length but 0.
+        radius: of z = 0, length; radius + z >= 0 all along the profile.
+        """
+        origin, origin_at = vector(origin)
+        axis, axis_at = vector(axis)
+        self._call("revolve_profile", origin_at, axis_at, radius)
+
+    def profile_length(self):
+        """Arc length of the profile. Works before prepare()."""
+        length = c_double()
+        self._call("get_profile_length", byref(length))
+        return length.value
+
+    def profile_point(self, s):
+        """Point, tangent and curvature of the profile at an arc length, counted from the end
+        where y is less. Works before prepare().
+
+        s: 0 to rollcon_body_get_profile_length, length.
+        point: y and z, length.
+        tangent: y and z of the unit vector in the direction of greater arc length.
+        """
+        point, point_at = room(2)
+        tangent, tangent_at = room(2)
+        curvature = c_double()
+        self._call("get_profile_point", s, point_at, tangent_at, byref(curvature))
+        return point, tangent, curvature.value
+
     @property
     def size(self):
         """Nodes and elements given so far; 0 for bodies without a mesh. Works before prepare().
@@ -233,11 +336,10 @@ class ContactPlain:
 
     def set_gap(self, gap):
         """Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic
-        gap. Where a body has a mesh and no gap is given, it is measured along the frame's normals
-        between the surfaces; a half-space or rigid body without a mesh is then the plane through
-        the origin of the axes. These normals are level along the rolling direction (tractions()):
-        a gap along the surface's own would be longer by half the square of the angle between
-        them.
+        gap. Where a body has a mesh or a profile and no gap is given, it is measured along the
+        frame's normals between the surfaces; a body without either is then the plane through the
+        origin of the axes. These normals are level along the rolling direction (tractions()): a
+        gap along the surface's own would be longer by half the square of the angle between them.
 
         gap: length.
         """

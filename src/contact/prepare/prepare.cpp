@@ -16,11 +16,19 @@ namespace {
 
 using Poses = Preparation::Poses;
 
-// A pose matters to bodies with a mesh only.
-Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
+// A pose matters to bodies with a surface only.
+Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair) {
   Poses poses{-1, -1};
   for (std::size_t b = 0; b < 2; ++b)
-    if (pair.body[b]->meshed()) poses[b] = scene.revision.pose[b];
+    if (pair.body[b]->has_surface()) poses[b] = scene.revision.pose[b];
+  return poses;
+}
+
+// Profiles change the gap alone.
+Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
+  Poses poses = poses_of_surfaces(scene, pair);
+  for (std::size_t b = 0; b < 2; ++b)
+    if (!pair.body[b]->meshed()) poses[b] = -1;
   return poses;
 }
 
@@ -256,7 +264,7 @@ void read_gap(SolverState& state, const Scene& scene) {
   Prepared& on = *preparation.made;
   const bool measured = !scene.has_gap();
   if (!preparation.gap.enter(preparation.frame.version(), preparation.place.version(), preparation.offset_change,
-                             scene.revision.gap, measured ? poses_of_meshes(scene, on.pair) : Poses{-1, -1}))
+                             scene.revision.gap, measured ? poses_of_surfaces(scene, on.pair) : Poses{-1, -1}))
     return;
   ++state.work.gaps;
   Problem& p = on.problem;
@@ -357,7 +365,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   state.work_before = state.work;
   state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
-  scene.require_complete(body1.meshed() || body2.meshed());
+  scene.require_complete(body1.has_surface() || body2.has_surface());
   prepare_bodies(state, body1, body2);
   Prepared& on = begin_preparation(state);
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};

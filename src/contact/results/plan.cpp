@@ -44,7 +44,7 @@ void describe_bodies(std::string& text, const SolverState& s, const Body& body1,
     const bool volume = body->traits().volume;
     if (body->rigid())
       line(text, "body %d: rigid%s: no matrix, no factorisation, no compliance", number,
-           body->meshed() ? " surface of its own" : ", no mesh");
+           body->has_surface() ? " surface of its own" : ", no mesh");
     else if (body->meshed()) {
       line(text, "body %d: %s, %lld nodes, %lld %s elements%s%s", number, body->traits().parts,
            static_cast<long long>(body->mesh().surface.nodes()), static_cast<long long>(body->size().second),

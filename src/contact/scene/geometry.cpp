@@ -40,7 +40,7 @@ std::vector<Vec3> own_normals(const FrameSource& source, const Body& body) {
 
 int normal_source(const PairOfBodies& pair) {
   for (int b = 0; b < 2; ++b)
-    if (pair.body[static_cast<std::size_t>(b)]->surface()) return b;
+    if (pair.body[static_cast<std::size_t>(b)]->meshed()) return b;
   return -1;
 }
 

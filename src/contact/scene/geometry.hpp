@@ -9,12 +9,13 @@
 
 namespace rollcon {
 
-/// Body (0 or 1) whose surface gives the normals: the first that has one of its own; -1: none has.
+/// Body (0 or 1) whose surface gives the normals: the first that has a mesh; -1: none has. Profiles leave a frame flat:
+/// half-spaces, which have no other compliance than that of a plane, are what carries them.
 int normal_source(const PairOfBodies& pair);
 
-/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it has one of its own,
+/// Outward normals of body 1 at the frame's nodes, not normalised: of the surface of body 1 if it has a mesh,
 /// else minus those of body 2. At nodes that were taken from that body the mean normal of the fan of its faces, else
-/// what the line along the axes' normal meets. One body at least must have a surface. Throws err_mesh naming the frame
+/// what the line along the axes' normal meets. One body at least must have a mesh. Throws err_mesh naming the frame
 /// nodes that do not lie over the body's contact faces, see MissedNodes.
 std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source, const PairOfBodies& pair);
 

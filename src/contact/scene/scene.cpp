@@ -189,15 +189,15 @@ void Scene::set_friction_field(std::int64_t n, const double* mu) {
   if (replace(friction_field_, n, mu)) ++revision.friction;
 }
 
-void Scene::require_complete(bool body_meshed) const {
+void Scene::require_complete(bool has_surface) const {
   if (mesh_.nodes() == 0)
     fail(Status::err_state,
          "the frame has no nodes: rollcon_contact_set_frame_nodes or "
          "rollcon_contact_frame_from_body");
   if (mesh_.elements() == 0) fail(Status::err_state, "the frame has no elements: rollcon_contact_add_frame_elements");
-  if (!has_gap() && !body_meshed)
+  if (!has_gap() && !has_surface)
     fail(Status::err_state,
-         "no gap was given and no body has a mesh to compute it from: rollcon_contact_set_gap, "
+         "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
   if (!friction_given_ && friction_field_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");

@@ -114,9 +114,9 @@ class Scene {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
   const FrictionLaw& law() const { return *law_; }
-  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a mesh), friction. (Arrays always
-  /// fit the frame: their length is checked when they are set, and new nodes forget them.)
-  void require_complete(bool body_meshed = false) const;
+  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction. (Arrays
+  /// always fit the frame: their length is checked when they are set, and new nodes forget them.)
+  void require_complete(bool has_surface = false) const;
 
   Options options;
   Revisions revision;

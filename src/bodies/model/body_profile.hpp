@@ -1,0 +1,29 @@
+#pragma once
+/// A profile that a body carries as its surface, and how it lies in the body's axes.
+
+#include <cstdint>
+#include <memory>
+
+#include "geometry/profile_curve.hpp"
+#include "geometry/surface.hpp"
+
+namespace rollcon {
+
+enum class ProfilePlace : std::int32_t { none = 0, extruded = 1, revolved = 2 };
+
+struct BodyProfile {
+  std::shared_ptr<const ProfileCurve> curve;  ///< null: the body has no profile
+  ProfilePlace place = ProfilePlace::none;
+  Vec3 origin{0, 0, 0};
+  Vec3 axis{1, 0, 0};  ///< unit; along which it is extruded, or about which it is revolved
+  Vec3 z{0, 0, 1};     ///< unit, at a right angle; of extruded ones
+  double radius = 0;   ///< of z = 0, of revolved ones
+};
+
+/// The profile has a place.
+std::unique_ptr<Surface> surface_of(const BodyProfile& profile);
+
+/// err_argument where a profile revolved with that radius crosses its axis.
+void require_one_side(const ProfileCurve& curve, double radius);
+
+}  // namespace rollcon

@@ -1,0 +1,237 @@
+#include "geometry/profile_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+struct NamedPoint {
+  Vec2 x;
+  std::size_t number;  ///< of the caller's points
+};
+
+void require_points(const std::vector<Vec2>& point, const PointName& name) {
+  constexpr double most = 1e30;
+  if (point.size() < 2)
+    fail(Status::err_argument, "the profile has %d point(s); allowed: 2 or more", static_cast<int>(point.size()));
+  for (std::size_t i = 0; i < point.size(); ++i)
+    for (std::size_t c = 0; c < 2; ++c)
+      if (!(std::abs(point[i][c]) <= most))
+        fail(Status::err_argument, "%c of %s is %g; allowed: -%g to %g", "yz"[c], name(i).c_str(), point[i][c], most,
+             most);
+}
+
+std::vector<NamedPoint> without_close_ones(const std::vector<Vec2>& point) {
+  constexpr double close = 1e-3;  // of the usual distance
+  std::vector<double> distance;
+  for (std::size_t i = 1; i < point.size(); ++i)
+    if (const double d = length(point[i] - point[i - 1]); d > 0) distance.push_back(d);
+  if (distance.empty())
+    fail(Status::err_argument, "all %d points of the profile are one", static_cast<int>(point.size()));
+  std::nth_element(distance.begin(), distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2),
+                   distance.end());
+  const double least = close * distance[distance.size() / 2];
+  std::vector<NamedPoint> kept{{point.front(), 0}};
+  for (std::size_t i = 1; i < point.size(); ++i)
+    if (length(point[i] - kept.back().x) > least) kept.push_back({point[i], i});
+  // The ends stay where they are.
+  if (kept.size() > 1) kept.back() = {point.back(), point.size() - 1};
+  if (kept.size() < 2) kept.push_back({point.back(), point.size() - 1});
+  return kept;
+}
+
+/// Forth, back and forth again: measured so, or joined from two measurements.
+void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name) {
+  const auto turns_back = [&](std::size_t i) {
+    return dot(point[i].x - point[i - 1].x, point[i + 1].x - point[i].x) < 0;
+  };
+  const std::size_t all = point.size(), most = 1 + all / 5;
+  std::size_t mended = 0;
+  for (std::size_t i = 1; i + 1 < point.size();) {
+    if (!turns_back(i)) {
+      ++i;
+      continue;
+    }
+    if (i + 2 >= point.size() || !turns_back(i + 1))
+      fail(
+          Status::err_argument,
+          "the profile turns back at %s, y %g, z %g; allowed: points in the order of the path, whose direction changes "
+          "by less than 90 degrees from point to point",
+          name(point[i].number).c_str(), point[i].x[0], point[i].x[1]);
+    if (++mended > most)
+      fail(Status::err_argument,
+           "the profile goes back and forth more than %d times, again at %s: its points are not in the order of the "
+           "path",
+           static_cast<int>(most), name(point[i].number).c_str());
+    point[i].x = 0.5 * (point[i].x + point[i + 1].x);
+    point.erase(point.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    if (i > 1) --i;
+  }
+}
+
+double turn(const Vec2& before, const Vec2& x, const Vec2& after) {
+  return std::abs(std::atan2(cross(x - before, after - x), dot(x - before, after - x)));
+}
+
+/// Points at which the curve turns by far more than beside them.
+std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x) {
+  constexpr double least = std::numbers::pi / 6, others = 1.0 / 3;
+  std::vector<double> angle(x.size(), 0);
+  for (std::size_t i = 1; i + 1 < x.size(); ++i) angle[i] = turn(x[i - 1], x[i], x[i + 1]);
+  std::vector<std::size_t> found;
+  for (std::size_t i = 1; i + 1 < x.size(); ++i)
+    if (angle[i] >= least && angle[i - 1] <= others * angle[i] && angle[i + 1] <= others * angle[i]) found.push_back(i);
+  return found;
+}
+
+/// Second derivatives at the knots of the spline that has a third one continuous at the last but one, too.
+std::vector<double> second_derivatives(const std::vector<double>& h, const std::vector<double>& y) {
+  const std::size_t n = y.size();
+  const auto slope = [&](std::size_t i) { return (y[i + 1] - y[i]) / h[i]; };
+  struct Row {
+    double low, middle, high;
+  };
+  std::vector<Row> row(n);
+  std::vector<double> m(n);
+  if (n == 3) std::fill(m.begin(), m.end(), 2 * (slope(1) - slope(0)) / (h[0] + h[1]));
+  if (n < 4) return m;
+  for (std::size_t i = 1; i + 1 < n; ++i) {
+    row[i] = {h[i - 1], 2 * (h[i - 1] + h[i]), h[i]};
+    m[i] = 6 * (slope(i) - slope(i - 1));
+  }
+  const double first = h[0] / h[1], last = h[n - 2] / h[n - 3];
+  row[1].middle += h[0] * (1 + first);
+  row[1].high -= h[0] * first;
+  row[n - 2].middle += h[n - 2] * (1 + last);
+  row[n - 2].low -= h[n - 2] * last;
+  for (std::size_t i = 2; i + 1 < n; ++i) {
+    const double factor = row[i].low / row[i - 1].middle;
+    row[i].middle -= factor * row[i - 1].high;
+    m[i] -= factor * m[i - 1];
+  }
+  m[n - 2] /= row[n - 2].middle;
+  for (std::size_t i = n - 2; i-- > 1;) m[i] = (m[i] - row[i].high * m[i + 1]) / row[i].middle;
+  m[0] = m[1] + first * (m[1] - m[2]);
+  m[n - 1] = m[n - 2] + last * (m[n - 2] - m[n - 3]);
+  return m;
+}
+
+/// Solves with a symmetric positive definite matrix whose row i has a[i][k] at column i + k.
+using Band = std::array<double, 4>;
+void solve_band(std::vector<Band>& a, std::vector<Vec2>& b) {
+  const std::size_t n = a.size();
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t k = 1; k < 4 && i + k < n; ++k) {
+      const double factor = a[i][k] / a[i][0];
+      for (std::size_t j = k; j < 4; ++j) a[i + k][j - k] -= factor * a[i][j];
+      b[i + k] = b[i + k] - factor * b[i];
+    }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = 1; k < 4 && i + k < n; ++k) b[i] = b[i] - a[i][k] * b[i + k];
+    b[i] = (1 / a[i][0]) * b[i];
+  }
+}
+
+}  // namespace
+
+void smooth_points(std::vector<Vec2>& point, double filter_length) {
+  const std::size_t n = point.size();
+  if (n < 5 || !(filter_length > 0)) return;
+  std::vector<double> s(n, 0), weight(n, 0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const double h = length(point[i] - point[i - 1]);
+    s[i] = s[i - 1] + h;
+    weight[i - 1] += h / 2;
+    weight[i] += h / 2;
+  }
+  // Lengths count in those of the filter: numbers stay moderate.
+  const double unit = filter_length / (2 * std::numbers::pi);
+  for (std::size_t i = 0; i < n; ++i) {
+    s[i] /= unit;
+    weight[i] /= unit;
+  }
+  // Third derivatives from four points each: 6 times divided differences.
+  const std::size_t rows = n - 3;
+  std::vector<Band> third(rows);
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t k = 0; k < 4; ++k) {
+      double product = 1;
+      for (std::size_t j = 0; j < 4; ++j)
+        if (j != k) product *= s[i + k] - s[i + j];
+      third[i][k] = 6 / product;
+    }
+  // (D W^-1 D' + G^-1) v = D x, then x - W^-1 D' v; G: length of curve for which a third derivative stands.
+  std::vector<Band> matrix(rows, Band{});
+  std::vector<Vec2> v(rows, Vec2{0, 0});
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t k = 0; k < 4 && i + k < rows; ++k)
+      for (std::size_t j = k; j < 4; ++j) matrix[i][k] += third[i][j] * third[i + k][j - k] / weight[i + j];
+    matrix[i][0] += 3 / (s[i + 3] - s[i]);
+    for (std::size_t j = 0; j < 4; ++j) v[i] = v[i] + third[i][j] * point[i + j];
+  }
+  solve_band(matrix, v);
+  for (std::size_t i = 0; i < rows; ++i)
+    for (std::size_t j = 0; j < 4; ++j) point[i + j] = point[i + j] - third[i][j] / weight[i + j] * v[i];
+}
+
+std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
+  const std::size_t n = x.size();
+  std::vector<double> h(n - 1), y(n);
+  for (std::size_t i = 0; i + 1 < n; ++i) h[i] = length(x[i + 1] - x[i]);
+  std::vector<ProfilePiece> piece(n - 1);
+  // With the lengths of the pieces from the round before; four are as good as any number of them.
+  for (int round = 0; round < 5; ++round) {
+    for (std::size_t c = 0; c < 2; ++c) {
+      for (std::size_t i = 0; i < n; ++i) y[i] = x[i][c];
+      const std::vector<double> m = second_derivatives(h, y);
+      for (std::size_t i = 0; i + 1 < n; ++i) {
+        ProfilePiece& p = piece[i];
+        p.length = h[i];
+        p.start[c] = y[i];
+        p.along[c] = (y[i + 1] - y[i]) / h[i] - h[i] * (2 * m[i] + m[i + 1]) / 6;
+        p.square[c] = m[i] / 2;
+        p.cube[c] = (m[i + 1] - m[i]) / (6 * h[i]);
+      }
+    }
+    const ProfileCurve curve(piece);
+    for (std::size_t i = 0; i + 1 < n; ++i) h[i] = curve.start(i + 1) - curve.start(i);
+  }
+  return piece;
+}
+
+ProfileCurve profile_through(std::vector<Vec2> point, double filter_length, const PointName& name) {
+  require_points(point, name);
+  std::vector<NamedPoint> kept = without_close_ones(point);
+  straighten_zigzags(kept, name);
+  std::vector<Vec2> x;
+  for (const NamedPoint& p : kept) x.push_back(p.x);
+  if (x.back()[0] < x.front()[0]) std::reverse(x.begin(), x.end());
+  double path = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) path += length(x[i] - x[i - 1]);
+  if (!(filter_length >= 0 && filter_length <= path))
+    fail(Status::err_argument, "filter_length is %g; allowed: 0 to the length of the profile, %g", filter_length, path);
+
+  std::vector<std::size_t> ends = kinks_of(x);
+  ends.push_back(x.size() - 1);
+  std::vector<ProfilePiece> piece;
+  std::size_t from = 0;
+  Vec2 joint = x.front();
+  for (const std::size_t to : ends) {
+    std::vector<Vec2> part(x.begin() + static_cast<std::ptrdiff_t>(from),
+                           x.begin() + static_cast<std::ptrdiff_t>(to) + 1);
+    smooth_points(part, filter_length);
+    // Smoothing moves the two curves that meet in a kink by different amounts: they go on from where the first ends.
+    if (from > 0) part.front() = joint;
+    joint = part.back();
+    const std::vector<ProfilePiece> more = spline_through(part);
+    piece.insert(piece.end(), more.begin(), more.end());
+    from = to;
+  }
+  return ProfileCurve(std::move(piece));
+}
+
+}  // namespace rollcon

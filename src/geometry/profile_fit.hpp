@@ -1,0 +1,29 @@
+#pragma once
+/// From points, measured or calculated, to a profile.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/profile_curve.hpp"
+
+namespace rollcon {
+
+/// How messages call a point: "point 3 (counting from 0)", "line 12 of rail.txt".
+using PointName = std::function<std::string(std::size_t)>;
+
+/// The curve through the points in the order of ascending y: a cubic spline in arc length between kinks. Points nearer
+/// to each other than a thousandth of their usual distance are dropped, and where the path goes back and forth again
+/// the two are replaced by their mean. filter_length > 0: the points are smoothed before, waves of that length to one
+/// half, shorter ones to nothing. Throws err_argument naming the point: fewer than two of them, one that is far from
+/// all lengths of this world, a path that turns back, an order that is none, a filter longer than the curve.
+ProfileCurve profile_through(std::vector<Vec2> point, double filter_length, const PointName& name);
+
+/// Moves points so that the integral of their squared deviation along the curve, plus (L / 2 pi)^6 times that of the
+/// squared third derivative, is least: circles keep their curvature up to their ends.
+void smooth_points(std::vector<Vec2>& point, double filter_length);
+
+/// Cubics through the points with two derivatives continuous, and a third at the last but one.
+std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& point);
+
+}  // namespace rollcon

@@ -1,0 +1,181 @@
+#include "geometry/profile_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/profile_crossings.hpp"
+#include "mesh/surface_geometry.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Distance of a point of the profile's plane from a straight line there, times the direction's length.
+struct StraightLine {
+  Vec2 from, direction;
+
+  double inside(const Vec2&) const { return 1; }
+  double value(const Vec2& x) const { return cross(direction, x - from); }
+  double slope(const Vec2&, const Vec2& d) const { return cross(direction, d); }
+  std::array<double, 2> range(const ProfileBox& box) const {
+    const double a = direction[0] * (box.low[1] - from[1]), b = direction[0] * (box.high[1] - from[1]);
+    const double c = -direction[1] * (box.low[0] - from[0]), d = -direction[1] * (box.high[0] - from[0]);
+    return {std::min(a, b) + std::min(c, d), std::max(a, b) + std::max(c, d)};
+  }
+};
+
+/// A line in space, by y = y0 + t y1 along an axis and the squared distance t_axis from it, square + slant (t -
+/// t_least)^2. In the plane of y and radius it is a hyperbola.
+struct LineAboutAxis {
+  double y0, y1, slant, t_least, square;
+  double radius;  ///< of z = 0
+
+  double y(double t) const { return y0 + t * y1; }
+};
+
+/// Of the half of the hyperbola that goes out from its point nearest to the axis, forwards or backwards: y less that of
+/// the line where it is as far from the axis. For lines steep to the axis.
+struct SteepHalf {
+  LineAboutAxis line;
+  double sign;
+
+  double t(double r) const { return line.t_least + sign * std::sqrt(std::max(r * r - line.square, 0.0) / line.slant); }
+  /// Not nearer to the axis than the line is anywhere.
+  double inside(const Vec2& x) const {
+    constexpr double rounding = 1e-14;
+    const double r = line.radius + x[1];
+    return r * r - line.square * (1 - rounding) + 1e-300;
+  }
+  double value(const Vec2& x) const { return x[0] - line.y(t(line.radius + x[1])); }
+  double slope(const Vec2& x, const Vec2& d) const {
+    const double r = line.radius + x[1], out = r * r - line.square;
+    constexpr double steepest = 1e-24;  // where the halves meet the slope is without bound
+    const double rate = sign * r / std::sqrt(std::max(out, steepest * r * r) * line.slant);
+    return d[0] - line.y1 * rate * d[1];
+  }
+  std::array<double, 2> range(const ProfileBox& box) const {
+    const double a = line.y(t(std::max(line.radius + box.low[1], 0.0))), b = line.y(t(line.radius + box.high[1]));
+    return {box.low[0] - std::max(a, b), box.high[0] - std::min(a, b)};
+  }
+};
+
+/// Radius less that of the line at the same y. For lines nearly along the axis.
+struct FlatLine {
+  LineAboutAxis line;
+
+  double t(double y) const { return (y - line.y0) / line.y1; }
+  double radius(double y) const {
+    const double off = t(y) - line.t_least;
+    return std::sqrt(line.square + line.slant * off * off);
+  }
+  double inside(const Vec2&) const { return 1; }
+  double value(const Vec2& x) const { return line.radius + x[1] - radius(x[0]); }
+  double slope(const Vec2& x, const Vec2& d) const {
+    const double r = radius(x[0]);
+    return d[1] - (r > 0 ? line.slant * (t(x[0]) - line.t_least) / (r * line.y1) * d[0] : 0);
+  }
+  std::array<double, 2> range(const ProfileBox& box) const {
+    const double a = radius(box.low[0]), b = radius(box.high[0]);
+    const double middle = std::clamp(line.y(line.t_least), box.low[0], box.high[0]);
+    return {line.radius + box.low[1] - std::max(a, b), line.radius + box.high[1] - radius(middle)};
+  }
+};
+
+Vec2 normal_of(const ProfilePoint& p) {
+  const Vec2 t = p.tangent();
+  return {-t[1], t[0]};
+}
+
+Vec3 towards(const Vec3& facing, const Vec3& n) {
+  return dot(n, facing) < 0 ? -1.0 * n : n;
+}
+
+}  // namespace
+
+std::optional<ExtrudedProfile::Hit> ExtrudedProfile::meet(const Vec3& from, const Vec3& direction) const {
+  const Vec3 r = from - origin_;
+  const StraightLine line{{dot(r, y_), dot(r, z_)}, {dot(direction, y_), dot(direction, z_)}};
+  const double square = dot(line.direction, line.direction);
+  std::optional<Hit> best;
+  if (!(square > 0)) return best;
+  for_each_crossing(*curve_, line, [&](const ProfilePoint& p, std::size_t, double) {
+    const double t = dot(p.x - line.from, line.direction) / square;
+    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p};
+  });
+  return best;
+}
+
+std::optional<double> ExtrudedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3&) const {
+  const auto hit = meet(from, direction);
+  if (!hit) return std::nullopt;
+  return hit->t;
+}
+
+std::optional<Vec3> ExtrudedProfile::normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
+  const auto hit = meet(from, direction);
+  if (!hit) return std::nullopt;
+  const Vec2 n = normal_of(hit->point);
+  return towards(facing, n[0] * y_ + n[1] * z_);
+}
+
+Vec3 ExtrudedProfile::nearest(const Vec3& point) const {
+  const Vec3 r = point - origin_;
+  const Vec2 x = curve_->nearest({dot(r, y_), dot(r, z_)}).x;
+  return origin_ + x[0] * y_ + x[1] * z_ + dot(r, along_) * along_;
+}
+
+std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, const Vec3& direction) const {
+  const Vec3 r = from - origin_;
+  LineAboutAxis line{};
+  line.y0 = dot(r, axis_);
+  line.y1 = dot(direction, axis_);
+  line.radius = radius_;
+  const Vec3 off = r - line.y0 * axis_, across = direction - line.y1 * axis_;
+  line.slant = dot(across, across);
+  line.t_least = line.slant > 0 ? -dot(off, across) / line.slant : 0;
+  const Vec3 closest = off + line.t_least * across;
+  line.square = dot(closest, closest);
+
+  std::optional<Hit> best;
+  const auto take = [&](double t, const ProfilePoint& p) {
+    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p};
+  };
+  if (line.slant >= line.y1 * line.y1) {
+    for (const double sign : {-1.0, 1.0}) {
+      const SteepHalf half{line, sign};
+      for_each_crossing(*curve_, half,
+                        [&](const ProfilePoint& p, std::size_t, double) { take(half.t(radius_ + p.x[1]), p); });
+    }
+    return best;
+  }
+  const FlatLine flat{line};
+  for_each_crossing(*curve_, flat, [&](const ProfilePoint& p, std::size_t, double) { take(flat.t(p.x[0]), p); });
+  return best;
+}
+
+Vec3 RevolvedProfile::outward(const Vec3& point) const {
+  const Vec3 r = point - origin_, off = r - dot(r, axis_) * axis_;
+  if (const double away = length(off); away > 0) return (1 / away) * off;
+  return normalized(cross(axis_, std::abs(axis_[0]) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+}
+
+std::optional<double> RevolvedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3&) const {
+  const auto hit = meet(from, direction);
+  if (!hit) return std::nullopt;
+  return hit->t;
+}
+
+std::optional<Vec3> RevolvedProfile::normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
+  const auto hit = meet(from, direction);
+  if (!hit) return std::nullopt;
+  const Vec2 n = normal_of(hit->point);
+  return towards(facing, n[0] * axis_ + n[1] * outward(from + hit->t * direction));
+}
+
+Vec3 RevolvedProfile::nearest(const Vec3& point) const {
+  const Vec3 r = point - origin_;
+  const double y = dot(r, axis_);
+  const Vec2 x = curve_->nearest({y, length(r - y * axis_) - radius_}).x;
+  return origin_ + x[0] * axis_ + (radius_ + x[1]) * outward(point);
+}
+
+}  // namespace rollcon

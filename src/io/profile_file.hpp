@@ -1,0 +1,24 @@
+#pragma once
+/// Profiles of wheels and rails in files: two columns, Simpack's .prr and .prw, Miniprof's .ban and .whl, told apart by
+/// the end of the name. docs/profiles.md.
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace rollcon {
+
+struct ProfileFile {
+  std::vector<std::array<double, 2>> point;  ///< y, z; of Simpack and Miniprof in mm
+  std::vector<std::int64_t> line;            ///< of each point, from 1
+};
+
+/// Throws err_io naming the file, and the line where there is one.
+ProfileFile read_profile_file(const std::string& path);
+
+/// Simpack's form (in mm, so that units.len.f is 1000) for names that end in .prr or .prw, else two columns. The file
+/// appears whole or not at all. err_io.
+void write_profile_file(std::string path, const std::vector<std::array<double, 2>>& point);
+
+}  // namespace rollcon

@@ -1,0 +1,98 @@
+#include "io/profile_lines.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\f\v";
+
+char lower(char c) {
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// The start of a text, with what cannot be printed left out.
+std::string shown(std::string_view text) {
+  constexpr std::size_t most = 40;
+  std::string s;
+  for (const char c : text.substr(0, most)) s += c >= ' ' && c <= '~' ? c : '?';
+  return text.size() > most ? s + "..." : s;
+}
+
+}  // namespace
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::string in_lower_case(std::string_view text) {
+  std::string s(text);
+  std::transform(s.begin(), s.end(), s.begin(), lower);
+  return s;
+}
+
+TextLines::TextLines(const std::string& path) : path_(path) {
+  constexpr std::uintmax_t most = 1U << 28;
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) fail_whole("there is no such file");
+  if (!std::filesystem::is_regular_file(status)) fail_whole("it is no regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) fail_whole(error.message());
+  if (size > most) fail_whole("it has more than 256 MiB");
+  std::ifstream file(path, std::ios::binary);
+  text_.resize(size);
+  if (!file || (size > 0 && !file.read(text_.data(), static_cast<std::streamsize>(size))))
+    fail_whole("it cannot be read");
+  if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // the mark of UTF-8
+}
+
+bool TextLines::next(std::string_view& line) {
+  if (position_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+  line = std::string_view(text_).substr(position_, end - position_);
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  position_ = end + 1;
+  ++number_;
+  return true;
+}
+
+void TextLines::fail_here(const std::string& what) const {
+  fail(Status::err_io, "%s, line %lld: %s", path_.c_str(), static_cast<long long>(number_), what.c_str());
+}
+
+void TextLines::fail_whole(const std::string& what) const {
+  fail(Status::err_io, "%s: %s", path_.c_str(), what.c_str());
+}
+
+double TextLines::number_in(std::string_view text) const {
+  text = trimmed(text);
+  const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
+  double value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
+    fail_here("'" + shown(text) + "' is no number");
+  return value;
+}
+
+std::vector<double> TextLines::numbers_in(std::string_view line) const {
+  constexpr std::string_view between = " \t\r\f\v,;";
+  std::vector<double> found;
+  for (std::size_t from = line.find_first_not_of(between); from != std::string_view::npos;) {
+    const std::size_t to = std::min(line.find_first_of(between, from), line.size());
+    found.push_back(number_in(line.substr(from, to - from)));
+    from = line.find_first_not_of(between, to);
+  }
+  return found;
+}
+
+}  // namespace rollcon

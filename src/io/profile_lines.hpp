@@ -1,0 +1,36 @@
+#pragma once
+/// Lines of text files of numbers.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rollcon {
+
+std::string_view trimmed(std::string_view text);
+std::string in_lower_case(std::string_view text);
+
+/// A text file in memory, line by line, and what is said of it. All failures are err_io.
+class TextLines {
+ public:
+  explicit TextLines(const std::string& path);
+
+  /// The next line without its end; false after the last one.
+  bool next(std::string_view& line);
+  std::int64_t number() const { return number_; }  ///< of that line, from 1
+  /// Throws "PATH, line N: ...".
+  [[noreturn]] void fail_here(const std::string& what) const;
+  [[noreturn]] void fail_whole(const std::string& what) const;
+  /// A finite number that is all of the text; fails naming it.
+  double number_in(std::string_view text) const;
+  /// Those of a line, apart by blanks, tabs, commas or semicolons.
+  std::vector<double> numbers_in(std::string_view line) const;
+
+ private:
+  std::string path_, text_;
+  std::size_t position_ = 0;
+  std::int64_t number_ = 0;
+};
+
+}  // namespace rollcon

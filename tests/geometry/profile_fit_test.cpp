@@ -1,0 +1,176 @@
+/// Splines through points: order of their error, smoothing, kinks, and points as they come from measurements.
+
+#include "geometry/profile_fit.hpp"
+
+#include <random>
+
+#include "support/error.hpp"
+#include "support/testing.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+std::string numbered(std::size_t i) {
+  return "point " + std::to_string(i);
+}
+
+std::vector<Vec2> circle(double radius, double from, double to, int n) {
+  std::vector<Vec2> point;
+  for (int i = 0; i < n; ++i) {
+    const double a = from + (to - from) * i / (n - 1);
+    point.push_back({radius * std::sin(a), -radius * std::cos(a)});
+  }
+  return point;
+}
+
+ProfileCurve through(const std::vector<Vec2>& point, double filter = 0) {
+  return profile_through(point, filter, numbered);
+}
+
+void expect_refused(const std::vector<Vec2>& point, double filter, const std::string& text) {
+  try {
+    through(point, filter);
+    ADD_FAILURE() << "taken: " << text;
+  } catch (const Error& e) {
+    EXPECT_EQ(e.status(), Status::err_argument);
+    EXPECT_NE(std::string(e.what()).find(text), std::string::npos) << e.what();
+  }
+}
+
+/// Of point and curvature, up to the ends.
+std::array<double, 2> errors(const ProfileCurve& curve, double radius) {
+  std::array<double, 2> most{0, 0};
+  for (int i = 0; i <= 1000; ++i) {
+    const ProfilePoint p = curve.at(curve.length() * i / 1000);
+    most[0] = std::max(most[0], std::abs(length(p.x) / radius - 1));
+    most[1] = std::max(most[1], std::abs(p.curvature() * radius - 1));
+  }
+  return most;
+}
+
+TEST(profile_fit, a_circle_comes_out_with_fourth_and_second_order) {
+  const auto coarse = errors(through(circle(5, -2.5, 2.5, 41)), 5), fine = errors(through(circle(5, -2.5, 2.5, 81)), 5);
+  expect_error("circle of 81 points: radius", fine[0], 1e-6);
+  expect_order("circle: points", observed_order(coarse[0], fine[0], 2, 1), 3.7);
+  expect_order("circle: curvature, up to the ends", observed_order(coarse[1], fine[1], 2, 1), 1.8);
+  const ProfileCurve curve = through(circle(5, -2.5, 2.5, 81));
+  expect_error("circle: length", relative(curve.length(), 25), 1e-6);
+  expect_error("circle: speed by arc length", length(curve.at(3.21).d1) - 1, 1e-5);
+}
+
+TEST(profile_fit, derivatives_join_between_kinks) {
+  std::vector<Vec2> point;
+  for (int i = 0; i <= 30; ++i) point.push_back({i + 0.3 * std::sin(i), 3 * std::cos(0.3 * i)});
+  const ProfileCurve curve = through(point);
+  double jump[3] = {0, 0, 0};
+  for (std::size_t i = 0; i + 1 < curve.pieces().size(); ++i) {
+    const ProfilePoint a = curve.at(i, curve.pieces()[i].length), b = curve.at(i + 1, 0);
+    jump[0] = std::max(jump[0], length(a.x - b.x));
+    jump[1] = std::max(jump[1], length(a.d1 - b.d1));
+    jump[2] = std::max(jump[2], length(a.d2 - b.d2));
+  }
+  expect_error("jump of points", jump[0], 1e-13);
+  expect_error("jump of tangents", jump[1], 1e-13);
+  expect_error("jump of second derivatives", jump[2], 1e-12);
+}
+
+TEST(profile_fit, kinks_stay_kinks) {
+  std::vector<Vec2> roof;
+  for (int i = -20; i <= 20; ++i) roof.push_back({0.5 * i, std::abs(0.5 * i)});
+  const ProfileCurve curve = through(roof);
+  expect_error("a roof: length", curve.length() - 20 * std::numbers::sqrt2, 1e-12);
+  for (const double s : {3.0, 14.0, 14.2, 27.0}) {
+    const ProfilePoint p = curve.at(s);
+    expect_error("a roof: z", p.x[1] - std::abs(p.x[0]), 1e-13);
+    expect_error("a roof: curvature", p.curvature(), 1e-12);
+  }
+}
+
+TEST(profile_fit, order_doubles_and_zigzags_are_made_right) {
+  const std::vector<Vec2> good = circle(5, -1, 1, 101);
+  const ProfileCurve curve = through(good);
+  std::vector<Vec2> reversed(good.rbegin(), good.rend());
+  double off = 0;
+  const ProfileCurve turned = through(reversed);
+  for (const double s : {0.1, 2.0, 7.0}) off = std::max(off, length(turned.at(s).x - curve.at(s).x));
+  expect_error("points in the reverse order", off, 1e-13);
+
+  std::vector<Vec2> doubled = good;
+  doubled.insert(doubled.begin() + 50, good[49]);
+  doubled.insert(doubled.begin() + 20, good[20] + Vec2{1e-9, -1e-9});
+  EXPECT_EQ(through(doubled).pieces().size(), curve.pieces().size());
+
+  std::vector<Vec2> zigzag = good;
+  std::swap(zigzag[30], zigzag[31]);
+  const ProfileCurve mended = through(zigzag);
+  EXPECT_EQ(mended.pieces().size(), curve.pieces().size() - 1);
+  expect_error("two points in the wrong order: radius", errors(mended, 5)[0], 1e-4);
+}
+
+TEST(profile_fit, bad_points_are_named) {
+  expect_refused({}, 0, "the profile has 0 point(s); allowed: 2 or more");
+  expect_refused({{1, 2}}, 0, "the profile has 1 point(s)");
+  expect_refused({{1, 2}, {1, 2}, {1, 2}}, 0, "all 3 points of the profile are one");
+  expect_refused({{0, 0}, {1, NAN}, {2, 0}}, 0, "z of point 1 is ");
+  expect_refused({{0, 0}, {1e31, 0}, {2, 0}}, 0, "y of point 1 is 1e+31");
+  expect_refused({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {2, 1}, {1, 1}, {0, 1}}, 0, "the profile turns back at point 3, y 3");
+  expect_refused({{0, 0}, {1, 0}, {2, 0}}, -1, "filter_length is -1; allowed: 0 to the length of the profile, 2");
+  expect_refused({{0, 0}, {1, 0}, {2, 0}}, 3, "filter_length is 3");
+  expect_refused({{0, 0}, {1, 0}, {2, 0}}, NAN, "filter_length is ");
+  std::mt19937 random(3);
+  std::vector<Vec2> jumbled = circle(5, -1, 1, 101);
+  std::shuffle(jumbled.begin(), jumbled.end(), random);
+  EXPECT_THROW(through(jumbled), Error);
+}
+
+// Noise of 0.02 on a rail-like arc of radius 80: curvature is lost without smoothing.
+TEST(profile_fit, smoothing_brings_the_curvature_back) {
+  constexpr double radius = 80, filter = 12;
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<Vec2> point = circle(radius, -0.4, 0.4, 321);
+  for (Vec2& x : point) x[1] += noise(random);
+  const auto rough = errors(through(point), radius);
+  EXPECT_GT(rough[1], 10) << "the noise alone must spoil the curvature";
+  const ProfileCurve smooth = through(point, filter);
+  double inside = 0, off = 0;
+  for (int i = 0; i <= 400; ++i) {
+    const ProfilePoint p = smooth.at(smooth.length() * (0.15 + 0.7 * i / 400));
+    inside = std::max(inside, std::abs(p.curvature() * radius - 1));
+    off = std::max(off, std::abs(length(p.x) - radius));
+  }
+  // By linear theory of the filter, f(w) = 1/(1 + (L w / 2 pi)^6): deviations of the points and of the curvature from
+  // white noise s have the squares s^2 h/pi integral f^2 dw and s^2 h/pi integral w^4 f^2 dw; largest of 400: below 4.
+  const double h = 0.8 * radius / 320, w0 = 2 * pi / filter;
+  double points = 0, curvatures = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = (i + 0.5) * 0.001, f = 1 / (1 + std::pow(t, 6));
+    points += f * f * 0.001;
+    curvatures += std::pow(t, 4) * f * f * 0.001;
+  }
+  expect_error("smoothed: points", off, 4 * 0.02 * std::sqrt(h / pi * w0 * points));
+  expect_error("smoothed: curvature", inside, 4 * radius * 0.02 * std::sqrt(h / pi * std::pow(w0, 5) * curvatures));
+}
+
+// Halved at the filter's length, kept at 3 times, gone at a third of it; a circle is left as it is up to its ends.
+TEST(profile_fit, filter_length_is_where_waves_are_halved) {
+  constexpr double filter = 10, height = 1e-3;
+  for (const double wave : {filter / 3, filter, 3 * filter}) {
+    std::vector<Vec2> point;
+    for (int i = 0; i <= 2000; ++i) point.push_back({0.1 * i, height * std::cos(2 * pi * (0.1 * i - 100) / wave)});
+    smooth_points(point, filter);
+    const double left = point[1000][1] / height, due = 1 / (1 + std::pow(filter / wave, 6));
+    expect_error("wave " + std::to_string(wave) + ": what is left less theory", left - due, 1e-3);
+  }
+  // At ends the third derivative 1/R^2 is lost over the filter's reach L / 2 pi.
+  constexpr double radius = 80, length = 12, reach = length / (2 * pi) / radius;
+  std::vector<Vec2> arc = circle(radius, -0.4, 0.4, 321);
+  smooth_points(arc, length);
+  expect_error("smoothed circle: radius, ends included", errors(through(arc), radius)[0], std::pow(reach, 3));
+  expect_error("smoothed circle: curvature, ends included", errors(through(arc), radius)[1], reach);
+}
+
+}  // namespace
+}  // namespace rollcon
