@@ -65,7 +65,7 @@ void Body::set_profile(std::int64_t n, const double* points, double filter_lengt
              point.back()[c]);
   }
   require_finite(filter_length, "filter_length");
-  replace_profile(profile_through(std::move(point), filter_length,
+  replace_profile(profile_through(point, filter_length,
                                   [](std::size_t i) { return "point " + std::to_string(i) + " (counting from 0)"; }));
 }
 
@@ -85,7 +85,7 @@ void Body::read_profile(const char* path, double unit, std::int32_t mirror, doub
   const std::array<double, 2> factor{mirror & 1 ? -unit : unit, mirror & 2 ? -unit : unit};
   for (Vec2& x : file.point)
     for (std::size_t c = 0; c < 2; ++c) x[c] *= factor[c];
-  replace_profile(profile_through(std::move(file.point), filter_length, [&](std::size_t i) {
+  replace_profile(profile_through(file.point, filter_length, [&](std::size_t i) {
     return "line " + std::to_string(file.line[i]) + " of " + path;
   }));
 }

@@ -16,6 +16,7 @@
 #include "mesh/corner_elements.hpp"
 #include "support/clock.hpp"
 #include "support/index.hpp"
+#include "support/interrupt.hpp"
 
 namespace rollcon {
 namespace {
@@ -269,6 +270,7 @@ std::unique_ptr<Contact> Contact::make_half_space(double modulus) const {
   const auto rigid = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::rigid));
   auto follower = std::make_unique<Contact>(context_, elastic, rigid);
   follower->cancel_ = cancel_;
+  follower->quiet_ = true;
   return follower;
 }
 
@@ -286,6 +288,9 @@ Status Contact::solve() {
   if (!frames_) frames_ = make_frames_();
   try {
     return frames_->solve(*this);
+  } catch (const Cancelled&) {  // while patches were searched for
+    state_->solved = false;
+    return Status::cancelled;
   } catch (...) {
     state_->solved = false;  // of one frame of a pair
     throw;
@@ -380,7 +385,7 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
-  tell_caveats(s, status, *context_);
+  if (!quiet_) tell_caveats(s, status, *context_);
   return status;
 }
 

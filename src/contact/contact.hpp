@@ -56,7 +56,7 @@ class Contact {
   Status solve_on_frame();
   /// Of the same bodies, for solve_on_frame() as part of a solve of this contact, which outlives it.
   std::unique_ptr<Contact> make_follower() const;
-  /// Likewise, of an elastic half-space with this E* and a rigid body.
+  /// Likewise, of an elastic half-space with this E* and a rigid body; it logs no warning.
   std::unique_ptr<Contact> make_half_space(double modulus) const;
   /// Takes over everything but the frame from the scene of the lead.
   void follow(const Contact& lead);
@@ -117,6 +117,7 @@ class Contact {
   void* progress_user_ = nullptr;
   std::atomic<bool> cancel_here_{false};
   std::atomic<bool>* cancel_ = &cancel_here_;  ///< the lead's, if there is one
+  bool quiet_ = false;                         ///< statuses are for a frame maker alone
   MakeFrameMaker make_frames_ = nullptr;
   std::unique_ptr<FrameMaker> frames_;  ///< made when a frame is
   const Contact* coarser_ = nullptr;    ///< that the last results were extrapolated from

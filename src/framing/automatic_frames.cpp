@@ -203,7 +203,7 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
-  /// too long by as much 0.1 %.
+  /// too long by as much up to 0.2 %.
   static constexpr double usual_stretch = 1.004;
 
   struct Found {

@@ -71,8 +71,6 @@ class Edges {
         while (!open.empty()) {
           const auto [i, j] = open.back();
           open.pop_back();
-          ++edge.nodes;
-          edge.load += pressure_[number(i, j)] * lattice_.spacing_along() * lattice_.spacing_across();
           least = {std::min(least[0], i), std::min(least[1], j)};
           greatest = {std::max(greatest[0], i), std::max(greatest[1], j)};
           for (std::int64_t dj = -1 - bridge; dj <= 1 + bridge; ++dj)

@@ -27,10 +27,8 @@ struct SearchGrid {
 /// Of one connected part of the contact, or of several that lie close to each other.
 struct PatchEdge {
   std::vector<EdgePoint> point;
-  std::int64_t nodes = 0;
   /// Nodes in contact from the first to the last, the least of both directions.
   std::int64_t least_nodes_across = 0;
-  double load = 0;
 };
 
 /// Undeformed gap, +infinity where a body is not there.

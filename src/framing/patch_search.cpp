@@ -209,8 +209,8 @@ Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
     }
   if (found.outline.empty()) {
     const auto nearest = std::min_element(gap_.begin(), gap_.end()) - gap_.begin();
-    const EdgePoint p = lattice_.point(static_cast<double>(nearest % lattice_.lines()),
-                                       static_cast<double>(nearest / lattice_.lines()));
+    const auto row = nearest / lattice_.lines();
+    const EdgePoint p = lattice_.point(static_cast<double>(nearest - row * lattice_.lines()), static_cast<double>(row));
     found.outline.emplace_back(p.x, p.y, cell);
   }
   return found;

@@ -203,7 +203,7 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
   return piece;
 }
 
-ProfileCurve profile_through(std::vector<Vec2> point, double filter_length, const PointName& name) {
+ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name) {
   require_points(point, name);
   std::vector<NamedPoint> kept = without_close_ones(point);
   straighten_zigzags(kept, name);

@@ -17,7 +17,7 @@ using PointName = std::function<std::string(std::size_t)>;
 /// the two are replaced by their mean. filter_length > 0: the points are smoothed before, waves of that length to one
 /// half, shorter ones to nothing. Throws err_argument naming the point: fewer than two of them, one that is far from
 /// all lengths of this world, a path that turns back, an order that is none, a filter longer than the curve.
-ProfileCurve profile_through(std::vector<Vec2> point, double filter_length, const PointName& name);
+ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name);
 
 /// Moves points so that the integral of their squared deviation along the curve, plus (L / 2 pi)^6 times that of the
 /// squared third derivative, is least: circles keep their curvature up to their ends.
