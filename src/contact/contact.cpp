@@ -11,6 +11,7 @@
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
+#include "contact/scene/known_gap.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
@@ -140,7 +141,8 @@ static std::int64_t nodes_cut_off(const SolverState& s) {
   constexpr double rise = 0.9, least = 0.25;
   const Problem& p = s.prepared->problem;
   const std::vector<double>& normal = s.iterate.lambda[2];
-  const double depth = s.given.approach_of(s.iterate.motion, p.datum);
+  // Beyond first touch: gaps count from the least of them.
+  const double depth = s.iterate.motion[approach];
   const double largest = -*std::min_element(normal.begin(), normal.end());
   const auto n = static_cast<std::ptrdiff_t>(p.used.size());
   std::int64_t count = 0;
@@ -297,9 +299,8 @@ Status Contact::solve() {
   }
 }
 
-void Contact::extrapolate_from(const Contact& coarse, double cover) {
-  extrapolate(*state_, *coarse.state_);
-  state_->extrapolated->area *= cover;
+void Contact::extrapolate_from(const Contact& coarse, const FrameFamily& family) {
+  extrapolate(*state_, *coarse.state_, family);
   state_->timings.total += coarse.state_->timings.total;
   state_->peak_bytes = std::max(state_->peak_bytes, state_->bytes() + coarse.state_->bytes());
   coarser_ = &coarse;
@@ -308,6 +309,11 @@ void Contact::extrapolate_from(const Contact& coarse, double cover) {
 double Contact::modulus() {
   prepare_bodies(*state_, *body1_, *body2_);
   return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
+}
+
+std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
+  prepare_bodies(*state_, *body1_, *body2_);
+  return known_gap(scene, {{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }
 
 bool Contact::meshed() const {

@@ -17,6 +17,8 @@ namespace rollcon {
 
 struct CaseList;     // contact/cases/solve_many.hpp
 struct CaseResults;  // contact/cases/solve_many.hpp
+struct FrameFamily;   // contact/results/extrapolation.hpp
+class KnownGap;       // contact/scene/known_gap.hpp
 struct Rates;        // contact/solution.hpp
 struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
 
@@ -60,11 +62,12 @@ class Contact {
   std::unique_ptr<Contact> make_half_space(double modulus) const;
   /// Takes over everything but the frame from the scene of the lead.
   void follow(const Contact& lead);
-  /// Both are solved on frames of one family: results become what they tend to. coarse outlives them. cover: what the
-  /// contact is of the area of frames that were made too large.
-  void extrapolate_from(const Contact& coarse, double cover);
+  /// Both are solved on frames of one family: results become what they tend to. coarse outlives them.
+  void extrapolate_from(const Contact& coarse, const FrameFamily& family);
   /// E* of the pair; prepares the bodies.
   double modulus();
+  /// As known_gap(); prepares the bodies.
+  std::unique_ptr<KnownGap> gap_between_nodes();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;
   /// As the statistic error_estimate of the last solve.

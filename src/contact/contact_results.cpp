@@ -186,7 +186,7 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   const BlasThreads blas(context_->threads());
   require_operators(s);
   Rates r = find_rates(s, parameter);
-  if (coarser_) r = beyond(r, coarser_->rates(parameter));
+  if (coarser_) r = beyond(*state_, r, coarser_->rates(parameter));
   if (force) std::copy(r.force.begin(), r.force.end(), force);
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
   if (depth) *depth = r.motion[approach];

@@ -51,6 +51,7 @@ struct Extrapolated {
   Vec3 force{}, moment{};          ///< on body 1, about the origin, in the axes
   std::array<double, 4> motion{};  ///< by Motion; the approach from no approach on
   double area = 0;                 ///< in contact
+  double left_over = 0;            ///< of the difference of the frames, by which the finer one is off
 };
 
 /// Derivatives of results (contact/results/sensitivity.hpp), per unit of a parameter, in the axes.

@@ -5,7 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <string>
 
+#include "contact/results/extrapolation.hpp"
+#include "contact/scene/known_gap.hpp"
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
 #include "framing/patch_search.hpp"
@@ -33,6 +36,8 @@ struct Shape {
   std::vector<Outline> outline;
   /// Part by which strips are longer than the outlines.
   double stretch = 1;
+  /// Strips do not follow such outlines: one regular lattice over all of them.
+  bool lattice = false;
 };
 
 class AutomaticFrames final : public FrameMaker {
@@ -60,10 +65,8 @@ class AutomaticFrames final : public FrameMaker {
         return Status::inaccurate;
       }
     }
-    if (!at_bounds_) return Status::ok;
-    contact.log(LogLevel::warning,
-                "frames: the contact reaches the end of the grid of the gap: give a larger one, or +infinity where a "
-                "body ends (rollcon_contact_set_gap_grid)");
+    if (!beyond_bounds_) return Status::ok;
+    contact.log(LogLevel::warning, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
 
@@ -90,27 +93,31 @@ class AutomaticFrames final : public FrameMaker {
     if (const auto quadratic = scene.quadratic_gap()) {
       shape_.outline.clear();
       shape_.place = find_place(contact, {(*quadratic)[0], (*quadratic)[1], (*quadratic)[2]});
-      at_bounds_ = false;
+      beyond_bounds_ = nullptr;
       return;
     }
-    const HeightGrid* const grid = scene.gap_grid();
-    if (!grid)
+    gap_ = contact.gap_between_nodes();
+    if (!gap_)
       fail(Status::err_state,
            "no frame was given: the library makes one where the gap is known between nodes, too "
-           "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid); else call "
+           "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
            "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
-    const Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
+    Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
+    if (!scene.has_gap()) {
+      now.pose = scene.revision.pose;
+      now.axes = scene.revision.axes;
+    }
     if (!shape_.outline.empty() && now == found_) return;
-    const GridPlace& on = grid->place();
-    const Patches patches = search_.find(contact, {[grid](double x, double y) { return (*grid)(x, y); },
-                                                   {on.x_least, on.x_greatest, on.y_least, on.y_greatest},
-                                                   now.modulus,
-                                                   normal.how == How::by_force,
-                                                   normal.value});
+    const Patches patches =
+        search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(), now.modulus,
+                               normal.how == How::by_force, normal.value});
     shape_.outline = patches.outline;
+    constexpr double too_hollow = 0.1;
+    shape_.lattice = std::any_of(shape_.outline.begin(), shape_.outline.end(),
+                                 [](const Outline& outline) { return outline.hollow() > too_hollow; });
     shape_.stretch = usual_stretch;
-    at_bounds_ = patches.at_bounds;
+    beyond_bounds_ = patches.at_bounds ? gap_->beyond_bounds() : nullptr;
     found_ = now;
     ++shapes_;
   }
@@ -152,8 +159,16 @@ class AutomaticFrames final : public FrameMaker {
     if (status != Status::ok) return status;
     const Status below = coarse_->solve_on_frame();
     if (below != Status::ok) return below;
-    contact.extrapolate_from(*coarse_, shape_.outline.empty() ? 1 : 1 / (usual_stretch * usual_stretch));
+    contact.extrapolate_from(*coarse_, family());
     return status;
+  }
+
+  FrameFamily family() const {
+    if (shape_.outline.empty()) return {};
+    if (!shape_.lattice) return {2, 1 / (usual_stretch * usual_stretch), 0};
+    // Of contacts of wheels and rails, 12 to 96 intervals across: the outline's place among the nodes is chance.
+    constexpr double order = 1.5, off = 0.08;  // over intervals
+    return {order, 1, off / static_cast<double>(2 * levels[level_].across)};
   }
 
   void lay_frames(Scene& fine, Scene& coarse) {
@@ -164,6 +179,9 @@ class AutomaticFrames final : public FrameMaker {
       if (elliptic) {
         fine.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, 2 * l.across), 2 * l.along), shape_.place);
         coarse.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, l.across), l.along), shape_.place);
+      } else if (shape_.lattice) {
+        fine.set_made_frame(lattice_mesh(fine, 2 * l.along, 2 * l.across), false, false);
+        coarse.set_made_frame(lattice_mesh(coarse, l.along, l.across), false, false);
       } else {
         fine.set_made_frame(mesh_of_patches(fine, 2 * l.along, 2 * l.across), true, false);
         coarse.set_made_frame(mesh_of_patches(coarse, l.along, l.across), true, false);
@@ -181,22 +199,42 @@ class AutomaticFrames final : public FrameMaker {
     std::vector<std::vector<Strip>> patch;
     for (const Outline& outline : shape_.outline) {
       patch.push_back(outline.strips(across, shape_.stretch));
-      for (Strip& strip : patch.back()) cut_where_body_ends(scene, strip);
+      for (Strip& strip : patch.back()) cut_where_body_ends(strip);
     }
     return strips_mesh(scene.axes(), patch, along);
   }
 
+  /// With so many intervals over the smallest patch each way, and one more beyond all of them.
+  SurfaceMesh lattice_mesh(const Scene& scene, std::int64_t along, std::int64_t across) const {
+    Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    double hx = INFINITY, hy = INFINITY;
+    for (const Outline& outline : shape_.outline) {
+      const Rectangle b = outline.box();
+      all = {std::min(all.x_least, b.x_least), std::max(all.x_greatest, b.x_greatest), std::min(all.y_least, b.y_least),
+             std::max(all.y_greatest, b.y_greatest)};
+      hx = std::min(hx, (b.x_greatest - b.x_least) / static_cast<double>(along));
+      hy = std::min(hy, (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across)));
+    }
+    const double x = 0.5 * (all.x_greatest + all.x_least), y = 0.5 * (all.y_greatest + all.y_least);
+    const double length = 0.5 * shape_.stretch * (all.x_greatest - all.x_least),
+                 width = 0.5 * shape_.stretch * (all.y_greatest - all.y_least);
+    const auto nx = std::llround(2 * length / hx), ny = std::llround(2 * width / hy);
+    const double more_x = 1 + 2 / static_cast<double>(nx), more_y = 1 + 2 / static_cast<double>(ny);
+    return rectangle_mesh(scene.axes(), ElementType::quad4, nx + 2, ny + 2,
+                          {x - more_x * length, x + more_x * length, y - more_y * width, y + more_y * width});
+  }
+
   /// Strips that would end a little before or beyond where a body does end there.
-  static void cut_where_body_ends(const Scene& scene, Strip& strip) {
-    const HeightGrid& grid = *scene.gap_grid();
+  void cut_where_body_ends(Strip& strip) const {
+    const KnownGap& gap = *gap_;
     const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
     constexpr int halvings = 50;
     for (double* const end : {&strip.from, &strip.to}) {
       double inside = middle, outside = *end + std::copysign(before, *end - middle);
-      if (std::isfinite(grid(outside, strip.y)) || !std::isfinite(grid(inside, strip.y))) continue;
+      if (std::isfinite(gap(outside, strip.y)) || !std::isfinite(gap(inside, strip.y))) continue;
       for (int i = 0; i < halvings; ++i) {
         const double x = 0.5 * (inside + outside);
-        (std::isfinite(grid(x, strip.y)) ? inside : outside) = x;
+        (std::isfinite(gap(x, strip.y)) ? inside : outside) = x;
       }
       *end = inside;
     }
@@ -211,6 +249,8 @@ class AutomaticFrames final : public FrameMaker {
     double modulus = 0;
     How how{};
     double value = 0;
+    std::array<std::int64_t, 2> pose{-1, -1};
+    std::int64_t axes = -1;
     bool operator==(const Found&) const = default;
   };
   struct Made {
@@ -223,7 +263,8 @@ class AutomaticFrames final : public FrameMaker {
   PatchSearch search_;
   Shape shape_;
   Found found_;
-  bool at_bounds_ = false;
+  std::unique_ptr<KnownGap> gap_;  ///< of the scene being solved
+  const char* beyond_bounds_ = nullptr;  ///< what to tell
   std::int64_t shapes_ = 0;            ///< found so far
   std::size_t level_ = levels.size();  ///< none yet
   double asked_ = 0;

@@ -73,6 +73,8 @@ class Edges {
           open.pop_back();
           least = {std::min(least[0], i), std::min(least[1], j)};
           greatest = {std::max(greatest[0], i), std::max(greatest[1], j)};
+          edge.load.push_back(
+              {lattice_.point(static_cast<double>(i), static_cast<double>(j)).y, pressure_[number(i, j)]});
           for (std::int64_t dj = -1 - bridge; dj <= 1 + bridge; ++dj)
             for (std::int64_t di = -1 - bridge; di <= 1 + bridge; ++di)
               if (touches(i + di, j + dj) && patch_of_[number(i + di, j + dj)] < 0) {
@@ -124,6 +126,11 @@ class Edges {
 };
 
 }  // namespace
+
+EdgePoint SearchGrid::cell() const {
+  const double c = std::abs(std::cos(angle)), s = std::abs(std::sin(angle));
+  return {std::max(c * spacing_along(), s * spacing_across()), std::max(s * spacing_along(), c * spacing_across())};
+}
 
 EdgePoint SearchGrid::point(double i, double j) const {
   const double u = (2 * i / static_cast<double>(intervals) - 1) * half_length,

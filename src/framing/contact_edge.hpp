@@ -20,6 +20,8 @@ struct SearchGrid {
   std::int64_t lines() const { return intervals + 1; }
   double spacing_along() const { return 2 * half_length / static_cast<double>(intervals); }
   double spacing_across() const { return 2 * half_width / static_cast<double>(intervals); }
+  /// Extent of an interval along x and y.
+  EdgePoint cell() const;
   /// Of fractions of intervals, too.
   EdgePoint point(double i, double j) const;
 };
@@ -27,6 +29,7 @@ struct SearchGrid {
 /// Of one connected part of the contact, or of several that lie close to each other.
 struct PatchEdge {
   std::vector<EdgePoint> point;
+  std::vector<LoadAt> load;  ///< of the nodes in contact
   /// Nodes in contact from the first to the last, the least of both directions.
   std::int64_t least_nodes_across = 0;
 };

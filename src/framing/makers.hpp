@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/scene/scene.hpp"
+#include "geometry/rectangle.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
@@ -28,10 +29,6 @@ FramePlace place_of_disc(double semi1, double semi2, double angle);
 /// across + 1 strips of an ellipse with these semi-axes, the first at `angle` (radian) from t1, at the heights h cos(pi
 /// j / across) from its centre.
 std::vector<Strip> strips_of_ellipse(double semi1, double semi2, double angle, std::int64_t across);
-
-struct Rectangle {
-  double x_least, x_greatest, y_least, y_greatest;
-};
 
 /// nx by ny elements of one size; triangles halve quadrilaterals along alternating diagonals. Nodes line by line from
 /// the least y. Any type.

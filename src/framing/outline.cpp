@@ -96,7 +96,7 @@ static double shape(double height, bool line_below, bool line_above) {
   return std::sqrt((line_below ? 1 : std::max(0.0, 1 + height)) * (line_above ? 1 : std::max(0.0, 1 - height)));
 }
 
-Outline::Outline(std::span<const EdgePoint> point, double cell) {
+Outline::Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load, const EdgePoint& cell) {
   // Nearer to the ends points say little about the length of strips.
   constexpr double least_shape = 0.2;
   find_end(point, 0);
@@ -121,11 +121,11 @@ Outline::Outline(std::span<const EdgePoint> point, double cell) {
   for (Side& side : side_) {
     Side outer;
     for (std::size_t i = 0; i < side.angle.size(); ++i) {
-      const double factor = std::sqrt(side.weight[i]), beside = 1.5 * cell / (half_height_ * std::max(factor, 0.3));
+      const double factor = std::sqrt(side.weight[i]), beside = 1.5 * cell.y / (half_height_ * std::max(factor, 0.3));
       bool inside = false;
       for (std::size_t j = 0; j < side.angle.size() && !inside; ++j)
         inside =
-            std::abs(side.angle[j] - side.angle[i]) <= beside && (side.reach[j] - side.reach[i]) * factor > 2 * cell;
+            std::abs(side.angle[j] - side.angle[i]) <= beside && (side.reach[j] - side.reach[i]) * factor > 2 * cell.x;
       if (inside) continue;
       outer.angle.push_back(side.angle[i]);
       outer.reach.push_back(side.reach[i]);
@@ -133,6 +133,72 @@ Outline::Outline(std::span<const EdgePoint> point, double cell) {
     }
     side = std::move(outer);
   }
+  find_density(load, cell.y);
+}
+
+// Between strips tractions are linear: what that misses grows with the second derivative of the load over y. Steps that
+// go with its third root, here over that of an ellipse, miss least.
+void Outline::find_density(std::span<const LoadAt> load, double cell) {
+  constexpr int steps = 64;
+  constexpr double most = 6, slack = 1.3;  // which lattices leave of ellipses
+  const double width = std::max(cell, half_height_ / 24);  // of what is taken together
+  const auto near = [&](double y) {
+    double sum = 0;
+    for (const LoadAt& l : load) sum += l.load * std::max(0.0, 1 - std::abs(l.y - y) / width);
+    return sum;
+  };
+  double greatest = 0;
+  for (int i = 1; i < steps; ++i) greatest = std::max(greatest, near(y_middle_ + half_height_ * (2.0 * i / steps - 1)));
+  if (!(greatest > 0) || half_height_ < 4 * width) return;
+  std::vector<double> density(steps + 1);
+  for (int i = 0; i <= steps; ++i) {
+    // The load ends with a slope: beside the ends it is taken as a little inside.
+    const double inside = half_height_ - 2 * width;
+    const double y = y_middle_ + std::clamp(half_height_ * std::cos(pi * i / steps), -inside, inside);
+    const double turn = (near(y + width) - 2 * near(y) + near(y - width)) / (width * width);
+    density[at(i)] =
+        std::clamp(std::cbrt(0.5 * std::abs(turn) * half_height_ * half_height_ / greatest) / slack, 1.0, most);
+  }
+  passed_.assign(1, 0);
+  for (int i = 0; i < steps; ++i) {
+    const auto beside = [&](int k) { return density[at(std::clamp(k, 0, steps))]; };
+    passed_.push_back(passed_.back() + (beside(i - 1) + beside(i) + beside(i + 1) + beside(i + 2)) / (4 * steps));
+  }
+}
+
+Rectangle Outline::box() const {
+  constexpr int steps = 64;
+  Rectangle box{INFINITY, -INFINITY, end_[0].y, end_[1].y};
+  for (const Strip& s : strips(steps, 1)) {
+    box.x_least = std::min(box.x_least, s.from);
+    box.x_greatest = std::max(box.x_greatest, s.to);
+  }
+  return box;
+}
+
+double Outline::hollow() const {
+  constexpr int steps = 32;
+  const std::vector<Strip> all = strips(steps, 1);
+  const auto reach = [&](std::size_t i) { return all[i].to - all[i].from; };
+  double longest = 0, deepest = 0;
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    longest = std::max(longest, reach(j));
+    for (std::size_t i = 0; i < j; ++i)
+      for (std::size_t k = j + 1; k < all.size(); ++k) {
+        const double part = (all[j].y - all[i].y) / (all[k].y - all[i].y);
+        deepest = std::max(deepest, (1 - part) * reach(i) + part * reach(k) - reach(j));
+      }
+  }
+  return longest > 0 ? deepest / longest : 0;
+}
+
+double Outline::angle_of(double part) const {
+  if (passed_.empty()) return pi * part;
+  const double wanted = part * passed_.back();
+  const auto above = std::upper_bound(passed_.begin() + 1, passed_.end() - 1, wanted);
+  const double before = *(above - 1), step = *above - before;
+  return pi * (static_cast<double>(above - passed_.begin()) - 1 + (wanted - before) / step) /
+         static_cast<double>(passed_.size() - 1);
 }
 
 // Straight line by least squares through the points nearest to the angle.
@@ -164,14 +230,15 @@ double Outline::reach(const Side& side, double angle) const {
 
 std::vector<Strip> Outline::strips(std::int64_t across, double stretch) const {
   std::vector<Strip> strip;
-  for (std::int64_t j = across; j >= 0; --j) {
-    const double angle = pi * static_cast<double>(j) / static_cast<double>(across);
+  const double more = passed_.empty() ? 1 : passed_.back();
+  const auto last = 2 * std::llround(0.5 * more * static_cast<double>(across));
+  for (std::int64_t j = last; j >= 0; --j) {
+    const double angle = angle_of(static_cast<double>(j) / static_cast<double>(last));
     // cos of the mirror image is the same to the last digit.
-    const double height = 2 * j > across ? -std::cos(pi - angle) : std::cos(angle);
+    const double height = angle > 0.5 * pi ? -std::cos(pi - angle) : std::cos(angle);
     const End& end = end_[height < 0 ? 0 : 1];
     const double y = y_middle_ + half_height_ * height * (end.ends_body ? 1 : stretch);
-    const double factor =
-        (2 * j == across || end.line || (j > 0 && j < across)) ? shape(height, end_[0].line, end_[1].line) : 0;
+    const double factor = end.line || (j > 0 && j < last) ? shape(height, end_[0].line, end_[1].line) : 0;
     const double x = middle(y);
     strip.push_back({y, x - stretch * factor * reach(side_[0], angle), x + stretch * factor * reach(side_[1], angle)});
   }

@@ -16,18 +16,30 @@ struct EdgePoint {
   bool ends_body = false;
 };
 
+/// Part of a patch's load that acts at y.
+struct LoadAt {
+  double y = 0, load = 0;
+};
+
 class Outline {
  public:
   /// Of one patch, from points all around it, in any order, each off by up to a few parts in a hundred of the patch's
   /// size. Along the rolling direction the outermost ones count: strips cover what is not in contact between them.
-  /// cell: distance up to which points are beside each other. At least four points.
-  Outline(std::span<const EdgePoint> point, double cell);
+  /// cell: distances along x and y up to which points are beside each other. At least four points. load: strips lie
+  /// closer where its density along y turns more than that of an ellipse.
+  Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load, const EdgePoint& cell);
   /// A circle.
   Outline(double x, double y, double radius);
 
-  /// across + 1 strips from side to side, closer to each other near the sides. stretch: of the outline, about its
-  /// middle, except where a body ends.
+  /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides; twice
+  /// as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
   std::vector<Strip> strips(std::int64_t across, double stretch) const;
+  Rectangle box() const;
+  /// How much shorter a strip is than the straight lines between the ends of two others are there, over the longest
+  /// strip: 0 where the outline is convex and the strips' middles lie on a line.
+  double hollow() const;
+  /// How many strips more than an ellipse the outline gets; 1: as many.
+  double more_strips() const { return passed_.empty() ? 1 : passed_.back(); }
 
  private:
   /// Half lengths of strips, of an ellipse of height 1, over angles from the upper end to the lower end.
@@ -37,6 +49,9 @@ class Outline {
   double reach(const Side& side, double angle) const;
   double middle(double y) const { return x_middle_ + slant_ * (y - y_middle_); }
   void find_end(std::span<const EdgePoint> point, int which);
+  void find_density(std::span<const LoadAt> load, double cell);
+  /// Angle of a strip whose number is this part of all.
+  double angle_of(double part) const;
 
   double x_middle_ = 0, y_middle_ = 0, half_height_ = 0, slant_ = 0;
   std::array<Side, 2> side_;  ///< against and along the rolling direction
@@ -46,6 +61,9 @@ class Outline {
     bool line = false, ends_body = false;
   };
   std::array<End, 2> end_;
+  /// Strips that an ellipse would have from the upper end to equal steps of the angle, over all that it has; empty: as
+  /// many as angle.
+  std::vector<double> passed_;
 };
 
 }  // namespace rollcon

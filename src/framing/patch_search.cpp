@@ -196,13 +196,13 @@ Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
     lattice = next;
     lay(lattice, scene);
   }
-  const double cell = std::max(lattice_.spacing_along(), lattice_.spacing_across());
+  const EdgePoint cell = lattice_.cell();
   for (const PatchEdge& e : edge)
     if (e.point.size() >= 4) {
-      found.outline.emplace_back(e.point, cell);
+      found.outline.emplace_back(e.point, e.load, cell);
       for (const EdgePoint& p : e.point) {
         const Rectangle& b = scene.bounds;
-        const double rounding = 1e-6 * cell;
+        const double rounding = 1e-6 * std::max(cell.x, cell.y);
         found.at_bounds = found.at_bounds || p.x < b.x_least + rounding || p.x > b.x_greatest - rounding ||
                           p.y < b.y_least + rounding || p.y > b.y_greatest - rounding;
       }
@@ -211,7 +211,7 @@ Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
     const auto nearest = std::min_element(gap_.begin(), gap_.end()) - gap_.begin();
     const auto row = nearest / lattice_.lines();
     const EdgePoint p = lattice_.point(static_cast<double>(nearest - row * lattice_.lines()), static_cast<double>(row));
-    found.outline.emplace_back(p.x, p.y, cell);
+    found.outline.emplace_back(p.x, p.y, std::max(cell.x, cell.y));
   }
   return found;
 }

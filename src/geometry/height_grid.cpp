@@ -129,13 +129,6 @@ bool HeightGrid::ends_at(double x, double y) const {
   return false;
 }
 
-double HeightGrid::greatest() const {
-  double greatest = -std::numeric_limits<double>::infinity();
-  for (const Point& p : point_)
-    if (std::isfinite(p.f)) greatest = std::max(greatest, p.f);
-  return std::isfinite(greatest) ? greatest : 0;
-}
-
 bool HeightGrid::same_as(const GridPlace& place, const double* value) const {
   if (!(place == place_)) return false;
   for (std::size_t k = 0; k < point_.size(); ++k)

@@ -25,8 +25,6 @@ class HeightGrid {
   double operator()(double x, double y) const;
   /// Whether a cell without a surface, on the grid, touches the point.
   bool ends_at(double x, double y) const;
-  /// The greatest finite value; 0: there is none.
-  double greatest() const;
   bool same_as(const GridPlace& place, const double* value) const;
 
  private:

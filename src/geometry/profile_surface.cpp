@@ -123,6 +123,18 @@ Vec3 ExtrudedProfile::nearest(const Vec3& point) const {
   return origin_ + x[0] * y_ + x[1] * z_ + dot(r, along_) * along_;
 }
 
+std::array<double, 2> ExtrudedProfile::extent(const Vec3& direction) const {
+  constexpr double along = 1e-9;
+  if (std::abs(dot(direction, along_)) > along) return Surface::extent(direction);
+  const double a = dot(direction, y_), b = dot(direction, z_), from = dot(direction, origin_);
+  std::array<double, 2> range{INFINITY, -INFINITY};
+  for (const ProfileInterval& part : curve_->intervals())
+    for (const double y : {part.box.low[0], part.box.high[0]})
+      for (const double z : {part.box.low[1], part.box.high[1]})
+        range = {std::min(range[0], from + a * y + b * z), std::max(range[1], from + a * y + b * z)};
+  return range;
+}
+
 std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, const Vec3& direction) const {
   const Vec3 r = from - origin_;
   LineAboutAxis line{};
@@ -169,6 +181,17 @@ std::optional<Vec3> RevolvedProfile::normal(const Vec3& from, const Vec3& direct
   if (!hit) return std::nullopt;
   const Vec2 n = normal_of(hit->point);
   return towards(facing, n[0] * axis_ + n[1] * outward(from + hit->t * direction));
+}
+
+std::array<double, 2> RevolvedProfile::extent(const Vec3& direction) const {
+  const double a = dot(direction, axis_), out = length(direction - a * axis_), from = dot(direction, origin_);
+  std::array<double, 2> range{INFINITY, -INFINITY};
+  for (const ProfileInterval& part : curve_->intervals()) {
+    const double r = out * (radius_ + part.box.high[1]);
+    for (const double y : {part.box.low[0], part.box.high[0]})
+      range = {std::min(range[0], from + a * y - r), std::max(range[1], from + a * y + r)};
+  }
+  return range;
 }
 
 Vec3 RevolvedProfile::nearest(const Vec3& point) const {

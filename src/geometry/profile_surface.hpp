@@ -19,6 +19,8 @@ class ExtrudedProfile final : public Surface {
   std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   Vec3 nearest(const Vec3& point) const override;
+  std::array<double, 2> extent(const Vec3& direction) const override;
+  std::optional<Vec3> endless() const override { return along_; }
 
  private:
   struct Hit {
@@ -41,6 +43,7 @@ class RevolvedProfile final : public Surface {
   std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   Vec3 nearest(const Vec3& point) const override;
+  std::array<double, 2> extent(const Vec3& direction) const override;
 
  private:
   struct Hit {

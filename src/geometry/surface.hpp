@@ -1,6 +1,8 @@
 #pragma once
 /// Surfaces that a line can hit: where bodies are before they deform. A kind of surface is one file of this folder.
 
+#include <array>
+#include <limits>
 #include <optional>
 
 #include "mesh/vec3.hpp"
@@ -17,7 +19,16 @@ class Surface {
   /// Outward unit normal there.
   virtual std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
   virtual Vec3 nearest(const Vec3& point) const = 0;
+  /// Least and greatest coordinate along a unit vector, infinite where the surface has no end. Not less than what is
+  /// there.
+  virtual std::array<double, 2> extent(const Vec3& direction) const;
+  /// Direction in which the surface is the same without end, if there is one.
+  virtual std::optional<Vec3> endless() const { return std::nullopt; }
 };
+
+inline std::array<double, 2> Surface::extent(const Vec3&) const {
+  return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+}
 
 class Plane final : public Surface {
  public:

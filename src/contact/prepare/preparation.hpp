@@ -47,9 +47,9 @@ struct Preparation {
   std::shared_ptr<DenseOperators> dense = std::make_shared<DenseOperators>();
   Revision mesh = -1;  ///< of the frame
   /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there
-  Stage<Revision, Revision, Revision, Poses, Revision> frame;
+  Stage<Revision, Revision, Revision, Poses, Poses> frame;
   Stage<Revision, Revision> place;       ///< frame, revision
-  Stage<Revision, Poses, Revision> rim;  ///< frame, poses of bodies with a mesh, grid of the gap
+  Stage<Revision, Poses, Poses> rim;     ///< frame, poses of bodies with a mesh, where the gap ends
   Stage<Revision, double> compliance;    ///< frame, accuracy
   Stage<Revision, Scheme> convection;    ///< compliance, scheme
   Stage<Revision> offset;                ///< convection

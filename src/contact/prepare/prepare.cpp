@@ -32,6 +32,11 @@ Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
   return poses;
 }
 
+// What changes where a body ends over a frame, as far as gaps tell.
+Poses where_gap_ends(const Scene& scene, const PairOfBodies& pair) {
+  return scene.has_gap() ? Poses{scene.revision.gap, -1} : poses_of_surfaces(scene, pair);
+}
+
 // That of a rigid body which neither carries the frame nor gives its normals changes the gap alone.
 Poses poses_of_frame(const Scene& scene, const PairOfBodies& pair) {
   Poses poses = poses_of_meshes(scene, pair);
@@ -105,7 +110,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   Prepared& on = *preparation.made;
   const auto placed = follows_its_place(on.pair) ? 0 : scene.revision.place;
   // Nodes at which a body ends carry tractions.
-  const auto ends = scene.ends_at_edge() && scene.gap_grid() ? scene.revision.gap : -1;
+  const std::unique_ptr<KnownGap> known = known_gap(scene, on.pair);
+  const Poses ends = scene.ends_at_edge() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends)) {
     refuse_too_many_nodes(state, scene.mesh());
     ++state.work.frames;
@@ -113,7 +119,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     on.frame_source = present_source(scene, on.pair);
     on.ends_at_edge = scene.ends_at_edge();
     if (on.ends_at_edge) {
-      find_rim(frame, on.pair, scene.gap_grid());
+      find_rim(frame, on.pair, known.get());
       for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
     }
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
@@ -134,8 +140,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   }
   if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(state, scene);
   const bool moved = preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair),
-                                           scene.gap_grid() ? scene.revision.gap : -1);
-  if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, scene.gap_grid());
+                                           known ? where_gap_ends(scene, on.pair) : Poses{-1, -1});
+  if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, known.get());
 }
 
 void build_compliance(SolverState& state, const Scene& scene, int threads) {
@@ -259,6 +265,21 @@ void set_datum(SolverState& state) {
   p.datum = datum;
 }
 
+// Frames made by the library cover holes of a body: nothing touches there.
+std::vector<double> gap_of_made_frame(const Frame& frame, const KnownGap& known) {
+  std::vector<double> gap(frame.x.size());
+  double greatest = 0;
+  for (std::size_t k = 0; k < gap.size(); ++k) {
+    gap[k] = known(frame.x[k], frame.y[k]);
+    if (std::isfinite(gap[k])) greatest = std::max(greatest, gap[k]);
+  }
+  const Rectangle all = known.bounds();
+  const double far = greatest + 100 * (all.x_greatest - all.x_least + all.y_greatest - all.y_least);
+  for (double& g : gap)
+    if (!std::isfinite(g)) g = far;
+  return gap;
+}
+
 void read_gap(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
@@ -268,7 +289,10 @@ void read_gap(SolverState& state, const Scene& scene) {
     return;
   ++state.work.gaps;
   Problem& p = on.problem;
-  if (measured) {
+  const std::unique_ptr<KnownGap> known = scene.frame_given() ? nullptr : known_gap(scene, on.pair);
+  if (known) {
+    p.gap = gap_of_made_frame(on.frame, *known);
+  } else if (measured) {
     p.gap = undeformed_gap(on.frame, on.frame_source, on.pair);
     refuse_deep_overlap(on.frame, p.gap, on.pair);
   } else {

@@ -11,9 +11,6 @@
 namespace rollcon {
 namespace {
 
-// Errors of frames that end at the contact's edge are of second order: halving leaves a quarter.
-constexpr double left_over = 1.0 / 3;
-
 struct Results {
   Vec3 force{}, moment{};
   std::array<double, 4> motion{};
@@ -38,7 +35,8 @@ Results results_of(const SolverState& s) {
   return r;
 }
 
-double beyond(double fine, double coarse) {
+// left_over: part of the difference by which the finer frame is off.
+double beyond(double fine, double coarse, double left_over) {
   return fine + left_over * (fine - coarse);
 }
 
@@ -48,27 +46,31 @@ double relative(double part, double whole) {
 
 }  // namespace
 
-Rates beyond(const Rates& fine, const Rates& coarse) {
+Rates beyond(const SolverState& state, const Rates& fine, const Rates& coarse) {
+  const double left_over = state.extrapolated->left_over;
   Rates r;
   for (std::size_t i = 0; i < 3; ++i) {
-    r.force[i] = beyond(fine.force[i], coarse.force[i]);
-    r.moment[i] = beyond(fine.moment[i], coarse.moment[i]);
+    r.force[i] = beyond(fine.force[i], coarse.force[i], left_over);
+    r.moment[i] = beyond(fine.moment[i], coarse.moment[i], left_over);
   }
-  for (std::size_t m = 0; m < 4; ++m) r.motion[m] = beyond(fine.motion[m], coarse.motion[m]);
+  for (std::size_t m = 0; m < 4; ++m) r.motion[m] = beyond(fine.motion[m], coarse.motion[m], left_over);
   return r;
 }
 
-void extrapolate(SolverState& fine, const SolverState& coarse) {
+void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily& family) {
   const Results f = results_of(fine), c = results_of(coarse);
+  // Halving leaves a quarter of errors of second order.
+  const double left_over = 1 / (std::exp2(family.order) - 1);
   Extrapolated e;
+  e.left_over = left_over;
   for (std::size_t i = 0; i < 3; ++i) {
-    e.force[i] = beyond(f.force[i], c.force[i]);
-    e.moment[i] = beyond(f.moment[i], c.moment[i]);
+    e.force[i] = beyond(f.force[i], c.force[i], left_over);
+    e.moment[i] = beyond(f.moment[i], c.moment[i], left_over);
   }
-  for (std::size_t m = 0; m < 4; ++m) e.motion[m] = beyond(f.motion[m], c.motion[m]);
-  e.area = beyond(f.area, c.area);
+  for (std::size_t m = 0; m < 4; ++m) e.motion[m] = beyond(f.motion[m], c.motion[m], left_over);
+  e.area = family.cover * beyond(f.area, c.area, left_over);
   // Friction's bound holds for both; what lies beyond both of them may pass it by the error of either.
-  const double bound = beyond(f.friction, c.friction), force = std::hypot(e.force[0], e.force[1]);
+  const double bound = beyond(f.friction, c.friction, left_over), force = std::hypot(e.force[0], e.force[1]);
   if (fine.prepared->problem.turn.empty() && force > bound)
     for (std::size_t i = 0; i < 2; ++i) e.force[i] *= bound / force;
   fine.extrapolated = e;
@@ -93,6 +95,8 @@ void extrapolate(SolverState& fine, const SolverState& coarse) {
       estimate.tangential = std::max(estimate.tangential, relative(motion_off, motion));
     }
   }
+  estimate.normal = std::max(estimate.normal, family.least_error);
+  if (!fine.frictionless) estimate.tangential = std::max(estimate.tangential, family.least_error);
   estimate.tractions = relative(off(f.friction, c.friction) + off(f.carried, c.carried), f.friction + f.carried);
   fine.error_estimate = estimate;
 }

@@ -7,10 +7,17 @@ namespace rollcon {
 struct Rates;
 struct SolverState;
 
+/// What is known of frames of one family.
+struct FrameFamily {
+  double order = 2;        ///< of errors over the size of the intervals
+  double cover = 1;        ///< what the contact is of the area of frames that were made too large
+  double least_error = 0;  ///< where two frames may agree by chance
+};
+
 /// Both are solved and converged. Fills fine.extrapolated and the error estimate: what finer and extrapolated results
 /// differ by.
-/// Of results that depend on a parameter.
-Rates beyond(const Rates& fine, const Rates& coarse);
-void extrapolate(SolverState& fine, const SolverState& coarse);
+void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily& family);
+/// Of results of both that depend on a parameter.
+Rates beyond(const SolverState& fine, const Rates& of_fine, const Rates& of_coarse);
 
 }  // namespace rollcon

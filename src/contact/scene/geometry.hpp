@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bodies/contact_surface.hpp"
+#include "contact/scene/known_gap.hpp"
 #include "contact/scene/scene.hpp"
 #include "mesh/frame.hpp"
 
@@ -37,6 +38,6 @@ void refuse_deep_overlap(const Frame& frame, const std::vector<double>& gap, con
 
 /// Nodes at which the frame cuts the contact off: those on its boundary, but for nodes on an edge of either body beyond
 /// which the body does not go on, or only too steeply for a frame, or at which the gap says so (null: it does not).
-void find_rim(Frame& frame, const PairOfBodies& pair, const HeightGrid* gap);
+void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap);
 
 }  // namespace rollcon

@@ -107,10 +107,10 @@ class BodyEdges {
 
 }  // namespace
 
-void find_rim(Frame& frame, const PairOfBodies& pair, const HeightGrid* gap) {
+void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap) {
   frame.rim = rim_nodes(frame.nodes(), sorted_sides(split_elements(frame.mesh)));
   for (std::size_t k = 0; gap && k < frame.rim.size(); ++k)
-    if (frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k])) frame.rim[k] = 0;
+    if (frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k], element_size(frame, k))) frame.rim[k] = 0;
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     const Pose& pose = pair.pose[at(b)];

@@ -94,11 +94,6 @@ double Scene::gap(std::int64_t k, double x, double y) const {
   if (gap_kind_ == GapKind::grid) {
     const double gap = (*gap_grid_)(x, y);
     if (std::isfinite(gap)) return gap;
-    // Frames made by the library cover holes of a body: nothing touches there.
-    if (!frame_given_) {
-      const GridPlace& place = gap_grid_->place();
-      return gap_grid_->greatest() + 100 * (place.x_greatest - place.x_least + place.y_greatest - place.y_least);
-    }
     fail(Status::err_argument,
          "frame node %lld (counting from %d) at (%g, %g) lies where the grid of the gap ends "
          "or is infinite",

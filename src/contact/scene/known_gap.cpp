@@ -1,0 +1,146 @@
+#include "contact/scene/known_gap.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "geometry/surface.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+class GapOnGrid final : public KnownGap {
+ public:
+  explicit GapOnGrid(const HeightGrid& grid) : grid_(grid) {}
+
+  double operator()(double x, double y) const override { return grid_(x, y); }
+  bool ends_at(double x, double y, double) const override { return grid_.ends_at(x, y); }
+  Rectangle bounds() const override {
+    const GridPlace& on = grid_.place();
+    return {on.x_least, on.x_greatest, on.y_least, on.y_greatest};
+  }
+  const char* beyond_bounds() const override {
+    return "the contact reaches the end of the grid of the gap: give a larger one, or +infinity where a body ends "
+           "(rollcon_contact_set_gap_grid)";
+  }
+
+ private:
+  const HeightGrid& grid_;
+};
+
+/// low <= along . (x, y) <= high.
+struct Between {
+  std::array<double, 2> along{};
+  double low = 0, high = 0;
+
+  double at(const std::array<double, 2>& p) const { return along[0] * p[0] + along[1] * p[1]; }
+};
+
+/// Of two bodies without a mesh, one of which has a profile at least.
+class GapOfSurfaces final : public KnownGap {
+ public:
+  GapOfSurfaces(const Axes& axes, const PairOfBodies& pair) : axes_(axes), pair_(pair) {}
+
+  double operator()(double x, double y) const override {
+    const Vec3 point = plane_point(axes_, x, y);
+    double gap = 0;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Surface* const surface = pair_.body[b]->surface();
+      if (!surface) continue;  // the axes' plane
+      const Pose& pose = pair_.pose[b];
+      const Vec3 direction = pose.turn_back(axes_.n);
+      const auto met = surface->distance(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction);
+      if (!met) return INFINITY;
+      gap += b == 0 ? -*met : *met;
+    }
+    return gap;
+  }
+
+  // An edge, whatever its direction, is passed by one of the diagonals.
+  bool ends_at(double x, double y, double size) const override {
+    const double beside = 1e-6 * size;
+    for (const double sx : {-beside, beside})
+      for (const double sy : {-beside, beside})
+        if (!std::isfinite((*this)(x + sx, y + sy))) return true;
+    return false;
+  }
+
+  // The box about the corners of what lies between all pairs of parallel lines that bound a body.
+  Rectangle bounds() const override {
+    const std::vector<Between> all = lines();
+    constexpr double rounding = 1e-9, parallel = 1e-9;
+    double size = 0;
+    for (const Between& l : all) size = std::max({size, std::abs(l.low), std::abs(l.high)});
+    Rectangle box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    bool crossing = false;
+    for (const Between& l : all)
+      for (const Between& m : all) {
+        const double sine = l.along[0] * m.along[1] - l.along[1] * m.along[0];
+        if (!(sine > parallel)) continue;
+        crossing = true;
+        for (const double a : {l.low, l.high})
+          for (const double b : {m.low, m.high}) {
+            const std::array p{(a * m.along[1] - b * l.along[1]) / sine, (b * l.along[0] - a * m.along[0]) / sine};
+            if (!std::all_of(all.begin(), all.end(), [&](const Between& k) {
+                  return k.at(p) >= k.low - rounding * size && k.at(p) <= k.high + rounding * size;
+                }))
+              continue;
+            box = {std::min(box.x_least, p[0]), std::max(box.x_greatest, p[0]), std::min(box.y_least, p[1]),
+                   std::max(box.y_greatest, p[1])};
+          }
+      }
+    if (!crossing)
+      fail(Status::err_state,
+           "no frame was given, and the bodies go on without end along one direction: the library makes frames where a "
+           "profile is revolved, or where two extruded ones cross; else call a maker of frames");
+    if (!(box.x_least < box.x_greatest && box.y_least < box.y_greatest))
+      fail(Status::err_state,
+           "no frame was given, and seen along the normal of the axes no part of one body lies over the other: check "
+           "profiles, poses (rollcon_contact_set_pose) and axes (rollcon_contact_set_axes)");
+    return box;
+  }
+
+  const char* beyond_bounds() const override { return nullptr; }
+
+ private:
+  std::vector<Between> lines() const {
+    std::vector<Between> all;
+    for (std::size_t b = 0; b < 2; ++b) {
+      const Surface* const surface = pair_.body[b]->surface();
+      if (!surface) continue;
+      const Pose& pose = pair_.pose[b];
+      std::vector<std::array<double, 2>> along{{1, 0}, {0, 1}};
+      if (const auto endless = surface->endless()) {
+        const Vec3 e = pose.turn(*endless);
+        const std::array across{-dot(e, axes_.t2), dot(e, axes_.t1)};
+        const double length = std::hypot(across[0], across[1]);
+        if (!(length > 0)) continue;
+        along = {{across[0] / length, across[1] / length}};
+      }
+      for (const auto& a : along) {
+        const Vec3 direction = a[0] * axes_.t1 + a[1] * axes_.t2;
+        const auto [low, high] = surface->extent(pose.turn_back(direction));
+        const double shift = dot(pose.translation - axes_.origin, direction);
+        all.push_back({a, low + shift, high + shift});
+        all.push_back({{-a[0], -a[1]}, -high - shift, -low - shift});
+      }
+    }
+    return all;
+  }
+
+  const Axes& axes_;
+  PairOfBodies pair_;
+};
+
+}  // namespace
+
+std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair) {
+  if (const HeightGrid* const grid = scene.gap_grid()) return std::make_unique<GapOnGrid>(*grid);
+  if (scene.has_gap() || pair.body[0]->meshed() || pair.body[1]->meshed()) return nullptr;
+  if (!pair.body[0]->surface() && !pair.body[1]->surface()) return nullptr;
+  return std::make_unique<GapOfSurfaces>(scene.axes(), pair);
+}
+
+}  // namespace rollcon

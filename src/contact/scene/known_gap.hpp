@@ -1,0 +1,30 @@
+#pragma once
+/// The undeformed gap over the plane of the axes, where it is known between the nodes of a frame, too: given on a grid,
+/// or between profiles.
+
+#include <memory>
+
+#include "bodies/contact_surface.hpp"
+#include "contact/scene/scene.hpp"
+#include "geometry/rectangle.hpp"
+
+namespace rollcon {
+
+class KnownGap {
+ public:
+  virtual ~KnownGap() = default;
+  /// At a point of the axes' plane; +infinity where a body is not there.
+  virtual double operator()(double x, double y) const = 0;
+  /// Whether a body ends within rounding of the point; size: of what is finely resolved there.
+  virtual bool ends_at(double x, double y, double size) const = 0;
+  /// Beyond it nothing is known, or one of the bodies is not there. err_state: it has no end.
+  virtual Rectangle bounds() const = 0;
+  /// What to tell where a contact reaches the bounds; null: a body ends there.
+  virtual const char* beyond_bounds() const = 0;
+};
+
+/// Null: the gap is known at nodes alone, is that of two planes, a quadratic one, or that of a body with a mesh. It
+/// refers to scene and bodies.
+std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
+
+}  // namespace rollcon
