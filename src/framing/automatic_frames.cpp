@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "contact/results/extrapolation.hpp"
@@ -109,9 +111,8 @@ class AutomaticFrames final : public FrameMaker {
       now.axes = scene.revision.axes;
     }
     if (!shape_.outline.empty() && now == found_) return;
-    const Patches patches =
-        search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(), now.modulus,
-                               normal.how == How::by_force, normal.value});
+    const Patches patches = search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(),
+                                                   now.modulus, normal.how == How::by_force, normal.value});
     shape_.outline = patches.outline;
     constexpr double too_hollow = 0.1;
     shape_.lattice = std::any_of(shape_.outline.begin(), shape_.outline.end(),
@@ -204,7 +205,7 @@ class AutomaticFrames final : public FrameMaker {
     return strips_mesh(scene.axes(), patch, along);
   }
 
-  /// With so many intervals over the smallest patch each way, and one more beyond all of them.
+  /// With so many intervals over the smallest patch each way, and one more beyond all of them, up to where a body ends.
   SurfaceMesh lattice_mesh(const Scene& scene, std::int64_t along, std::int64_t across) const {
     Rectangle all{INFINITY, -INFINITY, INFINITY, -INFINITY};
     double hx = INFINITY, hy = INFINITY;
@@ -215,29 +216,40 @@ class AutomaticFrames final : public FrameMaker {
       hx = std::min(hx, (b.x_greatest - b.x_least) / static_cast<double>(along));
       hy = std::min(hy, (b.y_greatest - b.y_least) / (outline.more_strips() * static_cast<double>(across)));
     }
-    const double x = 0.5 * (all.x_greatest + all.x_least), y = 0.5 * (all.y_greatest + all.y_least);
-    const double length = 0.5 * shape_.stretch * (all.x_greatest - all.x_least),
-                 width = 0.5 * shape_.stretch * (all.y_greatest - all.y_least);
-    const auto nx = std::llround(2 * length / hx), ny = std::llround(2 * width / hy);
-    const double more_x = 1 + 2 / static_cast<double>(nx), more_y = 1 + 2 / static_cast<double>(ny);
-    return rectangle_mesh(scene.axes(), ElementType::quad4, nx + 2, ny + 2,
-                          {x - more_x * length, x + more_x * length, y - more_y * width, y + more_y * width});
+    const double x = 0.5 * (all.x_least + all.x_greatest), y = 0.5 * (all.y_least + all.y_greatest);
+    const auto nx = intervals(all.x_least, all.x_greatest, hx, [&](double at) { return (*gap_)(at, y); }),
+               ny = intervals(all.y_least, all.y_greatest, hy, [&](double at) { return (*gap_)(x, at); });
+    return rectangle_mesh(scene.axes(), ElementType::quad4, nx, ny, all);
+  }
+
+  /// Of a stretched range with one interval more on either side; where a body ends before, it ends there.
+  std::int64_t intervals(double& low, double& high, double size, const std::function<double(double)>& gap) const {
+    const double more = size + 0.5 * (shape_.stretch - 1) * (high - low), middle = 0.5 * (low + high);
+    // Ends of tilted bodies are slightly curved.
+    const double before = 1e-4 * size;
+    const auto first = end_of_body(gap, middle, low - more), last = end_of_body(gap, middle, high + more);
+    low = first ? *first + before : low - more;
+    high = last ? *last - before : high + more;
+    return std::max<std::int64_t>(std::llround((high - low) / size), 2);
+  }
+
+  /// Last place between both that has a gap; none if all have or if that inside has none.
+  static std::optional<double> end_of_body(const std::function<double(double)>& gap, double inside, double outside) {
+    constexpr int halvings = 50;
+    if (std::isfinite(gap(outside)) || !std::isfinite(gap(inside))) return std::nullopt;
+    for (int i = 0; i < halvings; ++i) {
+      const double x = 0.5 * (inside + outside);
+      (std::isfinite(gap(x)) ? inside : outside) = x;
+    }
+    return inside;
   }
 
   /// Strips that would end a little before or beyond where a body does end there.
   void cut_where_body_ends(Strip& strip) const {
-    const KnownGap& gap = *gap_;
     const double middle = 0.5 * (strip.from + strip.to), before = 0.05 * (strip.to - strip.from);
-    constexpr int halvings = 50;
-    for (double* const end : {&strip.from, &strip.to}) {
-      double inside = middle, outside = *end + std::copysign(before, *end - middle);
-      if (std::isfinite(gap(outside, strip.y)) || !std::isfinite(gap(inside, strip.y))) continue;
-      for (int i = 0; i < halvings; ++i) {
-        const double x = 0.5 * (inside + outside);
-        (std::isfinite(gap(x, strip.y)) ? inside : outside) = x;
-      }
-      *end = inside;
-    }
+    const auto gap = [&](double x) { return (*gap_)(x, strip.y); };
+    for (double* const end : {&strip.from, &strip.to})
+      *end = end_of_body(gap, middle, *end + std::copysign(before, *end - middle)).value_or(*end);
   }
 
   /// Outlines are too short by up to 3 parts in a thousand. Strips that are too short by 2 % cost 1.5 % of the force,
@@ -263,10 +275,10 @@ class AutomaticFrames final : public FrameMaker {
   PatchSearch search_;
   Shape shape_;
   Found found_;
-  std::unique_ptr<KnownGap> gap_;  ///< of the scene being solved
+  std::unique_ptr<KnownGap> gap_;        ///< of the scene being solved
   const char* beyond_bounds_ = nullptr;  ///< what to tell
-  std::int64_t shapes_ = 0;            ///< found so far
-  std::size_t level_ = levels.size();  ///< none yet
+  std::int64_t shapes_ = 0;              ///< found so far
+  std::size_t level_ = levels.size();    ///< none yet
   double asked_ = 0;
   Made made_;
   std::int64_t placed_on_ = -1;  ///< revision of the axes

@@ -14,6 +14,7 @@ namespace {
 struct Results {
   Vec3 force{}, moment{};
   std::array<double, 4> motion{};
+  double overlap = 0;  ///< approach from first touch on: unlike the approach, no matter of where gaps count from
   double area = 0;
   double carried = 0;   ///< integral of |tangential traction|
   double friction = 0;  ///< integral of friction's bound
@@ -25,6 +26,7 @@ Results results_of(const SolverState& s) {
   Results r;
   sum_tractions(p, s.prepared->frame, it.lambda, r.force, r.moment);
   r.motion = it.motion;
+  r.overlap = it.motion[approach];
   r.motion[approach] = s.given.approach_of(it.motion, p.datum);
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     if (!(it.lambda[2][k] < 0)) continue;
@@ -38,6 +40,11 @@ Results results_of(const SolverState& s) {
 // left_over: part of the difference by which the finer frame is off.
 double beyond(double fine, double coarse, double left_over) {
   return fine + left_over * (fine - coarse);
+}
+
+/// About the middle of the pressure (x, y), wherever the axes are.
+double spin_moment(const Results& r, double x, double y) {
+  return r.moment[2] - (x * r.force[1] - y * r.force[0]);
 }
 
 double relative(double part, double whole) {
@@ -79,12 +86,13 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
   const double length = std::sqrt(f.area / std::numbers::pi);
   const auto off = [&](double a, double b) { return std::abs(a - b) * left_over; };
   const double force_off = std::hypot(off(f.force[0], c.force[0]), off(f.force[1], c.force[1]));
-  const double moment_off = off(f.moment[2], c.moment[2]) / length;
   ErrorEstimate estimate;
   estimate.known = true;
   const double normal = std::abs(f.force[2]);
+  const double x = normal > 0 ? -f.moment[1] / f.force[2] : 0, y = normal > 0 ? f.moment[0] / f.force[2] : 0;
+  const double moment_off = off(spin_moment(f, x, y), spin_moment(c, x, y)) / length;
   estimate.normal = fine.given.by_force[approach]
-                        ? relative(1.5 * off(f.motion[approach], c.motion[approach]), std::abs(f.motion[approach]))
+                        ? relative(1.5 * off(f.motion[approach], c.motion[approach]), std::abs(f.overlap))
                         : relative(off(f.force[2], c.force[2]), normal);
   if (!fine.frictionless) {
     estimate.tangential = relative(std::max(force_off, moment_off), f.carried);

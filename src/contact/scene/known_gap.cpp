@@ -60,7 +60,7 @@ class GapOfSurfaces final : public KnownGap {
 
   // An edge, whatever its direction, is passed by one of the diagonals.
   bool ends_at(double x, double y, double size) const override {
-    const double beside = 1e-6 * size;
+    const double beside = 1e-3 * size;
     for (const double sx : {-beside, beside})
       for (const double sy : {-beside, beside})
         if (!std::isfinite((*this)(x + sx, y + sy))) return true;

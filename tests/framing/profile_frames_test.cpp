@@ -1,0 +1,165 @@
+/// Contacts without a caller's frame between bodies with profiles: gap, patches and frames from surfaces and poses.
+
+#include "rollcon.h"
+#include "support/scene.hpp"
+#include "support/steady_rolling.hpp"
+#include "support/testing.hpp"
+
+namespace rollcon {
+namespace {
+
+using scenes::RollingPair;
+using scenes::Solution;
+const closed_forms::Elastic steel = scenes::steady_rolling::steel;
+constexpr double load = 1000, mu = 0.3;
+
+std::array<Vec3, 3> about_x(double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
+}
+
+void give_shape(RollingPair& pair, int which, const char* shape, const std::vector<double>& parameter) {
+  ASSERT_EQ(rollcon_body_set_profile_shape(pair.body(which), shape, static_cast<std::int64_t>(parameter.size()),
+                                           parameter.data()),
+            ROLLCON_OK)
+      << rollcon_last_error();
+}
+
+/// Which touches the plane z = 0 in the origin: body 1 from below, body 2 from above.
+void revolve(RollingPair& pair, int which, double radius, const Vec3& axis) {
+  const double centre[3] = {0, 0, which == 1 ? -radius : radius}, along[3] = {axis[0], axis[1], axis[2]};
+  ASSERT_EQ(rollcon_body_revolve_profile(pair.body(which), centre, along, radius), ROLLCON_OK) << rollcon_last_error();
+}
+
+void expect_same(const std::string& name, const RollingPair& found, const RollingPair& expected, double bound,
+                 double approach_bound = 1e-3) {
+  const Solution a = found.solution(), b = expected.solution();
+  const double length = std::sqrt(expected.stat("contact_area") / std::numbers::pi);
+  expect_error(name + ": force vector over mu Fn",
+               std::hypot(a.force[0] - b.force[0], a.force[1] - b.force[1]) / (mu * load), bound);
+  expect_error(name + ": spin moment", (a.moment[2] - b.moment[2]) / (mu * load * length), bound);
+  expect_error(name + ": approach", relative(a.approach, b.approach), approach_bound);
+}
+
+TEST(profile_frames, spheres_and_crossed_cylinders_are_those_of_a_quadratic_gap) {
+  constexpr double r1 = 80, r2 = 300;
+  for (const double angle : {-1.0, 0.0, 0.5, 1.2}) {
+    const bool sphere = angle < 0;
+    RollingPair found(steel, steel), expected(steel, steel);
+    for (RollingPair* pair : {&found, &expected}) pair->load(load).friction(mu).creep(6e-4, -4e-4, 2e-4);
+    // The distance of (x, y) from the axis (-sin, cos), squared, over the diameter, is the gap of a cylinder.
+    const double c = std::cos(angle), s = std::sin(angle);
+    if (sphere) {
+      give_shape(found, 2, "arc", {r2, 20});
+      revolve(found, 2, r2, {0, 1, 0});
+      expected.gap_quadratic(0.5 / r2, 0.5 / r2);
+    } else {
+      give_shape(found, 1, "line", {30, 0});
+      revolve(found, 1, r1, {1, 0, 0});
+      give_shape(found, 2, "line", {30, 0});
+      revolve(found, 2, r2, {-s, c, 0});
+      expected.gap_quadratic(0.5 * c * c / r2, 0.5 / r1 + 0.5 * s * s / r2, s * c / r2);
+    }
+    ASSERT_EQ(found.solve(), ROLLCON_OK) << rollcon_last_error();
+    ASSERT_EQ(expected.solve(), ROLLCON_OK);
+    expect_same(sphere ? "sphere on a plane" : "cylinders crossed at " + std::to_string(angle), found, expected, 6e-3);
+  }
+}
+
+/// Of half length 5, on a plane. Pressures are singular at its sharp ends, where convergence is slow.
+void lay_straight_roller(RollingPair& pair) {
+  pair.load(load).friction(mu).creep(5e-4, 0, 0).option("frame_accuracy", 0.04);
+  give_shape(pair, 2, "line", {5, 0});
+  revolve(pair, 2, 6, {0, 1, 0});
+}
+
+void lay_crowned_roller(RollingPair& pair, double tilt) {
+  pair.load(load).friction(mu).creep(5e-4, 0, 0).pose(2, about_x(tilt), {});
+  give_shape(pair, 2, "arc", {300, 10});
+  revolve(pair, 2, 60, {0, 1, 0});
+}
+
+// Pressure rises without bound towards both ends; frames end there, and their last nodes carry.
+TEST(profile_frames, a_straight_roller_is_pressed_to_its_ends) {
+  RollingPair pair(steel, steel);
+  lay_straight_roller(pair);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+  const Solution s = pair.solution();
+  double end = 0, middle = 0, most = 0;
+  for (std::size_t k = 0; k < s.nodes(); ++k) {
+    most = std::max(most, std::abs(s.y[k]));
+    if (std::abs(s.y[k]) > 4.99) end = std::max(end, s.pressure[k]);
+    if (std::abs(s.y[k]) < 1) middle = std::max(middle, s.pressure[k]);
+  }
+  expect_error("the frame ends where the roller does", most - 5, 1e-4);
+  report("largest pressure at the end over that in the middle", end / middle);
+  EXPECT_GT(end, 1.2 * middle);
+
+  RollingPair lattice(steel, steel);
+  lay_straight_roller(lattice);
+  double half = 0;
+  for (const double x : s.x) half = std::max(half, 1.1 * std::abs(x));
+  lattice.rectangle(ElementType::quad4, 64, 256, half, 5 * (1 - 1e-9));
+  ASSERT_EQ(lattice.solve(), ROLLCON_OK);
+  expect_same("straight roller beside a lattice", pair, lattice, 2e-2, 1e-2);
+  pair.option("frame_accuracy", 0.005);
+  EXPECT_EQ(pair.solve(), ROLLCON_INACCURATE);
+  expect_same("the same on the finest frames", pair, lattice, 2e-3, 4e-3);
+}
+
+// The middle of the contact is not at the origin, and the origin may be where the bodies are apart.
+TEST(profile_frames, errors_are_told_wherever_the_axes_are) {
+  double estimate[2];
+  for (const double at : {0.0, 3.7}) {
+    RollingPair pair(steel, steel);
+    lay_crowned_roller(pair, 2e-3);
+    pair.axes({0, at, 0}, {1, 0, 0}, {0, 0, 1});
+    ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+    estimate[at > 0] = pair.stat("error_estimate");
+  }
+  expect_error("estimates from both origins", relative(estimate[1], estimate[0]), 1e-6);
+}
+
+TEST(profile_frames, another_pose_is_another_frame) {
+  RollingPair pair(steel, steel), fresh(steel, steel);
+  lay_crowned_roller(pair, 0);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+  const double lever = pair.solution().moment[0];
+  pair.pose(2, about_x(5e-3), {});
+  ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();
+  // The circle touches where it is level.
+  expect_error("lever of the normal force", relative((pair.solution().moment[0] - lever) / load, 300 * 5e-3), 1e-2);
+  lay_crowned_roller(fresh, 5e-3);
+  ASSERT_EQ(fresh.solve(), ROLLCON_OK);
+  expect_same("tilted roller, found from the straight one", pair, fresh, 1e-9);
+}
+
+TEST(profile_frames, bodies_that_give_no_frame_are_told) {
+  const auto refused = [](RollingPair& pair, const char* words) {
+    const std::int32_t status = rollcon_contact_solve(pair.handle());
+    const std::string message = rollcon_last_error();
+    EXPECT_EQ(status, ROLLCON_ERR_STATE) << message;
+    EXPECT_NE(message.find(words), std::string::npos) << message;
+  };
+  const double origin[3] = {0, 0, 0}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+  RollingPair rail(steel, steel);
+  rail.load(load).friction(mu);
+  give_shape(rail, 1, "arc", {80, 30});
+  ASSERT_EQ(rollcon_body_extrude_profile(rail.body(1), origin, along, up), ROLLCON_OK);
+  refused(rail, "without end");
+  RollingPair beside(steel, steel);
+  beside.load(load).friction(mu).creep(5e-4, 0, 0).pose(2, about_x(0), {0, 100, 0});
+  give_shape(beside, 1, "arc", {80, 30});
+  ASSERT_EQ(rollcon_body_extrude_profile(beside.body(1), origin, along, up), ROLLCON_OK);
+  give_shape(beside, 2, "line", {30, 0});
+  revolve(beside, 2, 300, {0, 1, 0});
+  refused(beside, "no part of one body lies over the other");
+  beside.pose(2, about_x(0), {0, 0, 0});
+  EXPECT_EQ(beside.solve(), ROLLCON_OK) << "the contact stays usable";
+  RollingPair nothing(steel, steel);
+  nothing.load(load).friction(mu);
+  refused(nothing, "no frame was given");
+}
+
+}  // namespace
+}  // namespace rollcon
