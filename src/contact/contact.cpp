@@ -312,6 +312,7 @@ double Contact::modulus() {
 }
 
 std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
+  if (!scene.gap_grid() && !body1_->has_surface() && !body2_->has_surface()) return nullptr;
   prepare_bodies(*state_, *body1_, *body2_);
   return known_gap(scene, {{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }

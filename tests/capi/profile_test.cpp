@@ -352,8 +352,10 @@ TEST_F(profile, frames_beyond_its_ends_are_told) {
   ASSERT_OK(rollcon_body_revolve_profile(upper, above, aside, 10));
   rollcon_contact* c = make(1, 3, 0.01);
   EXPECT_FAILS(rollcon_contact_solve(c), MESH, "do not lie over the profile of body 2", "beyond its ends");
-  // To the roller's ends the frame may go.
+  // To the roller's ends the frame may go, where it is no rim.
   ASSERT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, n, n, -1, 1, -2, 2));
+  EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_OK);
+  ASSERT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, n, n, -1, 1, -1.9, 2));
   EXPECT_EQ(rollcon_contact_solve(c), ROLLCON_RIM_CONTACT);
   rollcon_contact_release(c);
 }
