@@ -9,41 +9,41 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// visit(cell, a, b) with the rough gaps at both ends of each cell.
+/// visit(span, a, b) with the rough gaps at both ends of each span.
 template <class Visit>
-void for_each_cell(ProfileGap& gap, Visit visit) {
+void for_each_span(ProfileGap& gap, Visit visit) {
   constexpr double smooth = 1e-9;
   double slope = infinite;
   RoughGap a, b;
-  for (const VisibleCell& cell : gap.wheel().cells()) {
-    a = std::abs(cell.slope[0] - slope) < smooth ? b : gap.rough(cell, 0);
-    b = gap.rough(cell, 1);
-    slope = cell.slope[1];
-    if (a.known || b.known) visit(cell, a, b);
+  for (const VisibleSpan& span : gap.wheel().spans()) {
+    a = std::abs(span.slope[0] - slope) < smooth ? b : gap.rough(span, 0);
+    b = gap.rough(span, 1);
+    slope = span.slope[1];
+    if (a.known || b.known) visit(span, a, b);
   }
 }
 
-/// Below what the gap does not fall between the ends of a cell.
-double bound(const RoughGap& a, const RoughGap& b, const VisibleCell& cell) {
+/// Below what the gap does not fall between the ends of a span.
+double bound(const RoughGap& a, const RoughGap& b, const VisibleSpan& span) {
   const double steepest = std::max(std::abs(a.rise), std::abs(b.rise));
   if (a.known && b.known)
     return std::min(a.gap, b.gap) - a.slack - b.slack - (a.rise < 0 && b.rise > 0 ? steepest * (b.y - a.y) : 0);
   const RoughGap& in = a.known ? a : b;
-  return in.gap - in.slack - 2 * steepest * (cell.s[1] - cell.s[0]);
+  return in.gap - in.slack - 2 * steepest * (span.s[1] - span.s[0]);
 }
 
-/// The cell's part in which there is a gap, in pieces over which it rises or falls: visit(a, b).
+/// The span's part in which there is a gap, in pieces over which it rises or falls: visit(a, b).
 template <class Visit>
-void for_each_slope(const ProfileGap& gap, const VisibleCell& cell, bool from_known, bool to_known, Visit visit) {
-  auto a = gap.at(cell, cell.s[0]), b = gap.at(cell, cell.s[1]);
+void for_each_slope(const ProfileGap& gap, const VisibleSpan& span, bool from_known, bool to_known, Visit visit) {
+  auto a = gap.at(span, span.s[0]), b = gap.at(span, span.s[1]);
   if (!a && !b) return;
-  if (!a || !from_known) a = gap.edge(cell, cell.s[1], cell.s[0]);
-  if (!b || !to_known) b = gap.edge(cell, cell.s[0], cell.s[1]);
+  if (!a || !from_known) a = gap.edge(span, span.s[1], span.s[0]);
+  if (!b || !to_known) b = gap.edge(span, span.s[0], span.s[1]);
   if (!(a->rise * b->rise < 0)) {
     visit(*a, *b);
     return;
   }
-  const GapPoint e = gap.extreme(cell, *a, *b);
+  const GapPoint e = gap.extreme(span, *a, *b);
   visit(*a, e);
   visit(e, *b);
 }
@@ -54,32 +54,32 @@ class OverlapScan {
 
   void find() {
     found_.clear();
-    for_each_cell(gap_, [&](const VisibleCell& cell, const RoughGap& a, const RoughGap& b) {
-      if (passed_by(cell, a, b)) return;
+    for_each_span(gap_, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+      if (passed_by(span, a, b)) return;
       if (inside_ && !a.known) close(last_, true);
-      starts_ = !a.known || cell.s[0] == 0;
-      for_each_slope(gap_, cell, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) { step(cell, p, q); });
+      starts_ = !a.known || span.s[0] == 0;
+      for_each_slope(gap_, span, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) { step(span, p, q); });
       if (inside_ && !b.known) close(last_, true);
     });
     if (inside_) end_at_last_cell();
   }
 
  private:
-  bool passed_by(const VisibleCell& cell, const RoughGap& a, const RoughGap& b) {
-    if (!inside_) return bound(a, b, cell) > 0;
+  bool passed_by(const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+    if (!inside_) return bound(a, b, span) > 0;
     const bool kink = a.rise >= 0 && rise_ < 0;
     rise_ = b.rise;
     return a.known && b.known && a.gap < -a.slack && b.gap < -b.slack && !kink && a.rise * b.rise > 0;
   }
-  void step(const VisibleCell& cell, const GapPoint& a, const GapPoint& b) {
+  void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
     if (inside_ && a.gap > 0) close(a, false);
     if (!inside_ && a.gap <= 0) open(a, starts_);
     starts_ = false;
     if (inside_) deepen(a);
     if (inside_ && b.gap > 0)
-      close(gap_.zero(cell, a, b), false);
+      close(gap_.zero(span, a, b), false);
     else if (!inside_ && b.gap <= 0)
-      open(gap_.zero(cell, a, b), false);
+      open(gap_.zero(span, a, b), false);
     if (inside_) deepen(b);
     last_ = b;
     rise_ = b.rise;
@@ -100,8 +100,8 @@ class OverlapScan {
     if (now_.to.s > now_.from.s) found_.push_back(now_);
   }
   void end_at_last_cell() {
-    const VisibleCell& cell = gap_.wheel().cells().back();
-    const auto p = gap_.at(cell, cell.s[1]);
+    const VisibleSpan& span = gap_.wheel().spans().back();
+    const auto p = gap_.at(span, span.s[1]);
     if (p) deepen(*p);
     close(p.value_or(last_), true);
   }
@@ -118,13 +118,13 @@ class OverlapScan {
 
 double least_gap(ProfileGap gap) {
   double rough = infinite, least = infinite;
-  for_each_cell(gap, [&](const VisibleCell&, const RoughGap& a, const RoughGap& b) {
+  for_each_span(gap, [&](const VisibleSpan&, const RoughGap& a, const RoughGap& b) {
     if (a.known) rough = std::min(rough, a.gap + a.slack);
     if (b.known) rough = std::min(rough, b.gap + b.slack);
   });
-  for_each_cell(gap, [&](const VisibleCell& cell, const RoughGap& a, const RoughGap& b) {
-    if (bound(a, b, cell) > std::min(rough, least)) return;
-    for_each_slope(gap, cell, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) {
+  for_each_span(gap, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+    if (bound(a, b, span) > std::min(rough, least)) return;
+    for_each_slope(gap, span, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) {
       least = std::min({least, p.gap, q.gap});
     });
   });

@@ -1,6 +1,6 @@
 #pragma once
-/// Scans the gap along a wheel's profile, cell by cell, for its least value and for the intervals in which it is
-/// negative. Cells in which neither can be are passed by.
+/// Scans the gap along a wheel's profile, span by span, for its least value and for the intervals in which it is
+/// negative. Spans in which neither can be are passed by.
 
 #include <vector>
 

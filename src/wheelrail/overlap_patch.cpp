@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/profile_crossings.hpp"
 #include "quadrature/rules.hpp"
+#include "wheelrail/false_position.hpp"
 
 namespace rollcon {
 namespace {
@@ -37,17 +37,17 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
 }
 
 /// At which s of some overlaps the locus has this y.
-double s_at_y(const ProfileGap& gap, const Overlap& first, const Overlap& last, double y) {
-  GapPoint p = first.from;
-  const auto off = [&](double s) {
-    const auto found = gap.at(s);
-    if (!found) return p.s < s ? 1.0 : -1.0;
-    p = *found;
-    return p.wheel[1] - y;
+double s_at_y(const ProfileGap& gap, const GapPoint& first, const GapPoint& last, double y) {
+  const double a = first.wheel[1] - y, b = last.wheel[1] - y;
+  if (a >= 0) return first.s;
+  if (b <= 0) return last.s;
+  double off = a;
+  const auto value = [&](double s) {
+    if (const auto found = gap.locus().at(gap.wheel().at(s))) off = found->x[1] - y;
+    return off;
   };
-  const double a = first.from.wheel[1] - y;
-  if (a >= 0) return first.from.s;
-  return bracketed_root(first.from.s, last.to.s, a, off, [&](double) { return p.forward_y; });
+  const double rounding = gap.locus().rounding();
+  return false_position(first.s, a, last.s, b, value, [&](double f) { return std::abs(f) <= rounding; });
 }
 
 void describe_reference(const ProfileGap& gap, double s, double side, double radius, OverlapPatch& patch) {
@@ -74,7 +74,7 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   patch.reference = weight > 0 ? Vec3{x / weight, y / weight, 0} : deep.wheel;
   patch.angle = weight > 0 ? angle / weight : std::atan(deep.rail_slope);
   patch.reference[1] = std::clamp(patch.reference[1], first->from.wheel[1], last->to.wheel[1]);
-  describe_reference(gap, s_at_y(gap, *first, *last, patch.reference[1]), side, radius, patch);
+  describe_reference(gap, s_at_y(gap, first->from, last->to, patch.reference[1]), side, radius, patch);
   const double c = std::cos(patch.angle), s = std::sin(patch.angle);
   patch.normal = {0, s, -c};
   patch.lateral = {0, c, s};

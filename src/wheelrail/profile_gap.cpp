@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/profile_crossings.hpp"
+#include "wheelrail/false_position.hpp"
 
 namespace rollcon {
 
@@ -16,10 +16,10 @@ std::optional<GapPoint> ProfileGap::at(const VisiblePoint& p, double s) const {
   return GapPoint{s, point->x, r.z - point->x[2], r.slope - point->slope, r.slope, point->forward_y};
 }
 
-RoughGap ProfileGap::rough(const VisibleCell& cell, std::size_t end) {
+RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   RoughGap g;
-  g.s = cell.s[end];
-  const auto point = locus_.at({cell.y[end], cell.z[end], cell.slope[end], 1, cell.slope[end], 0});
+  g.s = span.s[end];
+  const auto point = locus_.at({span.y[end], span.z[end], span.slope[end], 1, span.slope[end], 0});
   if (!point) return g;
   g.y = point->x[1];
   if (!(g.y >= rail_.low() && g.y <= rail_.high())) return g;
@@ -36,40 +36,38 @@ RoughGap ProfileGap::rough(const VisibleCell& cell, std::size_t end) {
   return g;
 }
 
-GapPoint ProfileGap::zero(const VisibleCell& cell, const GapPoint& a, const GapPoint& b) const {
+GapPoint ProfileGap::zero(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const {
   if (a.gap * b.gap >= 0) return std::abs(a.gap) <= std::abs(b.gap) ? a : b;
   GapPoint last = a;
-  const double s = bracketed_root(
-      a.s, b.s, a.gap,
-      [&](double u) {
-        last = at(cell, u).value_or(last);
-        return last.gap;
-      },
-      [&](double) { return last.rise * last.forward_y; });
-  return at(cell, s).value_or(last);
+  const auto value = [&](double s) {
+    last = at(span, s).value_or(last);
+    return last.gap;
+  };
+  const double rounding = locus_.rounding();
+  false_position(a.s, a.gap, b.s, b.gap, value, [&](double f) { return std::abs(f) <= rounding; });
+  return last;
 }
 
-GapPoint ProfileGap::extreme(const VisibleCell& cell, const GapPoint& a, const GapPoint& b) const {
+GapPoint ProfileGap::extreme(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const {
   if (a.rise * b.rise >= 0) return std::abs(a.rise) <= std::abs(b.rise) ? a : b;
   GapPoint last = a;
-  const double chord = (b.rise - a.rise) / (b.s - a.s);
-  const double s = bracketed_root(
-      a.s, b.s, a.rise,
-      [&](double u) {
-        last = at(cell, u).value_or(last);
-        return last.rise;
-      },
-      [&](double) { return chord; });
-  return at(cell, s).value_or(last);
+  const auto value = [&](double s) {
+    last = at(span, s).value_or(last);
+    return last.rise;
+  };
+  // Of a smooth gap, what is missing to its least value is half of rise^2 / curvature.
+  const double square = locus_.rounding() * std::abs((b.rise - a.rise) / (b.s - a.s));
+  false_position(a.s, a.rise, b.s, b.rise, value, [&](double f) { return f * f <= square; });
+  return last;
 }
 
-GapPoint ProfileGap::edge(const VisibleCell& cell, double in, double out) const {
+GapPoint ProfileGap::edge(const VisibleSpan& span, double in, double out) const {
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i) {
     const double middle = (in + out) / 2;
-    (at(cell, middle) ? in : out) = middle;
+    (at(span, middle) ? in : out) = middle;
   }
-  return *at(cell, in);
+  return *at(span, in);
 }
 
 }  // namespace rollcon

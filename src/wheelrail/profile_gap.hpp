@@ -38,16 +38,16 @@ class ProfileGap {
   /// nullopt: beside the rail, or where the locus has no point.
   std::optional<GapPoint> at(const VisiblePoint& p, double s) const;
   std::optional<GapPoint> at(double s) const { return at(wheel_.at(s), s); }
-  std::optional<GapPoint> at(const VisibleCell& cell, double s) const { return at(wheel_.at(cell, s), s); }
-  /// At an end of a cell of the wheel.
-  RoughGap rough(const VisibleCell& cell, std::size_t end);
+  std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
+  /// At an end of a span of the wheel.
+  RoughGap rough(const VisibleSpan& span, std::size_t end) const;
 
-  /// Within a cell: where the gap vanishes, and where it is least or greatest. Gaps, or rises, of different signs at
+  /// Within a span: where the gap vanishes, and where it is least or greatest. Gaps, or rises, of different signs at
   /// both ends; where they are not, by the rough table's errors, the end with the lesser value.
-  GapPoint zero(const VisibleCell& cell, const GapPoint& a, const GapPoint& b) const;
-  GapPoint extreme(const VisibleCell& cell, const GapPoint& a, const GapPoint& b) const;
+  GapPoint zero(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
+  GapPoint extreme(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
   /// The last point with a gap between two parameters, of which `in` has one.
-  GapPoint edge(const VisibleCell& cell, double in, double out) const;
+  GapPoint edge(const VisibleSpan& span, double in, double out) const;
 
  private:
   const VisibleProfile& wheel_;

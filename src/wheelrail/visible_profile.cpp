@@ -35,6 +35,7 @@ VisibleProfile::VisibleProfile(std::shared_ptr<const ProfileCurve> curve, const 
     fail(Status::err_argument, "nothing of a profile of length %g can be seen along z; its y must rise somewhere",
          curve_->length());
   number();
+  gather_spans(longest);
 }
 
 VisiblePoint VisibleProfile::on_curve(std::size_t piece, double u) const {
@@ -57,8 +58,9 @@ VisiblePoint VisibleProfile::at(const VisibleCell& cell, double s) const {
           (cell.slope[1] - cell.slope[0]) / length};
 }
 
-VisiblePoint VisibleProfile::at(double s) const {
-  const auto after = std::upper_bound(cell_.begin() + 1, cell_.end(), s,
+VisiblePoint VisibleProfile::at_among(std::size_t first, std::size_t last, double s) const {
+  const auto begin = cell_.begin() + static_cast<std::ptrdiff_t>(first);
+  const auto after = std::upper_bound(begin + 1, cell_.begin() + static_cast<std::ptrdiff_t>(last) + 1, s,
                                       [](double value, const VisibleCell& cell) { return value < cell.s[0]; });
   return at(*(after - 1), s);
 }
@@ -78,30 +80,40 @@ std::size_t VisibleProfile::cell_at_y(double y, std::size_t near) const {
   return static_cast<std::size_t>(after - cell_.begin()) - 1;
 }
 
-double VisibleProfile::u_at_y(const VisibleCell& cell, double y) const {
-  const double share = (y - cell.y[0]) / (cell.y[1] - cell.y[0]);
-  double u = between(cell.u[0], cell.u[1], share);
+VisiblePoint VisibleProfile::at_y(const VisibleCell& cell, double y, double& u) const {
+  // The inverse's cubic through both ends is within a millionth of the cell already where it is not steep.
+  const double width = cell.y[1] - cell.y[0], t = (y - cell.y[0]) / width, chord = cell.u[1] - cell.u[0];
+  const auto off = [&](double slope) { return forward_ * width * std::sqrt(1 + slope * slope) - chord; };
+  u = cell.u[0] + t * (chord + (1 - t) * ((1 - t) * off(cell.slope[0]) - t * off(cell.slope[1])));
   const double low = std::min(cell.u[0], cell.u[1]), high = std::max(cell.u[0], cell.u[1]);
-  // A cell turns so little that Newton's method needs no bracket but its ends.
+  constexpr double square_is_rounding = 1e-6;
+  VisiblePoint p{};
   for (int i = 0; i < 30; ++i) {
-    const VisiblePoint p = on_curve(cell.piece, u);
-    const double next = std::clamp(u + forward_ * (y - p.y) / p.dy, low, high), step = std::abs(next - u);
-    u = next;
-    if (step <= 1e-9 * (high - low)) break;  // the last one squared this
+    u = std::clamp(u, low, high);
+    p = on_curve(cell.piece, u);
+    const double step = (y - p.y) / p.dy;
+    u += forward_ * step;
+    if (std::abs(step) <= square_is_rounding * (high - low)) {
+      p.z += step * p.dy * (p.slope + step * p.dslope / 2);
+      p.slope += step * p.dslope;
+      p.y = y;
+      break;
+    }
   }
-  return u;
+  u = std::clamp(u, low, high);
+  return p;
 }
 
-double VisibleProfile::s_at_y(double y) const {
-  const VisibleCell& cell = cell_[cell_at_y(y, 0)];
-  if (cell.kind != VisibleCell::Kind::curve)
-    return between(cell.s[0], cell.s[1], (y - cell.y[0]) / (cell.y[1] - cell.y[0]));
-  return cell.s[0] + std::abs(u_at_y(cell, y) - cell.u[0]);
+double VisibleProfile::u_at_y(const VisibleCell& cell, double y) const {
+  double u = 0;
+  at_y(cell, y, u);
+  return u;
 }
 
 VisiblePoint VisibleProfile::at_y(double y, std::size_t near) const {
   const VisibleCell& cell = cell_[cell_at_y(y, near)];
-  if (cell.kind == VisibleCell::Kind::curve) return on_curve(cell.piece, u_at_y(cell, y));
+  double u = 0;
+  if (cell.kind == VisibleCell::Kind::curve) return at_y(cell, y, u);
   return at(cell, between(cell.s[0], cell.s[1], (y - cell.y[0]) / (cell.y[1] - cell.y[0])));
 }
 
@@ -202,6 +214,27 @@ void VisibleProfile::number() {
   for (VisibleCell& cell : cell_) {
     cell.s = {s, s + cell.s[1]};
     s = cell.s[1];
+  }
+}
+
+void VisibleProfile::gather_spans(double longest) {
+  for (std::size_t i = 0; i < cell_.size(); ++i) {
+    const VisibleCell& cell = cell_[i];
+    if (!span_.empty()) {
+      VisibleSpan& span = span_.back();
+      const double kink = std::abs(std::atan(cell.slope[0]) - std::atan(span.slope[1]));
+      const double turn = std::abs(std::atan(cell.slope[1]) - std::atan(span.slope[0]));
+      if (cell.kind == VisibleCell::Kind::curve && cell_[i - 1].kind == cell.kind && kink < corner_turn &&
+          turn <= most_turned && cell.s[1] - span.s[0] <= longest) {
+        span.last = i;
+        span.s[1] = cell.s[1];
+        span.y[1] = cell.y[1];
+        span.z[1] = cell.z[1];
+        span.slope[1] = cell.slope[1];
+        continue;
+      }
+    }
+    span_.push_back({i, i, cell.s, cell.y, cell.z, cell.slope});
   }
 }
 

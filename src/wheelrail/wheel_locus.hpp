@@ -33,6 +33,8 @@ class WheelLocus {
   /// nullopt: no point of that circle looks down without a component along x.
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
   LocusCurvature curvature(const VisiblePoint& p) const;
+  /// Of its points.
+  double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
 
  private:
   Vec3 centre_, axis_, down_, ahead_;
