@@ -34,11 +34,11 @@ double bound(const RoughGap& a, const RoughGap& b, const VisibleSpan& span) {
 
 /// The span's part in which there is a gap, in pieces over which it rises or falls: visit(a, b).
 template <class Visit>
-void for_each_slope(const ProfileGap& gap, const VisibleSpan& span, bool from_known, bool to_known, Visit visit) {
+void for_each_slope(const ProfileGap& gap, const VisibleSpan& span, Visit visit) {
   auto a = gap.at(span, span.s[0]), b = gap.at(span, span.s[1]);
   if (!a && !b) return;
-  if (!a || !from_known) a = gap.edge(span, span.s[1], span.s[0]);
-  if (!b || !to_known) b = gap.edge(span, span.s[0], span.s[1]);
+  if (!a) a = gap.edge(span, span.s[1], span.s[0]);
+  if (!b) b = gap.edge(span, span.s[0], span.s[1]);
   if (!(a->rise * b->rise < 0)) {
     visit(*a, *b);
     return;
@@ -58,7 +58,7 @@ class OverlapScan {
       if (passed_by(span, a, b)) return;
       if (inside_ && !a.known) close(last_, true);
       starts_ = !a.known || span.s[0] == 0;
-      for_each_slope(gap_, span, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) { step(span, p, q); });
+      for_each_slope(gap_, span, [&](const GapPoint& p, const GapPoint& q) { step(span, p, q); });
       if (inside_ && !b.known) close(last_, true);
     });
     if (inside_) end_at_last_cell();
@@ -67,22 +67,24 @@ class OverlapScan {
  private:
   bool passed_by(const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
     if (!inside_) return bound(a, b, span) > 0;
-    const bool kink = a.rise >= 0 && rise_ < 0;
-    rise_ = b.rise;
-    return a.known && b.known && a.gap < -a.slack && b.gap < -b.slack && !kink && a.rise * b.rise > 0;
+    const bool kink = falls_ && a.rise >= 0;
+    if (!a.known || !b.known || a.gap > -a.slack || b.gap > -b.slack || kink || a.rise * b.rise <= 0) return false;
+    falls_ = a.rise < 0;
+    return true;
   }
+  /// The gap rises or falls from a to b.
   void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
+    const bool falls = a.rise + b.rise < 0;
     if (inside_ && a.gap > 0) close(a, false);
     if (!inside_ && a.gap <= 0) open(a, starts_);
-    starts_ = false;
-    if (inside_) deepen(a);
+    if (inside_ && falls_ && !falls) deepen(a);
     if (inside_ && b.gap > 0)
       close(gap_.zero(span, a, b), false);
     else if (!inside_ && b.gap <= 0)
       open(gap_.zero(span, a, b), false);
-    if (inside_) deepen(b);
+    starts_ = false;
+    falls_ = falls;
     last_ = b;
-    rise_ = b.rise;
   }
   void open(const GapPoint& p, bool cut) {
     inside_ = true;
@@ -95,6 +97,7 @@ class OverlapScan {
   }
   void close(const GapPoint& p, bool cut) {
     inside_ = false;
+    if (cut) deepen(p);
     now_.to = p;
     now_.cut = now_.cut || cut;
     if (now_.to.s > now_.from.s) found_.push_back(now_);
@@ -102,14 +105,13 @@ class OverlapScan {
   void end_at_last_cell() {
     const VisibleSpan& span = gap_.wheel().spans().back();
     const auto p = gap_.at(span, span.s[1]);
-    if (p) deepen(*p);
     close(p.value_or(last_), true);
   }
 
   ProfileGap& gap_;
   std::vector<Overlap>& found_;
   bool inside_ = false, starts_ = false;
-  double rise_ = 0;
+  bool falls_ = false;  ///< up to here
   GapPoint last_{};
   Overlap now_;
 };
@@ -124,9 +126,7 @@ double least_gap(ProfileGap gap) {
   });
   for_each_span(gap, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
     if (bound(a, b, span) > std::min(rough, least)) return;
-    for_each_slope(gap, span, a.known, b.known, [&](const GapPoint& p, const GapPoint& q) {
-      least = std::min({least, p.gap, q.gap});
-    });
+    for_each_slope(gap, span, [&](const GapPoint& p, const GapPoint& q) { least = std::min({least, p.gap, q.gap}); });
   });
   return least;
 }

@@ -27,7 +27,7 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
   const double near = smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
   if (near == 0) return 0;
   // One that only begins to overlap is nothing yet, unless it is about to grow together with its neighbour.
-  constexpr double shallow = 0.05;
+  constexpr double shallow = 0.15;
   constexpr int parts = 8;
   double saddle = 0;
   for (int i = 1; i < parts; ++i)
