@@ -18,6 +18,7 @@ ROOMS = [
     ["contact"],
     ["procedures"],
     ["framing"],
+    ["wheelrail"],
     ["capi"],
 ]
 # The same inside a room; "" is what lies flat in it, "*" each folder that is not named.

@@ -1,0 +1,51 @@
+#include "wheelrail/contact_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/error.hpp"
+#include "wheelrail/gap_scan.hpp"
+
+namespace rollcon {
+namespace {
+
+PlaneMap in_track(const RailShape& rail) {
+  constexpr double skew = 1e-9;
+  const Vec3 across = cross(rail.down, rail.along);
+  if (!(std::abs(std::abs(rail.along[0]) - 1) <= skew && std::abs(rail.down[0]) <= skew))
+    fail(Status::err_argument, "the rail runs along (%g, %g, %g); allowed: along x", rail.along[0], rail.along[1],
+         rail.along[2]);
+  return {{rail.origin[1], rail.origin[2]}, {across[1], across[2]}, {rail.down[1], rail.down[2]}};
+}
+
+}  // namespace
+
+ContactSearch::ContactSearch(const WheelShape& wheel, const RailShape& rail)
+    : shape_(wheel),
+      side_(wheel.axis[1] < 0 ? -1 : 1),
+      wheel_(wheel.curve, {{0, 0}, {side_, 0}, {0, 1}}, VisibleProfile::Seen::from_greater_z),
+      rail_(rail.curve, in_track(rail), VisibleProfile::Seen::from_lesser_z) {
+  double least = wheel_.cells().back().z[1];
+  for (const VisibleCell& cell : wheel_.cells()) least = std::min(least, cell.z[0]);
+  least += wheel.radius;
+  if (!(least > 0))
+    fail(Status::err_argument, "the wheel's radius is %g, and its profile reaches its axis; allowed: a greater one",
+         wheel.radius);
+}
+
+WheelLocus ContactSearch::locus_of(const Pose& wheel) const {
+  return {wheel.place(shape_.centre), side_ * wheel.turn(shape_.axis), shape_.radius};
+}
+
+double ContactSearch::first_touch(const Pose& wheel) const {
+  return least_gap({wheel_, rail_, locus_of(wheel)});
+}
+
+void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch) {
+  const ProfileGap gap(wheel_, rail_, locus_of(wheel));
+  find_overlaps(gap, overlap_);
+  for (Overlap& o : overlap_) measure(gap, o);
+  gather(gap, overlap_, side_, shape_.radius, patch);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,138 @@
+#include "wheelrail/gap_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rollcon {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// visit(span, a, b) with the rough gaps at both ends of each span.
+template <class Visit>
+void for_each_span(ProfileGap& gap, Visit visit) {
+  constexpr double smooth = 1e-9;
+  double slope = infinite;
+  RoughGap a, b;
+  for (const VisibleSpan& span : gap.wheel().spans()) {
+    a = std::abs(span.slope[0] - slope) < smooth ? b : gap.rough(span, 0);
+    b = gap.rough(span, 1);
+    slope = span.slope[1];
+    if (a.known || b.known) visit(span, a, b);
+  }
+}
+
+/// Below what the gap does not fall between the ends of a span.
+double bound(const RoughGap& a, const RoughGap& b, const VisibleSpan& span) {
+  const double steepest = std::max(std::abs(a.rise), std::abs(b.rise));
+  if (a.known && b.known)
+    return std::min(a.gap, b.gap) - a.slack - b.slack - (a.rise < 0 && b.rise > 0 ? steepest * (b.y - a.y) : 0);
+  const RoughGap& in = a.known ? a : b;
+  return in.gap - in.slack - 2 * steepest * (span.s[1] - span.s[0]);
+}
+
+/// The span's part in which there is a gap, in pieces over which it rises or falls: visit(a, b).
+template <class Visit>
+void for_each_slope(const ProfileGap& gap, const VisibleSpan& span, Visit visit) {
+  auto a = gap.at(span, span.s[0]), b = gap.at(span, span.s[1]);
+  if (!a && !b) return;
+  if (!a) a = gap.edge(span, span.s[1], span.s[0]);
+  if (!b) b = gap.edge(span, span.s[0], span.s[1]);
+  if (!(a->rise * b->rise < 0)) {
+    visit(*a, *b);
+    return;
+  }
+  const GapPoint e = gap.extreme(span, *a, *b);
+  visit(*a, e);
+  visit(e, *b);
+}
+
+class OverlapScan {
+ public:
+  OverlapScan(ProfileGap& gap, std::vector<Overlap>& found) : gap_(gap), found_(found) {}
+
+  void find() {
+    found_.clear();
+    for_each_span(gap_, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+      if (passed_by(span, a, b)) return;
+      if (inside_ && !a.known) close(last_, true);
+      starts_ = !a.known || span.s[0] == 0;
+      for_each_slope(gap_, span, [&](const GapPoint& p, const GapPoint& q) { step(span, p, q); });
+      if (inside_ && !b.known) close(last_, true);
+    });
+    if (inside_) end_at_last_cell();
+  }
+
+ private:
+  bool passed_by(const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+    if (!inside_) return bound(a, b, span) > 0;
+    const bool kink = falls_ && a.rise >= 0;
+    if (!a.known || !b.known || a.gap > -a.slack || b.gap > -b.slack || kink || a.rise * b.rise <= 0) return false;
+    falls_ = a.rise < 0;
+    return true;
+  }
+  /// The gap rises or falls from a to b.
+  void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
+    const bool falls = a.rise + b.rise < 0;
+    if (inside_ && a.gap > 0) close(a, false);
+    if (!inside_ && a.gap <= 0) open(a, starts_);
+    if (inside_ && falls_ && !falls) deepen(a);
+    if (inside_ && b.gap > 0)
+      close(gap_.zero(span, a, b), false);
+    else if (!inside_ && b.gap <= 0)
+      open(gap_.zero(span, a, b), false);
+    starts_ = false;
+    falls_ = falls;
+    last_ = b;
+  }
+  void open(const GapPoint& p, bool cut) {
+    inside_ = true;
+    now_ = Overlap{};
+    now_.from = now_.deepest = p;
+    now_.cut = cut;
+  }
+  void deepen(const GapPoint& p) {
+    if (p.depth() > now_.deepest.depth()) now_.deepest = p;
+  }
+  void close(const GapPoint& p, bool cut) {
+    inside_ = false;
+    if (cut) deepen(p);
+    now_.to = p;
+    now_.cut = now_.cut || cut;
+    if (now_.to.s > now_.from.s) found_.push_back(now_);
+  }
+  void end_at_last_cell() {
+    const VisibleSpan& span = gap_.wheel().spans().back();
+    const auto p = gap_.at(span, span.s[1]);
+    close(p.value_or(last_), true);
+  }
+
+  ProfileGap& gap_;
+  std::vector<Overlap>& found_;
+  bool inside_ = false, starts_ = false;
+  bool falls_ = false;  ///< up to here
+  GapPoint last_{};
+  Overlap now_;
+};
+
+}  // namespace
+
+double least_gap(ProfileGap gap) {
+  double rough = infinite, least = infinite;
+  for_each_span(gap, [&](const VisibleSpan&, const RoughGap& a, const RoughGap& b) {
+    if (a.known) rough = std::min(rough, a.gap + a.slack);
+    if (b.known) rough = std::min(rough, b.gap + b.slack);
+  });
+  for_each_span(gap, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
+    if (bound(a, b, span) > std::min(rough, least)) return;
+    for_each_slope(gap, span, [&](const GapPoint& p, const GapPoint& q) { least = std::min({least, p.gap, q.gap}); });
+  });
+  return least;
+}
+
+void find_overlaps(ProfileGap gap, std::vector<Overlap>& overlap) {
+  OverlapScan(gap, overlap).find();
+}
+
+}  // namespace rollcon

@@ -1,0 +1,43 @@
+#pragma once
+/// What overlaps of a wheel's outline and a rail are to a contact: where, how deep and how large; and which of them are
+/// one patch.
+
+#include <vector>
+
+#include "wheelrail/profile_gap.hpp"
+
+namespace rollcon {
+
+struct OverlapPatch {
+  Vec3 reference{};          ///< on the rail: the centre of the overlap, weighted by its depth to the power of 2.5
+  Vec3 normal{}, lateral{};  ///< of the contact: upwards out of the rail, and across it to the right
+  double angle = 0;          ///< mean of the rail's, weighted alike: atan dz/dy, negative on a gauge face to the right
+  double overlap = 0;        ///< greatest, along the normal
+  double low = 0, high = 0;  ///< of what overlaps, along the lateral axis from the reference
+  double back = 0, front = 0;  ///< along x
+  /// In which this patch counts: patches apart and the same patches as one have shares that add up to 1.
+  double share = 1;
+  bool cut = false;            ///< the overlap ends where a profile does, or where it is too steep to be seen
+  double wheel_y = 0;          ///< of the wheel's profile, its own y, at the reference
+  double rolling_radius = 0;   ///< there
+  LocusCurvature curvature{};  ///< of both surfaces together there
+};
+
+/// An interval of s in which the gap is negative.
+struct Overlap {
+  GapPoint from, to;
+  GapPoint deepest;
+  bool cut = false;
+  // Of the interval, filled by measure():
+  double weight = 0, y = 0, x = 0, angle = 0;  ///< integrals of depth^2.5, and of y, x and the angle with it
+  double back = 0, front = 0;                  ///< x of what overlaps
+  double size = 0;                             ///< mean radius of contact
+};
+
+void measure(const ProfileGap& gap, Overlap& overlap);
+
+/// Overlaps in the order of s. side: -1 where the profile's y points to the left; radius: of the wheel at z = 0.
+void gather(const ProfileGap& gap, const std::vector<Overlap>& overlap, double side, double radius,
+            std::vector<OverlapPatch>& patch);
+
+}  // namespace rollcon

@@ -1,0 +1,73 @@
+#include "wheelrail/profile_gap.hpp"
+
+#include <cmath>
+
+#include "wheelrail/false_position.hpp"
+
+namespace rollcon {
+
+std::optional<GapPoint> ProfileGap::at(const VisiblePoint& p, double s) const {
+  const auto point = locus_.at(p);
+  if (!point) return std::nullopt;
+  const double y = point->x[1];
+  if (!(y >= rail_.low() && y <= rail_.high())) return std::nullopt;
+  near_ = rail_.cell_at_y(y, near_);
+  const VisiblePoint r = rail_.at_y(y, near_);
+  return GapPoint{s, point->x, r.z - point->x[2], r.slope - point->slope, r.slope, point->forward_y};
+}
+
+RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
+  RoughGap g;
+  g.s = span.s[end];
+  const auto point = locus_.at({span.y[end], span.z[end], span.slope[end], 1, span.slope[end], 0});
+  if (!point) return g;
+  g.y = point->x[1];
+  if (!(g.y >= rail_.low() && g.y <= rail_.high())) return g;
+  g.known = true;
+  near_ = rail_.cell_at_y(g.y, near_);
+  const VisibleCell& r = rail_.cells()[near_];
+  const double width = r.y[1] - r.y[0], t = (g.y - r.y[0]) / width, chord = (r.z[1] - r.z[0]) / width;
+  const double from = r.slope[0] - chord, to = r.slope[1] - chord;
+  const double z = r.z[0] + width * t * (chord + (1 - t) * ((1 - t) * from - t * to));
+  g.gap = z - point->x[2];
+  g.rise = r.slope[0] + t * (r.slope[1] - r.slope[0]) - point->slope;
+  constexpr double share = 0.1;  // of the height of an arc over its chord
+  g.slack = share * width * (std::abs(from) + std::abs(to));
+  return g;
+}
+
+GapPoint ProfileGap::zero(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const {
+  if (a.gap * b.gap >= 0) return std::abs(a.gap) <= std::abs(b.gap) ? a : b;
+  GapPoint last = a;
+  const auto value = [&](double s) {
+    last = at(span, s).value_or(last);
+    return last.gap;
+  };
+  const double rounding = locus_.rounding();
+  false_position(a.s, a.gap, b.s, b.gap, value, [&](double f) { return std::abs(f) <= rounding; });
+  return last;
+}
+
+GapPoint ProfileGap::extreme(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const {
+  if (a.rise * b.rise >= 0) return std::abs(a.rise) <= std::abs(b.rise) ? a : b;
+  GapPoint last = a;
+  const auto value = [&](double s) {
+    last = at(span, s).value_or(last);
+    return last.rise;
+  };
+  // Of a smooth gap, what is missing to its least value is half of rise^2 / curvature.
+  const double square = locus_.rounding() * std::abs((b.rise - a.rise) / (b.s - a.s));
+  false_position(a.s, a.rise, b.s, b.rise, value, [&](double f) { return f * f <= square; });
+  return last;
+}
+
+GapPoint ProfileGap::edge(const VisibleSpan& span, double in, double out) const {
+  constexpr int halvings = 50;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (in + out) / 2;
+    (at(span, middle) ? in : out) = middle;
+  }
+  return *at(span, in);
+}
+
+}  // namespace rollcon

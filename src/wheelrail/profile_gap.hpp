@@ -1,0 +1,59 @@
+#pragma once
+/// The gap between a wheel's outline and a rail along z, as a function of the parameter s of the wheel's profile.
+
+#include <cmath>
+
+#include "wheelrail/wheel_locus.hpp"
+
+namespace rollcon {
+
+struct GapPoint {
+  double s;
+  Vec3 wheel;   ///< on the locus
+  double gap;   ///< z of the rail less that of the wheel there
+  double rise;  ///< of the gap, by y
+  double rail_slope;
+  double forward_y;  ///< dy of the locus by s
+
+  /// Of the overlap, along the normal of the rail.
+  double depth() const { return -gap / std::sqrt(1 + rail_slope * rail_slope); }
+};
+
+/// As a table of the rail says, which is nearly right.
+struct RoughGap {
+  bool known = false;
+  double s = 0, y = 0, gap = 0, rise = 0;
+  double slack = 0;  ///< error of gap at most
+};
+
+class ProfileGap {
+ public:
+  ProfileGap(const VisibleProfile& wheel, const VisibleProfile& rail, const WheelLocus& locus)
+      : wheel_(wheel), rail_(rail), locus_(locus) {}
+
+  const VisibleProfile& wheel() const { return wheel_; }
+  const VisibleProfile& rail() const { return rail_; }
+  const WheelLocus& locus() const { return locus_; }
+
+  /// nullopt: beside the rail, or where the locus has no point.
+  std::optional<GapPoint> at(const VisiblePoint& p, double s) const;
+  std::optional<GapPoint> at(double s) const { return at(wheel_.at(s), s); }
+  std::optional<GapPoint> at(const VisibleSpan& span, double s) const { return at(wheel_.at(span, s), s); }
+  /// At an end of a span of the wheel.
+  RoughGap rough(const VisibleSpan& span, std::size_t end) const;
+
+  /// Within a span: where the gap vanishes, and where it is least or greatest. Gaps, or rises, of different signs at
+  /// both ends; where they are not, by the rough table's errors, the end with the lesser value.
+  GapPoint zero(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
+  GapPoint extreme(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) const;
+  /// The last point with a gap between two parameters, of which `in` has one.
+  GapPoint edge(const VisibleSpan& span, double in, double out) const;
+
+ private:
+  const VisibleProfile& wheel_;
+  const VisibleProfile& rail_;
+  WheelLocus locus_;
+  mutable std::size_t near_ = 0;
+};
+
+}  // namespace rollcon

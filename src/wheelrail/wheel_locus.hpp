@@ -1,0 +1,44 @@
+#pragma once
+/// Wang's contact locus: of each circle of a wheel the point at which its surface can touch a rail, one whose normal
+/// has no component along x, as the rail's has none.
+///
+/// With the wheel's axis a, the radius r and the slope m = dr/dy of its profile, d downwards and f forwards at right
+/// angles to a (d has no x), that point is at r (cos t d + sin t f) from the axis, where sin t = m a_x / f_x. Seen
+/// along x, the locus is the wheel's outline.
+
+#include <optional>
+
+#include "geometry/pose.hpp"
+#include "wheelrail/visible_profile.hpp"
+
+namespace rollcon {
+
+struct LocusPoint {
+  Vec3 x;
+  double slope;      ///< dz/dy of the outline
+  double forward_y;  ///< dy of the outline by s
+};
+
+/// Of the wheel's surface where it can touch, in the tangent plane of x and the direction across; convex: positive.
+struct LocusCurvature {
+  double along, twist, across;
+};
+
+class WheelLocus {
+ public:
+  /// axis: unit vector of the wheel's axle in space, its y not negative; centre: point on it where the profile's y is
+  /// 0; radius: of the profile's z = 0.
+  WheelLocus(const Vec3& centre, const Vec3& axis, double radius);
+
+  /// nullopt: no point of that circle looks down without a component along x.
+  std::optional<LocusPoint> at(const VisiblePoint& p) const;
+  LocusCurvature curvature(const VisiblePoint& p) const;
+  /// Of its points.
+  double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
+
+ private:
+  Vec3 centre_, axis_, down_, ahead_;
+  double radius_, tilt_ = 0;  ///< a_x / f_x
+};
+
+}  // namespace rollcon
