@@ -32,6 +32,7 @@ module rollcon_contact_plain
     procedure :: set_gap_grid => contact_set_gap_grid
     procedure :: set_rolling => contact_set_rolling
     procedure :: set_creep => contact_set_creep
+    procedure :: set_velocity => contact_set_velocity
     procedure :: set_creep_field => contact_set_creep_field
     procedure :: prescribe => contact_prescribe
     procedure :: set_friction => contact_set_friction
@@ -415,6 +416,24 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_set_creep(self%p, longitudinal, lateral, spin), self%p, 'rc_contact%set_creep', stat, &
       errmsg)
+  end subroutine
+
+  !> Says how a body moves: its point at x has the velocity v + omega x (x - point). Creepages and spin follow from the
+  !> velocities of both bodies over the speed V of rollcon_contact_set_rolling, which must be given;
+  !> rollcon_contact_get_motion returns them. A body whose velocity is not given is at rest. Where bodies have profiles
+  !> or meshes the relative velocity is taken between their surfaces, node by node: rolling radius and spin vary over
+  !> the contact. What was set last counts: rollcon_contact_set_creep forgets the velocities of both bodies,
+  !> rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
+  subroutine contact_set_velocity(self, which, velocity, angular_velocity, point, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: which
+    real(rc_real), intent(in) :: velocity(3)
+    real(rc_real), intent(in) :: angular_velocity(3)
+    real(rc_real), intent(in) :: point(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_velocity(self%p, int(which, rc_int), velocity, angular_velocity, point), self%p, &
+      'rc_contact%set_velocity', stat, errmsg)
   end subroutine
 
   !> Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame its components are

@@ -1060,6 +1060,24 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
     double longitudinal, double lateral, double spin);
 
 /*
+ * Says how a body moves: its point at x has the velocity v + omega x (x - point). Creepages and
+ * spin follow from the velocities of both bodies over the speed V of rollcon_contact_set_rolling,
+ * which must be given; rollcon_contact_get_motion returns them. A body whose velocity is not
+ * given is at rest. Where bodies have profiles or meshes the relative velocity is taken between
+ * their surfaces, node by node: rolling radius and spin vary over the contact. What was set last
+ * counts: rollcon_contact_set_creep forgets the velocities of both bodies,
+ * rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
+ *   which             1 or 2: the body
+ *   velocity          [3]; of its point at `point`, length/time
+ *   angular_velocity  [3]; 1/time
+ *   point             [3]; in space, length
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_velocity(rollcon_contact *contact,
+    int32_t which, const double *velocity, const double *angular_velocity, const double *point);
+
+/*
  * Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame
  * its components are along the local axes of each node.
  *   n        nodes of the frame; 0 removes the field

@@ -391,6 +391,25 @@ class ContactPlain:
         """
         self._call("set_creep", longitudinal, lateral, spin)
 
+    def set_velocity(self, which, velocity, angular_velocity, point):
+        """Says how a body moves: its point at x has the velocity v + omega x (x - point).
+        Creepages and spin follow from the velocities of both bodies over the speed V of
+        set_rolling(), which must be given; motion() returns them. A body whose velocity is not
+        given is at rest. Where bodies have profiles or meshes the relative velocity is taken
+        between their surfaces, node by node: rolling radius and spin vary over the contact. What
+        was set last counts: set_creep() forgets the velocities of both bodies, prescribe()
+        replaces one creepage or the spin and leaves the rest of the slip.
+
+        which: 1 or 2: the body.
+        velocity: of its point at `point`, length/time.
+        angular_velocity: 1/time.
+        point: in space, length.
+        """
+        velocity, velocity_at = vector(velocity)
+        angular_velocity, angular_velocity_at = vector(angular_velocity)
+        point, point_at = vector(point)
+        self._call("set_velocity", which, velocity_at, angular_velocity_at, point_at)
+
     def set_creep_field(self, slip):
         """Adds a rigid slip velocity given node by node to that of creepages and spin. On a
         curved frame its components are along the local axes of each node.

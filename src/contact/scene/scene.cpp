@@ -106,6 +106,7 @@ double Scene::gap(std::int64_t k, double x, double y) const {
 void Scene::set_speed(double speed) {
   require_finite(speed, "speed");
   if (!(speed > 0)) fail(Status::err_argument, "speed is %g; allowed: > 0", speed);
+  speed_given_ = true;
   if (replace(speed_, speed)) ++revision.kinematics;
 }
 
@@ -118,6 +119,8 @@ void Scene::set_creep(double longitudinal, double lateral, double spin) {
                                          std::pair{Direction::lateral, lateral}, std::pair{Direction::spin, spin}})
     changed |= replace(load_[static_cast<std::size_t>(direction) - 1], {How::by_motion, value});
   if (changed) ++revision.load;
+  if (std::exchange(velocities_given_, false)) ++revision.kinematics;
+  velocity_ = {};
 }
 
 void Scene::set_creep_field(std::int64_t n, const double* slip) {
@@ -196,6 +199,11 @@ void Scene::require_complete(bool has_surface) const {
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
   if (!friction_given_ && friction_field_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
+  if (velocities_given_ && !speed_given_)
+    fail(
+        Status::err_state,
+        "velocities were given (rollcon_contact_set_velocity), but not the speed of the contact over the bodies, which "
+        "creepages are counted in: rollcon_contact_set_rolling");
 }
 
 }  // namespace rollcon

@@ -1,4 +1,4 @@
-/// What a scene takes from its bodies: where they stand, and frames made of their faces.
+/// What a scene takes from its bodies: where they stand, how they move, and frames made of their faces.
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +57,33 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
   ++revision.pose[static_cast<std::size_t>(body)];
   if (frame_source_.body != body) return;
   for (std::size_t k = 0; k < mesh_.node.size(); ++k) mesh_.node[k] = pose.place(frame_source_.place[k]);
+}
+
+void Scene::set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity,
+                         const double* point) {
+  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
+  require_finite_vector(velocity, "velocity");
+  require_finite_vector(angular_velocity, "angular_velocity");
+  require_finite_vector(point, "point");
+  Velocity& held = velocity_[static_cast<std::size_t>(which) - 1];
+  const auto vector = [](const double* v) { return Vec3{v[0], v[1], v[2]}; };
+  const Velocity now{vector(velocity), vector(angular_velocity), vector(point)};
+  if (!(held == now) || !velocities_given_) ++revision.kinematics;
+  held = now;
+  velocities_given_ = true;
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
+    Load& load = load_[static_cast<std::size_t>(d) - 1];
+    if (load.how == How::by_velocity) continue;
+    load = {How::by_velocity, 0};
+    ++revision.load;
+  }
+}
+
+Velocity Scene::relative_velocity() const {
+  const Vec3 linear = velocity_[0].at(axes_.origin) - velocity_[1].at(axes_.origin);
+  const Vec3 angular = velocity_[0].angular - velocity_[1].angular;
+  const auto in_axes = [this](const Vec3& v) { return Vec3{dot(v, axes_.t1), dot(v, axes_.t2), dot(v, axes_.n)}; };
+  return {in_axes(linear), in_axes(angular), {0, 0, 0}};
 }
 
 void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag) {
