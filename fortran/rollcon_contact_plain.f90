@@ -396,7 +396,8 @@ contains
       self%p, 'rc_contact%set_gap_grid', stat, errmsg)
   end subroutine
 
-  !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
+  !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel). Forgets the
+  !> velocity of the contact (rollcon_contact_set_velocity).
   subroutine contact_set_rolling(self, speed, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: speed
@@ -418,11 +419,12 @@ contains
       errmsg)
   end subroutine
 
-  !> Says how a body moves: its point at x has the velocity v + omega x (x - point). Creepages and spin follow from the
-  !> velocities of both bodies over the speed V of rollcon_contact_set_rolling, which must be given;
-  !> rollcon_contact_get_motion returns them. A body whose velocity is not given is at rest. Where bodies have profiles
-  !> or meshes the relative velocity is taken between their surfaces, node by node: rolling radius and spin vary over
-  !> the contact. What was set last counts: rollcon_contact_set_creep forgets the velocities of both bodies,
+  !> Says how a body or the contact itself moves: its point at x has the velocity v + omega x (x - point). Creepages and
+  !> spin then follow from the velocities of both bodies; rollcon_contact_get_motion returns them after a solve. Where
+  !> bodies have profiles or meshes the relative velocity is taken between their surfaces, node by node: rolling radius
+  !> and spin vary over the contact. The speed V follows from the velocity of the contact, less the mean of both
+  !> bodies'; where that is not given it is as set by rollcon_contact_set_rolling, one of the two is needed. A body that
+  !> is not told of is at rest. What was set last counts: rollcon_contact_set_creep forgets all velocities,
   !> rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
   subroutine contact_set_velocity(self, which, velocity, angular_velocity, point, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self

@@ -720,7 +720,7 @@ subroutine rccrp(icon, xlongitudinal, xlateral, spin, ierr)
   ierr = rollcon_contact_set_creep(contact_of(icon), xlongitudinal, xlateral, spin)
 end subroutine
 
-!> Says how a body moves.
+!> Says how a body or the contact itself moves.
 subroutine rcvel(icon, iwhich, velocity, angular_velocity, point, ierr)
   use rollcon_f77_support
   implicit none

@@ -362,7 +362,6 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   read_slip(state, scene, poses_of_surfaces(scene, on.pair));
   read_prescribed(state, scene);
   build_operators(state, scene);
-  on.speed = scene.speed();
 }
 
 }  // namespace rollcon

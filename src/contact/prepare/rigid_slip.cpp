@@ -24,14 +24,15 @@ void shift_field(Preparation& preparation) {
 }
 
 void add_creep_field(Preparation& preparation, const Scene& scene) {
+  const double speed = preparation.made->speed;
   Problem& p = preparation.made->problem;
   const auto& field = scene.creep_field();
   const std::size_t n = field.size() / 2;
   p.slip1.resize(n);
   p.slip2.resize(n);
   for (std::size_t k = 0; k < n; ++k) {
-    p.slip1[k] = field[2 * k] / scene.speed();
-    p.slip2[k] = field[2 * k + 1] / scene.speed();
+    p.slip1[k] = field[2 * k] / speed;
+    p.slip2[k] = field[2 * k + 1] / speed;
   }
   if (n > 0 && !p.convection.ahead.empty()) shift_field(preparation);
 }
@@ -42,7 +43,7 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
   Problem& p = preparation.made->problem;
   const Velocity of = scene.relative_velocity();
   const Vec3& turning = of.angular;
-  const double speed = scene.speed();
+  const double speed = preparation.made->speed;
   const Vec3 at_origin = of.at(preparation.origin_between);
   preparation.creepage = {at_origin[0] / speed, at_origin[1] / speed, 0, turning[2] / speed};
   const std::size_t n = preparation.point_between.size();
@@ -85,6 +86,7 @@ void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses&
                               preparation.offset_change, scene.revision.kinematics))
     return;
   ++state.work.slips;
+  preparation.made->speed = scene.speed(preparation.origin_between);
   add_creep_field(preparation, scene);
   if (scene.velocities_given()) add_velocities(preparation, scene);
   add_offset(preparation);

@@ -89,8 +89,9 @@ class Scene {
   void set_gap_quadratic(double a, double b, double c);
   void set_gap_grid(const GridPlace& place, const double* gap);
   void set_speed(double speed);
-  /// Of body `which` (1 or 2), at rest so far: in the axes of space, as Velocity has it. Creepages and spin follow from
-  /// the velocities from then on, until they are prescribed.
+  /// Of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; at rest so far.
+  /// Creepages and spin follow from the velocities from then on, until they are prescribed, and the speed from that of
+  /// the contact, until it is set.
   void set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity, const double* point);
   /// Forgets velocities.
   void set_creep(double longitudinal, double lateral, double spin);
@@ -106,7 +107,8 @@ class Scene {
   const FrameSource& frame_source() const { return frame_source_; }
   const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
   const Axes& axes() const { return axes_; }
-  double speed() const { return speed_; }
+  /// At a point of the axes: what was set, or the speed of the contact over both bodies.
+  double speed(const Vec3& point) const;
   bool velocities_given() const { return velocities_given_; }
   /// Of body 1 relative to body 2, in the directions of the axes; its point is their origin.
   Velocity relative_velocity() const;
@@ -148,8 +150,8 @@ class Scene {
   std::array<double, 3> quadratic_{0, 0, 0};
   std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
   double speed_ = 1;
-  bool speed_given_ = false, velocities_given_ = false;
-  std::array<Velocity, 2> velocity_{};
+  bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
+  std::array<Velocity, 3> velocity_{};  ///< of the contact and both bodies
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;

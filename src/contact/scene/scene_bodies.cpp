@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/scene/scene.hpp"
 #include "mesh/turned_over.hpp"
@@ -61,29 +62,46 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
 
 void Scene::set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity,
                          const double* point) {
-  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
+  if (which < 0 || which > 2) fail(Status::err_argument, "which is %d; allowed: 0 (the contact), 1, 2", which);
   require_finite_vector(velocity, "velocity");
   require_finite_vector(angular_velocity, "angular_velocity");
   require_finite_vector(point, "point");
-  Velocity& held = velocity_[static_cast<std::size_t>(which) - 1];
   const auto vector = [](const double* v) { return Vec3{v[0], v[1], v[2]}; };
   const Velocity now{vector(velocity), vector(angular_velocity), vector(point)};
-  if (!(held == now) || !velocities_given_) ++revision.kinematics;
+  Velocity& held = velocity_[static_cast<std::size_t>(which)];
+  bool changed = !(held == now) || !velocities_given_;
   held = now;
   velocities_given_ = true;
+  if (which == 0) changed |= !std::exchange(travel_given_, true);
+  if (changed) ++revision.kinematics;
+  changed = false;
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
     Load& load = load_[static_cast<std::size_t>(d) - 1];
-    if (load.how == How::by_velocity) continue;
+    changed |= load.how != How::by_velocity;
     load = {How::by_velocity, 0};
-    ++revision.load;
   }
+  if (changed) ++revision.load;
 }
 
 Velocity Scene::relative_velocity() const {
-  const Vec3 linear = velocity_[0].at(axes_.origin) - velocity_[1].at(axes_.origin);
-  const Vec3 angular = velocity_[0].angular - velocity_[1].angular;
+  const Vec3 linear = velocity_[1].at(axes_.origin) - velocity_[2].at(axes_.origin);
+  const Vec3 angular = velocity_[1].angular - velocity_[2].angular;
   const auto in_axes = [this](const Vec3& v) { return Vec3{dot(v, axes_.t1), dot(v, axes_.t2), dot(v, axes_.n)}; };
   return {in_axes(linear), in_axes(angular), {0, 0, 0}};
+}
+
+double Scene::speed(const Vec3& point) const {
+  if (!travel_given_) return speed_;
+  const Vec3 x = axes_.origin + point[0] * axes_.t1 + point[1] * axes_.t2 + point[2] * axes_.n;
+  const double speed = dot(velocity_[0].at(x) - 0.5 * (velocity_[1].at(x) + velocity_[2].at(x)), axes_.t1);
+  if (!(speed > 0) || !std::isfinite(speed))
+    fail(
+        Status::err_argument,
+        "the velocity of the contact along the rolling direction, less the mean of both bodies', is %g "
+        "(rollcon_contact_set_velocity); allowed: > 0; the rolling direction is that in which the contact travels over "
+        "the bodies",
+        speed);
+  return speed;
 }
 
 void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag) {

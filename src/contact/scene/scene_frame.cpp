@@ -79,6 +79,7 @@ void Scene::follow(const Scene& lead) {
   speed_ = lead.speed_;
   speed_given_ = lead.speed_given_;
   velocities_given_ = lead.velocities_given_;
+  travel_given_ = lead.travel_given_;
   velocity_ = lead.velocity_;
   load_ = lead.load_;
   friction_given_ = lead.friction_given_;
