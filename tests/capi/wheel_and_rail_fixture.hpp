@@ -64,7 +64,7 @@ constexpr Position positions[] = {{0,
                                    -1987,
                                    -4170,
                                    405.1,
-                                   8,
+                                   10,
                                    3}};
 constexpr double forward_speed = 2000;
 

@@ -61,9 +61,9 @@ class BetweenSurfaces {
       const auto first = curvature(0, frame.mesh.node[nearest], half),
                  second = curvature(1, frame.mesh.node[nearest], half);
       if (!first || !second) continue;
-      constexpr double conformal = 1e-3, straight = 1e-6;
+      constexpr double conformal = 1e-3, straight = 1e-6, rounding = 1e-9;
       const double sum = *first + *second;
-      if (!(sum > conformal * (std::abs(*first) + std::abs(*second)))) return;
+      if (!(sum > conformal * (std::abs(*first) + std::abs(*second)) && sum * half > rounding)) return;
       double share = *first / sum;
       for (const double whole : {0.0, 1.0})
         if (std::abs(share - whole) < straight) share = whole;
