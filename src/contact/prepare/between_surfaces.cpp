@@ -15,13 +15,17 @@ class BetweenSurfaces {
  public:
   explicit BetweenSurfaces(const Prepared& on) : axes_(on.frame.axes), pair_(on.pair) { divide(on); }
 
-  /// From a point of space along n, out of body 1; size: of the elements there. None: both bodies are missed.
-  std::optional<double> distance(const Vec3& from, const Vec3& n, double size) const {
+  /// From a point of space along n, out of body 1; size: of the elements there. Of a body that is not met, from the
+  /// other point. 0: both bodies are missed.
+  double distance(const Vec3& from, const Vec3& other, const Vec3& n, double size) const {
     std::array<std::optional<double>, 2> to;
-    for (std::size_t b = 0; b < 2; ++b)
-      if (share_[b] != 0) to[b] = distance_to(b, from, n, size);
+    for (std::size_t b = 0; b < 2; ++b) {
+      if (share_[b] == 0) continue;
+      to[b] = distance_to(b, from, n, size);
+      if (!to[b]) to[b] = distance_to(b, other, n, size);
+    }
     if (to[0] && to[1]) return share_[0] * *to[0] + share_[1] * *to[1];
-    return to[0] ? to[0] : to[1];
+    return to[0] ? *to[0] : to[1].value_or(0);
   }
 
  private:
@@ -96,18 +100,17 @@ void find_points_between(Preparation& preparation) {
   if (flat_scene(on)) return;
   const BetweenSurfaces between(on);
   const Axes& axes = frame.axes;
-  preparation.origin_between[2] = between.distance(axes.origin, axes.n, on.problem.length).value_or(0);
+  preparation.origin_between[2] = between.distance(axes.origin, axes.origin, axes.n, on.problem.length);
   preparation.point_between.resize(frame.x.size());
   for (std::size_t k = 0; k < frame.x.size(); ++k) {
     const Vec3 n = frame.triad(k).n, node{frame.x[k], frame.y[k], frame.z[k]};
     const Vec3 at{convection.slip_x[k], convection.slip_y[k], node[2]};
     const double size = element_size(frame, k);
     const auto in_space = [&](const Vec3& x) { return axes.origin + x[0] * axes.t1 + x[1] * axes.t2 + x[2] * axes.n; };
-    auto away = between.distance(in_space(at), n, size);
     // Slip is taken upstream of the node, where the bodies may have ended.
-    if (!away) away = between.distance(in_space(node), n, size);
+    const double away = between.distance(in_space(at), in_space(node), n, size);
     const Vec3 along{dot(n, axes.t1), dot(n, axes.t2), dot(n, axes.n)};
-    preparation.point_between[k] = frame.curved() ? at + away.value_or(0) * along : at + Vec3{0, 0, away.value_or(0)};
+    preparation.point_between[k] = frame.curved() ? at + away * along : at + Vec3{0, 0, away};
   }
 }
 
