@@ -809,6 +809,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_creep
 
+    function rollcon_contact_set_velocity(contact, which, velocity, angular_velocity, point) &
+        result(rc) bind(C, name="rollcon_contact_set_velocity")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      real(c_double), intent(in) :: velocity(*)
+      real(c_double), intent(in) :: angular_velocity(*)
+      real(c_double), intent(in) :: point(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_velocity
+
     function rollcon_contact_set_creep_field(contact, n, slip) &
         result(rc) bind(C, name="rollcon_contact_set_creep_field")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

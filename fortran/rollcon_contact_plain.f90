@@ -32,6 +32,7 @@ module rollcon_contact_plain
     procedure :: set_gap_grid => contact_set_gap_grid
     procedure :: set_rolling => contact_set_rolling
     procedure :: set_creep => contact_set_creep
+    procedure :: set_velocity => contact_set_velocity
     procedure :: set_creep_field => contact_set_creep_field
     procedure :: prescribe => contact_prescribe
     procedure :: set_friction => contact_set_friction
@@ -395,7 +396,8 @@ contains
       self%p, 'rc_contact%set_gap_grid', stat, errmsg)
   end subroutine
 
-  !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel).
+  !> Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a wheel). Forgets the
+  !> velocity of the contact (rollcon_contact_set_velocity).
   subroutine contact_set_rolling(self, speed, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: speed
@@ -415,6 +417,25 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_set_creep(self%p, longitudinal, lateral, spin), self%p, 'rc_contact%set_creep', stat, &
       errmsg)
+  end subroutine
+
+  !> Says how a body or the contact itself moves: its point at x has the velocity v + omega x (x - point). Creepages and
+  !> spin then follow from the velocities of both bodies; rollcon_contact_get_motion returns them after a solve. Where
+  !> bodies have profiles or meshes the relative velocity is taken between their surfaces, node by node: rolling radius
+  !> and spin vary over the contact. The speed V follows from the velocity of the contact, less the mean of both
+  !> bodies'; where that is not given it is as set by rollcon_contact_set_rolling, one of the two is needed. A body that
+  !> is not told of is at rest. What was set last counts: rollcon_contact_set_creep forgets all velocities,
+  !> rollcon_contact_prescribe replaces one creepage or the spin and leaves the rest of the slip.
+  subroutine contact_set_velocity(self, which, velocity, angular_velocity, point, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: which
+    real(rc_real), intent(in) :: velocity(3)
+    real(rc_real), intent(in) :: angular_velocity(3)
+    real(rc_real), intent(in) :: point(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_velocity(self%p, int(which, rc_int), velocity, angular_velocity, point), self%p, &
+      'rc_contact%set_velocity', stat, errmsg)
   end subroutine
 
   !> Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame its components are

@@ -720,6 +720,15 @@ subroutine rccrp(icon, xlongitudinal, xlateral, spin, ierr)
   ierr = rollcon_contact_set_creep(contact_of(icon), xlongitudinal, xlateral, spin)
 end subroutine
 
+!> Says how a body or the contact itself moves.
+subroutine rcvel(icon, iwhich, velocity, angular_velocity, point, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, ierr
+  double precision :: velocity(3), angular_velocity(3), point(3)
+  ierr = rollcon_contact_set_velocity(contact_of(icon), narrow(iwhich), velocity, angular_velocity, point)
+end subroutine
+
 !> Adds a rigid slip velocity given node by node to that of creepages and spin.
 subroutine rccrpf(icon, n, slip, ierr)
   use rollcon_f77_support

@@ -1039,7 +1039,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_grid(rollcon_con
 
 /*
  * Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a
- * wheel).
+ * wheel). Forgets the velocity of the contact (rollcon_contact_set_velocity).
  *   speed    V > 0, length/time
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
@@ -1058,6 +1058,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_cont
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contact *contact,
     double longitudinal, double lateral, double spin);
+
+/*
+ * Says how a body or the contact itself moves: its point at x has the velocity v + omega x (x -
+ * point). Creepages and spin then follow from the velocities of both bodies;
+ * rollcon_contact_get_motion returns them after a solve. Where bodies have profiles or meshes the
+ * relative velocity is taken between their surfaces, node by node: rolling radius and spin vary
+ * over the contact. The speed V follows from the velocity of the contact, less the mean of both
+ * bodies'; where that is not given it is as set by rollcon_contact_set_rolling, one of the two is
+ * needed. A body that is not told of is at rest. What was set last counts:
+ * rollcon_contact_set_creep forgets all velocities, rollcon_contact_prescribe replaces one
+ * creepage or the spin and leaves the rest of the slip.
+ *   which             1 or 2: the body; 0: the contact, which travels over both
+ *   velocity          [3]; of its point at `point`, length/time
+ *   angular_velocity  [3]; 1/time
+ *   point             [3]; in space, length
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/theory.md, signs and axes.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_velocity(rollcon_contact *contact,
+    int32_t which, const double *velocity, const double *angular_velocity, const double *point);
 
 /*
  * Adds a rigid slip velocity given node by node to that of creepages and spin. On a curved frame

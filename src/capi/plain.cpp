@@ -213,6 +213,13 @@ rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longit
   });
 }
 
+rollcon_status rollcon_contact_set_velocity(rollcon_contact *contact, int32_t which,
+    const double *velocity, const double *angular_velocity, const double *point) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_velocity(which, velocity, angular_velocity, point);
+  });
+}
+
 rollcon_status rollcon_contact_set_creep_field(rollcon_contact *contact, int64_t n,
     const double *slip) {
   return with_contact(__func__, contact, [&](Contact& self) {

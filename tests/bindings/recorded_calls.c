@@ -74,6 +74,7 @@ const char* const recorded_names[] = {
   "contact_set_gap_grid",
   "contact_set_rolling",
   "contact_set_creep",
+  "contact_set_velocity",
   "contact_set_creep_field",
   "contact_prescribe",
   "contact_set_friction",
@@ -115,7 +116,7 @@ const char* const recorded_names[] = {
   "contact_from_id",
 };
 
-const int recorded_number = 108;
+const int recorded_number = 109;
 
 enum {
   recorded_rollcon_version,
@@ -187,6 +188,7 @@ enum {
   recorded_rollcon_contact_set_gap_grid,
   recorded_rollcon_contact_set_rolling,
   recorded_rollcon_contact_set_creep,
+  recorded_rollcon_contact_set_velocity,
   recorded_rollcon_contact_set_creep_field,
   recorded_rollcon_contact_prescribe,
   recorded_rollcon_contact_set_friction,
@@ -826,6 +828,17 @@ rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longit
   record_real(longitudinal);
   record_real(lateral);
   record_real(spin);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_velocity(rollcon_contact *contact, int32_t which,
+    const double *velocity, const double *angular_velocity, const double *point) {
+  record_begin(recorded_rollcon_contact_set_velocity);
+  record_handle(contact);
+  record_integer(which);
+  record_reals(velocity, 3);
+  record_reals(angular_velocity, 3);
+  record_reals(point, 3);
   return record_end();
 }
 

@@ -139,6 +139,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_set_rolling(object, 1));
   check("rollcon_contact_set_creep", false,
         rollcon_contact_set_creep(object, 1, 1, 1));
+  check("rollcon_contact_set_velocity", false,
+        rollcon_contact_set_velocity(object, 1, a.reals, a.reals, a.reals));
   check("rollcon_contact_set_creep_field", false,
         rollcon_contact_set_creep_field(object, 1, a.reals));
   check("rollcon_contact_prescribe", false,

@@ -3,37 +3,12 @@
 #include <random>
 
 #include "fixture.hpp"
+#include "space.hpp"
 #include "support/testing.hpp"
 
 using namespace capi_test;
 
 namespace {
-
-using Vector = std::array<double, 3>;
-using Matrix = std::array<double, 9>;
-
-Vector operator*(const Matrix& q, const Vector& v) {
-  Vector r{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) r[i] += q[3 * i + j] * v[j];
-  return r;
-}
-
-/// Turn by an angle about an axis of any length.
-Matrix turned(Vector a, double angle) {
-  const double l = std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]), c = std::cos(angle), s = std::sin(angle);
-  for (double& x : a) x /= l;
-  Matrix q{};
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) q[3 * i + j] = (1 - c) * a[i] * a[j] + (i == j ? c : 0);
-  q[1] -= s * a[2];
-  q[3] += s * a[2];
-  q[2] += s * a[1];
-  q[6] -= s * a[1];
-  q[5] -= s * a[0];
-  q[7] += s * a[0];
-  return q;
-}
 
 constexpr double zero[3] = {0, 0, 0}, up[3] = {0, 0, 1}, ahead[3] = {1, 0, 0}, aside[3] = {0, 1, 0};
 

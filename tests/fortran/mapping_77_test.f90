@@ -60,6 +60,7 @@ program mapping_77_test
   call test_rcgapg()
   call test_rcroll()
   call test_rccrp()
+  call test_rcvel()
   call test_rccrpf()
   call test_rcpres()
   call test_rcfric()
@@ -887,6 +888,19 @@ contains
     call rccrp(icon, 1.5d0, 2.5d0, 3.5d0, stat)
     call rclerr(message)
     call failed('contact_set_creep', stat, message)
+  end subroutine
+
+  subroutine test_rcvel()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcvel(icon, 11, [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call told('contact_set_velocity', 'contact1 11 [2.125 2.25 2.375] [3.125 3.25 3.375] [4.125 4.25 4.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcvel(icon, 11, [2.125d0, 2.25d0, 2.375d0], [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call rclerr(message)
+    call failed('contact_set_velocity', stat, message)
   end subroutine
 
   subroutine test_rccrpf()

@@ -36,6 +36,7 @@ program mapping_test
   call contact_set_gap_grid()
   call contact_set_rolling()
   call contact_set_creep()
+  call contact_set_velocity()
   call contact_set_creep_field()
   call contact_prescribe()
   call contact_set_friction()
@@ -464,6 +465,20 @@ contains
     message = ''
     call contact%set_creep(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
     call failed('contact_set_creep', stat, message)
+  end subroutine
+
+  subroutine contact_set_velocity()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_velocity(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], [3.125_rc_real, 3.25_rc_real, &
+      3.375_rc_real], [4.125_rc_real, 4.25_rc_real, 4.375_rc_real], stat, message)
+    call told('contact_set_velocity', 'contact1 11 [2.125 2.25 2.375] [3.125 3.25 3.375] [4.125 4.25 4.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_velocity(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], [3.125_rc_real, 3.25_rc_real, &
+      3.375_rc_real], [4.125_rc_real, 4.25_rc_real, 4.375_rc_real], stat, message)
+    call failed('contact_set_velocity', stat, message)
   end subroutine
 
   subroutine contact_set_creep_field()

@@ -45,6 +45,7 @@ ROWS = list(starmap(Row, [
     ('contact', 'set_rolling', False, (1.5,), 'contact_set_rolling', 'contact1 1.5', None),
     ('contact', 'set_creep', False, (1.5, 2.5, 3.5), 'contact_set_creep', 'contact1 1.5 2.5 3.5', None),
     ('contact', 'set_creep', False, (), 'contact_set_creep', 'contact1 0 0 0', None),
+    ('contact', 'set_velocity', False, (11, [2.125, 2.25, 2.375], [3.125, 3.25, 3.375], [4.125, 4.25, 4.375]), 'contact_set_velocity', 'contact1 11 [2.125 2.25 2.375] [3.125 3.25 3.375] [4.125 4.25 4.375]', None),
     ('contact', 'set_creep_field', False, ([[2.125, 2.25], [2.375, 2.5]],), 'contact_set_creep_field', 'contact1 2 [2.125 2.25 2.375 2.5]', None),
     ('contact', 'set_creep_field', False, (None,), 'contact_set_creep_field', 'contact1 0 null', None),
     ('contact', 'prescribe', False, (11, 21, 3.5), 'contact_prescribe', 'contact1 11 21 3.5', None),

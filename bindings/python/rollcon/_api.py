@@ -245,6 +245,9 @@ FUNCTIONS = {
         c_double, c_double, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_rolling": (c_int32, [c_void_p, c_double]),
     "rollcon_contact_set_creep": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_contact_set_velocity": (c_int32, [
+        c_void_p, c_int32, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_set_creep_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_prescribe": (c_int32, [c_void_p, c_int32, c_int32, c_double]),
     "rollcon_contact_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
@@ -456,6 +459,9 @@ ARGUMENTS = {
     "rollcon_contact_set_rolling": [("contact", ""), ("speed", "")],
     "rollcon_contact_set_creep": [
         ("contact", ""), ("longitudinal", ""), ("lateral", ""), ("spin", "")
+    ],
+    "rollcon_contact_set_velocity": [
+        ("contact", ""), ("which", ""), ("velocity", ""), ("angular_velocity", ""), ("point", "")
     ],
     "rollcon_contact_set_creep_field": [("contact", ""), ("n", ""), ("slip", "")],
     "rollcon_contact_prescribe": [

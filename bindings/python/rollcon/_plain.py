@@ -375,7 +375,7 @@ class ContactPlain:
 
     def set_rolling(self, speed):
         """Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for
-        a wheel).
+        a wheel). Forgets the velocity of the contact (set_velocity()).
 
         speed: V > 0, length/time.
         """
@@ -390,6 +390,26 @@ class ContactPlain:
         spin: 1/length.
         """
         self._call("set_creep", longitudinal, lateral, spin)
+
+    def set_velocity(self, which, velocity, angular_velocity, point):
+        """Says how a body or the contact itself moves: its point at x has the velocity v + omega
+        x (x - point). Creepages and spin then follow from the velocities of both bodies; motion()
+        returns them after a solve. Where bodies have profiles or meshes the relative velocity is
+        taken between their surfaces, node by node: rolling radius and spin vary over the contact.
+        The speed V follows from the velocity of the contact, less the mean of both bodies'; where
+        that is not given it is as set by set_rolling(), one of the two is needed. A body that is
+        not told of is at rest. What was set last counts: set_creep() forgets all velocities,
+        prescribe() replaces one creepage or the spin and leaves the rest of the slip.
+
+        which: 1 or 2: the body; 0: the contact, which travels over both.
+        velocity: of its point at `point`, length/time.
+        angular_velocity: 1/time.
+        point: in space, length.
+        """
+        velocity, velocity_at = vector(velocity)
+        angular_velocity, angular_velocity_at = vector(angular_velocity)
+        point, point_at = vector(point)
+        self._call("set_velocity", which, velocity_at, angular_velocity_at, point_at)
 
     def set_creep_field(self, slip):
         """Adds a rigid slip velocity given node by node to that of creepages and spin. On a

@@ -48,23 +48,30 @@ struct Preparation {
   Revision mesh = -1;  ///< of the frame
   /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there
   Stage<Revision, Revision, Revision, Poses, Poses> frame;
-  Stage<Revision, Revision> place;       ///< frame, revision
-  Stage<Revision, Poses, Poses> rim;     ///< frame, poses of bodies with a mesh, where the gap ends
-  Stage<Revision, double> compliance;    ///< frame, accuracy
-  Stage<Revision, Scheme> convection;    ///< compliance, scheme
-  Stage<Revision> offset;                ///< convection
-  Stage<Revision, Revision> friction;    ///< convection, revision
+  Stage<Revision, Revision> place;     ///< frame, revision
+  Stage<Revision, Poses, Poses> rim;   ///< frame, poses of bodies with a mesh, where the gap ends
+  Stage<Revision, double> compliance;  ///< frame, accuracy
+  Stage<Revision, Scheme> convection;  ///< compliance, scheme
+  Stage<Revision> offset;              ///< convection
+  Stage<Revision, Revision> friction;  ///< convection, revision
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
-  Stage<Revision, Revision, Revision> slip;  ///< convection, offset, revision
-  Stage<Revision> lattice;                   ///< frame
-  Stage<Revision, Revision, bool> scales;    ///< frame, rows, estimated
-  Revision offset_change = 0;                ///< one is there, or there was one before
-  Revision rows = 0;                         ///< of the operators were assembled
-  UnitFrame unit;                            ///< of a frame that is placed
-  OperatorFamily family;                     ///< likewise
+  Stage<Revision, Revision, Poses> between;            ///< convection, gap, poses; where there are velocities
+  Stage<Revision, Revision, Revision, Revision> slip;  ///< convection, between, offset, revision
+  Stage<Revision> lattice;                             ///< frame
+  Stage<Revision, Revision, bool> scales;              ///< frame, rows, estimated
+  Revision offset_change = 0;                          ///< one is there, or there was one before
+  Revision rows = 0;                                   ///< of the operators were assembled
+  UnitFrame unit;                                      ///< of a frame that is placed
+  OperatorFamily family;                               ///< likewise
   int threads = 1;
-  SparseRows field_rows;  ///< carries a creep field to where the characteristic scheme takes slip
+  SparseRows field_rows;            ///< carries a creep field to where the characteristic scheme takes slip
+  std::vector<double> field_given;  ///< workspace for that
+  /// Where velocities are compared, in the axes: over their origin, and over the points at which slip is taken; empty:
+  /// there, and at the origin.
+  Vec3 origin_between{0, 0, 0};
+  std::vector<Vec3> point_between;
+  std::array<double, 4> creepage{};  ///< by Motion, from velocities
 };
 
 /// What there is so far; empty at first.

@@ -6,6 +6,7 @@
 
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
+#include "contact/prepare/rigid_slip.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -234,22 +235,6 @@ void find_offset(SolverState& state) {
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
 
-// A creep field is given at the nodes, but the characteristic scheme takes slip half a step upstream: c(x + delta/2 e)
-// = c - delta/2 (v . grad c), exact for linear fields such as spin.
-void shift_field(Preparation& preparation) {
-  Problem& p = preparation.made->problem;
-  SparseRows& d = preparation.field_rows;
-  if (d.start.empty()) d = least_squares(preparation.made->frame, 1, 0);
-  for (std::vector<double>* field : {&p.slip1, &p.slip2}) {
-    const std::vector<double> given = *field;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      double derivative = 0;
-      for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) derivative += d.value[k] * given[at(d.column[k])];
-      (*field)[i] -= 0.5 * p.convection.ahead[i] * derivative;
-    }
-  }
-}
-
 // The new gaps count from no approach; warm starts from the datum before.
 void set_datum(SolverState& state) {
   constexpr double steepest = 0.01;  // nodes as steep as that say little about the approach
@@ -304,39 +289,14 @@ void read_gap(SolverState& state, const Scene& scene) {
   set_datum(state);
 }
 
-// Slip that no traction changes.
-void read_slip(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
-  if (!preparation.slip.enter(preparation.convection.version(), preparation.offset_change, scene.revision.kinematics))
-    return;
-  ++state.work.slips;
-  const Prepared& on = *preparation.made;
-  Problem& p = preparation.made->problem;
-  const auto& field = scene.creep_field();
-  const std::size_t n = field.size() / 2;
-  p.slip1.resize(n);
-  p.slip2.resize(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    p.slip1[k] = field[2 * k] / scene.speed();
-    p.slip2[k] = field[2 * k + 1] / scene.speed();
-  }
-  if (n > 0 && !p.convection.ahead.empty()) shift_field(preparation);
-  if (on.offset_depth.empty()) return;
-  p.slip1.resize(on.offset_depth.size());
-  p.slip2.resize(p.slip1.size());
-  for (std::size_t k = 0; k < p.slip1.size(); ++k) {
-    p.slip1[k] += on.offset_slip[0][k];
-    p.slip2[k] += on.offset_slip[1][k];
-  }
-}
-
 void read_prescribed(SolverState& state, const Scene& scene) {
   Prescribed& given = state.given;
   given = {};
   for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::normal, Direction::spin}) {
     const auto m = static_cast<std::size_t>(d) - 1;
-    given.by_force[m] = scene.load(d).how == How::by_force;
-    given.value[m] = scene.load(d).value;
+    const Load& load = scene.load(d);
+    given.by_force[m] = load.how == How::by_force;
+    given.value[m] = load.how == How::by_velocity ? state.preparation->creepage[m] : load.value;
   }
   given.prescribe_normal(given.by_force[approach], given.value[approach], state.prepared->problem.datum);
 }
@@ -399,10 +359,9 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   find_offset(state);
   read_friction(state, scene);
   read_gap(state, scene);
-  read_slip(state, scene);
+  read_slip(state, scene, poses_of_surfaces(scene, on.pair));
   read_prescribed(state, scene);
   build_operators(state, scene);
-  on.speed = scene.speed();
 }
 
 }  // namespace rollcon

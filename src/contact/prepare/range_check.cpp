@@ -48,7 +48,7 @@ void refuse_overflow(const SolverState& s) {
     const double slip1 = std::abs(p.rigid_slip1(i, motion)), slip2 = std::abs(p.rigid_slip2(i, motion));
     if (!(slip1 <= most && slip2 <= most))
       fail(Status::err_argument,
-           "creepages, spin and creep field let node %lld (counting from %d) slip by %g of the "
+           "creepages, spin, velocities and creep field let node %lld (counting from %d) slip by %g of the "
            "speed; allowed: up to %g",
            named(s, k), s.prepared->frame.mesh.index_base, std::max(slip1, slip2), most);
   }

@@ -107,6 +107,7 @@ constexpr Statistic table[] = {
      true},
     {"friction_power", [](SolverState& s) { return power_at_nodes(s); }, true},
     {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }, true},
+    {"rolling_speed", [](SolverState& s) { return s.prepared->speed; }},
     {"max_pressure",
      [](SolverState& s) {
        return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));

@@ -106,7 +106,8 @@ double Scene::gap(std::int64_t k, double x, double y) const {
 void Scene::set_speed(double speed) {
   require_finite(speed, "speed");
   if (!(speed > 0)) fail(Status::err_argument, "speed is %g; allowed: > 0", speed);
-  if (replace(speed_, speed)) ++revision.kinematics;
+  speed_given_ = true;
+  if (replace(speed_, speed) | std::exchange(travel_given_, false)) ++revision.kinematics;
 }
 
 void Scene::set_creep(double longitudinal, double lateral, double spin) {
@@ -118,6 +119,9 @@ void Scene::set_creep(double longitudinal, double lateral, double spin) {
                                          std::pair{Direction::lateral, lateral}, std::pair{Direction::spin, spin}})
     changed |= replace(load_[static_cast<std::size_t>(direction) - 1], {How::by_motion, value});
   if (changed) ++revision.load;
+  if (std::exchange(velocities_given_, false)) ++revision.kinematics;
+  travel_given_ = false;
+  velocity_ = {};
 }
 
 void Scene::set_creep_field(std::int64_t n, const double* slip) {
@@ -196,6 +200,11 @@ void Scene::require_complete(bool has_surface) const {
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
   if (!friction_given_ && friction_field_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
+  if (velocities_given_ && !travel_given_ && !speed_given_)
+    fail(
+        Status::err_state,
+        "velocities of bodies were given, but neither that of the contact (rollcon_contact_set_velocity) nor the speed "
+        "at which it travels over them (rollcon_contact_set_rolling)");
 }
 
 }  // namespace rollcon

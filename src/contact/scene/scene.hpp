@@ -12,12 +12,14 @@
 #include "contact/scene/options.hpp"
 #include "geometry/height_grid.hpp"
 #include "geometry/pose.hpp"
+#include "geometry/velocity.hpp"
 #include "mesh/frame.hpp"
 
 namespace rollcon {
 
 enum class Direction : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4 };
-enum class How : std::int32_t { by_motion = 1, by_force = 2 };
+/// by_velocity: creepages and spin that follow from the velocities of the bodies.
+enum class How : std::int32_t { by_velocity = 0, by_motion = 1, by_force = 2 };
 
 /// One direction's loading. value: force (or spin moment) on body 1 when by force - except for the normal direction,
 /// where it is the compressive load >= 0 - else approach, creepage or spin.
@@ -27,8 +29,8 @@ struct Load {
 };
 
 /// Revision counters tell the solver what changed since it last looked. Setting equal values again counts nothing.
-/// kinematics: speed and creep field; load: what is prescribed, creepages included. mesh: nodes and elements of the
-/// frame; a frame that moves with its body counts as pose alone.
+/// kinematics: speed, velocities and creep field; load: what is prescribed, creepages included. mesh: nodes and
+/// elements of the frame; a frame that moves with its body counts as pose alone.
 struct Revisions {
   std::int64_t mesh = 0, place = 0, axes = 0, gap = 0, kinematics = 0, load = 0, friction = 0;
   std::array<std::int64_t, 2> pose{};
@@ -87,6 +89,11 @@ class Scene {
   void set_gap_quadratic(double a, double b, double c);
   void set_gap_grid(const GridPlace& place, const double* gap);
   void set_speed(double speed);
+  /// Of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; at rest so far.
+  /// Creepages and spin follow from the velocities from then on, until they are prescribed, and the speed from that of
+  /// the contact, until it is set.
+  void set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity, const double* point);
+  /// Forgets velocities.
   void set_creep(double longitudinal, double lateral, double spin);
   /// Rigid slip velocity at each node, (c1, c2) pairs in the axes; added to creepages and spin.
   void set_creep_field(std::int64_t n, const double* slip);
@@ -100,7 +107,11 @@ class Scene {
   const FrameSource& frame_source() const { return frame_source_; }
   const Pose& pose(std::size_t body) const { return pose_[body]; }  ///< 0 or 1
   const Axes& axes() const { return axes_; }
-  double speed() const { return speed_; }
+  /// At a point of the axes: what was set, or the speed of the contact over both bodies.
+  double speed(const Vec3& point) const;
+  bool velocities_given() const { return velocities_given_; }
+  /// Of body 1 relative to body 2, in the directions of the axes; its point is their origin.
+  Velocity relative_velocity() const;
   const Load& load(Direction d) const { return load_[static_cast<std::size_t>(d) - 1]; }
   const std::vector<double>& creep_field() const { return creep_field_; }
   bool has_gap() const { return gap_kind_ != GapKind::none; }
@@ -114,8 +125,9 @@ class Scene {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
   const FrictionLaw& law() const { return *law_; }
-  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction. (Arrays
-  /// always fit the frame: their length is checked when they are set, and new nodes forget them.)
+  /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
+  /// (where there are velocities). (Arrays always fit the frame: their length is checked when they are set, and new
+  /// nodes forget them.)
   void require_complete(bool has_surface = false) const;
 
   Options options;
@@ -138,6 +150,8 @@ class Scene {
   std::array<double, 3> quadratic_{0, 0, 0};
   std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
   double speed_ = 1;
+  bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
+  std::array<Velocity, 3> velocity_{};  ///< of the contact and both bodies
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;

@@ -1,7 +1,8 @@
-/// What a scene takes from its bodies: where they stand, and frames made of their faces.
+/// What a scene takes from its bodies: where they stand, how they move, and frames made of their faces.
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/scene/scene.hpp"
 #include "mesh/turned_over.hpp"
@@ -57,6 +58,50 @@ void Scene::set_pose(std::int32_t which, const double* rotation, const double* t
   ++revision.pose[static_cast<std::size_t>(body)];
   if (frame_source_.body != body) return;
   for (std::size_t k = 0; k < mesh_.node.size(); ++k) mesh_.node[k] = pose.place(frame_source_.place[k]);
+}
+
+void Scene::set_velocity(std::int32_t which, const double* velocity, const double* angular_velocity,
+                         const double* point) {
+  if (which < 0 || which > 2) fail(Status::err_argument, "which is %d; allowed: 0 (the contact), 1, 2", which);
+  require_finite_vector(velocity, "velocity");
+  require_finite_vector(angular_velocity, "angular_velocity");
+  require_finite_vector(point, "point");
+  const auto vector = [](const double* v) { return Vec3{v[0], v[1], v[2]}; };
+  const Velocity now{vector(velocity), vector(angular_velocity), vector(point)};
+  Velocity& held = velocity_[static_cast<std::size_t>(which)];
+  bool changed = !(held == now) || !velocities_given_;
+  held = now;
+  velocities_given_ = true;
+  if (which == 0) changed |= !std::exchange(travel_given_, true);
+  if (changed) ++revision.kinematics;
+  changed = false;
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin}) {
+    Load& load = load_[static_cast<std::size_t>(d) - 1];
+    changed |= load.how != How::by_velocity;
+    load = {How::by_velocity, 0};
+  }
+  if (changed) ++revision.load;
+}
+
+Velocity Scene::relative_velocity() const {
+  const Vec3 linear = velocity_[1].at(axes_.origin) - velocity_[2].at(axes_.origin);
+  const Vec3 angular = velocity_[1].angular - velocity_[2].angular;
+  const auto in_axes = [this](const Vec3& v) { return Vec3{dot(v, axes_.t1), dot(v, axes_.t2), dot(v, axes_.n)}; };
+  return {in_axes(linear), in_axes(angular), {0, 0, 0}};
+}
+
+double Scene::speed(const Vec3& point) const {
+  if (!travel_given_) return speed_;
+  const Vec3 x = axes_.origin + point[0] * axes_.t1 + point[1] * axes_.t2 + point[2] * axes_.n;
+  const double speed = dot(velocity_[0].at(x) - 0.5 * (velocity_[1].at(x) + velocity_[2].at(x)), axes_.t1);
+  if (!(speed > 0) || !std::isfinite(speed))
+    fail(
+        Status::err_argument,
+        "the velocity of the contact along the rolling direction, less the mean of both bodies', is %g "
+        "(rollcon_contact_set_velocity); allowed: > 0; the rolling direction is that in which the contact travels over "
+        "the bodies",
+        speed);
+  return speed;
 }
 
 void Scene::set_frame_from(int which, const SurfaceMesh& body, std::int32_t tag) {

@@ -77,6 +77,10 @@ void Scene::follow(const Scene& lead) {
   quadratic_ = lead.quadratic_;
   gap_grid_ = lead.gap_grid_;
   speed_ = lead.speed_;
+  speed_given_ = lead.speed_given_;
+  velocities_given_ = lead.velocities_given_;
+  travel_given_ = lead.travel_given_;
+  velocity_ = lead.velocity_;
   load_ = lead.load_;
   friction_given_ = lead.friction_given_;
   friction_ = lead.friction_;

@@ -1,0 +1,95 @@
+#include "contact/prepare/rigid_slip.hpp"
+
+#include "contact/prepare/between_surfaces.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+// A creep field is given at the nodes, but the characteristic scheme takes slip half a step upstream: c(x + delta/2 e)
+// = c - delta/2 (v . grad c), exact for linear fields such as spin.
+void shift_field(Preparation& preparation) {
+  Problem& p = preparation.made->problem;
+  SparseRows& d = preparation.field_rows;
+  if (d.start.empty()) d = least_squares(preparation.made->frame, 1, 0);
+  for (std::vector<double>* field : {&p.slip1, &p.slip2}) {
+    std::vector<double>& given = preparation.field_given;
+    given = *field;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      double derivative = 0;
+      for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) derivative += d.value[k] * given[at(d.column[k])];
+      (*field)[i] -= 0.5 * p.convection.ahead[i] * derivative;
+    }
+  }
+}
+
+void add_creep_field(Preparation& preparation, const Scene& scene) {
+  const double speed = preparation.made->speed;
+  Problem& p = preparation.made->problem;
+  const auto& field = scene.creep_field();
+  const std::size_t n = field.size() / 2;
+  p.slip1.resize(n);
+  p.slip2.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    p.slip1[k] = field[2 * k] / speed;
+    p.slip2[k] = field[2 * k + 1] / speed;
+  }
+  if (n > 0 && !p.convection.ahead.empty()) shift_field(preparation);
+}
+
+// The relative velocity of the bodies at each point, over the speed: creepages and spin are what it is over the axes'
+// origin, the rest is added here.
+void add_velocities(Preparation& preparation, const Scene& scene) {
+  Problem& p = preparation.made->problem;
+  const Velocity of = scene.relative_velocity();
+  const Vec3& turning = of.angular;
+  const double speed = preparation.made->speed;
+  const Vec3 at_origin = of.at(preparation.origin_between);
+  preparation.creepage = {at_origin[0] / speed, at_origin[1] / speed, 0, turning[2] / speed};
+  const std::size_t n = preparation.point_between.size();
+  if (n == 0) return;
+  p.slip1.resize(n);
+  p.slip2.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const Vec3 x = preparation.point_between[k];
+    const Vec3 off = x - preparation.origin_between - Vec3{p.convection.slip_x[k], p.convection.slip_y[k], 0};
+    Vec3 rest = cross(turning, off);
+    if (!p.turn.empty()) rest[2] = of.at(x)[2];
+    const auto along = [&](std::size_t c) {
+      return p.turn.empty() ? rest[c] : dot({p.turn[k][c][0], p.turn[k][c][1], p.turn[k][c][2]}, rest);
+    };
+    p.slip1[k] += along(0) / speed;
+    p.slip2[k] += along(1) / speed;
+  }
+}
+
+void add_offset(Preparation& preparation) {
+  const Prepared& on = *preparation.made;
+  Problem& p = preparation.made->problem;
+  if (on.offset_depth.empty()) return;
+  p.slip1.resize(on.offset_depth.size());
+  p.slip2.resize(p.slip1.size());
+  for (std::size_t k = 0; k < p.slip1.size(); ++k) {
+    p.slip1[k] += on.offset_slip[0][k];
+    p.slip2[k] += on.offset_slip[1][k];
+  }
+}
+
+}  // namespace
+
+void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses& poses) {
+  Preparation& preparation = *state.preparation;
+  if (scene.velocities_given() &&
+      preparation.between.enter(preparation.convection.version(), preparation.gap.version(), poses))
+    find_points_between(preparation);
+  if (!preparation.slip.enter(preparation.convection.version(), preparation.between.version(),
+                              preparation.offset_change, scene.revision.kinematics))
+    return;
+  ++state.work.slips;
+  preparation.made->speed = scene.speed(preparation.origin_between);
+  add_creep_field(preparation, scene);
+  if (scene.velocities_given()) add_velocities(preparation, scene);
+  add_offset(preparation);
+}
+
+}  // namespace rollcon

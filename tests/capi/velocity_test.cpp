@@ -1,0 +1,470 @@
+/// Slip from velocities of the bodies, beside closed forms: spheres, cones and crowned rollers on a plane, curved
+/// meshes; what is refused, and what the last call decides.
+
+#include "fem_fixture.hpp"
+#include "space.hpp"
+#include "support/procedures.hpp"
+#include "support/testing.hpp"
+
+using namespace capi_test;
+
+namespace {
+
+constexpr Vector none{};
+
+std::int32_t move(rollcon_contact* c, std::int32_t which, const Vector& v, const Vector& omega, const Vector& at) {
+  return rollcon_contact_set_velocity(c, which, v.data(), omega.data(), at.data());
+}
+
+Vector creep_of(rollcon_contact* c) {
+  Vector creep{};
+  EXPECT_OK(rollcon_contact_get_motion(c, nullptr, creep.data()));
+  return creep;
+}
+
+std::vector<double> field_of(rollcon_contact* c, std::int32_t field, std::int32_t axes = ROLLCON_LOCAL) {
+  std::int64_t n = 0;
+  EXPECT_OK(rollcon_contact_get_field(c, field, axes, 0, nullptr, &n));
+  std::vector<double> v(static_cast<std::size_t>(n));
+  EXPECT_OK(rollcon_contact_get_field(c, field, axes, n, v.data(), nullptr));
+  return v;
+}
+
+double largest_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  EXPECT_EQ(a.size(), b.size());
+  double worst = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) worst = std::max(worst, std::abs(a[i] - b[i]));
+  return worst;
+}
+
+}  // namespace
+
+/// Body 1 is the sphere of Api; n points out of it, upwards here.
+class velocity : public Api {
+ protected:
+  static constexpr double radius = 50;
+
+  /// Axes that stand anywhere, the frame in their plane.
+  void place(const Matrix& q, const Vector& origin) {
+    set_scene();
+    const Vector ahead = q * Vector{1, 0, 0}, up = q * Vector{0, 0, 1};
+    for (std::size_t k = 0; k < frame.x.size(); k += 3) {
+      const Vector at = q * Vector{frame.x[k], frame.x[k + 1], 0} + origin;
+      std::copy(at.begin(), at.end(), frame.x.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+    set_scene();
+    ASSERT_OK(rollcon_contact_set_axes(contact, origin.data(), ahead.data(), up.data()));
+  }
+};
+
+TEST_F(velocity, rolling_sphere_has_creepages_of_the_closed_form) {
+  // The plane moves and turns, too.
+  const double speed = 10;
+  for (const Matrix& q : {Matrix{1, 0, 0, 0, 1, 0, 0, 0, 1}, turned({1, 2, -1}, 0.8)}) {
+    const bool upright = q[0] == 1;
+    const Vector origin = upright ? none : Vector{30, -20, 5};
+    frame = SquareFrame(12, 1.5);
+    place(q, origin);
+    const Vector v1{-speed, 0.02, 0}, omega1{0.003, 0.2005, 0.004}, v2{-speed - 0.3, -0.01, 0},
+        omega2{0, 0.001, -0.002};
+    const Vector other{0.4, -7, 3};
+    ASSERT_OK(move(contact, 1, q * v1, q * omega1, q * Vector{0, 0, -radius} + origin));
+    ASSERT_OK(move(contact, 2, q * v2, q * omega2, q * other + origin));
+    ASSERT_OK(rollcon_contact_solve(contact));
+    const Vector a = v1 + capi_test::cross(omega1, {0, 0, radius}), b = v2 + capi_test::cross(omega2, -1.0 * other);
+    const Vector wanted{(a[0] - b[0]) / speed, (a[1] - b[1]) / speed, (omega1[2] - omega2[2]) / speed};
+    const Vector creep = creep_of(contact);
+    double worst = 0;
+    for (std::size_t i = 0; i < 3; ++i) worst = std::max(worst, std::abs(creep[i] - wanted[i]));
+    rollcon::expect_error(upright ? "rolling sphere: creepages" : "the same, turned and shifted", worst, 1e-14);
+    const std::vector<double> moved = field_of(contact, ROLLCON_FIELD_TRACTION),
+                              slip = field_of(contact, ROLLCON_FIELD_RIGID_SLIP);
+    // Warm starts would end beside each other within the tolerance.
+    ASSERT_OK(rollcon_contact_reset(contact));
+    ASSERT_OK(rollcon_contact_set_creep(contact, creep[0], creep[1], creep[2]));
+    ASSERT_OK(rollcon_contact_solve(contact));
+    EXPECT_EQ(moved, field_of(contact, ROLLCON_FIELD_TRACTION));
+    EXPECT_EQ(slip, field_of(contact, ROLLCON_FIELD_RIGID_SLIP));
+  }
+}
+
+TEST_F(velocity, without_a_frame_as_the_creepages_that_follow) {
+  const double mu = 0.3;
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.01, 0.02, 0));
+  ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 100));
+  ASSERT_OK(move(contact, 0, {20, 0, 0}, none, none));
+  std::array<Vector, 2> force{};
+  for (const bool again : {false, true}) {  // the second time another load moves the frames
+    if (again) {
+      ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 120));
+    }
+    ASSERT_OK(move(contact, 1, {20, 0.01, 0}, {0, -0.4004, 0.001}, {0, 0, -radius}));
+    force[0] = solved_force(contact);
+    const Vector creep = creep_of(contact);
+    rollcon_contact* fresh = nullptr;
+    ASSERT_OK(rollcon_contact_create(context, sphere, plane, &fresh));
+    ASSERT_OK(rollcon_contact_set_gap_quadratic(fresh, 0.01, 0.02, 0));
+    ASSERT_OK(rollcon_contact_set_friction(fresh, "coulomb", 1, &mu));
+    ASSERT_OK(rollcon_contact_prescribe(fresh, ROLLCON_NORMAL, ROLLCON_BY_FORCE, again ? 120 : 100));
+    ASSERT_OK(rollcon_contact_set_creep(fresh, creep[0], creep[1], creep[2]));
+    force[1] = solved_force(fresh);
+    rollcon_contact_release(fresh);
+    for (std::size_t i = 0; i < 3; ++i)
+      rollcon::expect_error("no frame: force from velocities and from creepages", force[0][i] / force[1][i] - 1, 1e-7);
+  }
+}
+
+TEST_F(velocity, speed_is_that_of_the_contact_less_the_mean_of_both_bodies) {
+  set_scene();
+  const double ahead = 3, first = -7, second = -6.5;
+  ASSERT_OK(move(contact, 0, {ahead, 1, 2}, none, none));
+  ASSERT_OK(move(contact, 1, {first, 0, 0}, none, none));
+  ASSERT_OK(move(contact, 2, {second, 0, 0}, none, none));
+  const auto expect_speed = [&](double wanted) {
+    double speed = 0;
+    EXPECT_OK(rollcon_contact_solve(contact));
+    EXPECT_OK(rollcon_contact_get_stat(contact, "rolling_speed", &speed));
+    rollcon::expect_error("rolling speed", speed / wanted - 1, 1e-15);
+    EXPECT_NEAR(creep_of(contact)[0], (first - second) / wanted, 1e-15);
+  };
+  expect_speed(ahead - (first + second) / 2);
+  ASSERT_OK(rollcon_contact_set_rolling(contact, 4));
+  expect_speed(4);
+  ASSERT_OK(move(contact, 0, {2, 0, 0}, {0, 0, 1}, {0, -1, 0}));  // 1 at the origin
+  expect_speed(1 - (first + second) / 2);
+}
+
+/// Body 1 below, of any profile revolved about the lateral axis; body 2 a rigid plane.
+class roller_velocity : public velocity {
+ protected:
+  void make_roller(const char* shape, std::initializer_list<double> parameters) {
+    const double axis[3] = {0, 1, 0}, centre[3] = {0, 0, -radius};
+    rollcon_contact_release(contact);
+    rollcon_body_release(sphere);
+    contact = nullptr;
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &sphere));
+    ASSERT_OK(rollcon_body_set_elastic(sphere, 0, 1e4, 0.3));
+    ASSERT_OK(rollcon_body_set_profile_shape(sphere, shape, static_cast<std::int64_t>(parameters.size()),
+                                             parameters.begin()));
+    ASSERT_OK(rollcon_body_revolve_profile(sphere, centre, axis, radius));
+    contact = new_contact();
+  }
+  rollcon_contact* new_contact() {
+    rollcon_contact* c = nullptr;
+    const double mu = 0.3;
+    EXPECT_OK(rollcon_contact_create(context, sphere, plane, &c));
+    EXPECT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, 16, 16, -2, 2, -2, 2));
+    EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+    EXPECT_OK(rollcon_contact_set_rolling(c, speed));
+    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.006));
+    return c;
+  }
+  /// Where slip is taken, at speed 1: spin alone tells.
+  std::vector<double> slip_points(rollcon_contact* c) {
+    EXPECT_OK(rollcon_contact_set_rolling(c, 1));
+    EXPECT_OK(rollcon_contact_set_creep(c, 0, 0, 1e-4));
+    EXPECT_GE(rollcon_contact_solve(c), 0);
+    std::vector<double> v = field_of(c, ROLLCON_FIELD_RIGID_SLIP);
+    for (std::size_t k = 0; k < v.size(); k += 2) {
+      const double x = v[k + 1] / 1e-4, y = -v[k] / 1e-4;
+      v[k] = x, v[k + 1] = y;
+    }
+    return v;
+  }
+  void roll(rollcon_contact* c) { ASSERT_OK(move(c, 1, v, omega, {0, 0, -radius})); }
+  /// height(x, y): of the roller's surface.
+  template <class Height>
+  void expect_slip(const char* what, Height height) {
+    const std::vector<double> at = slip_points(contact);
+    ASSERT_OK(rollcon_contact_set_rolling(contact, speed));
+    roll(contact);
+    ASSERT_GE(rollcon_contact_solve(contact), 0);
+    const std::vector<double> slip = field_of(contact, ROLLCON_FIELD_RIGID_SLIP);
+    double worst = 0, variation = 0;
+    for (std::size_t k = 0; k < at.size(); k += 2) {
+      const Vector w = v + capi_test::cross(omega, {at[k], at[k + 1], radius + height(at[k], at[k + 1])});
+      worst = std::max({worst, std::abs(slip[k] - w[0]), std::abs(slip[k + 1] - w[1])});
+      variation = std::max(variation, std::abs(slip[k] - slip[0] - speed * (at[1] - at[k + 1]) * creep_of(contact)[2]));
+    }
+    rollcon::expect_error(std::string(what) + ": slip at the nodes, over the speed", worst / speed, 1e-13);
+    EXPECT_GT(variation, 1e-4 * speed) << "more than spin";
+    const Vector w = v + capi_test::cross(omega, {0, 0, radius + height(0, 0)}), creep = creep_of(contact);
+    EXPECT_NEAR(creep[0], w[0] / speed, 1e-13);
+    EXPECT_NEAR(creep[1], w[1] / speed, 1e-13);
+    EXPECT_NEAR(creep[2], omega[2] / speed, 1e-15);
+  }
+
+  static constexpr double speed = 10;
+  const Vector v{-speed, 0.01, 0}, omega{0.002, speed / radius * 1.001, 0.003};
+};
+
+TEST_F(roller_velocity, cone_slips_more_where_it_is_wider) {
+  constexpr double slope = 0.01;
+  make_roller("line", {5, slope});
+  expect_slip("cone", [](double x, double y) {
+    const double r = radius + slope * y;
+    return std::sqrt(r * r - x * x) - radius;
+  });
+}
+
+TEST_F(roller_velocity, crowned_roller_slips_less_towards_its_ends) {
+  constexpr double crown = 200;
+  make_roller("arc", {crown, 5});
+  expect_slip("crowned roller", [](double x, double y) {
+    const double r = radius + std::sqrt(crown * crown - y * y) - crown;
+    return std::sqrt(r * r - x * x) - radius;
+  });
+}
+
+// What the radius of one disc loses along the path an equal one loses, too.
+TEST_F(roller_velocity, discs_slip_where_their_radii_differ) {
+  make_roller("arc", {200, 5});
+  rollcon_contact* c = nullptr;
+  const double mu = 0.3;
+  rollcon_body* disc = nullptr;
+  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &disc));
+  ASSERT_OK(rollcon_body_set_elastic(disc, 0, 1e4, 0.3));
+  const double shape[2] = {200, 5}, axis[3] = {0, 1, 0};
+  for (const double second : {50.0, 20.0}) {
+    const double centre[3] = {0, 0, second};
+    ASSERT_OK(rollcon_body_set_profile_shape(disc, "arc", 2, shape));
+    ASSERT_OK(rollcon_body_revolve_profile(disc, centre, axis, second));
+    ASSERT_OK(rollcon_contact_create(context, sphere, disc, &c));
+    ASSERT_OK(rollcon_contact_frame_rectangle(c, ROLLCON_QUAD4, 16, 16, -2, 2, -2, 2));
+    ASSERT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+    ASSERT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.006));
+    const std::vector<double> at = slip_points(c);
+    ASSERT_OK(move(c, 0, none, none, none));
+    ASSERT_OK(move(c, 1, none, {0, -speed / radius, 0}, {0, 0, -radius}));
+    ASSERT_OK(move(c, 2, none, {0, speed / second, 0}, {0, 0, second}));
+    ASSERT_OK(solve_small(c));
+    const std::vector<double> slip = field_of(c, ROLLCON_FIELD_RIGID_SLIP);
+    double along = 0, across = 0;
+    for (std::size_t k = 2 * 8 * 17; k < 2 * 9 * 17; k += 2) {
+      // Each surface point turns about its own axis.
+      const double x = at[k],
+                   wanted = std::sqrt(1 - x * x / (second * second)) - std::sqrt(1 - x * x / (radius * radius));
+      along = std::max(along, std::abs(slip[k] / speed - wanted));
+      across = std::max(across, std::abs(slip[k + 1] / speed));
+    }
+    // To the square of the path: the next term is its fourth power over 8 R^4.
+    const double bound = second == radius ? 1e-14 : 16 / (4 * std::pow(second, 4));
+    const std::string what = "discs of radius 50 and " + std::to_string(static_cast<int>(second));
+    rollcon::expect_error(what + ": slip over the speed", along, bound);
+    rollcon::expect_error(what + ": lateral", across, 1e-14);
+    rollcon_contact_release(c);
+    rollcon_body_release(disc);
+    ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &disc));
+    ASSERT_OK(rollcon_body_set_elastic(disc, 0, 1e4, 0.3));
+  }
+  rollcon_body_release(disc);
+}
+
+TEST_F(roller_velocity, bodies_that_move_as_one_do_not_slip) {
+  make_roller("arc", {200, 5});
+  for (const std::int32_t which : {1, 2}) ASSERT_OK(move(contact, which, {-3, 2, 5}, {0.4, -0.3, 0.2}, {7, -80, 20}));
+  const Vector force = solved_force(contact);
+  double largest = 0;
+  for (const double s : field_of(contact, ROLLCON_FIELD_RIGID_SLIP)) largest = std::max(largest, std::abs(s));
+  rollcon::expect_error("both move as one: slip over the speed", largest / speed, 1e-14);
+  ASSERT_OK(rollcon_contact_reset(contact));
+  ASSERT_OK(rollcon_contact_set_creep(contact, 0, 0, 0));
+  EXPECT_EQ(force, solved_force(contact)) << "without any velocity";
+  ASSERT_OK(move(contact, 1, {-3, 2, 5}, {0.4, -0.3, 0.2}, {7, -80, 20}));
+  // Told of in other points.
+  const Vector omega1{0.4, -0.3, 0.2}, at{-40, 3, 9};
+  const Vector there = Vector{-3, 2, 5} + capi_test::cross(omega1, at + -1.0 * Vector{7, -80, 20});
+  ASSERT_OK(move(contact, 2, there, omega1, at));
+  ASSERT_OK(solve_small(contact));
+  for (const double s : field_of(contact, ROLLCON_FIELD_RIGID_SLIP)) largest = std::max(largest, std::abs(s));
+  rollcon::expect_error("told of in other points", largest / speed, 1e-13);
+}
+
+TEST_F(roller_velocity, last_call_counts) {
+  make_roller("arc", {200, 5});
+  roll(contact);
+  ASSERT_OK(solve_small(contact));
+  const std::vector<double> varying = field_of(contact, ROLLCON_FIELD_RIGID_SLIP);
+  const Vector creep = creep_of(contact);
+  const auto shifted = [&](double by) {
+    std::vector<double> slip = varying;
+    for (std::size_t k = 0; k < slip.size(); k += 2) slip[k] += speed * by;
+    return slip;
+  };
+  // One creepage is replaced, the rest of the slip stays.
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_MOTION, creep[0] + 1e-3));
+  ASSERT_OK(solve_small(contact));
+  rollcon::expect_error("another longitudinal creepage",
+                        largest_difference(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), shifted(1e-3)) / speed, 1e-14);
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, -5));
+  rollcon::expect_error("force that was prescribed", solved_force(contact)[0] / -5 - 1, 1e-8);
+  rollcon::expect_error(
+      "the creepage that was found",
+      largest_difference(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), shifted(creep_of(contact)[0] - creep[0])) / speed,
+      1e-14);
+  // Velocities again, those of before.
+  roll(contact);
+  ASSERT_OK(solve_small(contact));
+  EXPECT_EQ(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), varying);
+  // Creepages alone: slip does not vary any more.
+  ASSERT_OK(rollcon_contact_set_creep(contact, creep[0], creep[1], 0));
+  ASSERT_OK(solve_small(contact));
+  const std::vector<double> plain = field_of(contact, ROLLCON_FIELD_RIGID_SLIP);
+  for (std::size_t k = 0; k < plain.size(); k += 2) ASSERT_EQ(plain[k], plain[0]);
+  // Velocities were forgotten: the plane, which moved, is at rest.
+  ASSERT_OK(move(contact, 2, {1, 0, 0}, none, none));
+  ASSERT_OK(rollcon_contact_set_creep(contact, 0, 0, 0));
+  roll(contact);
+  ASSERT_OK(solve_small(contact));
+  EXPECT_EQ(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), varying);
+  // A field is added.
+  const std::vector<double> more(varying.size(), 0.25);
+  ASSERT_OK(rollcon_contact_set_creep_field(contact, static_cast<std::int64_t>(more.size() / 2), more.data()));
+  ASSERT_OK(solve_small(contact));
+  std::vector<double> sum = varying;
+  for (double& s : sum) s += 0.25;
+  rollcon::expect_error("creep field on top",
+                        largest_difference(field_of(contact, ROLLCON_FIELD_RIGID_SLIP), sum) / speed, 1e-13);
+}
+
+TEST_F(roller_velocity, derivatives_by_creepage_and_lists_of_cases) {
+  make_roller("arc", {200, 5});
+  ASSERT_OK(rollcon_contact_set_real(contact, "tolerance", 1e-12));
+  roll(contact);
+  ASSERT_OK(solve_small(contact));
+  const Vector creep = creep_of(contact);
+  double slope[3];
+  ASSERT_OK(rollcon_contact_get_sensitivity(contact, ROLLCON_LATERAL, slope, nullptr, nullptr, nullptr));
+  const double step = 1e-7, values[3] = {creep[1] - step, creep[1], creep[1] + step};
+  double force[9];
+  std::int32_t status[3];
+  ASSERT_GE(rollcon_contact_solve_many(contact, "lateral", 3, values, "force", 3, force, nullptr, status), 0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_LATERAL, ROLLCON_BY_MOTION, values[i]));
+    const Vector one = solved_force(contact);
+    for (std::size_t c = 0; c < 3; ++c) rollcon::expect_error("case of a list", force[3 * i + c] / one[c] - 1, 1e-9);
+  }
+  rollcon::expect_error("derivative of the lateral force", (force[7] - force[1]) / (2 * step) / slope[1] - 1, 1e-4);
+}
+
+TEST_F(roller_velocity, procedures_of_the_paper_see_the_same_slip) {
+  if (!rollcon_has_feature("procedures")) GTEST_SKIP() << "this build has no published solution procedures";
+  make_roller("arc", {200, 5});
+  for (const char* scheme : {"characteristic", "least_squares", "godunov"}) {
+    ASSERT_OK(rollcon_contact_set_str(contact, "convection", scheme));
+    ASSERT_OK(rollcon_contact_set_str(contact, "system", "condensed"));
+    roll(contact);
+    const Vector one = solved_force(contact);
+    ASSERT_OK(rollcon_contact_set_str(contact, "system", "monolithic"));
+    if (solve_small(contact) == ROLLCON_ERR_UNSUPPORTED) continue;
+    const Vector other = solved_force(contact);
+    for (std::size_t c = 0; c < 3; ++c)
+      rollcon::expect_error(std::string(scheme) + ": monolithic beside condensed", other[c] / one[c] - 1, 1e-7);
+  }
+}
+
+TEST_F(velocity, what_is_refused_leaves_the_contact_usable) {
+  const double nothing[3] = {0, 0, 0};
+  set_scene();
+  for (const std::int32_t which : {-1, 3})
+    EXPECT_FAILS(rollcon_contact_set_velocity(contact, which, nothing, nothing, nothing), ARGUMENT,
+                 "which is " + std::to_string(which), "0 (the contact), 1, 2");
+  EXPECT_FAILS(rollcon_contact_set_velocity(contact, 1, nullptr, nothing, nothing), ARGUMENT, "velocity is NULL");
+  EXPECT_FAILS(rollcon_contact_set_velocity(contact, 1, nothing, nullptr, nothing), ARGUMENT,
+               "angular_velocity is NULL");
+  EXPECT_FAILS(rollcon_contact_set_velocity(contact, 1, nothing, nothing, nullptr), ARGUMENT, "point is NULL");
+  for (const double bad : {std::nan(""), HUGE_VAL}) {
+    const double wrong[3] = {0, bad, 0};
+    EXPECT_FAILS(rollcon_contact_set_velocity(contact, 1, wrong, nothing, nothing), NONFINITE,
+                 "component y of velocity");
+    EXPECT_FAILS(rollcon_contact_set_velocity(contact, 2, nothing, wrong, nothing), NONFINITE,
+                 "component y of angular_velocity");
+    EXPECT_FAILS(rollcon_contact_set_velocity(contact, 0, nothing, nothing, wrong), NONFINITE, "component y of point");
+  }
+  // Nothing was taken: creepages are those of before.
+  const Vector force = solved_force(contact);
+  EXPECT_EQ(creep_of(contact)[0], 1e-3);
+
+  EXPECT_FAILS(rollcon_contact_set_rolling(contact, 0), ARGUMENT, "speed is 0", "> 0");
+  for (const Vector& ahead : {Vector{0, 5, 0}, Vector{-1, 0, 0}}) {
+    ASSERT_OK(move(contact, 0, ahead, none, none));
+    EXPECT_FAILS(rollcon_contact_solve(contact), ARGUMENT, "velocity of the contact along the rolling direction", "> 0",
+                 "rollcon_contact_set_velocity");
+  }
+  ASSERT_OK(move(contact, 0, {10, 0, 0}, none, none));
+  ASSERT_OK(move(contact, 1, {1e300, 0, 0}, {0, 1e300, 0}, {1e300, 0, 1e300}));
+  EXPECT_LT(rollcon_contact_solve(contact), 0);
+  ASSERT_OK(rollcon_contact_set_rolling(contact, 10));
+  EXPECT_FAILS(rollcon_contact_solve(contact), ARGUMENT, "velocities");
+  ASSERT_OK(rollcon_contact_set_creep(contact, 1e-3, 0, 0));
+  const Vector again = solved_force(contact);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(again[i], force[i], 1e-8 * std::abs(force[2]));
+
+  // Without any speed.
+  rollcon_contact* c = nullptr;
+  const double mu = 0.3;
+  ASSERT_OK(rollcon_contact_create(context, sphere, plane, &c));
+  give_frame(c, frame);
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(c, 0.01, 0.01, 0));
+  ASSERT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+  ASSERT_OK(move(c, 1, {1e-3, 0, 0}, none, none));
+  EXPECT_FAILS(rollcon_contact_solve(c), STATE, "rollcon_contact_set_velocity", "rollcon_contact_set_rolling");
+  ASSERT_OK(rollcon_contact_set_rolling(c, 1));
+  ASSERT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02));
+  EXPECT_OK(solve_small(c));
+  EXPECT_EQ(creep_of(c)[0], 1e-3);
+  rollcon_contact_release(c);
+}
+
+// The top of a cube is a cylinder along the rolling direction. Slip lies in the tangent plane of its nodes, between it
+// and the plane of body 2.
+TEST_F(velocity, curved_mesh_takes_the_part_along_its_surface) {
+  if (!rollcon_has_feature("fem")) GTEST_SKIP() << "this build has no finite elements";
+  BoxVolume box(6);
+  for (std::size_t k = 0; k < box.x.size(); k += 3) box.x[k + 2] *= 1 - 0.3 * std::pow(box.x[k + 1] - 0.5, 2);
+  rollcon_body* body = nullptr;
+  ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_FEM, &body));
+  ASSERT_OK(rollcon_body_set_elastic(body, 0, 200, 0.3));
+  give_mesh(body, box);
+  ASSERT_OK(hold(body, box.nodes_at(2, 0), ROLLCON_DOF_XYZ));
+  rollcon_contact* c = roll_on_top(context, body, plane);
+  ASSERT_OK(rollcon_contact_set_rolling(c, 1));
+  const auto slip_of = [&](double longitudinal, double lateral) {
+    EXPECT_OK(rollcon_contact_set_creep(c, longitudinal, lateral, 0));
+    EXPECT_GE(rollcon_contact_solve(c), 0);
+    return field_of(c, ROLLCON_FIELD_RIGID_SLIP, ROLLCON_GLOBAL);
+  };
+  const std::vector<double> x = (slip_of(0, 0), field_of(c, ROLLCON_FIELD_POINT)), first = slip_of(1e-2, 0),
+                            second = slip_of(0, 1e-2);
+  const Vector v{0.002, -0.004, 0.003}, omega{0.05, 0.02, 0.01};
+  ASSERT_OK(move(c, 1, v, omega, {0.5, 0.5, 1}));
+  ASSERT_GE(rollcon_contact_solve(c), 0) << error();
+  const std::vector<double> slip = field_of(c, ROLLCON_FIELD_RIGID_SLIP, ROLLCON_GLOBAL);
+  double worst = 0, least = 1;
+  for (std::size_t k = 0; k < x.size(); k += 3) {
+    // The part of e_n along the surface, of those of e_1 and e_2.
+    const double squared = 1 - 1e2 * second[k + 1];  // of the normal's component 2
+    ASSERT_NEAR(first[k], 1e-2, 1e-12) << "the surface is straight along the rolling direction";
+    least = std::min(least, 1 - squared);
+    const Vector third{0, 1e2 * second[k + 2], squared};
+    // Between both surfaces, half of each as neither is curved along the path. Along the nodes' own normals.
+    const double n2 = -std::copysign(std::sqrt(std::max(squared, 0.0)), second[k + 2]), n3 = std::sqrt(1 - squared);
+    const double half = 0.5 * -x[k + 2] / n3;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto at = [&](double along) {
+        const Vector w = v + capi_test::cross(omega, {along, x[k + 1] + half * n2, x[k + 2] + half * n3});
+        return 1e2 * (w[0] * first[k + i] + w[1] * second[k + i]) + w[2] * third[i];
+      };
+      // Slip is taken within a spacing upstream: linear there.
+      const double here = at(x[k]), ahead = at(x[k] + 1.0 / 6), value = slip[k + i];
+      const double rounding = 1e-9;
+      worst = std::max({worst, std::min(here, ahead) - rounding - value, value - std::max(here, ahead) - rounding});
+    }
+  }
+  rollcon::expect_error("slip along a curved surface, beyond its values here and a spacing ahead", std::max(worst, 0.0),
+                        1e-9);
+  EXPECT_LT(least, 0.96) << "the surface is curved";
+  rollcon_contact_release(c);
+  rollcon_body_release(body);
+}
