@@ -157,7 +157,7 @@ void check_cells(const SurfaceMesh& mesh, const LinearCells& cells, std::span<co
     }
   }
   names.refuse(concave, "element too curved: its parts between neighbouring nodes fold");
-  const Overlap overlap = find_overlap(cells, x, y, 1e-9);
+  const ElementOverlap overlap = find_overlap(cells, x, y, 1e-9);
   if (overlap.count > 0)
     fail(Status::err_mesh,
          "the frame folds over itself when projected on the tangent plane of "

@@ -90,7 +90,7 @@ class BoxTree {
 
 }  // namespace
 
-Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance) {
+ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance) {
   const BoxTree tree(cells, x, y);
   auto inside = [&](std::int64_t cell, double px, double py) {
     const auto n = cells[cell];
@@ -115,7 +115,7 @@ Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::s
   };
   constexpr std::int64_t unknown = -2;
   std::vector<std::int64_t> over(x.size(), unknown);  // another cell that covers the vertex; -1: none
-  Overlap result;
+  ElementOverlap result;
   for (std::int64_t c = 0; c < cells.size(); ++c) {
     const auto own = cells[c];
     std::int64_t other = -1;

@@ -8,13 +8,13 @@
 
 namespace rollcon {
 
-struct Overlap {
+struct ElementOverlap {
   std::int64_t first = -1, second = -1;  ///< a pair of cells; -1: none
   std::int64_t count = 0;                ///< cells found to lie over another
 };
 
 /// Convex counter-clockwise cells. A cell counts when its centroid or one of its nodes is inside another cell (deeper
 /// than `tolerance` times that cell's size).
-Overlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance);
+ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance);
 
 }  // namespace rollcon
