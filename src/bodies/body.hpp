@@ -58,6 +58,10 @@ class Body {
   /// y along the axis, radius + z away from it.
   void revolve_profile(const double* origin, const double* axis, double radius);
   /// err_state without a profile.
+  std::shared_ptr<const ProfileCurve> profile() const;
+  /// Another body of this kind and material with this profile, which has no place yet; not prepared. err_state without
+  /// a profile.
+  std::shared_ptr<Body> with_profile_alone() const;
   double profile_length() const;
   ProfilePoint profile_point(double s) const;
   void set_int(const char* option, std::int64_t value);

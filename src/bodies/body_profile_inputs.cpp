@@ -140,6 +140,22 @@ void Body::require_profile() const {
     fail(Status::err_state, "the body has no profile: rollcon_body_set_profile, _set_profile_shape or _read_profile");
 }
 
+std::shared_ptr<const ProfileCurve> Body::profile() const {
+  const std::lock_guard lock(mutex_);
+  require_profile();
+  return model_->profile.curve;
+}
+
+std::shared_ptr<Body> Body::with_profile_alone() const {
+  auto body = std::make_shared<Body>(context_, static_cast<std::int32_t>(traits_.kind));
+  const std::lock_guard lock(mutex_);
+  require_profile();
+  body->model_->material = model_->material;
+  body->model_->contact_material = model_->contact_material;
+  body->model_->profile.curve = model_->profile.curve;
+  return body;
+}
+
 double Body::profile_length() const {
   const std::lock_guard lock(mutex_);
   require_profile();

@@ -9,7 +9,7 @@
 namespace rollcon {
 namespace {
 
-PlaneMap in_track(const RailShape& rail) {
+ProfilePlane in_track(const RailShape& rail) {
   constexpr double skew = 1e-9;
   const Vec3 across = cross(rail.down, rail.along);
   if (!(std::abs(std::abs(rail.along[0]) - 1) <= skew && std::abs(rail.down[0]) <= skew))

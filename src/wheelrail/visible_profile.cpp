@@ -26,7 +26,7 @@ double VisiblePoint::curvature() const {
   return dslope / (dy * square * std::sqrt(square));
 }
 
-VisibleProfile::VisibleProfile(std::shared_ptr<const ProfileCurve> curve, const PlaneMap& map, Seen seen)
+VisibleProfile::VisibleProfile(std::shared_ptr<const ProfileCurve> curve, const ProfilePlane& map, Seen seen)
     : curve_(std::move(curve)), map_(map), seen_(seen), forward_(map.e_y[0] < 0 ? -1 : 1) {
   const std::size_t pieces = curve_->pieces().size();
   const double longest = curve_->length() / parts_of_length;

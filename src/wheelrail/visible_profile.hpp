@@ -15,7 +15,7 @@ namespace rollcon {
 
 /// Of the curve's plane into another: origin + y e_y + z e_z, with e_y and e_z unit vectors at right angles; mirrored
 /// or not.
-struct PlaneMap {
+struct ProfilePlane {
   Vec2 origin{0, 0}, e_y{1, 0}, e_z{0, 1};
 };
 
@@ -49,7 +49,7 @@ class VisibleProfile {
 
   /// Seen from greater z, corners that stick out are cells of their own, in which only the slope changes. Throws
   /// err_argument where nothing is to be seen.
-  VisibleProfile(std::shared_ptr<const ProfileCurve> curve, const PlaneMap& map, Seen seen);
+  VisibleProfile(std::shared_ptr<const ProfileCurve> curve, const ProfilePlane& map, Seen seen);
 
   const std::vector<VisibleCell>& cells() const { return cell_; }
   const std::vector<VisibleSpan>& spans() const { return span_; }
@@ -79,7 +79,7 @@ class VisibleProfile {
   void gather_spans(double longest);
 
   std::shared_ptr<const ProfileCurve> curve_;
-  PlaneMap map_;
+  ProfilePlane map_;
   Seen seen_;
   double forward_;  ///< -1: y falls with u
   std::vector<VisibleCell> cell_;

@@ -1,0 +1,139 @@
+#include "wheelrail/patch_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "framing/hertz.hpp"
+#include "framing/makers.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Over Hertz's ellipse of the overlap, at first and each time that the frame was too small.
+constexpr double usual_margin = 1.08, growth = 1.15;
+constexpr int most_growths = 6;
+
+Vec3 in_axes(const Axes& axes, const Vec3& v) {
+  return {dot(v, axes.t1), dot(v, axes.t2), dot(v, axes.n)};
+}
+
+Vec3 from_axes(const Axes& axes, const Vec3& v) {
+  return v[0] * axes.t1 + v[1] * axes.t2 + v[2] * axes.n;
+}
+
+void set_pose(Scene& scene, std::int32_t which, const Axes& axes, const Pose& pose) {
+  std::array<double, 9> rotation{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    Vec3 unit{0, 0, 0};
+    unit[j] = 1;
+    const Vec3 column = in_axes(axes, pose.turn(unit));
+    for (std::size_t i = 0; i < 3; ++i) rotation[3 * i + j] = column[i];
+  }
+  const Vec3 translation = in_axes(axes, pose.translation - axes.origin);
+  scene.set_pose(which, rotation.data(), translation.data());
+}
+
+void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velocity& velocity) {
+  const Vec3 linear = in_axes(axes, velocity.linear), angular = in_axes(axes, velocity.angular),
+             point = in_axes(axes, velocity.point - axes.origin);
+  scene.set_velocity(which, linear.data(), angular.data(), point.data());
+}
+
+}  // namespace
+
+PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
+    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))),
+      margin_(usual_margin) {
+  contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion), 0);
+}
+
+Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, double friction,
+                           const LatticeSize& size) {
+  patch_ = patch;
+  stand(motion);
+  contact_->scene.set_friction("coulomb", 1, &friction);
+  for (int growths = 0;; ++growths) {
+    lay_frame(size);
+    status_ = contact_->solve_on_frame();
+    if (status_ != Status::ok && status_ != Status::coarse) break;
+    if (!reaches_rim(size)) break;
+    if (growths == most_growths) {
+      status_ = Status::rim_contact;
+      break;
+    }
+    margin_ *= growth;
+    ++grown_;
+  }
+  take_results(motion);
+  return status_;
+}
+
+void PatchContact::reset() {
+  margin_ = usual_margin;
+  contact_->reset();
+}
+
+// Space of the contact is that of its axes: they never change, and what belongs to the frame stays.
+void PatchContact::stand(const WheelMotion& motion) {
+  axes_.n = -1.0 * patch_.normal;
+  axes_.t1 = {motion.speed > 0 ? 1.0 : -1.0, 0, 0};
+  axes_.t2 = cross(axes_.n, axes_.t1);
+  const double x = 0.5 * (patch_.back + patch_.front), y = 0.5 * (patch_.low + patch_.high);
+  axes_.origin = patch_.reference + Vec3{x, 0, 0} + y * patch_.lateral;
+  Scene& scene = contact_->scene;
+  set_pose(scene, 1, axes_, motion.pose);
+  set_pose(scene, 2, axes_, Pose{});
+  set_velocity(scene, 0, axes_, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  set_velocity(scene, 1, axes_, motion.velocity);
+  set_velocity(scene, 2, axes_, motion.rail);
+}
+
+void PatchContact::lay_frame(const LatticeSize& size) {
+  Scene& scene = contact_->scene;
+  if (!(size == size_)) {
+    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place());
+    size_ = size;
+  } else if (const FramePlace now = place(); !(now == scene.place())) {
+    scene.place_frame(now);
+  }
+}
+
+// Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail.
+FramePlace PatchContact::place() const {
+  const double half = 0.5 * (patch_.high - patch_.low), depth = patch_.overlap;
+  // Turned back to front with the axes both coordinates change their signs.
+  const double a = 0.5 * patch_.curvature.along, c = patch_.curvature.twist;
+  const QuadraticGap gap{a, depth / (half * half) + c * c / (4 * a), c};
+  const HertzContact hertz = hertz_by_approach(gap, 1, depth);
+  return place_of_disc(margin_ * hertz.larger, margin_ * hertz.smaller, hertz.angle);
+}
+
+bool PatchContact::reaches_rim(const LatticeSize& size) const {
+  constexpr double overlap = 0.05;
+  const std::int64_t lines = size.across + 1, points = size.along + 1;
+  pressure_.resize(static_cast<std::size_t>(lines * points));
+  contact_->field(Field::gap, InAxes::local, static_cast<std::int64_t>(pressure_.size()), pressure_.data());
+  const auto beyond = [&](std::int64_t i, std::int64_t j) {
+    return pressure_[static_cast<std::size_t>(j * points + i)] < -overlap * patch_.overlap;
+  };
+  for (std::int64_t i = 0; i < points; ++i)
+    if (beyond(i, 0) || beyond(i, lines - 1)) return true;
+  for (std::int64_t j = 0; j < lines; ++j)
+    if (beyond(0, j) || beyond(points - 1, j)) return true;
+  return false;
+}
+
+void PatchContact::take_results(const WheelMotion& motion) {
+  Vec3 force{}, moment{};
+  contact_->resultant(InAxes::local, force.data(), moment.data());
+  force_ = from_axes(axes_, force);
+  moment_ = from_axes(axes_, moment) + cross(axes_.origin - patch_.reference, force_);
+  const Vec3 slip = motion.velocity.at(patch_.reference) - motion.rail.at(patch_.reference);
+  const Vec3 turning = motion.velocity.angular - motion.rail.angular;
+  const double speed = std::abs(motion.speed);
+  creepages_ = {slip[0] / speed, dot(slip, patch_.lateral) / speed, -dot(turning, patch_.normal) / speed};
+}
+
+}  // namespace rollcon

@@ -1,0 +1,66 @@
+#pragma once
+/// A patch of a wheel on a rail as an ordinary contact: its axes, a lattice that follows it, and its solution.
+
+#include <memory>
+
+#include "contact/contact.hpp"
+#include "geometry/velocity.hpp"
+#include "wheelrail/contact_search.hpp"
+
+namespace rollcon {
+
+/// Intervals of the lattice along and across the rolling direction.
+struct LatticeSize {
+  std::int64_t along = 0, across = 0;
+  bool operator==(const LatticeSize&) const = default;
+};
+
+/// Of the wheel, in the axes of the rail: x forward, y to the right, z down.
+struct WheelMotion {
+  Pose pose;
+  Velocity velocity, rail;
+  double speed = 0;  ///< forward, of the wheelset; not 0
+};
+
+class PatchContact {
+ public:
+  /// Bodies: the wheel and the rail with their profiles in place.
+  PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail);
+
+  /// The overlap is all that presses. Warm where the patch was solved before.
+  Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size);
+  void reset();
+
+  const OverlapPatch& overlap() const { return patch_; }
+  Status status() const { return status_; }
+  /// Of the contact: origin in the middle of its frame, t1 along the rolling direction, n into the rail.
+  const Axes& axes() const { return axes_; }
+  /// Force on the wheel, and moment about the patch's reference.
+  const Vec3& force() const { return force_; }
+  const Vec3& moment() const { return moment_; }
+  /// Longitudinal, lateral, spin: of the wheel relative to the rail at the reference, over the speed.
+  const Vec3& creepages() const { return creepages_; }
+  /// Origin and axes of its space are axes().
+  const std::shared_ptr<Contact>& contact() const { return contact_; }
+  /// Times a frame was too small, and was made larger.
+  std::int64_t grown() const { return grown_; }
+
+ private:
+  void stand(const WheelMotion& motion);
+  void lay_frame(const LatticeSize& size);
+  FramePlace place() const;
+  bool reaches_rim(const LatticeSize& size) const;
+  void take_results(const WheelMotion& motion);
+
+  std::shared_ptr<Contact> contact_;
+  OverlapPatch patch_;
+  Axes axes_;
+  LatticeSize size_;
+  double margin_ = 0;  ///< of the frame over Hertz's ellipse
+  mutable std::vector<double> pressure_;
+  Vec3 force_{}, moment_{}, creepages_{};
+  Status status_ = Status::ok;
+  std::int64_t grown_ = 0;
+};
+
+}  // namespace rollcon

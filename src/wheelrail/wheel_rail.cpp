@@ -1,0 +1,326 @@
+#include "wheelrail/wheel_rail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "framing/hertz.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+namespace {
+
+/// About x within a turn about z.
+Pose attitude(double roll, double yaw) {
+  const double cr = std::cos(roll), sr = std::sin(roll), cy = std::cos(yaw), sy = std::sin(yaw);
+  Pose pose;
+  pose.rotation = {{{cy, -sy * cr, sy * sr}, {sy, cy * cr, -cy * sr}, {0, sr, cr}}};
+  return pose;
+}
+
+/// a after b.
+Pose inverse_after(const Pose& a, const Pose& b) {
+  Pose pose;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 row{a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
+    for (std::size_t j = 0; j < 3; ++j)
+      pose.rotation[i][j] = dot(row, {b.rotation[0][j], b.rotation[1][j], b.rotation[2][j]});
+  }
+  pose.translation = a.to_body(b.translation);
+  return pose;
+}
+
+Velocity seen_from(const Pose& pose, const Velocity& v) {
+  return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
+}
+
+/// Errors on patches of the Manchester benchmark: docs/wheelrail.md.
+struct Fineness {
+  double accuracy;
+  LatticeSize size;
+};
+constexpr Fineness fineness[] = {{0.02, {8, 16}}, {0.01, {12, 24}}, {0.005, {24, 48}}, {0.0025, {48, 96}}};
+
+LatticeSize size_for(double accuracy) {
+  for (const Fineness& f : fineness)
+    if (f.accuracy <= accuracy) return f.size;
+  return std::end(fineness)[-1].size;
+}
+
+double depth_of(const OverlapPatch& patch) {
+  return patch.share * patch.overlap;
+}
+
+}  // namespace
+
+WheelRail::WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
+                     std::int32_t side)
+    : context_(std::move(context)), given_wheel_(std::move(wheel)), given_rail_(std::move(rail)), side_(side) {
+  if (side != -1 && side != 1) fail(Status::err_argument, "side is %d; allowed: -1 (left), 1 (right)", side);
+  given_wheel_->profile();
+  given_rail_->profile();
+}
+
+void WheelRail::set_track(double gauge, double gauge_height, double cant) {
+  require_finite(gauge, "gauge");
+  require_finite(gauge_height, "gauge_height");
+  require_finite(cant, "cant");
+  if (!(gauge > 0)) fail(Status::err_argument, "gauge is %g; allowed: > 0", gauge);
+  if (!(gauge_height > 0)) fail(Status::err_argument, "gauge_height is %g; allowed: > 0", gauge_height);
+  constexpr double most = 0.5;
+  if (!(std::abs(cant) <= most)) fail(Status::err_argument, "cant is %g; allowed: -0.5 to 0.5 (radian)", cant);
+  const TrackGauge track{gauge, gauge_height, cant};
+  rail_shape_ = place_rail(given_rail_->profile(), track);
+  track_ = track;
+  search_.reset();
+}
+
+void WheelRail::set_wheelset(double back_to_back, double flange_back, double radius) {
+  require_finite(back_to_back, "back_to_back");
+  require_finite(flange_back, "flange_back");
+  require_finite(radius, "radius");
+  if (!(back_to_back > 0)) fail(Status::err_argument, "back_to_back is %g; allowed: > 0", back_to_back);
+  require_one_side(*given_wheel_->profile(), radius);
+  if (!(radius > 0)) fail(Status::err_argument, "radius is %g; allowed: > 0", radius);
+  back_to_back_ = back_to_back;
+  flange_back_ = flange_back;
+  radius_ = radius;
+  wheelset_given_ = true;
+  search_.reset();
+}
+
+void WheelRail::set_rail_deviation(const double* deviation, const double* rate) {
+  require_finite_vector(deviation, "deviation");
+  require_finite_vector(rate, "rate");
+  deviation_ = {side_ * deviation[0], deviation[1], side_ * deviation[2]};
+  rate_ = {side_ * rate[0], rate[1], side_ * rate[2]};
+}
+
+static WheelsetState state_of(const double* v, const char* name, double side) {
+  require_pointer(v, name);
+  for (int i = 0; i < 6; ++i)
+    if (!std::isfinite(v[i]))
+      fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
+  return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
+}
+
+void WheelRail::set_position(const double* position) {
+  const WheelsetState now = state_of(position, "position", side_);
+  constexpr double most = 0.5;
+  if (!(std::abs(now.roll) <= most && std::abs(now.yaw) <= most))
+    fail(Status::err_argument, "roll is %g and yaw is %g; allowed: -0.5 to 0.5 (radian)", position[3], position[4]);
+  position_ = now;
+  position_given_ = true;
+}
+
+void WheelRail::set_velocity(const double* velocity) {
+  const WheelsetState now = state_of(velocity, "velocity", side_);
+  if (now.x == 0) fail(Status::err_argument, "the forward speed, entry 0 of velocity, is 0; allowed: any other");
+  velocity_ = now;
+  velocity_given_ = true;
+}
+
+void WheelRail::prescribe_vertical(std::int32_t how, double force) {
+  if (how != static_cast<std::int32_t>(How::by_motion) && how != static_cast<std::int32_t>(How::by_force))
+    fail(Status::err_argument, "how is %d; allowed: 1 (by motion), 2 (by force)", how);
+  by_force_ = how == static_cast<std::int32_t>(How::by_force);
+  if (!by_force_) return;
+  require_finite(force, "force");
+  if (!(force >= 0)) fail(Status::err_argument, "force is %g; allowed: >= 0, pressing the wheel on the rail", force);
+  load_ = force;
+}
+
+void WheelRail::set_friction(double mu) {
+  require_finite(mu, "mu");
+  constexpr double most = 10;
+  if (!(mu >= 0 && mu <= most)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
+  friction_ = mu;
+  friction_given_ = true;
+}
+
+void WheelRail::set_accuracy(double accuracy) {
+  require_finite(accuracy, "accuracy");
+  constexpr double least = 0.0025;
+  if (!(accuracy >= least && accuracy <= 1))
+    fail(Status::err_argument, "accuracy is %g; allowed: 0.0025 to 1", accuracy);
+  accuracy_ = accuracy;
+}
+
+void WheelRail::prepare() {
+  const char* missing = !track_              ? "rollcon_wheelrail_set_track"
+                        : !wheelset_given_   ? "rollcon_wheelrail_set_wheelset"
+                        : !position_given_   ? "rollcon_wheelrail_set_position"
+                        : !velocity_given_   ? "rollcon_wheelrail_set_velocity"
+                        : !friction_given_   ? "rollcon_wheelrail_set_friction"
+                                             : nullptr;
+  if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+  if (search_) return;
+  wheel_ = given_wheel_->with_profile_alone();
+  rail_ = given_rail_->with_profile_alone();
+  const Vec3 centre{0, 0, -radius_}, axis{0, 1, 0};
+  wheel_->revolve_profile(centre.data(), axis.data(), radius_);
+  rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
+  search_.emplace(WheelShape{given_wheel_->profile(), centre, axis, radius_}, rail_shape_);
+  slot_.clear();
+  sink_ = slope_ = 0;
+}
+
+Pose WheelRail::wheelset_attitude() const {
+  return attitude(position_.roll, position_.yaw);
+}
+
+// Rails roll about the point of the track that the gauge is measured to, at the height of their top.
+Pose WheelRail::rail_pose() const {
+  const Vec3 pivot{0, 0.5 * track_->gauge, 0};
+  Pose rail = attitude(deviation_.roll, 0);
+  rail.translation = pivot + Vec3{0, deviation_.y, deviation_.z} - rail.turn(pivot);
+  return rail;
+}
+
+WheelMotion WheelRail::motion_at(double z) const {
+  const Pose set = wheelset_attitude();
+  const Vec3 centre{0, position_.y, z - radius_};
+  Pose wheel = set;
+  wheel.translation = centre + set.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
+  const Pose rail = rail_pose();
+  const Pose yawed = attitude(0, position_.yaw);
+  const Vec3 turning =
+      velocity_.yaw * Vec3{0, 0, 1} + velocity_.roll * yawed.turn({1, 0, 0}) + velocity_.pitch * set.turn({0, 1, 0});
+  WheelMotion motion;
+  motion.pose = inverse_after(rail, wheel);
+  motion.velocity = seen_from(rail, {{velocity_.x, velocity_.y, velocity_.z}, turning, centre});
+  motion.rail = seen_from(rail, {{0, rate_.y, rate_.z}, {rate_.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
+  motion.speed = velocity_.x;
+  return motion;
+}
+
+WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
+  Slot* nearest = nullptr;
+  const auto far = [&](const Slot& slot) { return std::abs(slot.wheel_y - patch.wheel_y); };
+  for (const auto& slot : slot_)
+    if (!slot->taken && (!nearest || far(*slot) < far(*nearest))) nearest = slot.get();
+  if (!nearest) {
+    slot_.push_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
+    nearest = slot_.back().get();
+  }
+  nearest->taken = true;
+  nearest->wheel_y = patch.wheel_y;
+  return *nearest;
+}
+
+Status WheelRail::solve_at(double z) {
+  z_ = z;
+  const WheelMotion motion = motion_at(z);
+  search_->find(motion.pose, found_);
+  for (const auto& slot : slot_) slot->taken = false;
+  active_.clear();
+  Status worst = found_.empty() ? Status::no_contact : Status::ok;
+  const auto rank = [](Status s) {
+    constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::rim_contact, Status::coarse};
+    return std::find(std::begin(order), std::end(order), s) - std::begin(order);
+  };
+  for (const OverlapPatch& patch : found_) {
+    Slot& slot = slot_for(patch);
+    active_.push_back(&slot);
+    Status status = slot.contact.solve(patch, motion, friction_, size_for(accuracy_));
+    if (status == Status::ok && patch.cut) status = Status::rim_contact;
+    if (status != Status::no_contact && rank(status) < rank(worst)) worst = status;
+  }
+  ++solves_;
+  return worst;
+}
+
+double WheelRail::vertical_force() const {
+  double force = 0;
+  for (const Slot* slot : active_) force -= slot->contact.overlap().share * slot->contact.force()[2];
+  return force;
+}
+
+// Hertz's approach under the load, for the curvatures where the wheel touches first.
+double WheelRail::first_sink(double touch) {
+  const double little = 1e-6 * radius_;
+  search_->find(motion_at(touch + little).pose, found_);
+  if (found_.empty()) return little;
+  const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(), [](const auto& a, const auto& b) {
+    return depth_of(a) < depth_of(b);
+  });
+  const double half = 0.5 * (patch.high - patch.low), a = 0.5 * patch.curvature.along;
+  if (!slot_.empty()) slot_.front()->taken = false;
+  if (slot_.empty()) slot_.push_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
+  const double modulus = slot_.front()->contact.contact()->modulus(), tilt = std::cos(patch.angle);
+  return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, load_ / tilt).approach / tilt;
+}
+
+// The force grows about as the sink to the power of 3/2, whatever the number of patches: secants of its power 2/3.
+Status WheelRail::meet_force() {
+  const double touch = position_.z + search_->first_touch(motion_at(position_.z).pose);
+  if (!std::isfinite(touch))
+    fail(Status::err_load, "no height of the wheelset brings the wheel on the rail (y is %g): it has derailed",
+         side_ * position_.y);
+  if (load_ == 0) {
+    solve_at(touch);
+    return Status::no_contact;
+  }
+  constexpr int most = 60;
+  constexpr double tolerance = 1e-6;
+  double low = 0, high = INFINITY, sink = sink_ > 0 ? sink_ : first_sink(touch), before = 0, force_before = 0;
+  Status status = Status::ok;
+  for (int i = 0; i < most; ++i) {
+    status = solve_at(touch + sink);
+    if (status == Status::cancelled) return status;
+    const double force = vertical_force();
+    if (std::abs(force - load_) <= tolerance * load_) {
+      sink_ = sink;
+      return status;
+    }
+    (force < load_ ? low : high) = sink;
+    const auto root = [](double f) { return f > 0 ? std::cbrt(f * f) : 0.0; };
+    const double rise = (root(force) - root(force_before)) / (sink - before);
+    double next = rise > 0 ? sink + (root(load_) - root(force)) / rise : 2 * sink;
+    if (!(next > low && next < high)) next = std::isfinite(high) ? 0.5 * (low + high) : 2 * sink;
+    before = sink;
+    force_before = force;
+    sink = next;
+  }
+  sink_ = 0;
+  return Status::not_converged;
+}
+
+Status WheelRail::solve() {
+  prepare();
+  solved_ = false;
+  const Status status = by_force_ ? meet_force() : solve_at(position_.z);
+  solved_ = true;
+  return status;
+}
+
+void WheelRail::reset() {
+  for (const auto& slot : slot_) slot->contact.reset();
+  sink_ = 0;
+  solved_ = false;
+}
+
+void WheelRail::require_solved() const {
+  if (!solved_) fail(Status::err_state, "there is no solution yet: call rollcon_wheelrail_solve first");
+}
+
+std::int64_t WheelRail::patches() const {
+  require_solved();
+  return static_cast<std::int64_t>(active_.size());
+}
+
+const WheelRail::Slot& WheelRail::active(std::int64_t i) const {
+  require_solved();
+  const auto n = static_cast<std::int64_t>(active_.size());
+  if (i < 0 || i >= n)
+    fail(Status::err_argument, "patch is %lld; allowed: 0 to %lld", static_cast<long long>(i),
+         static_cast<long long>(n - 1));
+  return *active_[static_cast<std::size_t>(i)];
+}
+
+std::shared_ptr<Contact> WheelRail::contact(std::int64_t i) const {
+  return active(i).contact.contact();
+}
+
+}  // namespace rollcon

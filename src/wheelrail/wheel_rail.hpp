@@ -1,0 +1,105 @@
+#pragma once
+/// A wheel of a wheelset on its rail: profiles, position and velocity in, patches and forces out. docs/wheelrail.md.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "wheelrail/contact_search.hpp"
+#include "wheelrail/patch_contact.hpp"
+#include "wheelrail/rail_place.hpp"
+
+namespace rollcon {
+
+/// Position and velocity of a wheelset: along x forward, y to the right, z down; about x, z and y (roll, yaw, pitch).
+struct WheelsetState {
+  double x = 0, y = 0, z = 0, roll = 0, yaw = 0, pitch = 0;
+};
+/// Of a rail from its place in the track.
+struct RailDeviation {
+  double y = 0, z = 0, roll = 0;
+};
+
+class WheelRail {
+ public:
+  /// Bodies with profiles, half-spaces or rigid; where those profiles lie is no matter. err_argument.
+  WheelRail(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail,
+            std::int32_t side);
+
+  void set_track(double gauge, double gauge_height, double cant);
+  void set_wheelset(double back_to_back, double flange_back, double radius);
+  void set_rail_deviation(const double* deviation, const double* rate);
+  void set_position(const double* position);
+  void set_velocity(const double* velocity);
+  /// how: by motion: z of the position; by force: the vertical force on the rail.
+  void prescribe_vertical(std::int32_t how, double force);
+  void set_friction(double mu);
+  void set_accuracy(double accuracy);
+
+  /// ok or the first that fits of not_converged, rim_contact, coarse, no_contact.
+  Status solve();
+  /// Forgets warm starts.
+  void reset();
+
+  // Of the last solve; err_state before one.
+  std::int64_t patches() const;
+  /// Which belongs to it; it changes with the next solve.
+  std::shared_ptr<Contact> contact(std::int64_t i) const;
+  /// On the wheel, in the axes of the track or of the wheelset; the moment about the wheelset's centre.
+  void resultant(bool of_wheelset, double* force, double* moment) const;
+  double stat(const char* name) const;  ///< err_option: unknown name
+  static std::int64_t stat_count();
+  static const char* stat_name(std::int64_t i);
+  double patch_stat(std::int64_t i, const char* name) const;  ///< likewise
+  static std::int64_t patch_stat_count();
+  static const char* patch_stat_name(std::int64_t i);
+
+ private:
+  struct Slot {
+    PatchContact contact;
+    double wheel_y = 0;
+    bool taken = false;
+  };
+  struct Stat;
+  struct PatchStat;
+  static const Stat stats[];
+  static const PatchStat patch_stats[];
+
+  void prepare();
+  WheelMotion motion_at(double z) const;
+  Status solve_at(double z);
+  Status meet_force();
+  double first_sink(double touch);
+  double vertical_force() const;
+  Slot& slot_for(const OverlapPatch& patch);
+  void require_solved() const;
+  Pose wheelset_attitude() const;
+  Pose rail_pose() const;
+  const Slot& active(std::int64_t i) const;
+
+  std::shared_ptr<Context> context_;
+  std::shared_ptr<Body> given_wheel_, given_rail_, wheel_, rail_;
+  double side_;  ///< -1: everything is solved in a mirror
+  std::optional<TrackGauge> track_;
+  double back_to_back_ = 0, flange_back_ = 0, radius_ = 0;
+  bool wheelset_given_ = false, position_given_ = false, velocity_given_ = false, friction_given_ = false;
+  WheelsetState position_, velocity_;
+  RailDeviation deviation_, rate_;
+  bool by_force_ = false;
+  double load_ = 0, friction_ = 0, accuracy_ = 0.01;
+
+  // Made from these.
+  std::optional<ContactSearch> search_;
+  RailShape rail_shape_;
+  std::vector<OverlapPatch> found_;
+  std::vector<std::unique_ptr<Slot>> slot_;
+  std::vector<Slot*> active_;
+  double z_ = 0;
+  double sink_ = 0, slope_ = 0;  ///< beyond first touch, and d force / d sink, of the last solve; 0: none
+  std::int64_t solves_ = 0;
+  bool solved_ = false;
+};
+
+}  // namespace rollcon

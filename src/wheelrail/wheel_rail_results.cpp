@@ -1,0 +1,136 @@
+/// What a wheel on its rail has to tell after a solve. What was solved in a mirror is turned back.
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "support/error.hpp"
+#include "wheelrail/wheel_rail.hpp"
+
+namespace rollcon {
+namespace {
+
+template <class Table>
+const auto& find_stat(const Table& table, const char* name) {
+  const auto* const found = std::find_if(std::begin(table), std::end(table), [&](const auto& s) {
+    return std::string(s.name) == name;
+  });
+  if (found == std::end(table)) {
+    std::string known;
+    for (const auto& s : table) known += (known.empty() ? "" : ", ") + std::string(s.name);
+    fail(Status::err_option, "unknown statistic '%s'; known: %s", name, known.c_str());
+  }
+  return *found;
+}
+
+}  // namespace
+
+struct WheelRail::Stat {
+  const char* name;
+  double (*value)(const WheelRail& w);
+};
+
+const WheelRail::Stat WheelRail::stats[] = {
+    {"z", [](const WheelRail& w) { return w.z_; }},
+    {"vertical_force", [](const WheelRail& w) { return w.vertical_force(); }},
+    {"friction_power",
+     [](const WheelRail& w) {
+       double power = 0;
+       for (const Slot* slot : w.active_)
+         power += slot->contact.overlap().share * slot->contact.contact()->stat("friction_power");
+       return power;
+     }},
+    {"solves", [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
+    {"frames_grown",
+     [](const WheelRail& w) {
+       std::int64_t n = 0;
+       for (const auto& slot : w.slot_) n += slot->contact.grown();
+       return static_cast<double>(n);
+     }},
+};
+
+struct WheelRail::PatchStat {
+  const char* name;
+  double (*value)(const WheelRail& w, const PatchContact& p);
+};
+
+const WheelRail::PatchStat WheelRail::patch_stats[] = {
+    {"x",
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.position_.x + w.rail_pose().place(p.overlap().reference)[0];
+     }},
+    {"y",
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.side_ * w.rail_pose().place(p.overlap().reference)[1];
+     }},
+    {"z", [](const WheelRail& w, const PatchContact& p) { return w.rail_pose().place(p.overlap().reference)[2]; }},
+    {"angle",
+     [](const WheelRail& w, const PatchContact& p) { return w.side_ * (p.overlap().angle + w.deviation_.roll); }},
+    {"wheel_y", [](const WheelRail&, const PatchContact& p) { return p.overlap().wheel_y; }},
+    {"rolling_radius", [](const WheelRail&, const PatchContact& p) { return p.overlap().rolling_radius; }},
+    {"longitudinal_creepage", [](const WheelRail&, const PatchContact& p) { return p.creepages()[0]; }},
+    {"lateral_creepage", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[1]; }},
+    {"spin", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[2]; }},
+    {"normal_force",
+     [](const WheelRail&, const PatchContact& p) { return dot(p.force(), p.overlap().normal); }},
+    {"longitudinal_force", [](const WheelRail&, const PatchContact& p) { return p.force()[0]; }},
+    {"lateral_force",
+     [](const WheelRail& w, const PatchContact& p) { return w.side_ * dot(p.force(), p.overlap().lateral); }},
+    {"spin_moment",
+     [](const WheelRail& w, const PatchContact& p) { return -w.side_ * dot(p.moment(), p.overlap().normal); }},
+    {"overlap", [](const WheelRail&, const PatchContact& p) { return p.overlap().overlap; }},
+    {"share", [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
+    {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("max_pressure"); }},
+    {"area", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("contact_area"); }},
+    {"friction_power", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("friction_power"); }},
+    {"status", [](const WheelRail&, const PatchContact& p) { return static_cast<double>(p.status()); }},
+};
+
+double WheelRail::stat(const char* name) const {
+  require_solved();
+  return find_stat(stats, name).value(*this);
+}
+
+std::int64_t WheelRail::stat_count() {
+  return std::ssize(stats);
+}
+
+const char* WheelRail::stat_name(std::int64_t i) {
+  return stats[static_cast<std::size_t>(i)].name;
+}
+
+double WheelRail::patch_stat(std::int64_t i, const char* name) const {
+  return find_stat(patch_stats, name).value(*this, active(i).contact);
+}
+
+std::int64_t WheelRail::patch_stat_count() {
+  return std::ssize(patch_stats);
+}
+
+const char* WheelRail::patch_stat_name(std::int64_t i) {
+  return patch_stats[static_cast<std::size_t>(i)].name;
+}
+
+void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const {
+  require_solved();
+  const Pose rail = rail_pose();
+  const Vec3 centre{0, position_.y, z_ - radius_};
+  Vec3 f{0, 0, 0}, m{0, 0, 0};
+  for (const Slot* slot : active_) {
+    const PatchContact& p = slot->contact;
+    const Vec3 own = p.overlap().share * rail.turn(p.force());
+    f = f + own;
+    m = m + p.overlap().share * rail.turn(p.moment()) + cross(rail.place(p.overlap().reference) - centre, own);
+  }
+  if (of_wheelset) {
+    const Pose set = wheelset_attitude();
+    f = set.turn_back(f);
+    m = set.turn_back(m);
+  }
+  const Vec3 polar{f[0], side_ * f[1], f[2]}, axial{side_ * m[0], m[1], side_ * m[2]};
+  if (force) std::copy(polar.begin(), polar.end(), force);
+  if (moment) std::copy(axial.begin(), axial.end(), moment);
+}
+
+}  // namespace rollcon
