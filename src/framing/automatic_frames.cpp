@@ -96,12 +96,6 @@ class AutomaticFrames final : public FrameMaker {
       beyond_bounds_ = nullptr;
       return;
     }
-    gap_ = contact.gap_between_nodes();
-    if (!gap_)
-      fail(Status::err_state,
-           "no frame was given: the library makes one where the gap is known between nodes, too "
-           "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
-           "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Load& normal = scene.load(Direction::normal);
     Found now{scene.revision.gap, contact.modulus(), normal.how, normal.value};
     if (!scene.has_gap()) {
@@ -109,6 +103,12 @@ class AutomaticFrames final : public FrameMaker {
       now.axes = scene.revision.axes;
     }
     if (!shape_.outline.empty() && now == found_) return;
+    gap_ = contact.gap_between_nodes();
+    if (!gap_)
+      fail(Status::err_state,
+           "no frame was given: the library makes one where the gap is known between nodes, too "
+           "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
+           "rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes or rollcon_contact_frame_from_body");
     const Patches patches =
         search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(), now.modulus,
                                normal.how == How::by_force, normal.value});
