@@ -407,7 +407,8 @@ contains
   end subroutine
 
   !> Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral + spin x) of body 1
-  !> relative to body 2. The same as three calls of rollcon_contact_prescribe.
+  !> relative to body 2. The same as three calls of rollcon_contact_prescribe, and forgets the velocities of
+  !> rollcon_contact_set_velocity.
   subroutine contact_set_creep(self, longitudinal, lateral, spin, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     real(rc_real), intent(in) :: longitudinal

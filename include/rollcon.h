@@ -1049,7 +1049,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_cont
 
 /*
  * Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y, lateral +
- * spin x) of body 1 relative to body 2. The same as three calls of rollcon_contact_prescribe.
+ * spin x) of body 1 relative to body 2. The same as three calls of rollcon_contact_prescribe, and
+ * forgets the velocities of rollcon_contact_set_velocity.
  *   longitudinal  creepage along t1, dimensionless
  *   lateral       creepage along t2, dimensionless
  *   spin          1/length

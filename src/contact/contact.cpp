@@ -311,8 +311,12 @@ double Contact::modulus() {
   return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }
 
+bool Contact::knows_gap_between_nodes() const {
+  if (scene.has_gap()) return scene.gap_grid() != nullptr;
+  return !meshed() && (body1_->has_surface() || body2_->has_surface());
+}
+
 std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
-  if (!scene.gap_grid() && !body1_->has_surface() && !body2_->has_surface()) return nullptr;
   prepare_bodies(*state_, *body1_, *body2_);
   return known_gap(scene, {{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }

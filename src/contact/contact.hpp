@@ -66,7 +66,8 @@ class Contact {
   void extrapolate_from(const Contact& coarse, const FrameFamily& family);
   /// E* of the pair; prepares the bodies.
   double modulus();
-  /// As known_gap(); prepares the bodies if it may be there.
+  bool knows_gap_between_nodes() const;
+  /// As known_gap(); prepares the bodies.
   std::unique_ptr<KnownGap> gap_between_nodes();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;

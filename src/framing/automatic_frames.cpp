@@ -98,8 +98,7 @@ class AutomaticFrames final : public FrameMaker {
       beyond_bounds_ = nullptr;
       return;
     }
-    gap_ = contact.gap_between_nodes();
-    if (!gap_)
+    if (!contact.knows_gap_between_nodes())
       fail(Status::err_state,
            "no frame was given: the library makes one where the gap is known between nodes, too "
            "(rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid, profiles of the bodies); else call "
@@ -111,6 +110,7 @@ class AutomaticFrames final : public FrameMaker {
       now.axes = scene.revision.axes;
     }
     if (!shape_.outline.empty() && now == found_) return;
+    gap_ = contact.gap_between_nodes();
     const Patches patches = search_.find(contact, {[this](double x, double y) { return (*gap_)(x, y); }, gap_->bounds(),
                                                    now.modulus, normal.how == How::by_force, normal.value});
     shape_.outline = patches.outline;

@@ -122,7 +122,13 @@ void set_gap(World& w) {
 
 void set_motion(World& w) {
   rollcon_contact* c = w.contact();
-  switch (w.in.below(4)) {
+  switch (w.in.below(5)) {
+    case 4: {
+      const std::vector<double> velocity = w.in.reals(3), turning = w.in.reals(3), point = w.in.reals(3);
+      FUZZ_CALL(w, rollcon_contact_set_velocity, c, w.in.one_in(12) ? w.in.integer32() : w.in.below(3),
+                maybe_null(w.in, velocity), maybe_null(w.in, turning), maybe_null(w.in, point));
+      break;
+    }
     case 0:
       FUZZ_CALL(w, rollcon_contact_set_rolling, c, w.in.positive());
       break;

@@ -383,7 +383,8 @@ class ContactPlain:
 
     def set_creep(self, longitudinal=0.0, lateral=0.0, spin=0.0):
         """Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y,
-        lateral + spin x) of body 1 relative to body 2. The same as three calls of prescribe().
+        lateral + spin x) of body 1 relative to body 2. The same as three calls of prescribe(),
+        and forgets the velocities of set_velocity().
 
         longitudinal: creepage along t1, dimensionless.
         lateral: creepage along t2, dimensionless.

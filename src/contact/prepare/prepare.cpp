@@ -111,7 +111,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   Prepared& on = *preparation.made;
   const auto placed = follows_its_place(on.pair) ? 0 : scene.revision.place;
   // Nodes at which a body ends carry tractions, unless their frame follows the contact.
-  const std::unique_ptr<KnownGap> known = known_gap(scene, on.pair);
+  const bool known = is_gap_known(scene, on.pair);
   const Poses ends = scene.ends_at_edge() && !scene.placed() && known ? where_gap_ends(scene, on.pair) : Poses{-1, -1};
   if (preparation.frame.enter(scene.revision.mesh, placed, scene.revision.axes, poses_of_frame(scene, on.pair), ends)) {
     refuse_too_many_nodes(state, scene.mesh());
@@ -120,7 +120,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     on.frame_source = present_source(scene, on.pair);
     on.ends_at_edge = scene.ends_at_edge();
     if (on.ends_at_edge) {
-      find_rim(frame, on.pair, scene.placed() ? nullptr : known.get());
+      find_rim(frame, on.pair, scene.placed() ? nullptr : known_gap(scene, on.pair).get());
       for (std::size_t k = 0; k < frame.used.size(); ++k) frame.used[k] &= frame.rim[k] == 0;
     }
     if (normal_source(on.pair) >= 0) curve_frame(frame, surface_normals(frame, on.frame_source, on.pair));
@@ -142,7 +142,7 @@ void build_frame_part(SolverState& state, const Scene& scene) {
   if (preparation.place.enter(preparation.frame.version(), scene.revision.place)) put_in_place(state, scene);
   const bool moved = preparation.rim.enter(preparation.frame.version(), poses_of_meshes(scene, on.pair),
                                            known ? where_gap_ends(scene, on.pair) : Poses{-1, -1});
-  if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, known.get());
+  if (moved && !on.ends_at_edge) find_rim(on.frame, on.pair, known_gap(scene, on.pair).get());
 }
 
 void build_compliance(SolverState& state, const Scene& scene, int threads) {

@@ -136,10 +136,15 @@ class GapOfSurfaces final : public KnownGap {
 
 }  // namespace
 
+bool is_gap_known(const Scene& scene, const PairOfBodies& pair) {
+  if (scene.gap_grid()) return true;
+  if (scene.has_gap() || pair.body[0]->meshed() || pair.body[1]->meshed()) return false;
+  return pair.body[0]->surface() || pair.body[1]->surface();
+}
+
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair) {
+  if (!is_gap_known(scene, pair)) return nullptr;
   if (const HeightGrid* const grid = scene.gap_grid()) return std::make_unique<GapOnGrid>(*grid);
-  if (scene.has_gap() || pair.body[0]->meshed() || pair.body[1]->meshed()) return nullptr;
-  if (!pair.body[0]->surface() && !pair.body[1]->surface()) return nullptr;
   return std::make_unique<GapOfSurfaces>(scene.axes(), pair);
 }
 

@@ -23,8 +23,9 @@ class KnownGap {
   virtual const char* beyond_bounds() const = 0;
 };
 
-/// Null: the gap is known at nodes alone, is that of two planes, a quadratic one, or that of a body with a mesh. It
-/// refers to scene and bodies.
+/// False: the gap is known at nodes alone, is that of two planes, a quadratic one, or that of a body with a mesh.
+bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
+/// Null where it is not. It refers to scene and bodies.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);
 
 }  // namespace rollcon
