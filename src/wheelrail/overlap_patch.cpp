@@ -94,16 +94,34 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   return patch;
 }
 
+/// How far along x the circle through a point overlaps, ahead (sign 1) or behind. Along it the gap is gap + b l + a
+/// l^2, with b by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
+double reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g, double sign) {
+  const double depth = g.depth();
+  if (!(depth > 0)) return 0;
+  const double step = std::sqrt(2 * depth / gap.locus().bend(p));
+  const Vec3 x = gap.locus().ahead_of(p, sign * step);
+  const double b = g.rise * gap.locus().sideways(p) * sign;
+  double a = -g.gap / (step * step);
+  if (x[1] >= gap.rail().low() && x[1] <= gap.rail().high())
+    a = (gap.rail().at_y(x[1]).z - x[2] - g.gap - b * step) / (step * step);
+  constexpr double flattest = 1.0 / 16;
+  a = std::max(a, flattest * -g.gap / (step * step));
+  const double root = std::sqrt(b * b - 4 * a * g.gap);
+  const double length = b > 0 ? -2 * g.gap / (b + root) : (root - b) / (2 * a);
+  return length / step * std::abs(x[0] - g.wheel[0]);
+}
+
 }  // namespace
 
 void measure(const ProfileGap& gap, Overlap& o) {
   o.back = std::min({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
   o.front = std::max({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
-  const auto reach = [&](const VisiblePoint& p, const GapPoint& g) {
-    const double along = std::sqrt(2 * std::max(g.depth(), 0.0) / gap.locus().curvature(p).along);
-    o.back = std::min(o.back, g.wheel[0] - along);
-    o.front = std::max(o.front, g.wheel[0] + along);
-    return along;
+  const auto take = [&](const VisiblePoint& p, const GapPoint& g) {
+    const double ahead = reach(gap, p, g, 1), behind = reach(gap, p, g, -1);
+    o.back = std::min(o.back, g.wheel[0] - behind);
+    o.front = std::max(o.front, g.wheel[0] + ahead);
+    return (ahead + behind) / 2;
   };
   const auto& rule = quadrature::line_rule(quadrature::max_line_points);
   const double middle = (o.from.s + o.to.s) / 2, half = (o.to.s - o.from.s) / 2;
@@ -112,14 +130,14 @@ void measure(const ProfileGap& gap, Overlap& o) {
     const VisiblePoint p = gap.wheel().at(s);
     const auto g = gap.at(p, s);
     if (!g || !(g->gap < 0)) continue;
-    reach(p, *g);
+    take(p, *g);
     const double w = rule.w[i] * half * g->forward_y * g->gap * g->gap * std::sqrt(-g->gap);
     o.weight += w;
     o.y += w * g->wheel[1];
     o.x += w * g->wheel[0];
     o.angle += w * std::atan(g->rail_slope);
   }
-  const double along = reach(gap.wheel().at(o.deepest.s), o.deepest);
+  const double along = take(gap.wheel().at(o.deepest.s), o.deepest);
   const Vec3 across = o.to.wheel - o.from.wheel;
   o.size = std::sqrt(along * std::hypot(across[1], across[2]) / 4);
 }
