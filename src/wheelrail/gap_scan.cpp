@@ -67,17 +67,23 @@ class OverlapScan {
  private:
   bool passed_by(const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
     if (!inside_) return bound(a, b, span) > 0;
-    const bool kink = falls_ && a.rise >= 0;
+    const bool kink = falls_ != (a.rise < 0);
     if (!a.known || !b.known || a.gap > -a.slack || b.gap > -b.slack || kink || a.rise * b.rise <= 0) return false;
-    falls_ = a.rise < 0;
     return true;
   }
   /// The gap rises or falls from a to b.
   void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
     const bool falls = a.rise + b.rise < 0;
     if (inside_ && a.gap > 0) close(a, false);
-    if (!inside_ && a.gap <= 0) open(a, starts_);
-    if (inside_ && falls_ && !falls) deepen(a);
+    if (!inside_ && a.gap <= 0) {
+      open(a, starts_);
+    } else if (inside_ && falls_ && !falls) {
+      deepen(a);
+    } else if (inside_ && !falls_ && falls) {
+      close(a, false);
+      open(a, false);
+      now_.grown = true;
+    }
     if (inside_ && b.gap > 0)
       close(gap_.zero(span, a, b), false);
     else if (!inside_ && b.gap <= 0)
@@ -90,14 +96,15 @@ class OverlapScan {
     inside_ = true;
     now_ = Overlap{};
     now_.from = now_.deepest = p;
-    now_.cut = cut;
+    now_.cut = deepest_known_ = cut;
   }
   void deepen(const GapPoint& p) {
-    if (p.depth() > now_.deepest.depth()) now_.deepest = p;
+    if (!deepest_known_ || p.depth() > now_.deepest.depth()) now_.deepest = p;
+    deepest_known_ = true;
   }
   void close(const GapPoint& p, bool cut) {
     inside_ = false;
-    if (cut) deepen(p);
+    if (cut || !deepest_known_) deepen(p);
     now_.to = p;
     now_.cut = now_.cut || cut;
     if (now_.to.s > now_.from.s) found_.push_back(now_);
@@ -110,7 +117,7 @@ class OverlapScan {
 
   ProfileGap& gap_;
   std::vector<Overlap>& found_;
-  bool inside_ = false, starts_ = false;
+  bool inside_ = false, starts_ = false, deepest_known_ = false;
   bool falls_ = false;  ///< up to here
   GapPoint last_{};
   Overlap now_;

@@ -1,6 +1,7 @@
 #pragma once
 /// Scans the gap along a wheel's profile, span by span, for its least value and for the intervals in which it is
-/// negative. Spans in which neither can be are passed by.
+/// negative, each with one least value: those with several are divided where it is greatest between them. Spans in
+/// which neither can be are passed by.
 
 #include <vector>
 

@@ -20,6 +20,7 @@ double smooth_step(double value, double from, double to) {
 /// around a contact of radius c lessens the approach of an equal one at a distance of 7 c from centre to centre (2.5
 /// times the sum of the radii between the edges) by 6 percent, at 10 c (4 times) by 4.
 double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
+  if (b.grown) return 1;
   constexpr double together = 2.5, apart = 4, turn = 0.3;
   const VisiblePoint from = gap.rail().at_y(a.to.wheel[1]), to = gap.rail().at_y(b.from.wheel[1]);
   const double turned = (std::atan(to.slope) - std::atan(from.slope)) / turn;
@@ -94,32 +95,75 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   return patch;
 }
 
-}  // namespace
+/// How far along x the circle through a point overlaps, ahead (sign 1) or behind. Along it the gap is gap + b l + a
+/// l^2, with b by how much it runs sideways; a is measured, as curvatures jump where arcs meet.
+double reach(const ProfileGap& gap, const VisiblePoint& p, const GapPoint& g, double sign) {
+  const double depth = g.depth();
+  if (!(depth > 0)) return 0;
+  const double step = std::sqrt(2 * depth / gap.locus().bend(p));
+  const Vec3 x = gap.locus().ahead_of(p, sign * step);
+  const double b = g.rise * gap.locus().sideways(p) * sign;
+  double a = -g.gap / (step * step);
+  if (x[1] >= gap.rail().low() && x[1] <= gap.rail().high())
+    a = (gap.rail().at_y(x[1]).z - x[2] - g.gap - b * step) / (step * step);
+  constexpr double flattest = 1.0 / 16;
+  a = std::max(a, flattest * -g.gap / (step * step));
+  const double root = std::sqrt(b * b - 4 * a * g.gap);
+  const double length = b > 0 ? -2 * g.gap / (b + root) : (root - b) / (2 * a);
+  return length / step * std::abs(x[0] - g.wheel[0]);
+}
 
-void measure(const ProfileGap& gap, Overlap& o) {
-  o.back = std::min({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
-  o.front = std::max({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
-  const auto reach = [&](const VisiblePoint& p, const GapPoint& g) {
-    const double along = std::sqrt(2 * std::max(g.depth(), 0.0) / gap.locus().curvature(p).along);
-    o.back = std::min(o.back, g.wheel[0] - along);
-    o.front = std::max(o.front, g.wheel[0] + along);
-    return along;
-  };
-  const auto& rule = quadrature::line_rule(quadrature::max_line_points);
-  const double middle = (o.from.s + o.to.s) / 2, half = (o.to.s - o.from.s) / 2;
+/// s at which the locus has this y, from a start between two ends.
+double s_towards_y(const ProfileGap& gap, double y, double s, double from, double to, double close_enough) {
+  constexpr int most = 8;
+  for (int i = 0; i < most; ++i) {
+    const auto p = gap.locus().at(gap.wheel().at(s));
+    if (!p || std::abs(y - p->x[1]) <= close_enough) break;
+    s = std::clamp(s + (y - p->x[1]) / p->forward_y, from, to);
+  }
+  return s;
+}
+
+/// Over y, in which the gap's slope is continuous; by s it is not where the wheel's curvature jumps. visit(point of the
+/// wheel, gap) where the gap is taken.
+template <class Visit>
+void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, Overlap& o, Visit visit) {
+  constexpr int points = 16;
+  const auto& rule = quadrature::line_rule(points);
+  const double middle = (from.wheel[1] + to.wheel[1]) / 2, half = (to.wheel[1] - from.wheel[1]) / 2;
+  const double close_enough = 1e-9 * half;
+  GapPoint last = from;
   for (std::size_t i = 0; i < rule.x.size(); ++i) {
-    const double s = middle + half * rule.x[i];
+    const double y = middle + half * rule.x[i];
+    const double start = std::clamp(last.s + (y - last.wheel[1]) / last.forward_y, last.s, to.s);
+    const double s = s_towards_y(gap, y, start, from.s, to.s, close_enough);
     const VisiblePoint p = gap.wheel().at(s);
     const auto g = gap.at(p, s);
     if (!g || !(g->gap < 0)) continue;
-    reach(p, *g);
-    const double w = rule.w[i] * half * g->forward_y * g->gap * g->gap * std::sqrt(-g->gap);
+    last = *g;
+    visit(p, *g);
+    const double w = rule.w[i] * half * g->gap * g->gap * std::sqrt(-g->gap);
     o.weight += w;
     o.y += w * g->wheel[1];
     o.x += w * g->wheel[0];
     o.angle += w * std::atan(g->rail_slope);
   }
-  const double along = reach(gap.wheel().at(o.deepest.s), o.deepest);
+}
+
+}  // namespace
+
+void measure(const ProfileGap& gap, Overlap& o) {
+  o.back = std::min({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
+  o.front = std::max({o.from.wheel[0], o.to.wheel[0], o.deepest.wheel[0]});
+  const auto take = [&](const VisiblePoint& p, const GapPoint& g) {
+    const double ahead = reach(gap, p, g, 1), behind = reach(gap, p, g, -1);
+    o.back = std::min(o.back, g.wheel[0] - behind);
+    o.front = std::max(o.front, g.wheel[0] + ahead);
+    return (ahead + behind) / 2;
+  };
+  for (const auto& [from, to] : {std::array{o.from, o.deepest}, std::array{o.deepest, o.to}})
+    integrate(gap, from, to, o, take);
+  const double along = take(gap.wheel().at(o.deepest.s), o.deepest);
   const Vec3 across = o.to.wheel - o.from.wheel;
   o.size = std::sqrt(along * std::hypot(across[1], across[2]) / 4);
 }

@@ -23,11 +23,11 @@ struct OverlapPatch {
   LocusCurvature curvature{};  ///< of both surfaces together there
 };
 
-/// An interval of s in which the gap is negative.
+/// An interval of s in which the gap is negative, and has one least value.
 struct Overlap {
   GapPoint from, to;
   GapPoint deepest;
-  bool cut = false;
+  bool cut = false, grown = false;  ///< the second: together with the one before
   // Of the interval, filled by measure():
   double weight = 0, y = 0, x = 0, angle = 0;  ///< integrals of depth^2.5, and of y, x and the angle with it
   double back = 0, front = 0;                  ///< x of what overlaps

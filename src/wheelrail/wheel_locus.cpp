@@ -1,7 +1,5 @@
 #include "wheelrail/wheel_locus.hpp"
 
-#include <cmath>
-
 namespace rollcon {
 
 WheelLocus::WheelLocus(const Vec3& centre, const Vec3& axis, double radius)
@@ -24,9 +22,20 @@ std::optional<LocusPoint> WheelLocus::at(const VisiblePoint& p) const {
   return LocusPoint{centre_ + p.y * axis_ + r * e, -down_y / down_z, forward_y};
 }
 
+Vec3 WheelLocus::ahead_of(const VisiblePoint& p, double length) const {
+  const double s = p.slope * tilt_, c = std::sqrt(1 - s * s), r = radius_ + p.z;
+  const double turn_s = std::sin(length / r), turn_c = std::cos(length / r);
+  return centre_ + p.y * axis_ + (r * (c * turn_c - s * turn_s)) * down_ + (r * (s * turn_c + c * turn_s)) * ahead_;
+}
+
+double WheelLocus::sideways(const VisiblePoint& p) const {
+  const double s = p.slope * tilt_;
+  return std::sqrt(1 - s * s) * ahead_[1] - s * down_[1];
+}
+
 LocusCurvature WheelLocus::curvature(const VisiblePoint& p) const {
   const double s = p.slope * tilt_, steep = std::sqrt(1 + p.slope * p.slope);
-  const double around = 1 / ((radius_ + p.z) * steep), meridian = -p.curvature();
+  const double around = bend(p), meridian = -p.curvature();
   const double c = ahead_[0] * std::sqrt(1 - s * s), m = axis_[0] * steep;  // of x, around and along the profile
   return {around * c * c + meridian * m * m, (meridian - around) * c * m, around * m * m + meridian * c * c};
 }

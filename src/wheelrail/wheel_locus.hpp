@@ -6,6 +6,7 @@
 /// angles to a (d has no x), that point is at r (cos t d + sin t f) from the axis, where sin t = m a_x / f_x. Seen
 /// along x, the locus is the wheel's outline.
 
+#include <cmath>
 #include <optional>
 
 #include "geometry/pose.hpp"
@@ -33,6 +34,12 @@ class WheelLocus {
   /// nullopt: no point of that circle looks down without a component along x.
   std::optional<LocusPoint> at(const VisiblePoint& p) const;
   LocusCurvature curvature(const VisiblePoint& p) const;
+  /// On the same circle, an arc length ahead of the locus.
+  Vec3 ahead_of(const VisiblePoint& p, double length) const;
+  /// y of the unit vector along it.
+  double sideways(const VisiblePoint& p) const;
+  /// Of the circle, for small steps along the normal of the wheel's surface: what it bends away from its tangent.
+  double bend(const VisiblePoint& p) const { return 1 / ((radius_ + p.z) * std::sqrt(1 + p.slope * p.slope)); }
   /// Of its points.
   double rounding() const { return 1e-16 * (radius_ + length(centre_)); }
 

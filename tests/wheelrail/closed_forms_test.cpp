@@ -31,19 +31,15 @@ TEST(first_touch, sphere_on_a_round_rail) {
   constexpr int draws = 2000;
   for (int i = 0; i < draws; ++i) {
     const double radius = draw.between(0.5, 500), rail = draw.between(0.5, 500), y = draw.between(-800, 800);
-    const ContactSearch search({shape("arc", {radius, radius}), {0, 0, 0}, {0, 1, 0}, radius},
-                               round_rail(rail, y, draw.between(0, 10)));
-    const double top = 0;
-    (void)top;
+    const ContactSearch search({shape("arc", {radius, radius}), {0, 0, 0}, {0, 1, 0}, radius}, round_rail(rail, y, 0));
     Pose pose = manchester::turned(draw.between(-0.2, 0.2), draw.between(-0.5, 0.5));
     // Not so far aside that the touching points are on the steep ends.
     const double off = 0.7 * (radius + rail) * draw.between(-1, 1);
     pose.translation = {draw.between(-10, 10), y + off, draw.between(-2, 0) * radius};
     const double reach = std::sqrt((radius + rail + off) * (radius + rail - off));
     const double size = radius + rail + std::abs(y);
-    const ContactSearch flat({shape("arc", {radius, radius}), {0, 0, 0}, {0, 1, 0}, radius}, round_rail(rail, y, 0));
     const double due = rail - reach - pose.translation[2];
-    error = std::max(error, std::abs(flat.first_touch(pose) - due) / size);
+    error = std::max(error, std::abs(search.first_touch(pose) - due) / size);
   }
   expect_error("spheres on round rails, 2000 draws: first touch over size", error, 1e-14);
 }
@@ -76,7 +72,7 @@ TEST(first_touch, cylinders_crossed_at_any_angle) {
 /// Two circles in the plane of y and z.
 TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
   Draw draw;
-  double at_ends = 0, deep = 0, front = 0, symmetry = 0, angle = 0, lateral = 0;
+  double at_ends = 0, deep = 0, front = 0, symmetry = 0, angle = 0, lateral = 0, curved = 0;
   constexpr int draws = 500;
   std::vector<OverlapPatch> patch;
   for (int i = 0; i < draws; ++i) {
@@ -101,18 +97,19 @@ TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
     EXPECT_NEAR(f.share, 1, 0);
     EXPECT_NEAR(length(f.normal), 1, 1e-15);
     EXPECT_NEAR(dot(f.normal, f.lateral), 0, 1e-15);
-    EXPECT_NEAR(f.curvature.along * radius, 1, 1e-12);
-    EXPECT_NEAR(f.curvature.across / (1 / radius + 1 / rail), 1, 1e-12);
-    EXPECT_NEAR(f.curvature.twist * radius, 0, 1e-12);
+    curved = std::max({curved, std::abs(f.curvature.along * radius - 1), std::abs(f.curvature.twist * radius),
+                       std::abs(f.curvature.across / (1 / radius + 1 / rail) - 1)});
   }
-  // The depth is measured along z and turned into that along the normal: they differ by depth tan^2 / (2 size).
-  expect_error("circles: greatest overlap", deep, 1e-5);
+  // Measured along z and turned into that along the normal it differs by depth tan(slant)^2 / (2 size), 1.213e-5.
+  expect_error("circles: greatest overlap", deep, 1.22e-5);
   expect_error("circles: width of the overlap", at_ends, 1e-4);
   expect_error("circles: reference in the middle, over half the width", symmetry, 3e-2);
+  // The rail's is taken within a millionth of a cell of 0.02 radians beside the point.
+  expect_error("circles: relative curvatures", curved, 1e-7);
   expect_error("circles: contact angle", angle, 1e-4);
   expect_error("circles: x of the reference over half the width", lateral, 1e-9);
-  // Depths are taken at points of a rule, the greatest among them.
-  expect_error("circles: length of the overlap", front, 1e-4);
+  // The greatest at 24 points of a rule, 0.07 of half the width apart.
+  expect_error("circles: length of the overlap", front, 0.07 * 0.07 / 2);
 }
 
 TEST(contact_search, lifted_wheels_and_wheels_beside_the_rail_have_no_patch) {
