@@ -38,7 +38,7 @@ class PatchContact {
   /// Force on the wheel, and moment about the patch's reference.
   const Vec3& force() const { return force_; }
   const Vec3& moment() const { return moment_; }
-  /// Longitudinal, lateral, spin: of the wheel relative to the rail at the reference, over the speed.
+  /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed.
   const Vec3& creepages() const { return creepages_; }
   /// Origin and axes of its space are axes().
   const std::shared_ptr<Contact>& contact() const { return contact_; }
@@ -52,6 +52,7 @@ class PatchContact {
   bool reaches_rim(const LatticeSize& size) const;
   void take_results(const WheelMotion& motion);
 
+  std::shared_ptr<Body> wheel_;
   std::shared_ptr<Contact> contact_;
   OverlapPatch patch_;
   Axes axes_;

@@ -100,8 +100,7 @@ void WheelRail::set_rail_deviation(const double* deviation, const double* rate) 
 static WheelsetState state_of(const double* v, const char* name, double side) {
   require_pointer(v, name);
   for (int i = 0; i < 6; ++i)
-    if (!std::isfinite(v[i]))
-      fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
+    if (!std::isfinite(v[i])) fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
   return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
 }
 
@@ -148,12 +147,12 @@ void WheelRail::set_accuracy(double accuracy) {
 }
 
 void WheelRail::prepare() {
-  const char* missing = !track_              ? "rollcon_wheelrail_set_track"
-                        : !wheelset_given_   ? "rollcon_wheelrail_set_wheelset"
-                        : !position_given_   ? "rollcon_wheelrail_set_position"
-                        : !velocity_given_   ? "rollcon_wheelrail_set_velocity"
-                        : !friction_given_   ? "rollcon_wheelrail_set_friction"
-                                             : nullptr;
+  const char* missing = !track_            ? "rollcon_wheelrail_set_track"
+                        : !wheelset_given_ ? "rollcon_wheelrail_set_wheelset"
+                        : !position_given_ ? "rollcon_wheelrail_set_position"
+                        : !velocity_given_ ? "rollcon_wheelrail_set_velocity"
+                        : !friction_given_ ? "rollcon_wheelrail_set_friction"
+                                           : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
   if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
@@ -242,9 +241,8 @@ double WheelRail::first_sink(double touch) {
   const double little = 1e-6 * radius_;
   search_->find(motion_at(touch + little).pose, found_);
   if (found_.empty()) return little;
-  const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(), [](const auto& a, const auto& b) {
-    return depth_of(a) < depth_of(b);
-  });
+  const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
+                                                [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });
   const double half = 0.5 * (patch.high - patch.low), a = 0.5 * patch.curvature.along;
   if (!slot_.empty()) slot_.front()->taken = false;
   if (slot_.empty()) slot_.push_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));

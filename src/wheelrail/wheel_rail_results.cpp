@@ -13,9 +13,8 @@ namespace {
 
 template <class Table>
 const auto& find_stat(const Table& table, const char* name) {
-  const auto* const found = std::find_if(std::begin(table), std::end(table), [&](const auto& s) {
-    return std::string(s.name) == name;
-  });
+  const auto* const found =
+      std::find_if(std::begin(table), std::end(table), [&](const auto& s) { return std::string(s.name) == name; });
   if (found == std::end(table)) {
     std::string known;
     for (const auto& s : table) known += (known.empty() ? "" : ", ") + std::string(s.name);
@@ -56,14 +55,10 @@ struct WheelRail::PatchStat {
 };
 
 const WheelRail::PatchStat WheelRail::patch_stats[] = {
-    {"x",
-     [](const WheelRail& w, const PatchContact& p) {
-       return w.position_.x + w.rail_pose().place(p.overlap().reference)[0];
-     }},
+    {"x", [](const WheelRail& w,
+             const PatchContact& p) { return w.position_.x + w.rail_pose().place(p.overlap().reference)[0]; }},
     {"y",
-     [](const WheelRail& w, const PatchContact& p) {
-       return w.side_ * w.rail_pose().place(p.overlap().reference)[1];
-     }},
+     [](const WheelRail& w, const PatchContact& p) { return w.side_ * w.rail_pose().place(p.overlap().reference)[1]; }},
     {"z", [](const WheelRail& w, const PatchContact& p) { return w.rail_pose().place(p.overlap().reference)[2]; }},
     {"angle",
      [](const WheelRail& w, const PatchContact& p) { return w.side_ * (p.overlap().angle + w.deviation_.roll); }},
@@ -72,8 +67,7 @@ const WheelRail::PatchStat WheelRail::patch_stats[] = {
     {"longitudinal_creepage", [](const WheelRail&, const PatchContact& p) { return p.creepages()[0]; }},
     {"lateral_creepage", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[1]; }},
     {"spin", [](const WheelRail& w, const PatchContact& p) { return w.side_ * p.creepages()[2]; }},
-    {"normal_force",
-     [](const WheelRail&, const PatchContact& p) { return dot(p.force(), p.overlap().normal); }},
+    {"normal_force", [](const WheelRail&, const PatchContact& p) { return dot(p.force(), p.overlap().normal); }},
     {"longitudinal_force", [](const WheelRail&, const PatchContact& p) { return p.force()[0]; }},
     {"lateral_force",
      [](const WheelRail& w, const PatchContact& p) { return w.side_ * dot(p.force(), p.overlap().lateral); }},
