@@ -7,7 +7,6 @@
 
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
-#include "geometry/surface.hpp"
 
 namespace rollcon {
 namespace {
@@ -45,8 +44,7 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 }  // namespace
 
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
-    : wheel_(wheel),
-      contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))),
+    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))),
       margin_(usual_margin) {
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion), 0);
 }
@@ -132,10 +130,8 @@ void PatchContact::take_results(const WheelMotion& motion) {
   contact_->resultant(InAxes::local, force.data(), moment.data());
   force_ = from_axes(axes_, force);
   moment_ = from_axes(axes_, moment) + cross(axes_.origin - patch_.reference, force_);
-  // Where the wheel's own surface is: the overlap belongs to its rolling radius.
-  const Vec3 n = motion.pose.turn_back(axes_.n);
-  const double depth = wheel_->surface()->distance(motion.pose.to_body(patch_.reference), n, n).value_or(0);
-  const Vec3 slip = motion.velocity.at(patch_.reference + depth * axes_.n) - motion.rail.at(patch_.reference);
+  // The wheel's surface is as far inside the rail as both overlap, which belongs to its rolling radius.
+  const Vec3 slip = motion.velocity.at(patch_.reference + patch_.overlap * axes_.n) - motion.rail.at(patch_.reference);
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
   const double speed = std::abs(motion.speed);
   creepages_ = {slip[0] / speed, dot(slip, patch_.lateral) / speed, -dot(turning, patch_.normal) / speed};

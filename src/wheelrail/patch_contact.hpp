@@ -52,7 +52,6 @@ class PatchContact {
   bool reaches_rim(const LatticeSize& size) const;
   void take_results(const WheelMotion& motion);
 
-  std::shared_ptr<Body> wheel_;
   std::shared_ptr<Contact> contact_;
   OverlapPatch patch_;
   Axes axes_;
