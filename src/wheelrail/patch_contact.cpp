@@ -11,8 +11,8 @@
 namespace rollcon {
 namespace {
 
-/// Over Hertz's ellipse of the overlap, at first and each time that the frame was too small.
-constexpr double usual_margin = 1.08, growth = 1.15;
+/// Each time that the frame was too small.
+constexpr double growth = 1.15;
 constexpr int most_growths = 6;
 
 Vec3 in_axes(const Axes& axes, const Vec3& v) {
@@ -44,8 +44,7 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 }  // namespace
 
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
-    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))),
-      margin_(usual_margin) {
+    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion), 0);
 }
 
@@ -58,12 +57,13 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
     lay_frame(size);
     status_ = contact_->solve_on_frame();
     if (status_ != Status::ok && status_ != Status::coarse) break;
-    if (!reaches_rim(size)) break;
+    const int rim = rim_reached(size);
+    if (rim == 0) break;
     if (growths == most_growths) {
       status_ = Status::rim_contact;
       break;
     }
-    margin_ *= growth;
+    margin_[static_cast<std::size_t>(rim - 1)] *= growth;
     ++grown_;
   }
   take_results(motion);
@@ -71,7 +71,7 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
 }
 
 void PatchContact::reset() {
-  margin_ = usual_margin;
+  margin_ = {usual_margin, usual_margin};
   contact_->reset();
 }
 
@@ -100,29 +100,40 @@ void PatchContact::lay_frame(const LatticeSize& size) {
   }
 }
 
-// Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail.
-FramePlace PatchContact::place() const {
+// Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail. What is in
+// contact lies within the overlap.
+FramePlace PatchContact::place() {
   const double half = 0.5 * (patch_.high - patch_.low), depth = patch_.overlap;
-  // Turned back to front with the axes both coordinates change their signs.
   const double a = 0.5 * patch_.curvature.along, c = patch_.curvature.twist;
-  const QuadraticGap gap{a, depth / (half * half) + c * c / (4 * a), c};
-  const HertzContact hertz = hertz_by_approach(gap, 1, depth);
-  return place_of_disc(margin_ * hertz.larger, margin_ * hertz.smaller, hertz.angle);
+  const HertzContact hertz = hertz_by_approach({a, depth / (half * half) + c * c / (4 * a), c}, 1, depth);
+  const FramePlace ellipse = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
+  const double length = std::min(margin_[0] * ellipse.length, std::sqrt(depth / a)),
+               width = std::min(margin_[1] * ellipse.width, half);
+  // Operators belong to a shape: it changes in steps, and late.
+  constexpr double step = 0.1, late = 0.65;
+  const auto follow = [](double value, std::int64_t& at) {
+    if (std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
+    return static_cast<double>(at);
+  };
+  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, shape_[0]));
+  const double shear =
+      step * ratio * follow(ellipse.shear / ellipse.length * (length / width) / (step * longer), shape_[1]);
+  const double by = std::sqrt(longer / ratio);
+  return {length / by, width * by, shear * width * by};
 }
 
-bool PatchContact::reaches_rim(const LatticeSize& size) const {
+// 0: within, 1: across the ends along the rolling direction, 2: at the sides.
+int PatchContact::rim_reached(const LatticeSize& size) {
   constexpr double overlap = 0.05;
   const std::int64_t lines = size.across + 1, points = size.along + 1;
-  pressure_.resize(static_cast<std::size_t>(lines * points));
-  contact_->field(Field::gap, InAxes::local, static_cast<std::int64_t>(pressure_.size()), pressure_.data());
-  const auto beyond = [&](std::int64_t i, std::int64_t j) {
-    return pressure_[static_cast<std::size_t>(j * points + i)] < -overlap * patch_.overlap;
-  };
-  for (std::int64_t i = 0; i < points; ++i)
-    if (beyond(i, 0) || beyond(i, lines - 1)) return true;
-  for (std::int64_t j = 0; j < lines; ++j)
-    if (beyond(0, j) || beyond(points - 1, j)) return true;
-  return false;
+  gap_.resize(static_cast<std::size_t>(lines * points));
+  contact_->field(Field::gap, InAxes::local, static_cast<std::int64_t>(gap_.size()), gap_.data());
+  double ends = 0, sides = 0;
+  const auto at = [&](std::int64_t i, std::int64_t j) { return gap_[static_cast<std::size_t>(j * points + i)]; };
+  for (std::int64_t i = 0; i < points; ++i) sides = std::min({sides, at(i, 0), at(i, lines - 1)});
+  for (std::int64_t j = 0; j < lines; ++j) ends = std::min({ends, at(0, j), at(points - 1, j)});
+  if (std::min(ends, sides) > -overlap * patch_.overlap) return 0;
+  return ends < sides ? 1 : 2;
 }
 
 void PatchContact::take_results(const WheelMotion& motion) {

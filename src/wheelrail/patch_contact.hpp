@@ -1,7 +1,10 @@
 #pragma once
 /// A patch of a wheel on a rail as an ordinary contact: its axes, a lattice that follows it, and its solution.
 
+#include <array>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "contact/contact.hpp"
 #include "geometry/velocity.hpp"
@@ -48,16 +51,18 @@ class PatchContact {
  private:
   void stand(const WheelMotion& motion);
   void lay_frame(const LatticeSize& size);
-  FramePlace place() const;
-  bool reaches_rim(const LatticeSize& size) const;
+  FramePlace place();
+  int rim_reached(const LatticeSize& size);
   void take_results(const WheelMotion& motion);
 
   std::shared_ptr<Contact> contact_;
   OverlapPatch patch_;
   Axes axes_;
   LatticeSize size_;
-  double margin_ = 0;  ///< of the frame over Hertz's ellipse
-  mutable std::vector<double> pressure_;
+  static constexpr double usual_margin = 1.08;
+  std::array<double, 2> margin_{usual_margin, usual_margin};  ///< of the frame over Hertz's ellipse, along and across
+  std::array<std::int64_t, 2> shape_{};                       ///< of the frame, in steps: length over width, shear
+  std::vector<double> gap_;
   Vec3 force_{}, moment_{}, creepages_{};
   Status status_ = Status::ok;
   std::int64_t grown_ = 0;

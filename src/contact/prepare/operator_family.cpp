@@ -66,6 +66,19 @@ void OperatorFamily::forget_farthest(double length) {
                                 [&](const auto& a, const auto& b) { return distance(a) < distance(b); }));
 }
 
+// Shapes that come back are kept as long as they are small.
+void OperatorFamily::forget_oldest_beside_grid() {
+  constexpr std::size_t most_bytes = std::size_t{1} << 26;
+  std::size_t sum = 0;
+  for (const auto& e : entry_) sum += e->step == none ? e->op.bytes() : 0;
+  const std::size_t next = entry_.empty() ? 0 : entry_.back()->op.bytes();
+  std::erase_if(entry_, [&](const auto& e) {
+    const bool forgotten = e->step == none && sum + next > most_bytes;
+    if (forgotten) sum -= e->op.bytes();
+    return forgotten;
+  });
+}
+
 OperatorFamily::Entry& OperatorFamily::add(double length, double shear, std::int64_t step, const Assemble& assemble) {
   auto e = std::make_unique<Entry>();
   e->length = length;
@@ -102,7 +115,7 @@ std::int64_t OperatorFamily::fill(const FramePlace& place, const Assemble& assem
       for (std::size_t i = 0; i < 4; ++i)
         part[i] = &on_grid(static_cast<std::int64_t>(floor) - 1 + static_cast<std::int64_t>(i), assemble);
     } else {
-      std::erase_if(entry_, [](const auto& e) { return e->step == none; });
+      forget_oldest_beside_grid();
       part[0] = &add(length, shear, none, assemble);
     }
   }

@@ -36,6 +36,7 @@ class OperatorFamily {
   const Entry& on_grid(std::int64_t step, const Assemble& assemble);
   Entry& add(double length, double shear, std::int64_t step, const Assemble& assemble);
   void forget_farthest(double length);
+  void forget_oldest_beside_grid();
 
   std::int64_t version_ = none;
   bool tangential_ = false;
