@@ -16,13 +16,11 @@ ProfilePoint point_of(const ProfilePiece& p, double u) {
   if (!is_arc(p))
     return {p.start + u * (p.along + u * (p.square + u * p.cube)), p.along + u * (2.0 * p.square + 3 * u * p.cube),
             2.0 * p.square + 6 * u * p.cube};
-  const double angle = p.curvature * u, half = angle / 2;
-  const double sinc = half == 0 ? 1 : std::sin(half) / half, chord = u * sinc;
+  const double half = p.curvature * u / 2, c = std::cos(half), s = std::sin(half);
+  const double chord = half == 0 ? u : u * (s / half);
   const Vec2 side{-p.along[1], p.along[0]};
-  const double c = std::cos(angle), s = std::sin(angle);
-  const Vec2 tangent = c * p.along + s * side;
-  return {p.start + chord * (std::cos(half) * p.along + std::sin(half) * side), tangent,
-          p.curvature * Vec2{-tangent[1], tangent[0]}};
+  const Vec2 tangent = (1 - 2 * s * s) * p.along + (2 * s * c) * side;
+  return {p.start + chord * (c * p.along + s * side), tangent, p.curvature * Vec2{-tangent[1], tangent[0]}};
 }
 
 /// Length of a cubic up to u, by Gauss's rule with 5 points.

@@ -30,7 +30,22 @@ struct LineAboutAxis {
   double radius;  ///< of z = 0
 
   double y(double t) const { return y0 + t * y1; }
+  bool steep() const { return slant >= y1 * y1; }
 };
+
+/// r: from a point of the axis to one of the line.
+LineAboutAxis about_axis(const Vec3& r, const Vec3& direction, const Vec3& axis, double radius) {
+  LineAboutAxis line{};
+  line.y0 = dot(r, axis);
+  line.y1 = dot(direction, axis);
+  line.radius = radius;
+  const Vec3 off = r - line.y0 * axis, across = direction - line.y1 * axis;
+  line.slant = dot(across, across);
+  line.t_least = line.slant > 0 ? -dot(off, across) / line.slant : 0;
+  const Vec3 closest = off + line.t_least * across;
+  line.square = dot(closest, closest);
+  return line;
+}
 
 /// Of the half of the hyperbola that goes out from its point nearest to the axis, forwards or backwards: y less that of
 /// the line where it is as far from the axis. For lines steep to the axis.
@@ -80,6 +95,33 @@ struct FlatLine {
   }
 };
 
+/// Root of the function next to a hint by Newton's method; none where its steps do not shrink to half, or leave the
+/// piece.
+template <class Function>
+std::optional<ProfilePoint> crossing_near(const ProfileCurve& curve, const Function& f, SurfaceHint& hint) {
+  const double length = curve.pieces()[hint.piece].length;
+  constexpr int most = 8;
+  constexpr double rounding = 1e-15;
+  double u = hint.parameter, last = length;
+  for (int i = 0; i < most; ++i) {
+    const ProfilePoint p = curve.at(hint.piece, u);
+    if (!(f.inside(p.x) > 0)) return std::nullopt;
+    const double step = -f.value(p.x) / f.slope(p.x, p.d1);
+    if (!(std::abs(step) <= 0.5 * last)) return std::nullopt;
+    // Newton's next step is about the square of this one.
+    if (std::abs(step) <= rounding * length || step * step <= rounding * length * last) {
+      u += step;
+      if (!(u >= 0 && u <= length)) return std::nullopt;
+      hint.parameter = u;
+      return curve.at(hint.piece, u);
+    }
+    last = std::abs(step);
+    u += step;
+    if (!(u >= 0 && u <= length)) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 Vec2 normal_of(const ProfilePoint& p) {
   const Vec2 t = p.tangent();
   return {-t[1], t[0]};
@@ -97,11 +139,25 @@ std::optional<ExtrudedProfile::Hit> ExtrudedProfile::meet(const Vec3& from, cons
   const double square = dot(line.direction, line.direction);
   std::optional<Hit> best;
   if (!(square > 0)) return best;
-  for_each_crossing(*curve_, line, [&](const ProfilePoint& p, std::size_t, double) {
+  for_each_crossing(*curve_, line, [&](const ProfilePoint& p, std::size_t piece, double u) {
     const double t = dot(p.x - line.from, line.direction) / square;
-    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p};
+    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p, {0, piece, u}};
   });
   return best;
+}
+
+std::optional<double> ExtrudedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3&,
+                                                     SurfaceHint& hint) const {
+  if (hint.branch >= 0) {
+    const Vec3 r = from - origin_;
+    const StraightLine line{{dot(r, y_), dot(r, z_)}, {dot(direction, y_), dot(direction, z_)}};
+    if (const auto p = crossing_near(*curve_, line, hint))
+      return dot(p->x - line.from, line.direction) / dot(line.direction, line.direction);
+  }
+  const auto hit = meet(from, direction);
+  hint = hit ? hit->at : SurfaceHint{};
+  if (!hit) return std::nullopt;
+  return hit->t;
 }
 
 std::optional<double> ExtrudedProfile::distance(const Vec3& from, const Vec3& direction, const Vec3&) const {
@@ -136,32 +192,41 @@ std::array<double, 2> ExtrudedProfile::extent(const Vec3& direction) const {
 }
 
 std::optional<RevolvedProfile::Hit> RevolvedProfile::meet(const Vec3& from, const Vec3& direction) const {
-  const Vec3 r = from - origin_;
-  LineAboutAxis line{};
-  line.y0 = dot(r, axis_);
-  line.y1 = dot(direction, axis_);
-  line.radius = radius_;
-  const Vec3 off = r - line.y0 * axis_, across = direction - line.y1 * axis_;
-  line.slant = dot(across, across);
-  line.t_least = line.slant > 0 ? -dot(off, across) / line.slant : 0;
-  const Vec3 closest = off + line.t_least * across;
-  line.square = dot(closest, closest);
-
+  const LineAboutAxis line = about_axis(from - origin_, direction, axis_, radius_);
   std::optional<Hit> best;
-  const auto take = [&](double t, const ProfilePoint& p) {
-    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p};
+  const auto take = [&](double t, const ProfilePoint& p, const SurfaceHint& at) {
+    if (!best || std::abs(t) < std::abs(best->t)) best = Hit{t, p, at};
   };
-  if (line.slant >= line.y1 * line.y1) {
+  if (line.steep()) {
     for (const double sign : {-1.0, 1.0}) {
       const SteepHalf half{line, sign};
-      for_each_crossing(*curve_, half,
-                        [&](const ProfilePoint& p, std::size_t, double) { take(half.t(radius_ + p.x[1]), p); });
+      for_each_crossing(*curve_, half, [&](const ProfilePoint& p, std::size_t piece, double u) {
+        take(half.t(radius_ + p.x[1]), p, {sign < 0 ? 0 : 1, piece, u});
+      });
     }
     return best;
   }
   const FlatLine flat{line};
-  for_each_crossing(*curve_, flat, [&](const ProfilePoint& p, std::size_t, double) { take(flat.t(p.x[0]), p); });
+  for_each_crossing(*curve_, flat, [&](const ProfilePoint& p, std::size_t piece, double u) {
+    take(flat.t(p.x[0]), p, {2, piece, u});
+  });
   return best;
+}
+
+std::optional<double> RevolvedProfile::distance_near(const Vec3& from, const Vec3& direction, const Vec3&,
+                                                     SurfaceHint& hint) const {
+  const LineAboutAxis line = about_axis(from - origin_, direction, axis_, radius_);
+  if (hint.branch == 2 && !line.steep()) {
+    const FlatLine flat{line};
+    if (const auto p = crossing_near(*curve_, flat, hint)) return flat.t(p->x[0]);
+  } else if (hint.branch >= 0 && hint.branch < 2 && line.steep()) {
+    const SteepHalf half{line, hint.branch == 0 ? -1.0 : 1.0};
+    if (const auto p = crossing_near(*curve_, half, hint)) return half.t(radius_ + p->x[1]);
+  }
+  const auto hit = meet(from, direction);
+  hint = hit ? hit->at : SurfaceHint{};
+  if (!hit) return std::nullopt;
+  return hit->t;
 }
 
 Vec3 RevolvedProfile::outward(const Vec3& point) const {

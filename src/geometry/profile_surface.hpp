@@ -17,6 +17,8 @@ class ExtrudedProfile final : public Surface {
       : curve_(std::move(curve)), origin_(origin), along_(along), y_(cross(e_z, along)), z_(e_z) {}
 
   std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
+  std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
+                                      SurfaceHint& hint) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   Vec3 nearest(const Vec3& point) const override;
   std::array<double, 2> extent(const Vec3& direction) const override;
@@ -26,6 +28,7 @@ class ExtrudedProfile final : public Surface {
   struct Hit {
     double t;
     ProfilePoint point;
+    SurfaceHint at;
   };
   std::optional<Hit> meet(const Vec3& from, const Vec3& direction) const;
 
@@ -41,6 +44,8 @@ class RevolvedProfile final : public Surface {
       : curve_(std::move(curve)), origin_(origin), axis_(axis), radius_(radius) {}
 
   std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
+  std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
+                                      SurfaceHint& hint) const override;
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
   Vec3 nearest(const Vec3& point) const override;
   std::array<double, 2> extent(const Vec3& direction) const override;
@@ -49,6 +54,7 @@ class RevolvedProfile final : public Surface {
   struct Hit {
     double t;
     ProfilePoint point;
+    SurfaceHint at;
   };
   std::optional<Hit> meet(const Vec3& from, const Vec3& direction) const;
   /// Unit vector away from the axis.

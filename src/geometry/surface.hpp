@@ -2,12 +2,20 @@
 /// Surfaces that a line can hit: where bodies are before they deform. A kind of surface is one file of this folder.
 
 #include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 
 #include "mesh/vec3.hpp"
 
 namespace rollcon {
+
+/// Where a line met a surface, for lines near by; each kind of surface reads its own.
+struct SurfaceHint {
+  int branch = -1;  ///< -1: nothing is known
+  std::size_t piece = 0;
+  double parameter = 0;
+};
 
 /// Lines are from + t * direction (unit). They meet the surface where |t| is least, among the parts that look towards
 /// `facing`; the zero vector: any.
@@ -16,6 +24,11 @@ class Surface {
   virtual ~Surface() = default;
   /// t there; none if the line misses the surface.
   virtual std::optional<double> distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
+  /// The same, found from where a line near by met the surface; where that leads nowhere, as if there was no hint.
+  virtual std::optional<double> distance_near(const Vec3& from, const Vec3& direction, const Vec3& facing,
+                                              SurfaceHint&) const {
+    return distance(from, direction, facing);
+  }
   /// Outward unit normal there.
   virtual std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const = 0;
   virtual Vec3 nearest(const Vec3& point) const = 0;

@@ -4,7 +4,7 @@
 #include "support/testing.hpp"
 namespace rollcon { namespace {
 TEST(sweep, run) {
-  auto context = std::make_shared<Context>();
+  auto context = std::make_shared<Context>(); context->set_threads(1);
   const double unit = 1; std::shared_ptr<Body> wheel, rail;
   for (auto* body : {&wheel, &rail}) { *body = std::make_shared<Body>(context, static_cast<std::int32_t>(BodyKind::halfspace)); (*body)->set_elastic(0, 2 * 82000 * 1.28, 0.28); }
   wheel->set_profile_shape("s1002", 1, &unit); rail->set_profile_shape("60e1", 1, &unit);

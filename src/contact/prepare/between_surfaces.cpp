@@ -35,7 +35,7 @@ class BetweenSurfaces {
     const Pose& pose = pair_.pose[b];
     const Vec3 direction = pose.turn_back(n), facing = (b == 0 ? 1.0 : -1.0) * direction;
     return look_aside(pose.to_body(from), direction, size,
-                      [&](const Vec3& at) { return surface->distance(at, direction, facing); });
+                      [&](const Vec3& at) { return surface->distance_near(at, direction, facing, met_[b]); });
   }
 
   /// Of body b towards the other one, over an interval of t1; none: it does not reach so far.
@@ -79,6 +79,7 @@ class BetweenSurfaces {
   const Axes& axes_;
   const PairOfBodies& pair_;
   std::array<double, 2> share_{0.5, 0.5};
+  mutable std::array<SurfaceHint, 2> met_;  ///< by the point before
 };
 
 /// Whether there is nothing between the frame and the plane of its axes.

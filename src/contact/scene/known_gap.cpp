@@ -51,7 +51,8 @@ class GapOfSurfaces final : public KnownGap {
       if (!surface) continue;  // the axes' plane
       const Pose& pose = pair_.pose[b];
       const Vec3 direction = pose.turn_back(axes_.n);
-      const auto met = surface->distance(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction);
+      const auto met =
+          surface->distance_near(pose.to_body(point), direction, (b == 0 ? 1.0 : -1.0) * direction, met_[b]);
       if (!met) return INFINITY;
       gap += b == 0 ? -*met : *met;
     }
@@ -132,6 +133,7 @@ class GapOfSurfaces final : public KnownGap {
 
   const Axes& axes_;
   PairOfBodies pair_;
+  mutable std::array<SurfaceHint, 2> met_;  ///< by the point before
 };
 
 }  // namespace

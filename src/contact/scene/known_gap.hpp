@@ -10,6 +10,7 @@
 
 namespace rollcon {
 
+/// Of one thread.
 class KnownGap {
  public:
   virtual ~KnownGap() = default;
