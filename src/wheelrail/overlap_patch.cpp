@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "quadrature/rules.hpp"
+#include "wheelrail/depth_along.hpp"
 #include "wheelrail/false_position.hpp"
 
 namespace rollcon {
@@ -81,6 +82,7 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   patch.lateral = {0, c, s};
   patch.back = patch.front = first->deepest.wheel[0] - patch.reference[0];
   patch.low = patch.high = dot(patch.lateral, first->deepest.wheel - patch.reference);
+  double deepest = 0;
   for (const Overlap* o = first; o <= last; ++o) {
     patch.back = std::min(patch.back, o->back - patch.reference[0]);
     patch.front = std::max(patch.front, o->front - patch.reference[0]);
@@ -89,9 +91,13 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
       patch.low = std::min(patch.low, off);
       patch.high = std::max(patch.high, off);
     }
-    patch.overlap =
-        std::max(patch.overlap, o->deepest.depth() / std::cos(std::atan(o->deepest.rail_slope) - patch.angle));
+    deepest = std::max(deepest, o->deepest.depth());
   }
+  // Others cannot be the deepest.
+  constexpr double share = 0.5;
+  for (const Overlap* o = first; o <= last; ++o)
+    if (o->deepest.depth() >= share * deepest)
+      patch.overlap = std::max(patch.overlap, greatest_depth_along(gap, *o, patch.angle));
   return patch;
 }
 

@@ -55,8 +55,9 @@ GapPoint ProfileGap::extreme(const VisibleSpan& span, const GapPoint& a, const G
     last = at(span, s).value_or(last);
     return last.rise;
   };
-  // Of a smooth gap, what is missing to its least value is half of rise^2 / curvature.
-  const double square = locus_.rounding() * std::abs((b.rise - a.rise) / (b.s - a.s));
+  // Of a smooth gap, what is missing to its least value is half of rise^2 / curvature; and more, as s is used too.
+  constexpr double share = 1e-4;
+  const double square = share * locus_.rounding() * std::abs((b.rise - a.rise) / (b.s - a.s));
   false_position(a.s, a.rise, b.s, b.rise, value, [&](double f) { return f * f <= square; });
   return last;
 }
