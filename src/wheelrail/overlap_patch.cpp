@@ -75,7 +75,8 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   const GapPoint& deep = first->deepest;
   patch.reference = weight > 0 ? Vec3{x / weight, y / weight, 0} : deep.wheel;
   patch.angle = weight > 0 ? angle / weight : std::atan(deep.rail_slope);
-  patch.reference[1] = std::clamp(patch.reference[1], first->from.wheel[1], last->to.wheel[1]);
+  const double one_end = first->from.wheel[1], other = last->to.wheel[1];
+  patch.reference[1] = std::clamp(patch.reference[1], std::min(one_end, other), std::max(one_end, other));
   describe_reference(gap, s_at_y(gap, first->from, last->to, patch.reference[1]), side, radius, patch);
   const double c = std::cos(patch.angle), s = std::sin(patch.angle);
   patch.normal = {0, s, -c};

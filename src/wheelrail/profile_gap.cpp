@@ -31,7 +31,7 @@ RoughGap ProfileGap::rough(const VisibleSpan& span, std::size_t end) const {
   const double z = r.z[0] + width * t * (chord + (1 - t) * ((1 - t) * from - t * to));
   g.gap = z - point->x[2];
   g.rise = r.slope[0] + t * (r.slope[1] - r.slope[0]) - point->slope;
-  constexpr double share = 0.1;  // of the height of an arc over its chord
+  constexpr double share = 0.4;  // of the height of an arc over its chord
   g.slack = share * width * (std::abs(from) + std::abs(to));
   return g;
 }
