@@ -74,9 +74,14 @@ class OverlapScan {
   /// The gap rises or falls from a to b.
   void step(const VisibleSpan& span, const GapPoint& a, const GapPoint& b) {
     const bool falls = a.rise + b.rise < 0;
-    if (inside_ && a.gap > 0) close(a, false);
+    // Pieces of published profiles meet but for steps of their rounding.
+    if (inside_ && a.gap > 0) {
+      deepen(last_);
+      close(a, false);
+    }
     if (!inside_ && a.gap <= 0) {
       open(a, starts_);
+      deepest_known_ = true;
     } else if (inside_ && falls_ && !falls) {
       deepen(a);
     } else if (inside_ && !falls_ && falls) {
@@ -107,7 +112,7 @@ class OverlapScan {
     if (cut || !deepest_known_) deepen(p);
     now_.to = p;
     now_.cut = now_.cut || cut;
-    if (now_.to.s > now_.from.s) found_.push_back(now_);
+    if (now_.to.s > now_.from.s && now_.deepest.gap < 0) found_.push_back(now_);
   }
   void end_at_last_cell() {
     const VisibleSpan& span = gap_.wheel().spans().back();

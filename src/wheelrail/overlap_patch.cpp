@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "quadrature/rules.hpp"
+#include "wheelrail/depth_along.hpp"
 #include "wheelrail/false_position.hpp"
 
 namespace rollcon {
@@ -74,13 +75,15 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
   const GapPoint& deep = first->deepest;
   patch.reference = weight > 0 ? Vec3{x / weight, y / weight, 0} : deep.wheel;
   patch.angle = weight > 0 ? angle / weight : std::atan(deep.rail_slope);
-  patch.reference[1] = std::clamp(patch.reference[1], first->from.wheel[1], last->to.wheel[1]);
+  const double one_end = first->from.wheel[1], other = last->to.wheel[1];
+  patch.reference[1] = std::clamp(patch.reference[1], std::min(one_end, other), std::max(one_end, other));
   describe_reference(gap, s_at_y(gap, first->from, last->to, patch.reference[1]), side, radius, patch);
   const double c = std::cos(patch.angle), s = std::sin(patch.angle);
   patch.normal = {0, s, -c};
   patch.lateral = {0, c, s};
   patch.back = patch.front = first->deepest.wheel[0] - patch.reference[0];
   patch.low = patch.high = dot(patch.lateral, first->deepest.wheel - patch.reference);
+  double deepest = 0;
   for (const Overlap* o = first; o <= last; ++o) {
     patch.back = std::min(patch.back, o->back - patch.reference[0]);
     patch.front = std::max(patch.front, o->front - patch.reference[0]);
@@ -89,9 +92,13 @@ OverlapPatch patch_of(const ProfileGap& gap, const Overlap* first, const Overlap
       patch.low = std::min(patch.low, off);
       patch.high = std::max(patch.high, off);
     }
-    patch.overlap =
-        std::max(patch.overlap, o->deepest.depth() / std::cos(std::atan(o->deepest.rail_slope) - patch.angle));
+    deepest = std::max(deepest, o->deepest.depth());
   }
+  // Others cannot be the deepest.
+  constexpr double share = 0.5;
+  for (const Overlap* o = first; o <= last; ++o)
+    if (o->deepest.depth() >= share * deepest)
+      patch.overlap = std::max(patch.overlap, greatest_depth_along(gap, *o, patch.angle));
   return patch;
 }
 
@@ -125,15 +132,15 @@ double s_towards_y(const ProfileGap& gap, double y, double s, double from, doubl
 }
 
 /// Over y, in which the gap's slope is continuous; by s it is not where the wheel's curvature jumps. visit(point of the
-/// wheel, gap) where the gap is taken.
+/// wheel, gap) at every other place where the gap is taken.
 template <class Visit>
 void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, Overlap& o, Visit visit) {
-  constexpr int points = 16;
-  const auto& rule = quadrature::line_rule(points);
+  constexpr std::size_t points = 24;
+  const auto& rule = quadrature::line_rule(static_cast<int>(points));
   const double middle = (from.wheel[1] + to.wheel[1]) / 2, half = (to.wheel[1] - from.wheel[1]) / 2;
   const double close_enough = 1e-9 * half;
   GapPoint last = from;
-  for (std::size_t i = 0; i < rule.x.size(); ++i) {
+  for (std::size_t i = 0; i < points; ++i) {
     const double y = middle + half * rule.x[i];
     const double start = std::clamp(last.s + (y - last.wheel[1]) / last.forward_y, last.s, to.s);
     const double s = s_towards_y(gap, y, start, from.s, to.s, close_enough);
@@ -141,7 +148,7 @@ void integrate(const ProfileGap& gap, const GapPoint& from, const GapPoint& to, 
     const auto g = gap.at(p, s);
     if (!g || !(g->gap < 0)) continue;
     last = *g;
-    visit(p, *g);
+    if (std::min(i, points - 1 - i) % 2 == 0) visit(p, *g);
     const double w = rule.w[i] * half * g->gap * g->gap * std::sqrt(-g->gap);
     o.weight += w;
     o.y += w * g->wheel[1];

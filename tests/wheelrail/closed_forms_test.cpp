@@ -100,8 +100,8 @@ TEST(contact_search, overlap_of_a_sphere_and_a_round_rail) {
     curved = std::max({curved, std::abs(f.curvature.along * radius - 1), std::abs(f.curvature.twist * radius),
                        std::abs(f.curvature.across / (1 / radius + 1 / rail) - 1)});
   }
-  // Measured along z and turned into that along the normal it differs by depth tan(slant)^2 / (2 size), 1.213e-5.
-  expect_error("circles: greatest overlap", deep, 1.22e-5);
+  // The mean angle is not quite that of the line of centres.
+  expect_error("circles: greatest overlap", deep, 1e-8);
   expect_error("circles: width of the overlap", at_ends, 1e-4);
   expect_error("circles: reference in the middle, over half the width", symmetry, 3e-2);
   // The rail's is taken within a millionth of a cell of 0.02 radians beside the point.

@@ -1,5 +1,5 @@
-/// Through flange contact in small steps: nothing jumps. A jump stays what it is when steps get smaller; all else
-/// shrinks with them.
+/// Through flange contact in 2000 steps of 5 um: nothing jumps. A step that is halved again and again, always into the
+/// half with the greater change, ends at the jump it has, or with none.
 
 #include "manchester.hpp"
 
@@ -35,36 +35,51 @@ Sums sums_of(const std::vector<OverlapPatch>& patch) {
   return sum;
 }
 
-/// Greatest changes from step to step, over the range of the values.
-Sums greatest_steps(ContactSearch& search, const Motion& m, int steps) {
-  std::vector<OverlapPatch> patch;
-  Sums before{}, most{}, low, high;
-  low.fill(INFINITY);
-  high.fill(-INFINITY);
-  for (int i = 0; i <= steps; ++i) {
-    search.find(pose_at(search, m, m.from + (m.to - m.from) * i / steps), patch);
-    const Sums now = sums_of(patch);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      if (i > 0) most[k] = std::max(most[k], std::abs(now[k] - before[k]));
-      low[k] = std::min(low[k], now[k]);
-      high[k] = std::max(high[k], now[k]);
-    }
-    before = now;
+Sums sums_at(ContactSearch& search, const Motion& m, double y) {
+  thread_local std::vector<OverlapPatch> patch;
+  search.find(pose_at(search, m, y), patch);
+  return sums_of(patch);
+}
+
+/// What is left of the change of sum k between two positions after halvings.
+double jump_between(ContactSearch& search, const Motion& m, std::size_t k, double a, double b) {
+  constexpr int halvings = 34;
+  double at_a = sums_at(search, m, a)[k], at_b = sums_at(search, m, b)[k];
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (a + b) / 2, between = sums_at(search, m, middle)[k];
+    const bool first = std::abs(between - at_a) > std::abs(at_b - between);
+    (first ? b : a) = middle;
+    (first ? at_b : at_a) = between;
   }
-  for (std::size_t k = 0; k < most.size(); ++k) most[k] /= high[k] - low[k];
-  return most;
+  return std::abs(at_b - at_a);
 }
 
 }  // namespace
 
 TEST(contact_search_continuity, sums_over_patches_do_not_jump) {
+  constexpr int steps = 2000;
+  constexpr std::size_t greatest = 50;
   ContactSearch search(wheel(), rail());
   for (const Motion& m : {Motion{0.03, -3, 7}, Motion{0.1, -3, 7}, Motion{0, -3, 7}}) {
-    const Sums coarse = greatest_steps(search, m, 2000), fine = greatest_steps(search, m, 32000);
-    for (std::size_t k = 0; k < coarse.size(); ++k) {
+    const auto y = [&](std::size_t i) { return m.from + (m.to - m.from) * static_cast<double>(i) / steps; };
+    std::vector<Sums> sum;
+    for (std::size_t i = 0; i <= steps; ++i) sum.push_back(sums_at(search, m, y(i)));
+    for (std::size_t k = 0; k < sum[0].size(); ++k) {
+      const auto change = [&](std::size_t i) { return std::abs(sum[i + 1][k] - sum[i][k]); };
+      std::vector<std::size_t> step(steps);
+      std::iota(step.begin(), step.end(), std::size_t{0});
+      std::sort(step.begin(), step.end(), [&](std::size_t a, std::size_t b) { return change(a) > change(b); });
+      double range = 0, jump = 0;
+      for (const Sums& s : sum) range = std::max(range, std::abs(s[k] - sum[0][k]));
+      for (std::size_t i = 0; i < greatest; ++i)
+        jump = std::max(jump, jump_between(search, m, k, y(step[i]), y(step[i] + 1)));
       const std::string what = std::string(names[k]) + ", sunk by " + std::to_string(m.sunk);
-      report(what + ": greatest step of 5 um over the range", coarse[k]);
-      expect_error(what + ": the same of 0.3 um", fine[k], 0.2 * coarse[k]);
+      report(what + ": greatest step of 5 um over the range", change(step[0]) / range);
+      // Where a deepest point begins beside another, in an overlap of several millimetres, the rule of the mean is
+      // divided anew, with errors of 1e-4 mm of a reference. A sliver of overlap that is shorter than a span of the
+      // scan, 0.4 mm, may be overlooked at an end.
+      const double bound = names[k] == std::string("width") ? 2e-3 : 1e-4;
+      expect_error(what + ": greatest jump over the range", jump / range, bound);
     }
   }
 }

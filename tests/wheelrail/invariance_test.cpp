@@ -8,10 +8,18 @@ using namespace rollcon::manchester;
 namespace {
 
 struct Case {
-  double y, z;
+  double y, sunk;
+  std::size_t patches;  ///< with those that share
 };
 /// One patch, two that are one, two that share with one, and tread and flange.
-constexpr Case cases[] = {{0.3, 0.2}, {5.0, 0.276}, {5.222, 0.328}, {6.5, 0.80}};
+constexpr Case cases[] = {{0.3, 0.03, 1}, {5.0, 0.03, 1}, {4.9, 0.03, 3}, {6.5, 0.03, 2}};
+
+Pose pose_of(const Case& c) {
+  static const ContactSearch search(wheel(), rail());
+  Pose pose = placed(c.y, 0, 2.4e-3 * c.y, 0);
+  pose.translation[2] += search.first_touch(pose) + c.sunk;
+  return pose;
+}
 
 using Patches = std::vector<OverlapPatch>;
 
@@ -56,8 +64,9 @@ constexpr double bound = 1e-9;
 
 TEST(contact_search_elsewhere, mirrored) {
   for (const Case& c : cases) {
-    const Pose pose = placed(c.y, -1e-3, 2.4e-3 * c.y, c.z);
+    const Pose pose = pose_of(c);
     const Patches right = found(wheel(), rail(), pose);
+    ASSERT_EQ(right.size(), c.patches);
     // The same points of the profiles, on the other side: y turned round of both.
     WheelShape w = wheel();
     RailShape r = rail();
@@ -65,7 +74,7 @@ TEST(contact_search_elsewhere, mirrored) {
     r.along = {-1, 0, 0};
     r.origin[1] *= -1;
     r.down[1] *= -1;
-    Pose mirrored = turned(1e-3, -2.4e-3 * c.y);
+    Pose mirrored = turned(0, -2.4e-3 * c.y);
     mirrored.translation = {pose.translation[0], -pose.translation[1], pose.translation[2]};
     Patches left = found(w, r, mirrored);
     std::reverse(left.begin(), left.end());
@@ -85,7 +94,7 @@ TEST(contact_search_elsewhere, mirrored) {
 TEST(contact_search_elsewhere, shifted_and_in_other_units) {
   const Vec3 shift{13, -2.5, 7};
   for (const Case& c : cases) {
-    Pose pose = placed(c.y, -1e-3, 2.4e-3 * c.y, c.z);
+    Pose pose = pose_of(c);
     const Patches here = found(wheel(), rail(), pose);
     RailShape r = rail();
     r.origin = r.origin + shift;
@@ -93,14 +102,15 @@ TEST(contact_search_elsewhere, shifted_and_in_other_units) {
     const std::string at = " at y " + std::to_string(c.y);
     expect_error("shifted" + at, difference(here, found(wheel(), r, pose), 1, 1, shift), bound);
     constexpr double unit = 1e-3;
-    pose = placed(c.y * unit, -1e-3, 2.4e-3 * c.y, c.z * unit, unit);
+    pose = pose_of(c);
+    pose.translation = unit * pose.translation;
     expect_error("in m" + at, difference(here, found(wheel(unit), rail(unit), pose), unit, 1, {0, 0, 0}), bound);
   }
 }
 
 TEST(contact_search_elsewhere, wheel_turned_about_its_axle) {
   for (const Case& c : cases) {
-    Pose pose = placed(c.y, -1e-3, 2.4e-3 * c.y, c.z);
+    Pose pose = pose_of(c);
     const Patches here = found(wheel(), rail(), pose);
     const Vec3 centre = pose.place(wheel().centre);
     Pose turn;
@@ -122,8 +132,8 @@ TEST(contact_search_elsewhere, rolled_with_the_track) {
   Pose track;
   track.rotation = {{{1, 0, 0}, {0, c, -s}, {0, s, c}}};
   for (const Case& k : cases) {
-    if (k.y > 5.1 && k.y < 5.3) continue;  // shares blend by what is measured along z
-    const Pose pose = placed(k.y, -1e-3, 2.4e-3 * k.y, k.z);
+    if (k.patches == 3) continue;  // shares go by what is measured along z
+    const Pose pose = pose_of(k);
     const Patches here = found(wheel(), rail(), pose);
     RailShape r = rail();
     r.origin = track.turn(r.origin);
