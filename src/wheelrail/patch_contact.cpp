@@ -12,7 +12,7 @@ namespace rollcon {
 namespace {
 
 /// Each time that the frame was too small.
-constexpr double growth = 1.15;
+constexpr double growth = 1.25;
 constexpr int most_growths = 6;
 
 Vec3 in_axes(const Axes& axes, const Vec3& v) {
@@ -57,8 +57,9 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
     lay_frame(size);
     status_ = contact_->solve_on_frame();
     if (status_ != Status::ok && status_ != Status::coarse) break;
+    // Nothing touches beyond the overlap of the undeformed bodies.
     const int rim = rim_reached(size);
-    if (rim == 0) break;
+    if (rim == 0 || whole_[static_cast<std::size_t>(rim - 1)]) break;
     if (growths == most_growths) {
       status_ = Status::rim_contact;
       break;
@@ -107,19 +108,20 @@ FramePlace PatchContact::place() {
   const double a = 0.5 * patch_.curvature.along, c = patch_.curvature.twist;
   const HertzContact hertz = hertz_by_approach({a, depth / (half * half) + c * c / (4 * a), c}, 1, depth);
   const FramePlace ellipse = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
-  const double length = std::min(margin_[0] * ellipse.length, std::sqrt(depth / a)),
-               width = std::min(margin_[1] * ellipse.width, half);
-  // Operators belong to a shape: it changes in steps, and late.
+  const std::array<double, 2> wanted{margin_[0] * ellipse.length, margin_[1] * ellipse.width},
+      most{std::sqrt(depth / a), half};
+  for (std::size_t i = 0; i < 2; ++i) whole_[i] = wanted[i] >= most[i];
+  const double length = std::min(wanted[0], most[0]), width = std::min(wanted[1], most[1]);
+  // Operators belong to a shape: it changes in steps, and late. The frame is the least of its shape that holds all.
   constexpr double step = 0.1, late = 0.65;
   const auto follow = [](double value, std::int64_t& at) {
     if (std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
     return static_cast<double>(at);
   };
-  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, shape_[0]));
-  const double shear =
-      step * ratio * follow(ellipse.shear / ellipse.length * (length / width) / (step * longer), shape_[1]);
-  const double by = std::sqrt(longer / ratio);
-  return {length / by, width * by, shear * width * by};
+  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, shape_[0])),
+               shear = step * follow(ellipse.shear / ellipse.length / step, shape_[1]);
+  const double w = std::max(width, length / ratio);
+  return {ratio * w, w, shear * ratio * w};
 }
 
 // 0: within, 1: across the ends along the rolling direction, 2: at the sides.

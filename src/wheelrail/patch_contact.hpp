@@ -59,8 +59,9 @@ class PatchContact {
   OverlapPatch patch_;
   Axes axes_;
   LatticeSize size_;
-  static constexpr double usual_margin = 1.08;
+  static constexpr double usual_margin = 1.05;
   std::array<double, 2> margin_{usual_margin, usual_margin};  ///< of the frame over Hertz's ellipse, along and across
+  std::array<bool, 2> whole_{};                               ///< the frame holds all of the overlap there
   std::array<std::int64_t, 2> shape_{};                       ///< of the frame, in steps: length over width, shear
   std::vector<double> gap_;
   Vec3 force_{}, moment_{}, creepages_{};
