@@ -17,16 +17,17 @@ double smooth_step(double value, double from, double to) {
 }
 
 /// How far two neighbours are one patch, from 0 (apart) to 1: by their distance over the sum of the radii of contact,
-/// and more so the less the rail turns between them, as their normals then differ less. The bulge of a half-space
-/// around a contact of radius c lessens the approach of an equal one at a distance of 7 c from centre to centre (2.5
-/// times the sum of the radii between the edges) by 6 percent, at 10 c (4 times) by 4.
+/// and by the angle between their normals, which have to be one in a patch. The bulge of a half-space around a contact
+/// of radius c lessens the approach of an equal one that it nearly touches, 2 c from centre to centre, by a quarter, at
+/// 4 c (radii apart) by an eighth, at 10 c by 4 percent.
 double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
-  if (b.grown) return 1;
-  constexpr double together = 2.5, apart = 4, turn = 0.3;
+  constexpr double together = 0.3, apart = 1, same_plane = 0.35, other_plane = 0.55;
+  const double turned = std::abs(std::atan(a.deepest.rail_slope) - std::atan(b.deepest.rail_slope));
+  const double one_plane = smooth_step(-turned, -other_plane, -same_plane);
+  if (b.grown || one_plane == 0) return one_plane;
   const VisiblePoint from = gap.rail().at_y(a.to.wheel[1]), to = gap.rail().at_y(b.from.wheel[1]);
-  const double turned = (std::atan(to.slope) - std::atan(from.slope)) / turn;
-  const double distance = std::hypot(to.y - from.y, to.z - from.z) * (1 + turned * turned);
-  const double near = smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
+  const double distance = std::hypot(to.y - from.y, to.z - from.z);
+  const double near = one_plane * smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));
   if (near == 0) return 0;
   // One that only begins to overlap is nothing yet, unless it is about to grow together with its neighbour.
   constexpr double shallow = 0.15;

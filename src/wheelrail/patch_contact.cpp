@@ -44,14 +44,15 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 }  // namespace
 
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
-    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {
-  contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion), 0);
-}
+    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {}
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, double friction,
-                           const LatticeSize& size) {
+                           const LatticeSize& size, double give_way) {
   patch_ = patch;
+  give_way_ = give_way;
   stand(motion);
+  contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
+                            -give_way);
   contact_->scene.set_friction("coulomb", 1, &friction);
   for (int growths = 0;; ++growths) {
     lay_frame(size);
@@ -108,7 +109,8 @@ FramePlace PatchContact::place() {
   const double a = 0.5 * patch_.curvature.along, c = patch_.curvature.twist;
   const HertzContact hertz = hertz_by_approach({a, depth / (half * half) + c * c / (4 * a), c}, 1, depth);
   const FramePlace ellipse = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
-  const std::array<double, 2> wanted{margin_[0] * ellipse.length, margin_[1] * ellipse.width},
+  const double left = std::sqrt(std::max(1 - give_way_ / depth, 0.01));
+  const std::array<double, 2> wanted{left * margin_[0] * ellipse.length, left * margin_[1] * ellipse.width},
       most{std::sqrt(depth / a), half};
   for (std::size_t i = 0; i < 2; ++i) whole_[i] = wanted[i] >= most[i];
   const double length = std::min(wanted[0], most[0]), width = std::min(wanted[1], most[1]);

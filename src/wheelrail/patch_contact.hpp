@@ -30,8 +30,10 @@ class PatchContact {
   /// Bodies: the wheel and the rail with their profiles in place.
   PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail);
 
-  /// The overlap is all that presses. Warm where the patch was solved before.
-  Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size);
+  /// The overlap is all that presses, less what the surfaces give way under other patches. Warm where the patch was
+  /// solved before.
+  Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size,
+               double give_way);
   void reset();
 
   const OverlapPatch& overlap() const { return patch_; }
@@ -57,6 +59,7 @@ class PatchContact {
 
   std::shared_ptr<Contact> contact_;
   OverlapPatch patch_;
+  double give_way_ = 0;
   Axes axes_;
   LatticeSize size_;
   static constexpr double usual_margin = 1.05;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -219,15 +220,45 @@ Status WheelRail::solve_at(double z) {
     constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::rim_contact, Status::coarse};
     return std::find(std::begin(order), std::end(order), s) - std::begin(order);
   };
-  for (const OverlapPatch& patch : found_) {
-    Slot& slot = slot_for(patch);
-    active_.push_back(&slot);
-    Status status = slot.contact.solve(patch, motion, friction_, size_for(accuracy_));
-    if (status == Status::ok && patch.cut) status = Status::rim_contact;
+  for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
+  if (active_.size() == 1) active_.front()->give_way = 0;
+  // What patches give way under each other is a small part of their overlap: a few rounds settle it.
+  constexpr int most_rounds = 30;
+  constexpr double settled = 1e-6;
+  for (int round = 0; round < most_rounds; ++round) {
+    for (std::size_t i = 0; i < active_.size(); ++i)
+      active_[i]->contact.solve(found_[i], motion, friction_, size_for(accuracy_), active_[i]->give_way);
+    double change = 0;
+    if (active_.size() > 1)
+      for (Slot* slot : active_) {
+        const double now = give_way_under_others(*slot);
+        change = std::max(change, std::abs(now - slot->give_way) / slot->contact.overlap().overlap);
+        slot->give_way = now;
+      }
+    if (change <= settled) break;
+  }
+  for (const Slot* slot : active_) {
+    Status status = slot->contact.status();
+    if (status == Status::ok && slot->contact.overlap().cut) status = Status::rim_contact;
     if (status != Status::no_contact && rank(status) < rank(worst)) worst = status;
   }
   ++solves_;
   return worst;
+}
+
+// By Boussinesq's point load; tangential loads and tilted normals are left out.
+double WheelRail::give_way_under_others(const Slot& slot) const {
+  const OverlapPatch& here = slot.contact.overlap();
+  double sum = 0;
+  for (const Slot* other : active_) {
+    const OverlapPatch& there = other->contact.overlap();
+    const double distance = length(here.reference - there.reference), along = dot(here.normal, there.normal);
+    // Patches with shares below one may be parts of each other.
+    const double beside = std::max(here.high - here.low, there.high - there.low) / 2;
+    if (other == &slot || !(distance > beside) || !(along > 0)) continue;
+    sum += there.share * along * dot(other->contact.force(), there.normal) / distance;
+  }
+  return sum > 0 ? sum / (std::numbers::pi * slot.contact.contact()->modulus()) : 0;
 }
 
 double WheelRail::vertical_force() const {

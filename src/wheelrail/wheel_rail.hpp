@@ -61,6 +61,7 @@ class WheelRail {
     PatchContact contact;
     double wheel_y = 0;
     bool taken = false;
+    double give_way = 0;
   };
   struct Stat;
   struct PatchStat;
@@ -73,6 +74,7 @@ class WheelRail {
   Status meet_force();
   double first_sink(double touch);
   double vertical_force() const;
+  double give_way_under_others(const Slot& slot) const;
   Slot& slot_for(const OverlapPatch& patch);
   void require_solved() const;
   Pose wheelset_attitude() const;
