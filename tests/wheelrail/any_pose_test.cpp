@@ -35,8 +35,8 @@ TEST(contact_search, any_pose_has_patches_where_it_overlaps) {
       cut += p.cut;
     }
     // Along the normal of a plane it is no deeper than along z, and at 89.4 degrees a hundredth of that.
-    // Pieces of the published profiles meet but for steps of up to 4.3e-5 mm, on whose other side it may be deeper.
-    EXPECT_LE(deepest, sunk * 1.01 + 5e-5) << k;
+    // Pieces of the published profiles meet but for steps of up to 1.2e-4 mm, on whose other side it may be deeper.
+    EXPECT_LE(deepest, sunk * 1.01 + 1.2e-4) << k;
     EXPECT_GE(deepest, 0.009 * sunk - 1e-12) << k;
   }
   std::printf("%d poses touch, %d with several patches, %d patches with a share, %d cut\n", touching, several, shared,
