@@ -122,7 +122,7 @@ contains
 
   subroutine gave_kind(id, kind)
     integer, intent(in) :: id, kind
-    call demand(id/2**29 == kind, 'kind of a new handle')
+    call demand(id/2**28 == kind, 'kind of a new handle')
   end subroutine
 
   subroutine demand(ok, what)

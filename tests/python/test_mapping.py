@@ -91,7 +91,7 @@ class Mapping(unittest.TestCase):
             again.close()
             self.told(f"{kind}_release", kind + "1")
             again.close()
-        self.assertEqual(self.body.id, (2 << 29) + 1)
+        self.assertEqual(self.body.id, (2 << 28) + 1)
         loaded = rc.Body.load(self.context, Path("a path"))
         self.told("body_load", "context1 <a path> room")
         self.assertNotEqual(loaded.id, self.body.id)
