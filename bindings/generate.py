@@ -38,8 +38,8 @@ def outputs(api):
         "src/capi/plain.cpp": capi_plain.write(api),
         "cmake/rollcon.map": symbol_map.write(api),
         "fortran/rollcon_c.f90": fortran_module.write(api),
-        "fortran/rollcon_body_plain.f90": fortran_plain.write(api, "body"),
-        "fortran/rollcon_contact_plain.f90": fortran_plain.write(api, "contact"),
+        **{f"fortran/rollcon_{kind}_plain.f90": fortran_plain.write(api, kind)
+           for kind in table.HANDLES if kind != "context"},
         "fortran/rollcon_f77.f90": fortran_77.write(api),
         "fortran/rollcon_f77_names.f90": fortran_77.write_names(api),
         "fortran/README.md": with_list("fortran/README.md", fortran_77.call_list(api)),

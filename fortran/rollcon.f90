@@ -1,5 +1,5 @@
-!> Fortran 2008 view of the rollcon library: types rc_context, rc_body and rc_contact, the functions that need no object,
-!> and, from module rollcon_c, all enumerators (ROLLCON_...) and the C functions themselves.
+!> Fortran 2008 view of the rollcon library: types rc_context, rc_body, rc_contact and rc_wheelrail, the functions that
+!> need no object, and, from module rollcon_c, all enumerators (ROLLCON_...) and the C functions themselves.
 module rollcon
   use rollcon_c
   use rollcon_support, only: rc_int, rc_long, rc_real, rc_last_error, rc_version, rc_abi, rc_version_string, rc_build_info, &
@@ -7,6 +7,7 @@ module rollcon
   use rollcon_context
   use rollcon_body
   use rollcon_contact
+  use rollcon_wheelrail
   use rollcon_tables
   implicit none
   public

@@ -91,6 +91,14 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_field_friction_power = 11_c_int32_t
   integer(c_int32_t), parameter :: rollcon_field_weight = 12_c_int32_t
 
+  ! side
+  integer(c_int32_t), parameter :: rollcon_left = -1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_right = 1_c_int32_t
+
+  ! axes of the track
+  integer(c_int32_t), parameter :: rollcon_in_track = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_in_wheelset = 1_c_int32_t
+
   ! node status
   integer(c_int32_t), parameter :: rollcon_open = 0_c_int32_t
   integer(c_int32_t), parameter :: rollcon_stick = 1_c_int32_t
@@ -1183,6 +1191,209 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_write
 
+    function rollcon_wheelrail_create(context, wheel, rail, side, wheelrail) &
+        result(rc) bind(C, name="rollcon_wheelrail_create")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      type(c_ptr), value :: wheel
+      type(c_ptr), value :: rail
+      integer(c_int32_t), value :: side
+      type(c_ptr), intent(out) :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_create
+
+    function rollcon_wheelrail_retain(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_retain
+
+    subroutine rollcon_wheelrail_release(wheelrail) bind(C, name="rollcon_wheelrail_release")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+    end subroutine rollcon_wheelrail_release
+
+    function rollcon_wheelrail_set_track(wheelrail, gauge, gauge_height, cant) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_track")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: gauge
+      real(c_double), value :: gauge_height
+      real(c_double), value :: cant
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_track
+
+    function rollcon_wheelrail_set_wheelset(wheelrail, back_to_back, flange_back, radius) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_wheelset")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: back_to_back
+      real(c_double), value :: flange_back
+      real(c_double), value :: radius
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_wheelset
+
+    function rollcon_wheelrail_set_rail_deviation(wheelrail, deviation, rate) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_rail_deviation")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), intent(in) :: deviation(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_rail_deviation
+
+    function rollcon_wheelrail_set_position(wheelrail, position) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_position")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), intent(in) :: position(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_position
+
+    function rollcon_wheelrail_set_velocity(wheelrail, velocity) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_velocity")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), intent(in) :: velocity(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_velocity
+
+    function rollcon_wheelrail_prescribe_vertical(wheelrail, how, force) &
+        result(rc) bind(C, name="rollcon_wheelrail_prescribe_vertical")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: how
+      real(c_double), value :: force
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_prescribe_vertical
+
+    function rollcon_wheelrail_set_friction(wheelrail, mu) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_friction")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: mu
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_friction
+
+    function rollcon_wheelrail_set_accuracy(wheelrail, accuracy) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_accuracy")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      real(c_double), value :: accuracy
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_accuracy
+
+    function rollcon_wheelrail_solve(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_solve")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_solve
+
+    function rollcon_wheelrail_reset(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_reset")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_reset
+
+    function rollcon_wheelrail_get_patch_count(wheelrail, patches) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_patch_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), intent(inout) :: patches
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_patch_count
+
+    function rollcon_wheelrail_get_resultant(wheelrail, axes, force, moment) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_resultant")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: axes
+      real(c_double), intent(out) :: force(*)
+      real(c_double), intent(out) :: moment(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_resultant
+
+    function rollcon_wheelrail_get_stat(wheelrail, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_stat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(inout) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_stat
+
+    function rollcon_wheelrail_stat_count() result(rc) bind(C, name="rollcon_wheelrail_stat_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_stat_count
+
+    function rollcon_wheelrail_stat_name(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_wheelrail_stat_name")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(inout) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_stat_name
+
+    function rollcon_wheelrail_get_patch_stat(wheelrail, patch, name, value) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_patch_stat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: patch
+      character(kind=c_char), intent(in) :: name(*)
+      real(c_double), intent(inout) :: value
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_patch_stat
+
+    function rollcon_wheelrail_patch_stat_count() &
+        result(rc) bind(C, name="rollcon_wheelrail_patch_stat_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_patch_stat_count
+
+    function rollcon_wheelrail_patch_stat_name(i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_wheelrail_patch_stat_name")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(inout) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_patch_stat_name
+
+    function rollcon_wheelrail_get_contact(wheelrail, patch, contact) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_contact")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: patch
+      type(c_ptr), intent(out) :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_contact
+
     function rollcon_id_of(handle) result(rc) bind(C, name="rollcon_id_of")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -1210,6 +1421,13 @@ module rollcon_c
       integer(c_int32_t), value :: id
       type(c_ptr) :: rc
     end function rollcon_contact_from_id
+
+    function rollcon_wheelrail_from_id(id) result(rc) bind(C, name="rollcon_wheelrail_from_id")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: id
+      type(c_ptr) :: rc
+    end function rollcon_wheelrail_from_id
 
   end interface
 end module rollcon_c

@@ -73,6 +73,8 @@ subroutine rckeep(ih, ierr)
     ierr = rollcon_body_retain(body_of(ih))
   case (of_contact)
     ierr = rollcon_contact_retain(contact_of(ih))
+  case (of_wheelrail)
+    ierr = rollcon_wheelrail_retain(wheelrail_of(ih))
   case default
     call no_handle('RCKEEP', ih, ierr)
   end select
@@ -94,6 +96,9 @@ subroutine rcfree(ih, ierr)
     ih = 0
   case (of_contact)
     call rollcon_contact_release(contact_of(ih))
+    ih = 0
+  case (of_wheelrail)
+    call rollcon_wheelrail_release(wheelrail_of(ih))
     ih = 0
   case default
     call no_handle('RCFREE', ih, ierr)
@@ -1131,4 +1136,214 @@ subroutine rcwrit(icon, path, ierr)
   integer :: icon, ierr
   character(len=*) :: path
   ierr = rollcon_contact_write(contact_of(icon), c_text(path))
+end subroutine
+
+!> Makes a wheel on its rail.
+subroutine rcwhel(ictx, iwheel, irail, iside, iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, iwheel, irail, iside, iwr, ierr
+  type(c_ptr) :: p
+  iwr = 0
+  ierr = rollcon_wheelrail_create(context_of(ictx), body_of(iwheel), body_of(irail), narrow(iside), p)
+  if (ierr == ROLLCON_OK) iwr = rollcon_id_of(p)
+end subroutine
+
+!> Says where the rails lie.
+subroutine rcwtrk(iwr, gauge, gauge_height, cant, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: gauge, gauge_height, cant
+  ierr = rollcon_wheelrail_set_track(wheelrail_of(iwr), gauge, gauge_height, cant)
+end subroutine
+
+!> Sets the dimensions of the wheelset.
+subroutine rcwset(iwr, back_to_back, flange_back, radius, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: back_to_back, flange_back, radius
+  ierr = rollcon_wheelrail_set_wheelset(wheelrail_of(iwr), back_to_back, flange_back, radius)
+end subroutine
+
+!> Sets the deviation of the rail from its place in the track and how it changes.
+subroutine rcwdev(iwr, deviation, rate, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: deviation(3), rate(3)
+  ierr = rollcon_wheelrail_set_rail_deviation(wheelrail_of(iwr), deviation, rate)
+end subroutine
+
+!> Sets the position of the wheelset.
+subroutine rcwpos(iwr, position, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: position(6)
+  ierr = rollcon_wheelrail_set_position(wheelrail_of(iwr), position)
+end subroutine
+
+!> Sets the velocity of the wheelset.
+subroutine rcwvel(iwr, velocity, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: velocity(6)
+  ierr = rollcon_wheelrail_set_velocity(wheelrail_of(iwr), velocity)
+end subroutine
+
+!> Prescribes the height of the wheelset by motion, as its position has it (standard), or by the vertical force.
+subroutine rcwvrt(iwr, ihow, force, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ihow, ierr
+  double precision :: force
+  ierr = rollcon_wheelrail_prescribe_vertical(wheelrail_of(iwr), narrow(ihow), force)
+end subroutine
+
+!> Sets the coefficient of Coulomb's friction.
+subroutine rcwfri(iwr, xmu, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: xmu
+  ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), xmu)
+end subroutine
+
+!> Sets how accurate forces are to be.
+subroutine rcwacc(iwr, accuracy, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  double precision :: accuracy
+  ierr = rollcon_wheelrail_set_accuracy(wheelrail_of(iwr), accuracy)
+end subroutine
+
+!> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one.
+subroutine rcwslv(iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  ierr = rollcon_wheelrail_solve(wheelrail_of(iwr))
+end subroutine
+
+!> Forgets the solution and the warm starts.
+subroutine rcwrst(iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  ierr = rollcon_wheelrail_reset(wheelrail_of(iwr))
+end subroutine
+
+!> Number of patches, from 0.
+subroutine rcwnpa(iwr, ipatches, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ipatches, ierr
+  integer(c_int64_t) :: patches_c
+  patches_c = 0
+  ierr = rollcon_wheelrail_get_patch_count(wheelrail_of(iwr), patches_c)
+  ipatches = int(patches_c)
+end subroutine
+
+!> Force of all patches on the wheel and its moment about the wheelset's centre.
+subroutine rcwres(iwr, iaxes, force, xmoment, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, iaxes, ierr
+  double precision :: force(3), xmoment(3)
+  ierr = rollcon_wheelrail_get_resultant(wheelrail_of(iwr), narrow(iaxes), force, xmoment)
+end subroutine
+
+!> One number about the last solve.
+subroutine rcwsta(iwr, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_wheelrail_get_stat(wheelrail_of(iwr), c_name(name), value)
+end subroutine
+
+!> Number of statistics of a wheel on its rail.
+subroutine rcwnst(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_wheelrail_stat_count()
+end subroutine
+
+!> Name of a statistic of a wheel on its rail.
+subroutine rcwstn(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_wheelrail_stat_name(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_wheelrail_stat_name(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCWSTN', buffer, text, ierr)
+end subroutine
+
+!> One number about a patch.
+subroutine rcwpst(iwr, ipatch, name, value, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ipatch, ierr
+  character(len=*) :: name
+  double precision :: value
+  ierr = rollcon_wheelrail_get_patch_stat(wheelrail_of(iwr), narrow(ipatch - 1), c_name(name), value)
+end subroutine
+
+!> Number of statistics of a patch.
+subroutine rcwnps(n)
+  use rollcon_f77_support
+  implicit none
+  integer :: n
+  n = rollcon_wheelrail_patch_stat_count()
+end subroutine
+
+!> Name of a statistic of a patch.
+subroutine rcwpsn(i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_wheelrail_patch_stat_name(narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_wheelrail_patch_stat_name(narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(c_null_ptr, 'RCWPSN', buffer, text, ierr)
+end subroutine
+
+!> The contact of a patch.
+subroutine rcwcon(iwr, ipatch, icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ipatch, icon, ierr
+  type(c_ptr) :: p
+  icon = 0
+  ierr = rollcon_wheelrail_get_contact(wheelrail_of(iwr), narrow(ipatch - 1), p)
+  if (ierr == ROLLCON_OK) icon = rollcon_id_of(p)
 end subroutine

@@ -30,7 +30,7 @@ module rollcon_f77_support
   type(box), pointer, save, private :: boxes => null()
 
   integer(c_int32_t), parameter, private :: no_result = -huge(1_c_int32_t)
-  integer, parameter :: of_none = 0, of_context = 1, of_body = 2, of_contact = 3
+  integer, parameter :: of_none = 0, of_context = 1, of_body = 2, of_contact = 3, of_wheelrail = 4
 
 contains
 
@@ -59,12 +59,17 @@ contains
     contact_of = rollcon_contact_from_id(narrow(id))
   end function
 
+  type(c_ptr) function wheelrail_of(id)
+    integer, intent(in) :: id
+    wheelrail_of = rollcon_wheelrail_from_id(narrow(id))
+  end function
+
   !> What the handle stands for, which is in the highest bits of its number.
   integer function kind_of(id)
     integer, intent(in) :: id
     kind_of = of_none
     if (id <= 0) return
-    if (rollcon_id_of(context_of(id)) == id) kind_of = id/2**29
+    if (rollcon_id_of(context_of(id)) == id) kind_of = id/2**28
   end function
 
   !> A name of the library: NUL-terminated, in lower case whatever the caller's is, without trailing blanks.
@@ -102,7 +107,7 @@ contains
     integer, intent(out) :: ierr
     ierr = ROLLCON_ERR_HANDLE
     if (id == 0) ierr = ROLLCON_ERR_ARGUMENT
-    ierr = rollcon_report(c_null_ptr, int(ierr, c_int32_t), c_text(name//': IH is no live context, body or contact'))
+    ierr = rollcon_report(c_null_ptr, int(ierr, c_int32_t), c_text(name//': IH is no live handle'))
   end subroutine
 
   !> As nodes_of, for INTEGERs of the caller's width.

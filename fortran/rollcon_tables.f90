@@ -1,5 +1,4 @@
-!> The tables of settings and of counters, of contacts and of bodies, and what a progress callback may read. Entries count
-!> from 1.
+!> The tables of settings and of counters, and what a progress callback may read. Entries count from 1.
 module rollcon_tables
   use, intrinsic :: iso_c_binding, only: c_char, c_null_char, c_null_ptr, c_ptr
   use rollcon_c
@@ -8,6 +7,7 @@ module rollcon_tables
   private
   public :: rc_option_count, rc_option_info, rc_option_doc, rc_stat_count, rc_stat_name, rc_event_int, rc_event_real
   public :: rc_body_option_count, rc_body_option_info, rc_body_option_doc, rc_body_stat_count, rc_body_stat_name
+  public :: rc_wheelrail_stat_count, rc_wheelrail_stat_name, rc_wheelrail_patch_stat_count, rc_wheelrail_patch_stat_name
 
 contains
 
@@ -128,6 +128,44 @@ contains
     needed = 0
     call finish(rollcon_body_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, 'rc_body_stat_name', stat, &
       errmsg)
+    name = f_text(buffer)
+  end subroutine
+
+  integer function rc_wheelrail_stat_count()
+    rc_wheelrail_stat_count = int(rollcon_wheelrail_stat_count())
+  end function
+
+  !> Of a wheel on its rail.
+  subroutine rc_wheelrail_stat_name(i, name, stat, errmsg)
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: name
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char) :: buffer(usual_text)
+    integer(rc_long) :: needed
+    buffer(1) = c_null_char
+    needed = 0
+    call finish(rollcon_wheelrail_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, &
+      'rc_wheelrail_stat_name', stat, errmsg)
+    name = f_text(buffer)
+  end subroutine
+
+  integer function rc_wheelrail_patch_stat_count()
+    rc_wheelrail_patch_stat_count = int(rollcon_wheelrail_patch_stat_count())
+  end function
+
+  !> Of one of its patches.
+  subroutine rc_wheelrail_patch_stat_name(i, name, stat, errmsg)
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: name
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char) :: buffer(usual_text)
+    integer(rc_long) :: needed
+    buffer(1) = c_null_char
+    needed = 0
+    call finish(rollcon_wheelrail_patch_stat_name(int(i - 1, rc_int), usual_text, buffer, needed), c_null_ptr, &
+      'rc_wheelrail_patch_stat_name', stat, errmsg)
     name = f_text(buffer)
   end subroutine
 

@@ -68,6 +68,7 @@ extern "C" {
 typedef struct rollcon_context rollcon_context;
 typedef struct rollcon_body rollcon_body;
 typedef struct rollcon_contact rollcon_contact;
+typedef struct rollcon_wheelrail rollcon_wheelrail;
 /* Only inside a progress callback. */
 typedef struct rollcon_event rollcon_event;
 
@@ -179,6 +180,18 @@ enum {
   ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function */
 };
 
+/* Side of the track, seen in the direction x of the track. */
+enum {
+  ROLLCON_LEFT  = -1,   /* y < 0 */
+  ROLLCON_RIGHT = 1     /* y > 0 */
+};
+
+/* Components of what a wheel on its rail gives. */
+enum {
+  ROLLCON_IN_TRACK    = 0,    /* x forward, y to the right, z down, of the track */
+  ROLLCON_IN_WHEELSET = 1     /* the same, turned with the wheelset's yaw and roll */
+};
+
 /* State of a node of the frame. */
 enum {
   ROLLCON_OPEN     = 0,    /* no contact */
@@ -287,8 +300,7 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
  * For layers over this interface that check arguments of their own: makes a text the thread's
  * last error and tells log and latch of the object's context, as a failing function does. Returns
  * the status.
- *   handle   may be NULL; context, body or contact that the caller was given; others: no log, no
- *            latch
+ *   handle   may be NULL; object that the caller was given; others: no log, no latch
  *   status   < 0; others stand for ROLLCON_ERR_ARGUMENT
  *   message  may be NULL; "name of the function: what is wrong"
  * Threads: any.
@@ -1487,13 +1499,237 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_plan(const rollcon_c
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write(const rollcon_contact *contact,
     const char *path);
 
+/* ------------------------------------------------------------- Wheel on rail: making, inputs */
+/* A wheel of a wheelset on its rail: profiles, dimensions, position and velocity in, patches and
+   forces out. Axes of the track: x forward, y to the right, z down, the origin midway between the
+   rails at the height of their top. Roll, yaw and pitch are about x, z and y. Everything that is
+   set stays; docs/wheelrail.md has the figures. */
+
+/*
+ * Makes a wheel on its rail. Profile of the wheel: y from the tread's datum, the flange at lesser
+ * y, z down (as "s1002"); of the rail: upright, its gauge side at lesser y, z down. They are the
+ * same on both sides of the track: what is on the left is the mirror image. Where the profiles
+ * lie in their bodies (rollcon_body_extrude_profile, rollcon_body_revolve_profile) is no matter,
+ * and the bodies stay free for other uses. A profile that is set later counts after the next
+ * rollcon_wheelrail_set_track and rollcon_wheelrail_set_wheelset. At least one body must be
+ * elastic. Standard: rails without deviation, height prescribed by motion, accuracy 0.01;
+ * everything else must be set before a solve.
+ *   wheel      a half-space or rigid, with a profile (else ROLLCON_ERR_STATE)
+ *   rail       likewise; may be of another context
+ *   side       ROLLCON_LEFT or ROLLCON_RIGHT
+ *   wheelrail  new handle
+ * Ownership: The caller owns the new handle: release it. It keeps bodies and context alive.
+ *   *wheelrail is NULL after a failure.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_create(rollcon_context *context,
+    rollcon_body *wheel, rollcon_body *rail, int32_t side, rollcon_wheelrail **wheelrail);
+
+/*
+ * Adds a reference.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_retain(rollcon_wheelrail *wheelrail);
+
+/*
+ * Drops a reference; the handle is dead after the last one. Contacts of its patches live on. NULL
+ * and dead handles are ignored.
+ *   wheelrail  may be NULL
+ * Threads: any.
+ */
+ROLLCON_API void ROLLCON_CALL rollcon_wheelrail_release(rollcon_wheelrail *wheelrail);
+
+/*
+ * Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is half the
+ * gauge from the middle of the track.
+ *   gauge         > 0, length
+ *   gauge_height  below the top of the rails, where the gauge is measured; > 0, length
+ *   cant          of each rail towards the middle of the track, radian, -0.5 to 0.5; 0 if the
+ *                 profile is canted already
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_track(rollcon_wheelrail *wheelrail,
+    double gauge, double gauge_height, double cant);
+
+/*
+ * Sets the dimensions of the wheelset.
+ *   back_to_back  between the backs of the flanges, > 0, length
+ *   flange_back   y of the flange's back in the profile of the wheel, length
+ *   radius        of the profile's z = 0, > 0, length; radius + z > 0 all along the profile
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_wheelset(
+    rollcon_wheelrail *wheelrail, double back_to_back, double flange_back, double radius);
+
+/*
+ * Sets the deviation of the rail from its place in the track and how it changes: irregularities,
+ * and rails that give way. Standard: 0.
+ *   deviation  [3]; along y and z, length; roll, radian, about the point where the gauge is
+ *              measured, at the height of the rails' top
+ *   rate       [3]; of these, length/time and 1/time
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_rail_deviation(
+    rollcon_wheelrail *wheelrail, const double *deviation, const double *rate);
+
+/*
+ * Sets the position of the wheelset. z = 0 is where the tread's datum of a centred wheelset is at
+ * the height of the rails' top; z is not used where a vertical force is prescribed (statistic "z"
+ * is what was found), but as the start of the search.
+ *   position   [6]; of the wheelset's centre: x, y, z, length; roll, yaw and pitch, radian; roll
+ *              and yaw -0.5 to 0.5
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_position(
+    rollcon_wheelrail *wheelrail, const double *position);
+
+/*
+ * Sets the velocity of the wheelset.
+ *   velocity   [6]; rates of the position, length/time and 1/time; the forward speed, the first,
+ *              is not 0; the pitch rate of a wheel that rolls forward is negative
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_velocity(
+    rollcon_wheelrail *wheelrail, const double *velocity);
+
+/*
+ * Prescribes the height of the wheelset by motion, as its position has it (standard), or by the
+ * vertical force; z is then found by the solve.
+ *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
+ *   force      of this wheel on its rail, along z of the track, >= 0; not looked at by motion
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_prescribe_vertical(
+    rollcon_wheelrail *wheelrail, int32_t how, double force);
+
+/*
+ * Sets the coefficient of Coulomb's friction.
+ *   mu         0 to 10
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
+    rollcon_wheelrail *wheelrail, double mu);
+
+/*
+ * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
+ *   accuracy   of tangential forces, as part of the limit of friction: 0.0025 to 1, standard 0.01
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
+    rollcon_wheelrail *wheelrail, double accuracy);
+
+/*
+ * Finds the patches and solves each as a steady rolling contact, from the last solution where
+ * there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED, RIM_CONTACT (a
+ * patch ends at the end of a profile, or is not within its frame), COARSE, NO_CONTACT, OK.
+ * ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_LOAD: with this y no height
+ * brings the wheel on the rail.
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail);
+
+/*
+ * Forgets the solution and the warm starts; keeps what was set and all that was computed for the
+ * frames.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail);
+
+/* -------------------------------------------------------------------- Wheel on rail: results */
+/* Of the last solve; ROLLCON_ERR_STATE before one. Forces are those on the wheel. */
+
+/*
+ * Number of patches, from 0.
+ *   patches    out
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_count(
+    const rollcon_wheelrail *wheelrail, int64_t *patches);
+
+/*
+ * Force of all patches on the wheel and its moment about the wheelset's centre.
+ *   axes       ROLLCON_IN_TRACK or ROLLCON_IN_WHEELSET
+ *   force      [3], out, may be NULL; force
+ *   moment     [3], out, may be NULL; force x length
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_resultant(
+    const rollcon_wheelrail *wheelrail, int32_t axes, double *force, double *moment);
+
+/*
+ * One number about the last solve: height, vertical force, frictional power, counts. Names:
+ * rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
+ *   value      out
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_stat(
+    const rollcon_wheelrail *wheelrail, const char *name, double *value);
+
+/*
+ * Number of statistics of a wheel on its rail.
+ * Threads: any.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_stat_count(void);
+
+/*
+ * Name of a statistic of a wheel on its rail.
+ *   i         0 to rollcon_wheelrail_stat_count() - 1
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_stat_name(int32_t i, int64_t capacity,
+    char *text, int64_t *needed);
+
+/*
+ * One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
+ * rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+ *   patch      0 to rollcon_wheelrail_get_patch_count - 1
+ *   value      out
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_patch_stat(
+    const rollcon_wheelrail *wheelrail, int32_t patch, const char *name, double *value);
+
+/*
+ * Number of statistics of a patch.
+ * Threads: any.
+ */
+ROLLCON_API int32_t ROLLCON_CALL rollcon_wheelrail_patch_stat_count(void);
+
+/*
+ * Name of a statistic of a patch.
+ *   i         0 to rollcon_wheelrail_patch_stat_count() - 1
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_t i,
+    int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * The contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the
+ * axes of the patch, t1 along the rolling direction. It is there to be read, and for its options:
+ * the next solve of the wheel on its rail sets its scene again and changes its results; what that
+ * solve does not set is to be left alone. Both are one object to threads: while either is in use,
+ * so is the other.
+ *   patch      0 to rollcon_wheelrail_get_patch_count - 1
+ *   contact    of the patch
+ * Ownership: The caller owns a reference: release it. It outlives the wheel on its rail, which
+ *   then changes it no more. *contact is NULL after a failure.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_contact(
+    const rollcon_wheelrail *wheelrail, int32_t patch, rollcon_contact **contact);
+
 /* ----------------------------------------------------------------------- Handles as integers */
 /* For languages without pointers (the FORTRAN 77 layer). Neither direction changes reference
    counts. */
 
 /*
  * Positive number of a handle; 0 for NULL and for handles that are not alive.
- *   handle  may be NULL; context, body or contact
+ *   handle  may be NULL; of any kind
  * Threads: any.
  */
 ROLLCON_API int32_t ROLLCON_CALL rollcon_id_of(const void *handle);
@@ -1515,6 +1751,12 @@ ROLLCON_API rollcon_body *ROLLCON_CALL rollcon_body_from_id(int32_t id);
  * Threads: any.
  */
 ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
+
+/*
+ * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Threads: any.
+ */
+ROLLCON_API rollcon_wheelrail *ROLLCON_CALL rollcon_wheelrail_from_id(int32_t id);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,8 @@
 
 import textwrap
 
+from generator.table import HANDLES
+
 WIDTH = 98
 TYPES = {"int32": "int32_t", "row": "int32_t", "path": "const char *",
          "int64": "int64_t", "real": "double", "text": "const char *",
@@ -75,9 +77,7 @@ extern "C" {{
 #endif
 
 /* Handles: opaque, never dereferenced, reference counted. */
-typedef struct rollcon_context rollcon_context;
-typedef struct rollcon_body rollcon_body;
-typedef struct rollcon_contact rollcon_contact;
+{handles}
 /* Only inside a progress callback. */
 typedef struct rollcon_event rollcon_event;
 """
@@ -95,7 +95,7 @@ def c_type(arg):
     """Type of an argument up to its name, '*' included."""
     if arg.base in ("log_fn", "progress_fn"):
         return f"rollcon_{arg.base} "
-    if arg.base in ("context", "body", "contact", "event"):
+    if arg.base in HANDLES or arg.base == "event":
         const = "const " if arg.const else ""
         return f"{const}rollcon_{arg.base} *" + ("*" if arg.out else "")
     base = TYPES[arg.base]
@@ -113,7 +113,7 @@ def return_type(returns):
         return "rollcon_status "
     if returns == "text":
         return "const char *"
-    if returns in ("context", "body", "contact"):
+    if returns in HANDLES:
         return f"rollcon_{returns} *"
     return {"int32": "int32_t ", "void": "void "}[returns]
 
@@ -149,7 +149,7 @@ def argument_lines(args):
         words = []
         if arg.array:
             words.append(arg.shape)
-        if arg.out and (arg.array or arg.base not in ("context", "body", "contact")):
+        if arg.out and (arg.array or arg.base not in HANDLES):
             words.append("out")
         if arg.optional and "NULL" not in arg.doc:
             words.append("may be NULL")
@@ -201,7 +201,8 @@ def callback_block(callback):
 
 def write(table):
     major, minor, patch = table.version
-    out = [OPENING.format(version=table.version_text, major=major, minor=minor, patch=patch,
+    out = [OPENING.format(handles="\n".join(f"typedef struct rollcon_{h} rollcon_{h};" for h in HANDLES),
+                          version=table.version_text, major=major, minor=minor, patch=patch,
                           abi=table.abi)]
     out += [enum_block(enum) for enum in table.enums]
     out += [callback_block(callback) for callback in table.callbacks]

@@ -1,6 +1,6 @@
 """tests/capi/every_call.hpp: one call of every function that has an object, for what holds for all of them."""
 
-from generator.recorder import KINDS
+from generator.table import HANDLES
 
 OPENING = """\
 #pragma once
@@ -20,15 +20,13 @@ struct HarmlessArguments {
   std::int32_t integers[64] = {}, states[64] = {}, kind = 0;
   std::int64_t n = 0;
   char text[64] = "";
-  rollcon_body* body = nullptr;
-  rollcon_contact* contact = nullptr;
-};
+{handles}};
 """
 
 
 def value(arg):
     """A harmless argument."""
-    if arg.base in KINDS:
+    if arg.base in HANDLES:
         return f"&a.{arg.base}" if arg.out else "nullptr"
     if arg.base in ("log_fn", "progress_fn", "user"):
         return "nullptr"
@@ -44,8 +42,9 @@ def value(arg):
 
 
 def write(table):
-    out = [OPENING]
-    for kind in KINDS:
+    members = "".join(f"  rollcon_{h}* {h} = nullptr;\n" for h in HANDLES if h != "context")
+    out = [OPENING.replace("{handles}", members)]
+    for kind in HANDLES:
         out.append("template <class Check>\n"
                    f"void with_each_{kind}_call(const void* handle, Check&& check) {{\n"
                    f"  auto* object = static_cast<rollcon_{kind}*>(const_cast<void*>(handle));\n"

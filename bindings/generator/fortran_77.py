@@ -12,7 +12,7 @@ Arguments are those of the C function in their order; what FORTRAN 77 says other
 import re
 
 WIDTH = 118  # the language allows 132
-HANDLES = {"context": "ictx", "body": "ibody", "contact": "icon"}
+HANDLES = {"context": "ictx", "body": "ibody", "contact": "icon", "wheelrail": "iwr"}
 CALLBACKS = {"log_fn": "log", "progress_fn": "progress"}
 
 OPENING = """\
@@ -31,7 +31,8 @@ def dummy_name(arg):
             "parameters": "par", "connectivity": "ic"}.get(arg.name, arg.name)
     for kind, short in HANDLES.items():
         if arg.base == kind:
-            return name.replace(kind, short)
+            name = name.replace(kind, short)
+            return name if name.startswith("i") else "i" + name
     if arg.base in CALLBACKS:
         return {"log_fn": "sink", "progress_fn": "watch"}[arg.base]
     if arg.name == "capacity":

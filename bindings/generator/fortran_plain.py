@@ -1,4 +1,4 @@
-"""fortran/rollcon_{body,contact}_plain.f90: a type with the life of a handle and its plain procedures.
+"""fortran/rollcon_{body,contact,wheelrail}_plain.f90: a type with the life of a handle and its plain procedures.
 
 What Fortran 2008 says otherwise than C: arrays know their extents, enumerators have a kind of their
 own, other numbers are default INTEGERs, texts have lengths, `defaults` are optional and come last.
@@ -7,8 +7,10 @@ own, other numbers are default INTEGERs, texts have lengths, `defaults` are opti
 import re
 import textwrap
 
+from generator.table import HANDLES
+
 WIDTH = 118  # the language allows 132
-USES = {"body": ["rollcon_context"], "contact": ["rollcon_context", "rollcon_body"]}
+OPTIONS = ("body", "contact")  # kinds with settings by name
 
 OPENING = """\
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
@@ -37,8 +39,7 @@ module rollcon_{kind}_plain
     procedure :: from_id
     procedure :: id
     procedure :: handle
-{options}
-    procedure, private :: assign
+{options}    procedure, private :: assign
     generic :: assignment(=) => assign
     final :: finalize
   end type
@@ -246,6 +247,9 @@ class Procedure:
         if arg.base == "int32" and not self.counts(arg):
             name = self.dummy(arg, f"integer, intent(in) :: {arg.name}")
             return self.call.append(f"int({name}, rc_int)")
+        if arg.base == "row":
+            name = self.dummy(arg, f"integer, intent(in) :: {arg.name}")
+            return self.call.append(f"int({name} - 1, rc_int)")
         if self.counts(arg):
             array = self.counted()
             kind = "rc_int" if arg.base == "int32" else "rc_long"
@@ -350,18 +354,19 @@ def comment(doc):
 
 def write(table, kind):
     plain = [f for f in table.functions if "fortran" in f.plain and f.group == kind]
-    names = {"body": [("context", "type(rc_context)"), ("kind", "integer(rc_int)")],
-             "contact": [("context", "type(rc_context)"), ("body1", "type(rc_body)"), ("body2", "type(rc_body)")]}[kind]
+    create = next(f for f in table.functions if f.name == f"rollcon_{kind}_create")
+    names = [(a.name, f"type(rc_{a.base})" if a.base in HANDLES else "integer(rc_int)") for a in create.args[:-1]]
+    modules = dict.fromkeys(f"rollcon_{a.base}" for a in create.args[:-1] if a.base in HANDLES)
     values = [name + ("%handle()" if kind_of.startswith("type") else "") for name, kind_of in names]
     bindings = "\n".join(f"    procedure :: {f.fortran} => {kind}_{f.verb}" for f in plain)
-    uses = "\n".join(f"  use {module}" for module in USES[kind])
+    uses = "\n".join(f"  use {module}" for module in modules)
     out = [OPENING.format(kind=kind, uses=uses, bindings=bindings,
-                          options=option_bindings(kind),
+                          options=option_bindings(kind) + "\n" if kind in OPTIONS else "",
                           load="    procedure :: load\n" if kind == "body" else "").rstrip("\n")]
     out.append(LIFE.format(kind=kind, names=", ".join(n for n, _ in names), values=", ".join(values), parent="context",
                            load=LOAD if kind == "body" else "",
                            declarations="\n".join(f"    {t}, intent(in) :: {n}" for n, t in names)).rstrip("\n"))
-    out += options(kind)
+    out += options(kind) if kind in OPTIONS else []
     for function in plain:
         out += Procedure(function).write()
     out += ["", f"end module rollcon_{kind}_plain", ""]

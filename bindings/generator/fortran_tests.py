@@ -5,14 +5,14 @@ pass on a failure.
 """
 
 from generator import samples
-from generator.fortran_77 import dummy_name, routines
+from generator.fortran_77 import HANDLES, dummy_name, routines
 
 WIDTH = 118
 NOTE = "! Generated from bindings/api.toml by bindings/generate.py; do not edit.\n"
 FAILED = "ROLLCON_ERR_STATE"
 
 HEAD_2008 = NOTE + """\
-!> The plain procedures of rc_body and rc_contact: every argument in its place.
+!> The plain procedures of the types: every argument in its place.
 program mapping_test
   use mapping
   use mapping_by_hand, only: mapped_by_hand
@@ -89,14 +89,14 @@ def procedure(name, outs, calls):
     return [f"  subroutine {name}()"] + ["    " + line for line in body]
 
 
-def test_2008(function):
+def test_2008(function, table):
     """A plain procedure; its defaults left out first."""
     outs = Outs("real(rc_real)", "integer")
-    words, late, left_out = [], [], {}
+    words, late, left_out, from_0 = [], [], {}, {}
     for i, arg in enumerate(function.args[1:], 1):
         place = late if arg.name in function.defaults else words
         if arg.name in function.defaults:
-            left_out[i] = function.defaults[arg.name].replace("LOCAL", "0")
+            left_out[i] = f"{table.number(function.defaults[arg.name]):.10g}"
         if arg.name in ("capacity", "needed") or samples.counts(function, arg):
             continue
         if arg.out:
@@ -114,13 +114,16 @@ def test_2008(function):
             place.append(f"'{samples.text(i)}'")
         elif arg.base == "real":
             place.append(literal(samples.real(i), "_rc_real"))
+        elif arg.base == "row":
+            place.append(str(10 * i + 1))
+            left_out[i] = from_0[i] = str(10 * i)
         else:
             place.append(f"{samples.integer(function, i)}{'_rc_int' if arg.enum else ''}")
     what = f"call {function.group}%{function.fortran}"
     verb = function.name.removeprefix("rollcon_")
     calls = []
-    for given, end in (left_out, ["stat=stat", "errmsg=message"]), ({}, late + ["stat", "message"]):
-        if given or end[0] != "stat=stat":
+    for given, end in (left_out, ["stat=stat", "errmsg=message"]), (from_0, late + ["stat", "message"]):
+        if given != from_0 or end[0] != "stat=stat":
             told = broken("call told", [f"'{verb}'", f"'{samples.record(function, given)}'", "stat"])
             calls.append((broken(what, words + end), told))
     return procedure(function.verb, outs, calls) + [
@@ -128,12 +131,12 @@ def test_2008(function):
 
 
 def write_2008(table):
-    plain = [f for f in table.functions if "fortran" in f.plain and f.group in ("body", "contact")]
+    plain = [f for f in table.functions if "fortran" in f.plain and f.group != "context"]
     names, text = [], []
     for function in plain:
         name = f"{function.group}_{function.verb}"
         names.append(f"  call {name}()")
-        lines = test_2008(function)
+        lines = test_2008(function, table)
         text += [f"  subroutine {name}()"] + lines[1:]
     end = ["  call mapped_by_hand()", "  call done('')", "contains", ""]
     return HEAD_2008 + "\n".join(names + end + text) + "end program\n"
@@ -151,7 +154,7 @@ class Call77:
 
     def take(self, i, arg):
         function, name = self.function, dummy_name(arg)
-        if arg.base in samples.recorder.KINDS:
+        if arg.base in samples.HANDLES:
             self.take_handle(i, arg, name)
         elif arg.name == "header_abi":
             self.given[i] = "1"
@@ -187,10 +190,9 @@ class Call77:
         if arg.out:
             self.words.append("ih")
             self.outs.declared.append("integer :: ih")
-            self.outs.checks.append(f"call gave_kind(ih, {samples.recorder.KINDS[arg.base]})")
+            self.outs.checks.append(f"call gave_kind(ih, {samples.HANDLES[arg.base]})")
         else:
-            self.words.append("ibody2" if arg.name == "body2" else {"body": "ibody", "context": "ictx",
-                                                                     "contact": "icon"}[arg.base])
+            self.words.append(HANDLES[arg.base] + ("2" if arg.name in samples.SECOND else ""))
 
     def take_array(self, i, arg, name):
         function = self.function

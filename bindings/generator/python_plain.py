@@ -3,9 +3,11 @@
 import re
 import textwrap
 
+from generator.table import HANDLES
+
 OPENING = '''\
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
-"""The plain methods of Context, Body and Contact: one call of the library each."""
+"""The plain methods of the classes: one call of the library each."""
 
 from ctypes import byref, c_double, c_int32, c_int64
 
@@ -64,6 +66,8 @@ class Method:
         parts = re.findall(r"\[(.+?)\]", arg.shape)
         if parts == ["3"]:
             make = f"vector({arg.name})"
+        elif len(parts) == 1 and parts[0].isdigit():
+            make = f"vector({arg.name}, {parts[0]})"
         elif arg.base == "int32":
             make = f"integer_list({arg.name}, \"{arg.name}\")"
         else:
@@ -89,7 +93,7 @@ class Method:
     def doc(self):
         """The documentation in Python's words: names of Python, None for NULL."""
         text = " ".join(self.function.doc.split()).replace("ROLLCON_", "").replace("NULL", "None")
-        text = re.sub(r"rollcon_(?:body|contact|context)_(?:get_)?(\w+)", r"\1()", text)
+        text = re.sub(rf"rollcon_(?:{'|'.join(HANDLES)})_(?:get_)?(\w+)", r"\1()", text)
         notes = [f"{a.name}: {a.doc}." for a in self.function.args[1:]
                  if a.doc and (a.name in dict(self.given) or a.name in self.results)]
         notes = [re.sub("; NULL only with n = 0", "", n).replace("ROLLCON_", "") for n in notes]
@@ -122,7 +126,7 @@ class Method:
 
 def write(table):
     out = [OPENING]
-    for kind in ("context", "body", "contact"):
+    for kind in HANDLES:
         plain = [f for f in table.functions if "python" in f.plain and f.group == kind]
         out.append(f"\n\nclass {kind.capitalize()}Plain:\n")
         out += ["\n" + "\n".join(Method(f).write()) + "\n" for f in plain]

@@ -15,12 +15,12 @@ ROWS = list(starmap(Row, [
 '''
 
 
-def standard(default):
+def standard(table, default):
     """What the recorder writes for a default."""
-    return f"{float(default.replace('LOCAL', '0')):.10g}"
+    return f"{table.number(default):.10g}"
 
 
-def row(function, absent=False, short=False):
+def row(table, function, absent=False, short=False):
     """One call; `absent`: arrays that may be None are; `short`: what has a default is left out."""
     method = Method(function)
     for arg in function.args[1:]:
@@ -46,7 +46,7 @@ def row(function, absent=False, short=False):
     order = sorted(method.given, key=lambda pair: pair[1] != "")
     if short:
         place = {a.name: i for i, a in enumerate(function.args)}
-        given.update((place[name], standard(default[1:].replace("_api.", ""))) for name, default in order if default)
+        given.update((place[name], standard(table, default[1:].replace("_api.", ""))) for name, default in order if default)
         order = [pair for pair in order if not pair[1]]
     values = tuple(arguments[name] for name, _ in order)
     result = tuple(results) if len(results) > 1 else results[0] if results else None
@@ -58,9 +58,9 @@ def write(table):
     rows = []
     for function in table.functions:
         if "python" in function.plain:
-            rows.append(row(function))
+            rows.append(row(table, function))
             if any(a.array and a.optional and a.base == "real" and not a.out for a in function.args):
-                rows.append(row(function, absent=True))
+                rows.append(row(table, function, absent=True))
             if function.defaults or function.python.get("defaults"):
-                rows.append(row(function, short=True))
+                rows.append(row(table, function, short=True))
     return OPENING + "".join(f"    {r!r},\n" for r in rows) + "]))\n"

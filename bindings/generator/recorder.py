@@ -6,6 +6,7 @@
 import re
 
 from generator.c_header import declaration, return_type
+from generator.table import HANDLES
 
 OPENING = """\
 /* Generated from bindings/api.toml by bindings/generate.py; do not edit. */
@@ -15,7 +16,6 @@ OPENING = """\
 /* clang-format off */
 """
 
-KINDS = {"context": 1, "body": 2, "contact": 3}
 # Results whose size other calls ask for before they make room.
 COUNTS = {"nodes": "RECORD_NODES", "elements": "RECORD_ELEMENTS", "n_rows": "RECORD_ROWS",
           "n_values": "RECORD_VALUES", "n_results": "capacity"}
@@ -57,8 +57,8 @@ def giving(function, position):
     """The statement that gives the result at a position."""
     arg = function.args[position]
     number = f"recorded_{function.name}"
-    if arg.base in KINDS:
-        return f"if ({arg.name}) *{arg.name} = (rollcon_{arg.base}*)give_handle({KINDS[arg.base]})"
+    if arg.base in HANDLES:
+        return f"if ({arg.name}) *{arg.name} = (rollcon_{arg.base}*)give_handle({HANDLES[arg.base]})"
     if arg.base == "char":
         need = "needed" if any(a.name == "needed" for a in function.args) else "0"
         return f"give_text({arg.name}, capacity, {need}, {number})"
@@ -85,7 +85,7 @@ def returned(function):
         return "return (int32_t)(intptr_t)handle;"
     if function.name == "rollcon_report":
         return "return status;"
-    if function.returns in KINDS:
+    if function.returns in HANDLES:
         return f"return (rollcon_{function.returns}*)(intptr_t)id;"
     if function.returns == "text":
         return f'return "text of {function.name.removeprefix("rollcon_")}";'

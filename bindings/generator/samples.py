@@ -3,12 +3,13 @@
 import re
 
 from generator import recorder
+from generator.table import HANDLES
 
 N = 2  # entries of arrays of n
 CAPACITY = 6  # numbers that fit, where the caller of a layer says so
 ELEMENT_TYPE, ELEMENT_NODES = 203, 3
 SIZES = {"nodes": 3, "elements": 2, "n_rows": 2, "n_values": 6}  # as tests/bindings/record.h has them
-HANDLES = {"body2": "body2"}  # others are the first of their kind
+SECOND = {"body2", "rail"}  # handles that are the second of their kind; others are the first
 
 
 def counts(function, arg):
@@ -61,8 +62,8 @@ def written(function, position, given=None):
         return ["room"]
     if arg.array:
         return [listed(reals(function, position) if arg.base == "real" else integers(function, position))]
-    if arg.base in recorder.KINDS:
-        return [HANDLES.get(arg.name, arg.base + "1")]
+    if arg.base in HANDLES:
+        return [arg.base + ("2" if arg.name in SECOND else "1")]
     if arg.base in ("text", "path"):
         return [f"<{text(position)}>"]
     if arg.name == "capacity":

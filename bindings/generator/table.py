@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 SCALARS = {"int32", "int64", "real", "row"}
 TEXTS = {"text", "path", "char"}
-HANDLES = {"context", "body", "contact"}
-OPAQUE = HANDLES | {"event", "handle"}
+# Kinds of handles, and the numbers that they begin with (src/capi/handle_table.hpp).
+HANDLES = {"context": 1, "body": 2, "contact": 3, "wheelrail": 4}
+OPAQUE = set(HANDLES) | {"event", "handle"}
 OTHERS = {"log_fn", "progress_fn", "user"}
-RETURNS = {"status", "int32", "text", "void"} | HANDLES
+RETURNS = {"status", "int32", "text", "void"} | set(HANDLES)
 THREADS = {
     "any": "any thread at any time.",
     "object": "one thread at a time per object; a second one gets ROLLCON_ERR_BUSY.",
@@ -92,6 +93,11 @@ class Table:
     @property
     def functions(self):
         return [f for group in self.groups for f in group.functions]
+
+    def number(self, value):
+        """What a default stands for, a number or the name of an enumerator."""
+        names = {name: number for enum in self.enums for name, number, _ in enum.values}
+        return float(names.get("ROLLCON_" + value, value))
 
     @property
     def version_text(self):

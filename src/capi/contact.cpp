@@ -13,13 +13,6 @@ using namespace rollcon::capi;
 
 namespace {
 
-std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name) {
-  require_pointer(handle, name);
-  const std::shared_ptr<Object> object = handles().find(Kind::body, handle);
-  if (!object) fail(Status::err_handle, "%s is not a live body", name);
-  return object->body;
-}
-
 #if ROLLCON_BUILD_PROCEDURES
 constexpr MakePublished published = make_published;
 #else
@@ -38,7 +31,7 @@ rollcon_status rollcon_contact_create(rollcon_context* context, rollcon_body* bo
     auto object = std::make_shared<Object>();
     object->context = parent.context;
     object->contact =
-        std::make_unique<Contact>(parent.context, std::move(first), std::move(second), published, make_frame_maker);
+        std::make_shared<Contact>(parent.context, std::move(first), std::move(second), published, make_frame_maker);
     *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(object))));
   });
 }

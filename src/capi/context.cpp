@@ -69,6 +69,10 @@ rollcon_body* rollcon_body_from_id(int32_t id) {
   return as_handle<rollcon_body>(HandleTable::from_id(id));
 }
 
+rollcon_wheelrail* rollcon_wheelrail_from_id(int32_t id) {
+  return as_handle<rollcon_wheelrail>(HandleTable::from_id(id));
+}
+
 rollcon_contact* rollcon_contact_from_id(int32_t id) {
   return as_handle<rollcon_contact>(HandleTable::from_id(id));
 }

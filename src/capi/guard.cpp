@@ -4,6 +4,7 @@
 #include <new>
 #include <string>
 
+#include "support/input_checks.hpp"
 #include "support/last_error.hpp"
 
 namespace rollcon::capi {
@@ -41,8 +42,10 @@ const char* name(Kind kind) noexcept {
       return "context";
     case Kind::body:
       return "body";
-    default:
+    case Kind::contact:
       return "contact";
+    default:
+      return "wheelrail";
   }
 }
 
@@ -67,6 +70,13 @@ void report_caveat(const char* function, Context& context, Status status) noexce
   char text[256];
   std::snprintf(text, sizeof text, "%s: %s", function, rollcon_status_string(static_cast<std::int32_t>(status)));
   context.keep(status, text);
+}
+
+std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name) {
+  require_pointer(handle, name);
+  const std::shared_ptr<Object> object = handles().find(Kind::body, handle);
+  if (!object) fail(Status::err_handle, "%s is not a live body", name);
+  return object->body;
 }
 
 std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept {

@@ -65,12 +65,12 @@ std::int32_t with_object(const char* function, Kind kind, const void* handle, F&
   Object& object = *found;
   if (object.context->latched() != Status::ok) return report_latched(*object.context);
   return guarded(function, object.context.get(), [&] {
-    if (object.busy.exchange(true, std::memory_order_acquire))
+    if (object.busy->exchange(true, std::memory_order_acquire))
       fail(Status::err_busy, "the %s is in use by another call", name(kind));
     struct Free {
       std::atomic<bool>& busy;
       ~Free() { busy.store(false, std::memory_order_release); }
-    } const at_end{object.busy};
+    } const at_end{*object.busy};
     return body(object);
   });
 }
@@ -84,6 +84,14 @@ template <class F>
 std::int32_t with_body(const char* function, const rollcon_body* handle, F&& body) noexcept {
   return with_object(function, Kind::body, handle, [&](Object& object) { return body(*object.body); });
 }
+
+template <class F>
+std::int32_t with_wheelrail(const char* function, const rollcon_wheelrail* handle, F&& body) noexcept {
+  return with_object(function, Kind::wheelrail, handle, [&](Object& object) { return body(*object.wheelrail); });
+}
+
+/// Of a further argument of a call.
+std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name);
 
 std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept;
 void release(Kind kind, const void* handle) noexcept;

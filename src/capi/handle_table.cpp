@@ -10,7 +10,7 @@ const void* HandleTable::from_id(std::int32_t id) noexcept {
 
 const HandleTable::Slot* HandleTable::live(const void* handle) const noexcept {
   const auto value = reinterpret_cast<std::uintptr_t>(handle);
-  if (value >> (slot_bits + generation_bits + 2) != 0) return nullptr;
+  if (value >> (slot_bits + generation_bits + kind_bits) != 0) return nullptr;
   const std::size_t index = value & (max_slots - 1);
   const std::uint32_t generation = (value >> slot_bits) & last_generation;
   const auto kind = static_cast<Kind>(value >> (slot_bits + generation_bits));

@@ -1,5 +1,5 @@
 #pragma once
-/// Handles of the C API. The value of a handle is a number - kind (2 bits), generation (13 bits), slot (16 bits) - that
+/// Handles of the C API. The value of a handle is a number - kind (3 bits), generation (12 bits), slot (16 bits) - that
 /// is looked up here and never dereferenced, so that released, garbage and wrong-kind handles are told from live ones.
 
 #include <array>
@@ -13,17 +13,21 @@
 #include "contact/contact.hpp"
 #include "rollcon.h"
 #include "support/context.hpp"
+#include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon::capi {
 
-enum class Kind : std::uint32_t { context = 1, body = 2, contact = 3 };
+enum class Kind : std::uint32_t { context = 1, body = 2, contact = 3, wheelrail = 4 };
 
 /// What a handle stands for. A call holds a reference, so a release in another thread is harmless.
 struct Object {
   std::shared_ptr<Context> context;  ///< the object itself, or where it reports its failures
   std::shared_ptr<Body> body;        ///< of kind body
-  std::unique_ptr<Contact> contact;  ///< of kind contact
-  std::atomic<bool> busy{false};     ///< a call that may change the object or needs it unchanged
+  std::shared_ptr<Contact> contact;  ///< of kind contact
+  std::unique_ptr<WheelRail> wheelrail;
+  /// A call that may change the object or needs it unchanged; one flag for a wheel on its rail and its contacts.
+  std::shared_ptr<std::atomic<bool>> busy = std::make_shared<std::atomic<bool>>(false);
+  std::vector<std::shared_ptr<Object>> patches;  ///< of kind wheelrail: those of its contacts that were asked for
   rollcon_progress_fn progress = nullptr;
   void* progress_user = nullptr;
 };
@@ -53,7 +57,7 @@ class HandleTable {
     Kind kind = Kind::context;
     std::int32_t next_free = -1;
   };
-  static constexpr std::uint32_t slot_bits = 16, generation_bits = 13;
+  static constexpr std::uint32_t slot_bits = 16, generation_bits = 12, kind_bits = 3;
   static constexpr std::size_t max_slots = std::size_t{1} << slot_bits;
   static constexpr std::uint32_t last_generation = (1U << generation_bits) - 1;
 

@@ -6,6 +6,7 @@
 #include "capi/results.hpp"
 #include "contact/contact.hpp"
 #include "support/input_checks.hpp"
+#include "wheelrail/wheel_rail.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -306,6 +307,72 @@ rollcon_status rollcon_contact_get_plan(const rollcon_contact *contact, int64_t 
     char *text, int64_t *needed) {
   return with_contact(__func__, contact, [&](Contact& self) {
     copy_text(self.plan(), capacity, text, needed);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_track(rollcon_wheelrail *wheelrail, double gauge,
+    double gauge_height, double cant) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_track(gauge, gauge_height, cant);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_wheelset(rollcon_wheelrail *wheelrail, double back_to_back,
+    double flange_back, double radius) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_wheelset(back_to_back, flange_back, radius);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_rail_deviation(rollcon_wheelrail *wheelrail,
+    const double *deviation, const double *rate) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_rail_deviation(deviation, rate);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_position(rollcon_wheelrail *wheelrail,
+    const double *position) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_position(position);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_velocity(rollcon_wheelrail *wheelrail,
+    const double *velocity) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_velocity(velocity);
+  });
+}
+
+rollcon_status rollcon_wheelrail_prescribe_vertical(rollcon_wheelrail *wheelrail, int32_t how,
+    double force) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.prescribe_vertical(how, force);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, double mu) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_friction(mu);
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_accuracy(rollcon_wheelrail *wheelrail, double accuracy) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_accuracy(accuracy);
+  });
+}
+
+rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    return self.solve();
+  });
+}
+
+rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.reset();
   });
 }
 

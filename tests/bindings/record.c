@@ -52,11 +52,11 @@ static void blank(void) {
 
 /* Kind and number, as give_handle makes them. */
 void record_handle(const void* handle) {
-  static const char* const kinds[] = {"handle", "context", "body", "contact"};
+  static const char* const kinds[] = {"handle", "context", "body", "contact", "wheelrail"};
   const intptr_t id = (intptr_t)handle;
   blank();
   if (handle)
-    put("%s%d", kinds[(id >> 29) & 3], (int)(id & 0xffffff));
+    put("%s%d", kinds[id >> 28], (int)(id & 0xffffff));
   else
     put("null");
 }
@@ -146,7 +146,7 @@ void give_text(char* place, int64_t capacity, int64_t* needed, int function) {
 }
 
 void* give_handle(int kind) {
-  static int numbers[4];
+  static int numbers[5];
   if (answer < 0) return NULL;
-  return (void*)(((intptr_t)kind << 29) + ++numbers[kind]);
+  return (void*)(((intptr_t)kind << 28) + ++numbers[kind]);
 }

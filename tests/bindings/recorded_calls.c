@@ -110,13 +110,36 @@ const char* const recorded_names[] = {
   "contact_get_error_function",
   "contact_get_plan",
   "contact_write",
+  "wheelrail_create",
+  "wheelrail_retain",
+  "wheelrail_release",
+  "wheelrail_set_track",
+  "wheelrail_set_wheelset",
+  "wheelrail_set_rail_deviation",
+  "wheelrail_set_position",
+  "wheelrail_set_velocity",
+  "wheelrail_prescribe_vertical",
+  "wheelrail_set_friction",
+  "wheelrail_set_accuracy",
+  "wheelrail_solve",
+  "wheelrail_reset",
+  "wheelrail_get_patch_count",
+  "wheelrail_get_resultant",
+  "wheelrail_get_stat",
+  "wheelrail_stat_count",
+  "wheelrail_stat_name",
+  "wheelrail_get_patch_stat",
+  "wheelrail_patch_stat_count",
+  "wheelrail_patch_stat_name",
+  "wheelrail_get_contact",
   "id_of",
   "context_from_id",
   "body_from_id",
   "contact_from_id",
+  "wheelrail_from_id",
 };
 
-const int recorded_number = 109;
+const int recorded_number = 132;
 
 enum {
   recorded_rollcon_version,
@@ -224,10 +247,33 @@ enum {
   recorded_rollcon_contact_get_error_function,
   recorded_rollcon_contact_get_plan,
   recorded_rollcon_contact_write,
+  recorded_rollcon_wheelrail_create,
+  recorded_rollcon_wheelrail_retain,
+  recorded_rollcon_wheelrail_release,
+  recorded_rollcon_wheelrail_set_track,
+  recorded_rollcon_wheelrail_set_wheelset,
+  recorded_rollcon_wheelrail_set_rail_deviation,
+  recorded_rollcon_wheelrail_set_position,
+  recorded_rollcon_wheelrail_set_velocity,
+  recorded_rollcon_wheelrail_prescribe_vertical,
+  recorded_rollcon_wheelrail_set_friction,
+  recorded_rollcon_wheelrail_set_accuracy,
+  recorded_rollcon_wheelrail_solve,
+  recorded_rollcon_wheelrail_reset,
+  recorded_rollcon_wheelrail_get_patch_count,
+  recorded_rollcon_wheelrail_get_resultant,
+  recorded_rollcon_wheelrail_get_stat,
+  recorded_rollcon_wheelrail_stat_count,
+  recorded_rollcon_wheelrail_stat_name,
+  recorded_rollcon_wheelrail_get_patch_stat,
+  recorded_rollcon_wheelrail_patch_stat_count,
+  recorded_rollcon_wheelrail_patch_stat_name,
+  recorded_rollcon_wheelrail_get_contact,
   recorded_rollcon_id_of,
   recorded_rollcon_context_from_id,
   recorded_rollcon_body_from_id,
   recorded_rollcon_contact_from_id,
+  recorded_rollcon_wheelrail_from_id,
 };
 
 int32_t rollcon_version(void) {
@@ -1200,6 +1246,193 @@ rollcon_status rollcon_contact_write(const rollcon_contact *contact, const char 
   return record_end();
 }
 
+rollcon_status rollcon_wheelrail_create(rollcon_context *context, rollcon_body *wheel,
+    rollcon_body *rail, int32_t side, rollcon_wheelrail **wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_create);
+  record_handle(context);
+  record_handle(wheel);
+  record_handle(rail);
+  record_integer(side);
+  record_room(wheelrail);
+  if (wheelrail) *wheelrail = (rollcon_wheelrail*)give_handle(4);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_retain(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_retain);
+  record_handle(wheelrail);
+  return record_end();
+}
+
+void rollcon_wheelrail_release(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_release);
+  record_handle(wheelrail);
+}
+
+rollcon_status rollcon_wheelrail_set_track(rollcon_wheelrail *wheelrail, double gauge,
+    double gauge_height, double cant) {
+  record_begin(recorded_rollcon_wheelrail_set_track);
+  record_handle(wheelrail);
+  record_real(gauge);
+  record_real(gauge_height);
+  record_real(cant);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_wheelset(rollcon_wheelrail *wheelrail, double back_to_back,
+    double flange_back, double radius) {
+  record_begin(recorded_rollcon_wheelrail_set_wheelset);
+  record_handle(wheelrail);
+  record_real(back_to_back);
+  record_real(flange_back);
+  record_real(radius);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_rail_deviation(rollcon_wheelrail *wheelrail,
+    const double *deviation, const double *rate) {
+  record_begin(recorded_rollcon_wheelrail_set_rail_deviation);
+  record_handle(wheelrail);
+  record_reals(deviation, 3);
+  record_reals(rate, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_position(rollcon_wheelrail *wheelrail,
+    const double *position) {
+  record_begin(recorded_rollcon_wheelrail_set_position);
+  record_handle(wheelrail);
+  record_reals(position, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_velocity(rollcon_wheelrail *wheelrail,
+    const double *velocity) {
+  record_begin(recorded_rollcon_wheelrail_set_velocity);
+  record_handle(wheelrail);
+  record_reals(velocity, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_prescribe_vertical(rollcon_wheelrail *wheelrail, int32_t how,
+    double force) {
+  record_begin(recorded_rollcon_wheelrail_prescribe_vertical);
+  record_handle(wheelrail);
+  record_integer(how);
+  record_real(force);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, double mu) {
+  record_begin(recorded_rollcon_wheelrail_set_friction);
+  record_handle(wheelrail);
+  record_real(mu);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_accuracy(rollcon_wheelrail *wheelrail, double accuracy) {
+  record_begin(recorded_rollcon_wheelrail_set_accuracy);
+  record_handle(wheelrail);
+  record_real(accuracy);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_solve);
+  record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_reset);
+  record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_patch_count(const rollcon_wheelrail *wheelrail,
+    int64_t *patches) {
+  record_begin(recorded_rollcon_wheelrail_get_patch_count);
+  record_handle(wheelrail);
+  record_room(patches);
+  give_integer64(patches, 1);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail *wheelrail, int32_t axes,
+    double *force, double *moment) {
+  record_begin(recorded_rollcon_wheelrail_get_resultant);
+  record_handle(wheelrail);
+  record_integer(axes);
+  record_room(force);
+  record_room(moment);
+  give_reals(force, 3, 2);
+  give_reals(moment, 3, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail *wheelrail, const char *name,
+    double *value) {
+  record_begin(recorded_rollcon_wheelrail_get_stat);
+  record_handle(wheelrail);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 2);
+  return record_end();
+}
+
+int32_t rollcon_wheelrail_stat_count(void) {
+  record_begin(recorded_rollcon_wheelrail_stat_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_wheelrail_stat_name(int32_t i, int64_t capacity, char *text,
+    int64_t *needed) {
+  record_begin(recorded_rollcon_wheelrail_stat_name);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_wheelrail_stat_name);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail *wheelrail,
+    int32_t patch, const char *name, double *value) {
+  record_begin(recorded_rollcon_wheelrail_get_patch_stat);
+  record_handle(wheelrail);
+  record_integer(patch);
+  record_text(name);
+  record_room(value);
+  give_reals(value, 1, 3);
+  return record_end();
+}
+
+int32_t rollcon_wheelrail_patch_stat_count(void) {
+  record_begin(recorded_rollcon_wheelrail_patch_stat_count);
+  return RECORD_COUNT;
+}
+
+rollcon_status rollcon_wheelrail_patch_stat_name(int32_t i, int64_t capacity, char *text,
+    int64_t *needed) {
+  record_begin(recorded_rollcon_wheelrail_patch_stat_name);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_wheelrail_patch_stat_name);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail *wheelrail, int32_t patch,
+    rollcon_contact **contact) {
+  record_begin(recorded_rollcon_wheelrail_get_contact);
+  record_handle(wheelrail);
+  record_integer(patch);
+  record_room(contact);
+  if (contact) *contact = (rollcon_contact*)give_handle(3);
+  return record_end();
+}
+
 int32_t rollcon_id_of(const void *handle) {
   record_begin(recorded_rollcon_id_of);
   record_handle(handle);
@@ -1222,4 +1455,10 @@ rollcon_contact *rollcon_contact_from_id(int32_t id) {
   record_begin(recorded_rollcon_contact_from_id);
   record_integer(id);
   return (rollcon_contact*)(intptr_t)id;
+}
+
+rollcon_wheelrail *rollcon_wheelrail_from_id(int32_t id) {
+  record_begin(recorded_rollcon_wheelrail_from_id);
+  record_integer(id);
+  return (rollcon_wheelrail*)(intptr_t)id;
 }

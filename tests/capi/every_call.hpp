@@ -17,6 +17,7 @@ struct HarmlessArguments {
   char text[64] = "";
   rollcon_body* body = nullptr;
   rollcon_contact* contact = nullptr;
+  rollcon_wheelrail* wheelrail = nullptr;
 };
 
 template <class Check>
@@ -39,6 +40,8 @@ void with_each_context_call(const void* handle, Check&& check) {
         rollcon_body_load(object, "never_written", &a.body));
   check("rollcon_contact_create", false,
         rollcon_contact_create(object, nullptr, nullptr, &a.contact));
+  check("rollcon_wheelrail_create", false,
+        rollcon_wheelrail_create(object, nullptr, nullptr, 1, &a.wheelrail));
 }
 
 template <class Check>
@@ -197,6 +200,44 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_plan(object, 1, a.text, &a.n));
   check("rollcon_contact_write", false,
         rollcon_contact_write(object, "never_written"));
+}
+
+template <class Check>
+void with_each_wheelrail_call(const void* handle, Check&& check) {
+  auto* object = static_cast<rollcon_wheelrail*>(const_cast<void*>(handle));
+  HarmlessArguments a;
+  check("rollcon_wheelrail_retain", true,
+        rollcon_wheelrail_retain(object));
+  check("rollcon_wheelrail_set_track", false,
+        rollcon_wheelrail_set_track(object, 1, 1, 1));
+  check("rollcon_wheelrail_set_wheelset", false,
+        rollcon_wheelrail_set_wheelset(object, 1, 1, 1));
+  check("rollcon_wheelrail_set_rail_deviation", false,
+        rollcon_wheelrail_set_rail_deviation(object, a.reals, a.reals));
+  check("rollcon_wheelrail_set_position", false,
+        rollcon_wheelrail_set_position(object, a.reals));
+  check("rollcon_wheelrail_set_velocity", false,
+        rollcon_wheelrail_set_velocity(object, a.reals));
+  check("rollcon_wheelrail_prescribe_vertical", false,
+        rollcon_wheelrail_prescribe_vertical(object, 1, 1));
+  check("rollcon_wheelrail_set_friction", false,
+        rollcon_wheelrail_set_friction(object, 1));
+  check("rollcon_wheelrail_set_accuracy", false,
+        rollcon_wheelrail_set_accuracy(object, 1));
+  check("rollcon_wheelrail_solve", false,
+        rollcon_wheelrail_solve(object));
+  check("rollcon_wheelrail_reset", false,
+        rollcon_wheelrail_reset(object));
+  check("rollcon_wheelrail_get_patch_count", false,
+        rollcon_wheelrail_get_patch_count(object, &a.n));
+  check("rollcon_wheelrail_get_resultant", false,
+        rollcon_wheelrail_get_resultant(object, 1, a.out, a.out));
+  check("rollcon_wheelrail_get_stat", false,
+        rollcon_wheelrail_get_stat(object, "never_written", a.out));
+  check("rollcon_wheelrail_get_patch_stat", false,
+        rollcon_wheelrail_get_patch_stat(object, 1, "never_written", a.out));
+  check("rollcon_wheelrail_get_contact", false,
+        rollcon_wheelrail_get_contact(object, 1, &a.contact));
 }
 
 // clang-format on

@@ -10,7 +10,8 @@ module mapping
   type(rc_context) :: context
   type(rc_body) :: body, body2
   type(rc_contact) :: contact
-  integer :: ictx = 0, ibody = 0, ibody2 = 0, icon = 0, failures = 0, checks = 0
+  type(rc_wheelrail) :: wheelrail
+  integer :: ictx = 0, ibody = 0, ibody2 = 0, icon = 0, iwr = 0, failures = 0, checks = 0
 
   interface
     function recorder_said(function) result(p) bind(c)
@@ -27,7 +28,7 @@ module mapping
       type(c_ptr) :: p
     end function
   end interface
-  external :: rcinit, rcbody, rcpair
+  external :: rcinit, rcbody, rcpair, rcwhel
 
 contains
 
@@ -38,6 +39,8 @@ contains
     call body2%create(context, ROLLCON_BODY_RIGID)
     call contact%create(context, body, body2)
     call told('contact_create', 'context1 body1 body2 room', 0)
+    call wheelrail%create(context, body, body2, ROLLCON_LEFT)
+    call told('wheelrail_create', 'context1 body1 body2 -1 room', 0)
   end subroutine
 
   subroutine begin_77()
@@ -46,6 +49,7 @@ contains
     call rcbody(ictx, 1, ibody, ierr)
     call rcbody(ictx, 4, ibody2, ierr)
     call rcpair(ictx, ibody, ibody2, icon, ierr)
+    call rcwhel(ictx, ibody, ibody2, -1, iwr, ierr)
   end subroutine
 
   subroutine answers(status)
@@ -122,7 +126,7 @@ contains
 
   subroutine gave_kind(id, kind)
     integer, intent(in) :: id, kind
-    call demand(id/2**29 == kind, 'kind of a new handle')
+    call demand(id/2**28 == kind, 'kind of a new handle')
   end subroutine
 
   subroutine demand(ok, what)

@@ -12,7 +12,7 @@ module mapping_77_by_hand
 contains
 
   subroutine mapped_by_hand()
-    external :: rcvers, rcinfo, rchas, rcstex, rcnopt, rcnstt, rcbnop, rcbnst
+    external :: rcvers, rcinfo, rchas, rcstex, rcnopt, rcnstt, rcbnop, rcbnst, rcwnst, rcwnps
     integer :: i, j
     call rcvers(i, j, text)
     call demand(i == 2 .and. j == 1 .and. text == 'text of version_string', 'version')
@@ -30,6 +30,9 @@ contains
     call rcbnop(i)
     call rcbnst(j)
     call demand(i == 2 .and. j == 2, 'counts of bodies')
+    call rcwnst(i)
+    call rcwnps(j)
+    call demand(i == 2 .and. j == 2, 'counts of wheels on rails')
     call references()
     call callbacks()
     call refusals()
@@ -39,20 +42,24 @@ contains
 
   subroutine references()
     external :: rckeep, rcfree
-    integer :: spare(3)
-    spare = [ictx, ibody2, icon]
+    integer :: spare(4)
+    spare = [ictx, ibody2, icon, iwr]
     call rckeep(ictx, ierr)
     call told('context_retain', 'context1', ierr)
     call rckeep(ibody2, ierr)
     call told('body_retain', 'body2', ierr)
     call rckeep(icon, ierr)
     call told('contact_retain', 'contact1', ierr)
+    call rckeep(iwr, ierr)
+    call told('wheelrail_retain', 'wheelrail1', ierr)
     call rcfree(spare(1), ierr)
     call told('context_release', 'context1', ierr)
     call rcfree(spare(2), ierr)
     call told('body_release', 'body2', ierr)
     call rcfree(spare(3), ierr)
     call told('contact_release', 'contact1', ierr)
+    call rcfree(spare(4), ierr)
+    call told('wheelrail_release', 'wheelrail1', ierr)
     call demand(all(spare == 0), 'released handles are 0')
     call rcfree(spare(1), ierr)
     call status_is('release of 0', ierr, 0)
@@ -132,10 +139,10 @@ contains
     call rchold(ibody, -1, ids, 7, ierr)
     call says('RCHOLD: N is -1; allowed: 0 or more', 'body1')
     call rckeep(0, ierr)
-    call says('RCKEEP: IH is no live context, body or contact', 'null')
+    call says('RCKEEP: IH is no live handle', 'null')
     dead = -5
     call rcfree(dead, ierr)
-    call says('RCFREE: IH is no live context, body or contact', 'null', ROLLCON_ERR_HANDLE)
+    call says('RCFREE: IH is no live handle', 'null', ROLLCON_ERR_HANDLE)
     call rcelem(icon, 999, 1, ids, 0, 1, ierr)  ! the library says what it does not know
     call told('contact_add_frame_elements', 'contact1 999 1 [] 1 1', ierr)
   end subroutine

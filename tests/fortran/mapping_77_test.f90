@@ -90,6 +90,24 @@ program mapping_77_test
   call test_rcerrf()
   call test_rcplan()
   call test_rcwrit()
+  call test_rcwhel()
+  call test_rcwtrk()
+  call test_rcwset()
+  call test_rcwdev()
+  call test_rcwpos()
+  call test_rcwvel()
+  call test_rcwvrt()
+  call test_rcwfri()
+  call test_rcwacc()
+  call test_rcwslv()
+  call test_rcwrst()
+  call test_rcwnpa()
+  call test_rcwres()
+  call test_rcwsta()
+  call test_rcwstn()
+  call test_rcwpst()
+  call test_rcwpsn()
+  call test_rcwcon()
   call mapped_by_hand()
   call done('')
 contains
@@ -1342,5 +1360,257 @@ contains
     call rcwrit(icon, 'text 1', stat)
     call rclerr(message)
     call failed('contact_write', stat, message)
+  end subroutine
+
+  subroutine test_rcwhel()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwhel(ictx, ibody, ibody2, 31, ih, stat)
+    call told('wheelrail_create', 'context1 body1 body2 31 room', stat)
+    call gave_kind(ih, 4)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwhel(ictx, ibody, ibody2, 31, ih, stat)
+    call rclerr(message)
+    call failed('wheelrail_create', stat, message)
+  end subroutine
+
+  subroutine test_rcwtrk()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwtrk(iwr, 1.5d0, 2.5d0, 3.5d0, stat)
+    call told('wheelrail_set_track', 'wheelrail1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwtrk(iwr, 1.5d0, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_track', stat, message)
+  end subroutine
+
+  subroutine test_rcwset()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwset(iwr, 1.5d0, 2.5d0, 3.5d0, stat)
+    call told('wheelrail_set_wheelset', 'wheelrail1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwset(iwr, 1.5d0, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_wheelset', stat, message)
+  end subroutine
+
+  subroutine test_rcwdev()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwdev(iwr, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], stat)
+    call told('wheelrail_set_rail_deviation', 'wheelrail1 [1.125 1.25 1.375] [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwdev(iwr, [1.125d0, 1.25d0, 1.375d0], [2.125d0, 2.25d0, 2.375d0], stat)
+    call rclerr(message)
+    call failed('wheelrail_set_rail_deviation', stat, message)
+  end subroutine
+
+  subroutine test_rcwpos()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpos(iwr, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0], stat)
+    call told('wheelrail_set_position', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpos(iwr, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0], stat)
+    call rclerr(message)
+    call failed('wheelrail_set_position', stat, message)
+  end subroutine
+
+  subroutine test_rcwvel()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwvel(iwr, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0], stat)
+    call told('wheelrail_set_velocity', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwvel(iwr, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0], stat)
+    call rclerr(message)
+    call failed('wheelrail_set_velocity', stat, message)
+  end subroutine
+
+  subroutine test_rcwvrt()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwvrt(iwr, 11, 2.5d0, stat)
+    call told('wheelrail_prescribe_vertical', 'wheelrail1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwvrt(iwr, 11, 2.5d0, stat)
+    call rclerr(message)
+    call failed('wheelrail_prescribe_vertical', stat, message)
+  end subroutine
+
+  subroutine test_rcwfri()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwfri(iwr, 1.5d0, stat)
+    call told('wheelrail_set_friction', 'wheelrail1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwfri(iwr, 1.5d0, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_friction', stat, message)
+  end subroutine
+
+  subroutine test_rcwacc()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwacc(iwr, 1.5d0, stat)
+    call told('wheelrail_set_accuracy', 'wheelrail1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwacc(iwr, 1.5d0, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_accuracy', stat, message)
+  end subroutine
+
+  subroutine test_rcwslv()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwslv(iwr, stat)
+    call told('wheelrail_solve', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwslv(iwr, stat)
+    call rclerr(message)
+    call failed('wheelrail_solve', stat, message)
+  end subroutine
+
+  subroutine test_rcwrst()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwrst(iwr, stat)
+    call told('wheelrail_reset', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwrst(iwr, stat)
+    call rclerr(message)
+    call failed('wheelrail_reset', stat, message)
+  end subroutine
+
+  subroutine test_rcwnpa()
+    integer :: ipatches
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwnpa(iwr, ipatches, stat)
+    call told('wheelrail_get_patch_count', 'wheelrail1 room', stat)
+    call gave_integers('ipatches', int([ipatches]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwnpa(iwr, ipatches, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_patch_count', stat, message)
+  end subroutine
+
+  subroutine test_rcwres()
+    double precision :: force(3)
+    double precision :: xmoment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwres(iwr, 11, force, xmoment, stat)
+    call told('wheelrail_get_resultant', 'wheelrail1 11 room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('xmoment', xmoment, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwres(iwr, 11, force, xmoment, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_resultant', stat, message)
+  end subroutine
+
+  subroutine test_rcwsta()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwsta(iwr, 'text 1', value, stat)
+    call told('wheelrail_get_stat', 'wheelrail1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwsta(iwr, 'text 1', value, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_stat', stat, message)
+  end subroutine
+
+  subroutine test_rcwstn()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwstn(1, text, stat)
+    call told('wheelrail_stat_name', '0 28 room room', stat)
+    call gave_text('text', text, 'text of wheelrail_stat_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwstn(1, text, stat)
+    call rclerr(message)
+    call failed('wheelrail_stat_name', stat, message)
+  end subroutine
+
+  subroutine test_rcwpst()
+    double precision :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpst(iwr, 11, 'text 2', value, stat)
+    call told('wheelrail_get_patch_stat', 'wheelrail1 10 <text 2> room', stat)
+    call gave_reals('value', [value], 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpst(iwr, 11, 'text 2', value, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_patch_stat', stat, message)
+  end subroutine
+
+  subroutine test_rcwpsn()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpsn(1, text, stat)
+    call told('wheelrail_patch_stat_name', '0 34 room room', stat)
+    call gave_text('text', text, 'text of wheelrail_patch_stat_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpsn(1, text, stat)
+    call rclerr(message)
+    call failed('wheelrail_patch_stat_name', stat, message)
+  end subroutine
+
+  subroutine test_rcwcon()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwcon(iwr, 11, ih, stat)
+    call told('wheelrail_get_contact', 'wheelrail1 10 room', stat)
+    call gave_kind(ih, 3)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwcon(iwr, 11, ih, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_contact', stat, message)
   end subroutine
 end program

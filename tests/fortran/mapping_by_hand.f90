@@ -27,6 +27,7 @@ contains
     call tables()
     call results()
     call cases()
+    call patches()
   end subroutine
 
   subroutine facts()
@@ -43,6 +44,7 @@ contains
     type(rc_context) :: other
     type(rc_body) :: one
     type(rc_contact) :: two
+    type(rc_wheelrail) :: three
     call told('context_create', '1 room', 0)
     other = context
     call told('context_retain', 'context1', 0)
@@ -50,6 +52,10 @@ contains
     call told('body_retain', 'body2', 0)
     two = contact
     call told('contact_retain', 'contact1', 0)
+    three = wheelrail
+    call told('wheelrail_retain', 'wheelrail1', 0)
+    call three%free()
+    call told('wheelrail_release', 'wheelrail1', 0)
     call two%free()
     call told('contact_release', 'contact1', 0)
     call one%free()
@@ -57,12 +63,14 @@ contains
     call other%free()
     call told('context_release', 'context1', 0)
     call other%from_id(context%id(), stat)
-    call told('context_from_id', '536870913', stat)
+    call told('context_from_id', '268435457', stat)
     call one%from_id(body2%id(), stat)
-    call told('body_from_id', '1073741826', stat)
+    call told('body_from_id', '536870914', stat)
     call two%from_id(contact%id(), stat)
-    call told('contact_from_id', '1610612737', stat)
-    call told('id_of', 'contact1', 0)
+    call told('contact_from_id', '805306369', stat)
+    call three%from_id(wheelrail%id(), stat)
+    call told('wheelrail_from_id', '1073741825', stat)
+    call told('id_of', 'wheelrail1', 0)
     call one%load(context, 'a path ', stat, message)
     call told('body_load', 'context1 <a path> room', stat)
     call demand(one%id() /= body2%id(), 'a body of its own')
@@ -258,7 +266,7 @@ contains
     integer(rc_int) :: type
     real(rc_real) :: low, high, standard
     call demand(rc_option_count() == 2 .and. rc_stat_count() == 2 .and. rc_body_option_count() == 2 &
-      .and. rc_body_stat_count() == 2, 'counts')
+      .and. rc_body_stat_count() == 2 .and. rc_wheelrail_stat_count() == 2 .and. rc_wheelrail_patch_stat_count() == 2, 'counts')
     call rc_option_info(11, text, type, low, high, standard, stat)
     call told('option_info', '10 512 room room room room room', stat)
     call row('option_info')
@@ -277,6 +285,12 @@ contains
     call rc_body_stat_name(11, text, stat)
     call told('body_stat_name', '10 512 room room', stat)
     call gave_text('text', text, 'text of body_stat_name')
+    call rc_wheelrail_stat_name(11, text, stat)
+    call told('wheelrail_stat_name', '10 512 room room', stat)
+    call gave_text('text', text, 'text of wheelrail_stat_name')
+    call rc_wheelrail_patch_stat_name(11, text, stat)
+    call told('wheelrail_patch_stat_name', '10 512 room room', stat)
+    call gave_text('text', text, 'text of wheelrail_patch_stat_name')
     call answers(ROLLCON_ERR_STATE)
     call rc_option_doc(0, text, stat, message)
     call failed('option_doc', stat, message)
@@ -389,6 +403,20 @@ contains
       integer, intent(in) :: column
       first = 600.5_rc_real + 41*(k - 1) + column
     end function
+  end subroutine
+
+  !> Patches count from 1; the reference that C gave becomes the variable's.
+  subroutine patches()
+    type(rc_contact) :: of_patch
+    call wheelrail%get_contact(11, of_patch, stat, message)
+    call told('wheelrail_get_contact', 'wheelrail1 10 room', stat)
+    call told('contact_retain', 'contact2', stat)
+    call told('contact_release', 'contact2', stat)
+    call demand(of_patch%id() == contact%id() + 1, 'the contact of a patch')
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%get_contact(1, of_patch, stat, message)
+    call failed('wheelrail_get_contact', stat, message)
+    call demand(.not. c_associated(of_patch%handle()), 'a failure leaves no contact')
   end subroutine
 
 end module mapping_by_hand

@@ -1,5 +1,5 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
-!> The plain procedures of rc_body and rc_contact: every argument in its place.
+!> The plain procedures of the types: every argument in its place.
 program mapping_test
   use mapping
   use mapping_by_hand, only: mapped_by_hand
@@ -51,6 +51,20 @@ program mapping_test
   call contact_get_stat()
   call contact_get_plan()
   call contact_write()
+  call wheelrail_set_track()
+  call wheelrail_set_wheelset()
+  call wheelrail_set_rail_deviation()
+  call wheelrail_set_position()
+  call wheelrail_set_velocity()
+  call wheelrail_prescribe_vertical()
+  call wheelrail_set_friction()
+  call wheelrail_set_accuracy()
+  call wheelrail_solve()
+  call wheelrail_reset()
+  call wheelrail_get_patch_count()
+  call wheelrail_get_resultant()
+  call wheelrail_get_stat()
+  call wheelrail_get_patch_stat()
   call mapped_by_hand()
   call done('')
 contains
@@ -676,5 +690,195 @@ contains
     message = ''
     call contact%write_vtu('text 1', stat, message)
     call failed('contact_write', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_track()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_track(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call told('wheelrail_set_track', 'wheelrail1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_track(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call failed('wheelrail_set_track', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_wheelset()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_wheelset(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call told('wheelrail_set_wheelset', 'wheelrail1 1.5 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_wheelset(1.5_rc_real, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call failed('wheelrail_set_wheelset', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_rail_deviation()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_rail_deviation([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], stat, message)
+    call told('wheelrail_set_rail_deviation', 'wheelrail1 [1.125 1.25 1.375] [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_rail_deviation([1.125_rc_real, 1.25_rc_real, 1.375_rc_real], [2.125_rc_real, 2.25_rc_real, &
+      2.375_rc_real], stat, message)
+    call failed('wheelrail_set_rail_deviation', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_position()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_position([1.125_rc_real, 1.25_rc_real, 1.375_rc_real, 1.5_rc_real, 1.625_rc_real, &
+      1.75_rc_real], stat, message)
+    call told('wheelrail_set_position', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_position([1.125_rc_real, 1.25_rc_real, 1.375_rc_real, 1.5_rc_real, 1.625_rc_real, &
+      1.75_rc_real], stat, message)
+    call failed('wheelrail_set_position', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_velocity()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_velocity([1.125_rc_real, 1.25_rc_real, 1.375_rc_real, 1.5_rc_real, 1.625_rc_real, &
+      1.75_rc_real], stat, message)
+    call told('wheelrail_set_velocity', 'wheelrail1 [1.125 1.25 1.375 1.5 1.625 1.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_velocity([1.125_rc_real, 1.25_rc_real, 1.375_rc_real, 1.5_rc_real, 1.625_rc_real, &
+      1.75_rc_real], stat, message)
+    call failed('wheelrail_set_velocity', stat, message)
+  end subroutine
+
+  subroutine wheelrail_prescribe_vertical()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%prescribe_vertical(11_rc_int, stat=stat, errmsg=message)
+    call told('wheelrail_prescribe_vertical', 'wheelrail1 11 0', stat)
+    call answers(ROLLCON_OK)
+    call wheelrail%prescribe_vertical(11_rc_int, 2.5_rc_real, stat, message)
+    call told('wheelrail_prescribe_vertical', 'wheelrail1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%prescribe_vertical(11_rc_int, 2.5_rc_real, stat, message)
+    call failed('wheelrail_prescribe_vertical', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_friction()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_friction(1.5_rc_real, stat, message)
+    call told('wheelrail_set_friction', 'wheelrail1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_friction(1.5_rc_real, stat, message)
+    call failed('wheelrail_set_friction', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_accuracy()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_accuracy(1.5_rc_real, stat, message)
+    call told('wheelrail_set_accuracy', 'wheelrail1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_accuracy(1.5_rc_real, stat, message)
+    call failed('wheelrail_set_accuracy', stat, message)
+  end subroutine
+
+  subroutine wheelrail_solve()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%solve(stat, message)
+    call told('wheelrail_solve', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%solve(stat, message)
+    call failed('wheelrail_solve', stat, message)
+  end subroutine
+
+  subroutine wheelrail_reset()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%reset(stat, message)
+    call told('wheelrail_reset', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%reset(stat, message)
+    call failed('wheelrail_reset', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_patch_count()
+    integer :: patches
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_patch_count(patches, stat, message)
+    call told('wheelrail_get_patch_count', 'wheelrail1 room', stat)
+    call gave_integers('patches', int([patches]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_patch_count(patches, stat, message)
+    call failed('wheelrail_get_patch_count', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_resultant()
+    real(rc_real) :: force(3)
+    real(rc_real) :: moment(3)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_resultant(force, moment, stat=stat, errmsg=message)
+    call told('wheelrail_get_resultant', 'wheelrail1 0 room room', stat)
+    call answers(ROLLCON_OK)
+    call wheelrail%get_resultant(force, moment, 11_rc_int, stat, message)
+    call told('wheelrail_get_resultant', 'wheelrail1 11 room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('moment', moment, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_resultant(force, moment, 11_rc_int, stat, message)
+    call failed('wheelrail_get_resultant', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_stat()
+    real(rc_real) :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_stat('text 1', value, stat, message)
+    call told('wheelrail_get_stat', 'wheelrail1 <text 1> room', stat)
+    call gave_reals('value', [value], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_stat('text 1', value, stat, message)
+    call failed('wheelrail_get_stat', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_patch_stat()
+    real(rc_real) :: value
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_patch_stat(11, 'text 2', value, stat, message)
+    call told('wheelrail_get_patch_stat', 'wheelrail1 10 <text 2> room', stat)
+    call gave_reals('value', [value], 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_patch_stat(11, 'text 2', value, stat, message)
+    call failed('wheelrail_get_patch_stat', stat, message)
   end subroutine
 end program

@@ -28,6 +28,7 @@ class Mapping(unittest.TestCase):
         cls.context = rc.Context()
         cls.body, cls.other = rc.Body(cls.context, "fem"), rc.Body(cls.context, rc.BODY_RIGID)
         cls.contact = rc.Contact(cls.context, cls.body, cls.other)
+        cls.wheelrail = rc.WheelRail(cls.context, cls.body, cls.other, "left")
 
     def tearDown(self):
         lib.recorder_answers(rc.OK)
@@ -70,19 +71,24 @@ class Mapping(unittest.TestCase):
         self.assertEqual(rc.status_string(-7), "text of status_string")
         self.told("status_string", "-7")
         for kind, table, names in (("", rc.option_table, rc.stat_names),
-                                   ("body_", rc.body_option_table, rc.body_stat_names)):
+                                   ("body_", rc.body_option_table, rc.body_stat_names),
+                                   ("wheelrail_", None, rc.wheelrail_stat_names),
+                                   ("wheelrail_patch_", None, rc.wheelrail_patch_stat_names)):
+            self.assertEqual(names(), 2 * [f"text of {kind}stat_name"])
+            self.told(f"{kind}stat_name", f"1 {len(kind) + 18} room room")
+            if table is None:
+                continue
             self.assertEqual(table()[1], (f"text of {kind}option_info", 300, 400.5, 500.5, 600.5,
                                           f"text of {kind}option_doc"))
             self.told(f"{kind}option_info", "1 64 room room room room room")
-            self.assertEqual(names(), 2 * [f"text of {kind}stat_name"])
-            self.told(f"{kind}stat_name", f"1 {len(kind) + 18} room room")
             self.fails(table)
 
     def test_lives(self):
         self.told("context_create", "1 room")
         self.told("body_create", "context1 4 room")
         self.told("contact_create", "context1 body1 body2 room")
-        for kind in ("context", "body", "contact"):
+        self.told("wheelrail_create", "context1 body1 body2 -1 room")
+        for kind in ("context", "body", "contact", "wheelrail"):
             thing = getattr(self, kind)
             again = type(thing).__new__(type(thing))
             again.__dict__.update(thing.__dict__)
@@ -91,7 +97,7 @@ class Mapping(unittest.TestCase):
             again.close()
             self.told(f"{kind}_release", kind + "1")
             again.close()
-        self.assertEqual(self.body.id, (2 << 29) + 1)
+        self.assertEqual(self.body.id, (2 << 28) + 1)
         loaded = rc.Body.load(self.context, Path("a path"))
         self.told("body_load", "context1 <a path> room")
         self.assertNotEqual(loaded.id, self.body.id)
@@ -99,6 +105,7 @@ class Mapping(unittest.TestCase):
         self.fails(rc.Body, self.context, "fem")
         self.fails(rc.Context)
         self.fails(rc.Contact, self.context, self.body, self.other)
+        self.fails(rc.WheelRail, self.context, self.body, self.other, rc.RIGHT)
 
     def test_meshes(self):
         wide = np.zeros((2, 8))
@@ -251,9 +258,20 @@ class Mapping(unittest.TestCase):
             self.contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])
         self.fails(self.contact.solve_many, [rc.LATERAL], [[1.0]])
 
+    def test_patches(self):
+        wheelrail = self.wheelrail
+        of_patch = wheelrail.contact(11)
+        self.told("wheelrail_get_contact", "wheelrail1 11 room")
+        self.assertEqual(of_patch.id, self.contact.id + 1)
+        of_patch.close()
+        self.told("contact_release", "contact2")
+        self.refuses("6 components", wheelrail.set_position, [0, 0, 0])
+        self.refuses("allowed: track", wheelrail.resultant, "local")
+        self.fails(wheelrail.contact, 0)
+
     def test_z_every_function_is_called(self):
         """But those that are for layers over C."""
-        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id")
+        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id wheelrail_from_id")
 
 
 if __name__ == "__main__":

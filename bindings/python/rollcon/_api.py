@@ -88,6 +88,14 @@ FIELD_RIGID_SLIP = 10
 FIELD_FRICTION_POWER = 11
 FIELD_WEIGHT = 12
 
+# side
+LEFT = -1
+RIGHT = 1
+
+# axes of the track
+IN_TRACK = 0
+IN_WHEELSET = 1
+
 # node status
 OPEN = 0
 STICK = 1
@@ -299,10 +307,39 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_plan": (c_int32, [c_void_p, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_contact_write": (c_int32, [c_void_p, c_char_p]),
+    "rollcon_wheelrail_create": (c_int32, [
+        c_void_p, c_void_p, c_void_p,
+        c_int32, POINTER(c_void_p)]),
+    "rollcon_wheelrail_retain": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_release": (None, [c_void_p]),
+    "rollcon_wheelrail_set_track": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_set_wheelset": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_wheelrail_set_rail_deviation": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double)]),
+    "rollcon_wheelrail_set_position": (c_int32, [c_void_p, POINTER(c_double)]),
+    "rollcon_wheelrail_set_velocity": (c_int32, [c_void_p, POINTER(c_double)]),
+    "rollcon_wheelrail_prescribe_vertical": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
+    "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
+    "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_reset": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_get_patch_count": (c_int32, [c_void_p, POINTER(c_int64)]),
+    "rollcon_wheelrail_get_resultant": (c_int32, [
+        c_void_p, c_int32,
+        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wheelrail_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
+    "rollcon_wheelrail_stat_count": (c_int32, []),
+    "rollcon_wheelrail_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_wheelrail_get_patch_stat": (c_int32, [c_void_p, c_int32, c_char_p, POINTER(c_double)]),
+    "rollcon_wheelrail_patch_stat_count": (c_int32, []),
+    "rollcon_wheelrail_patch_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
+    "rollcon_wheelrail_get_contact": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
     "rollcon_id_of": (c_int32, [c_void_p]),
     "rollcon_context_from_id": (c_void_p, [c_int32]),
     "rollcon_body_from_id": (c_void_p, [c_int32]),
     "rollcon_contact_from_id": (c_void_p, [c_int32]),
+    "rollcon_wheelrail_from_id": (c_void_p, [c_int32]),
 }
 
 # Names of the values of enumerations, with and without what all of them begin with.
@@ -335,6 +372,8 @@ ENUMERATORS = {
         "field_pressure": 9, "field_rigid_slip": 10, "field_friction_power": 11, "field_weight":
         12
     },
+    "side": {"left": -1, "right": 1},
+    "axes of the track": {"track": 0, "wheelset": 1, "in_track": 0, "in_wheelset": 1},
     "node status": {"open": 0, "stick": 1, "slip": 2, "excluded": 3},
     "log level": {
         "error": 1, "warning": 2, "info": 3, "debug": 4, "log_error": 1, "log_warning": 2,
@@ -524,10 +563,45 @@ ARGUMENTS = {
     ],
     "rollcon_contact_get_plan": [("contact", ""), ("capacity", ""), ("text", ""), ("needed", "")],
     "rollcon_contact_write": [("contact", ""), ("path", "")],
+    "rollcon_wheelrail_create": [
+        ("context", ""), ("wheel", ""), ("rail", ""), ("side", "side"), ("wheelrail", "")
+    ],
+    "rollcon_wheelrail_retain": [("wheelrail", "")],
+    "rollcon_wheelrail_release": [("wheelrail", "")],
+    "rollcon_wheelrail_set_track": [
+        ("wheelrail", ""), ("gauge", ""), ("gauge_height", ""), ("cant", "")
+    ],
+    "rollcon_wheelrail_set_wheelset": [
+        ("wheelrail", ""), ("back_to_back", ""), ("flange_back", ""), ("radius", "")
+    ],
+    "rollcon_wheelrail_set_rail_deviation": [("wheelrail", ""), ("deviation", ""), ("rate", "")],
+    "rollcon_wheelrail_set_position": [("wheelrail", ""), ("position", "")],
+    "rollcon_wheelrail_set_velocity": [("wheelrail", ""), ("velocity", "")],
+    "rollcon_wheelrail_prescribe_vertical": [("wheelrail", ""), ("how", "how"), ("force", "")],
+    "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
+    "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
+    "rollcon_wheelrail_solve": [("wheelrail", "")],
+    "rollcon_wheelrail_reset": [("wheelrail", "")],
+    "rollcon_wheelrail_get_patch_count": [("wheelrail", ""), ("patches", "")],
+    "rollcon_wheelrail_get_resultant": [
+        ("wheelrail", ""), ("axes", "axes of the track"), ("force", ""), ("moment", "")
+    ],
+    "rollcon_wheelrail_get_stat": [("wheelrail", ""), ("name", ""), ("value", "")],
+    "rollcon_wheelrail_stat_count": [],
+    "rollcon_wheelrail_stat_name": [("i", ""), ("capacity", ""), ("text", ""), ("needed", "")],
+    "rollcon_wheelrail_get_patch_stat": [
+        ("wheelrail", ""), ("patch", ""), ("name", ""), ("value", "")
+    ],
+    "rollcon_wheelrail_patch_stat_count": [],
+    "rollcon_wheelrail_patch_stat_name": [
+        ("i", ""), ("capacity", ""), ("text", ""), ("needed", "")
+    ],
+    "rollcon_wheelrail_get_contact": [("wheelrail", ""), ("patch", ""), ("contact", "")],
     "rollcon_id_of": [("handle", "")],
     "rollcon_context_from_id": [("id", "")],
     "rollcon_body_from_id": [("id", "")],
     "rollcon_contact_from_id": [("id", "")],
+    "rollcon_wheelrail_from_id": [("id", "")],
 }
 
 

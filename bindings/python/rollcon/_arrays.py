@@ -23,10 +23,10 @@ def reals(values, columns=None):
     return array, array.ctypes.data_as(POINTER(c_double))
 
 
-def vector(values):
+def vector(values, size=3):
     array, address = reals(values)
-    if array.size != 3:
-        raise ValueError(f"expected 3 components, got {array.size}")
+    if array.size != size:
+        raise ValueError(f"expected {size} components, got {array.size}")
     return array, address
 
 

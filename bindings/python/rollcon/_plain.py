@@ -1,5 +1,5 @@
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
-"""The plain methods of Context, Body and Contact: one call of the library each."""
+"""The plain methods of the classes: one call of the library each."""
 
 from ctypes import byref, c_double, c_int32, c_int64
 
@@ -540,3 +540,135 @@ class ContactPlain:
         path: name of the file; an existing one is replaced.
         """
         self._call("write", c_path(path))
+
+
+class WheelrailPlain:
+
+    def set_track(self, gauge, gauge_height, cant):
+        """Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is
+        half the gauge from the middle of the track.
+
+        gauge: > 0, length.
+        gauge_height: below the top of the rails, where the gauge is measured; > 0, length.
+        cant: of each rail towards the middle of the track, radian, -0.5 to 0.5; 0 if the profile
+          is canted already.
+        """
+        self._call("set_track", gauge, gauge_height, cant)
+
+    def set_wheelset(self, back_to_back, flange_back, radius):
+        """Sets the dimensions of the wheelset.
+
+        back_to_back: between the backs of the flanges, > 0, length.
+        flange_back: y of the flange's back in the profile of the wheel, length.
+        radius: of the profile's z = 0, > 0, length; radius + z > 0 all along the profile.
+        """
+        self._call("set_wheelset", back_to_back, flange_back, radius)
+
+    def set_rail_deviation(self, deviation, rate):
+        """Sets the deviation of the rail from its place in the track and how it changes:
+        irregularities, and rails that give way. Standard: 0.
+
+        deviation: along y and z, length; roll, radian, about the point where the gauge is
+          measured, at the height of the rails' top.
+        rate: of these, length/time and 1/time.
+        """
+        deviation, deviation_at = vector(deviation)
+        rate, rate_at = vector(rate)
+        self._call("set_rail_deviation", deviation_at, rate_at)
+
+    def set_position(self, position):
+        """Sets the position of the wheelset. z = 0 is where the tread's datum of a centred
+        wheelset is at the height of the rails' top; z is not used where a vertical force is
+        prescribed (statistic "z" is what was found), but as the start of the search.
+
+        position: of the wheelset's centre: x, y, z, length; roll, yaw and pitch, radian; roll and
+          yaw -0.5 to 0.5.
+        """
+        position, position_at = vector(position, 6)
+        self._call("set_position", position_at)
+
+    def set_velocity(self, velocity):
+        """Sets the velocity of the wheelset.
+
+        velocity: rates of the position, length/time and 1/time; the forward speed, the first, is
+          not 0; the pitch rate of a wheel that rolls forward is negative.
+        """
+        velocity, velocity_at = vector(velocity, 6)
+        self._call("set_velocity", velocity_at)
+
+    def prescribe_vertical(self, how, force=0):
+        """Prescribes the height of the wheelset by motion, as its position has it (standard), or
+        by the vertical force; z is then found by the solve.
+
+        how: BY_MOTION or BY_FORCE.
+        force: of this wheel on its rail, along z of the track, >= 0; not looked at by motion.
+        """
+        self._call("prescribe_vertical", how, force)
+
+    def set_friction(self, mu):
+        """Sets the coefficient of Coulomb's friction.
+
+        mu: 0 to 10.
+        """
+        self._call("set_friction", mu)
+
+    def set_accuracy(self, accuracy):
+        """Sets how accurate forces are to be: the frames of the patches are as fine as that
+        takes.
+
+        accuracy: of tangential forces, as part of the limit of friction: 0.0025 to 1, standard
+          0.01.
+        """
+        self._call("set_accuracy", accuracy)
+
+    def solve(self):
+        """Finds the patches and solves each as a steady rolling contact, from the last solution
+        where there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED,
+        RIM_CONTACT (a patch ends at the end of a profile, or is not within its frame), COARSE,
+        NO_CONTACT, OK. ERR_STATE names the call that is missing. ERR_LOAD: with this y no height
+        brings the wheel on the rail.
+        """
+        return self._call("solve")
+
+    def reset(self):
+        """Forgets the solution and the warm starts; keeps what was set and all that was computed
+        for the frames.
+        """
+        self._call("reset")
+
+    @property
+    def patch_count(self):
+        """Number of patches, from 0."""
+        patches = c_int64()
+        self._call("get_patch_count", byref(patches))
+        return patches.value
+
+    def resultant(self, axes=_api.IN_TRACK):
+        """Force of all patches on the wheel and its moment about the wheelset's centre.
+
+        axes: IN_TRACK or IN_WHEELSET.
+        force: force.
+        moment: force x length.
+        """
+        force, force_at = room(3)
+        moment, moment_at = room(3)
+        self._call("get_resultant", axes, force_at, moment_at)
+        return force, moment
+
+    def stat(self, name):
+        """One number about the last solve: height, vertical force, frictional power, counts.
+        Names: stat_name(); meanings: docs/wheelrail.md.
+        """
+        value = c_double()
+        self._call("get_stat", c_text(name, "name"), byref(value))
+        return value.value
+
+    def patch_stat(self, patch, name):
+        """One number about a patch: position, angle, rolling radius, creepages, forces, status.
+        Names: patch_stat_name(); meanings: docs/wheelrail.md.
+
+        patch: 0 to rollcon_wheelrail_get_patch_count - 1.
+        """
+        value = c_double()
+        self._call("get_patch_stat", patch, c_text(name, "name"), byref(value))
+        return value.value

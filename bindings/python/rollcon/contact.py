@@ -67,8 +67,18 @@ class Contact(Settings, ContactPlain, Handle):
     def __init__(self, context, body1, body2):
         made = ctypes.c_void_p()
         check(lib.rollcon_contact_create(context.handle, body1.handle, body2.handle, byref(made)))
-        super().__init__(made.value, context)
+        self._take(made.value, context)
+
+    def _take(self, handle, context):
+        Handle.__init__(self, handle, context)
         self._raised = []  # what a progress callback raised
+
+    @classmethod
+    def _of_handle(cls, handle, context):
+        """A contact that the library made; the reference becomes this object's."""
+        contact = cls.__new__(cls)
+        contact._take(handle, context)
+        return contact
 
     # ------------------------------------------------------------------ frame, gap and axes
 

@@ -1,4 +1,4 @@
-"""The tables of settings and of statistics, of contacts and of bodies."""
+"""The tables of settings and of statistics."""
 
 import ctypes
 from collections import namedtuple
@@ -51,3 +51,13 @@ def stat_names():
 def body_stat_names():
     """Names that Body.stat knows."""
     return _names(lib.rollcon_body_stat_count, lib.rollcon_body_stat_name)
+
+
+def wheelrail_stat_names():
+    """Names that WheelRail.stat knows."""
+    return _names(lib.rollcon_wheelrail_stat_count, lib.rollcon_wheelrail_stat_name)
+
+
+def wheelrail_patch_stat_names():
+    """Names that WheelRail.patch_stat knows."""
+    return _names(lib.rollcon_wheelrail_patch_stat_count, lib.rollcon_wheelrail_patch_stat_name)

@@ -1,0 +1,280 @@
+! Generated from bindings/api.toml by bindings/generate.py; do not edit.
+! Copyright (c) the rollcon authors. BSD-3-Clause.
+
+!> The life of a wheelrail and its plain procedures. rc_wheelrail (module rollcon_wheelrail) adds the others; programs use
+!> that type. A variable is one reference to the object: assignment adds a reference, `free` and the end of the
+!> variable's life drop it.
+module rollcon_wheelrail_plain
+  use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int32_t, c_int64_t, c_null_char, &
+    c_null_ptr, c_ptr
+  use rollcon_c
+  use rollcon_support
+  use rollcon_context
+  use rollcon_body
+  implicit none
+  private
+  public :: rc_wheelrail_plain
+
+  type :: rc_wheelrail_plain
+    private
+    type(c_ptr) :: p = c_null_ptr
+  contains
+    procedure :: create
+    procedure :: set_track => wheelrail_set_track
+    procedure :: set_wheelset => wheelrail_set_wheelset
+    procedure :: set_rail_deviation => wheelrail_set_rail_deviation
+    procedure :: set_position => wheelrail_set_position
+    procedure :: set_velocity => wheelrail_set_velocity
+    procedure :: prescribe_vertical => wheelrail_prescribe_vertical
+    procedure :: set_friction => wheelrail_set_friction
+    procedure :: set_accuracy => wheelrail_set_accuracy
+    procedure :: solve => wheelrail_solve
+    procedure :: reset => wheelrail_reset
+    procedure :: get_patch_count => wheelrail_get_patch_count
+    procedure :: get_resultant => wheelrail_get_resultant
+    procedure :: get_stat => wheelrail_get_stat
+    procedure :: get_patch_stat => wheelrail_get_patch_stat
+    procedure :: free => release
+    procedure :: from_id
+    procedure :: id
+    procedure :: handle
+    procedure, private :: assign
+    generic :: assignment(=) => assign
+    final :: finalize
+  end type
+
+contains
+
+  !> A new wheelrail; a failure leaves none.
+  subroutine create(self, context, wheel, rail, side, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    type(rc_context), intent(in) :: context
+    type(rc_body), intent(in) :: wheel
+    type(rc_body), intent(in) :: rail
+    integer(rc_int), intent(in) :: side
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status
+    call self%free()
+    status = rollcon_wheelrail_create(context%handle(), wheel%handle(), rail%handle(), side, self%p)
+    if (status /= ROLLCON_OK) self%p = c_null_ptr
+    call finish(status, context%handle(), 'rc_wheelrail%create', stat, errmsg)
+  end subroutine
+
+  !> Gives the reference back; the object lives on while another variable or the library uses it.
+  impure elemental subroutine release(self)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    if (c_associated(self%p)) call rollcon_wheelrail_release(self%p)
+    self%p = c_null_ptr
+  end subroutine
+
+  impure elemental subroutine finalize(self)
+    type(rc_wheelrail_plain), intent(inout) :: self
+    call self%free()
+  end subroutine
+
+  impure elemental subroutine assign(self, other)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    class(rc_wheelrail_plain), intent(in) :: other
+    type(c_ptr) :: p
+    p = other%p
+    if (c_associated(p)) then
+      if (rollcon_wheelrail_retain(p) /= ROLLCON_OK) p = c_null_ptr
+    end if
+    call self%free()
+    self%p = p
+  end subroutine
+
+  !> Adds a reference to the wheelrail that `id` names (as the FORTRAN 77 layer counts them).
+  subroutine from_id(self, id, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: id
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: p
+    integer(rc_int) :: status
+    p = rollcon_wheelrail_from_id(int(id, rc_int))
+    status = rollcon_wheelrail_retain(p)
+    call self%free()
+    if (status == ROLLCON_OK) self%p = p
+    call finish(status, c_null_ptr, 'rc_wheelrail%from_id', stat, errmsg)
+  end subroutine
+
+  integer function id(self)
+    class(rc_wheelrail_plain), intent(in) :: self
+    id = int(rollcon_id_of(self%p))
+  end function
+
+  !> The C handle, for calls of module rollcon_c; the reference stays here.
+  function handle(self) result(p)
+    class(rc_wheelrail_plain), intent(in) :: self
+    type(c_ptr) :: p
+    p = self%p
+  end function
+
+  !> Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is half the gauge from the middle
+  !> of the track.
+  subroutine wheelrail_set_track(self, gauge, gauge_height, cant, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: gauge
+    real(rc_real), intent(in) :: gauge_height
+    real(rc_real), intent(in) :: cant
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_track(self%p, gauge, gauge_height, cant), self%p, 'rc_wheelrail%set_track', stat, &
+      errmsg)
+  end subroutine
+
+  !> Sets the dimensions of the wheelset.
+  subroutine wheelrail_set_wheelset(self, back_to_back, flange_back, radius, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: back_to_back
+    real(rc_real), intent(in) :: flange_back
+    real(rc_real), intent(in) :: radius
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_wheelset(self%p, back_to_back, flange_back, radius), self%p, &
+      'rc_wheelrail%set_wheelset', stat, errmsg)
+  end subroutine
+
+  !> Sets the deviation of the rail from its place in the track and how it changes: irregularities, and rails that give
+  !> way. Standard: 0.
+  subroutine wheelrail_set_rail_deviation(self, deviation, rate, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: deviation(3)
+    real(rc_real), intent(in) :: rate(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_rail_deviation(self%p, deviation, rate), self%p, &
+      'rc_wheelrail%set_rail_deviation', stat, errmsg)
+  end subroutine
+
+  !> Sets the position of the wheelset. z = 0 is where the tread's datum of a centred wheelset is at the height of the
+  !> rails' top; z is not used where a vertical force is prescribed (statistic "z" is what was found), but as the start
+  !> of the search.
+  subroutine wheelrail_set_position(self, position, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: position(6)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_position(self%p, position), self%p, 'rc_wheelrail%set_position', stat, errmsg)
+  end subroutine
+
+  !> Sets the velocity of the wheelset.
+  subroutine wheelrail_set_velocity(self, velocity, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: velocity(6)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_velocity(self%p, velocity), self%p, 'rc_wheelrail%set_velocity', stat, errmsg)
+  end subroutine
+
+  !> Prescribes the height of the wheelset by motion, as its position has it (standard), or by the vertical force; z is
+  !> then found by the solve.
+  subroutine wheelrail_prescribe_vertical(self, how, force, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: how
+    real(rc_real), intent(in), optional :: force
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: force_or_standard
+    force_or_standard = 0
+    if (present(force)) force_or_standard = force
+    call finish(rollcon_wheelrail_prescribe_vertical(self%p, how, force_or_standard), self%p, &
+      'rc_wheelrail%prescribe_vertical', stat, errmsg)
+  end subroutine
+
+  !> Sets the coefficient of Coulomb's friction.
+  subroutine wheelrail_set_friction(self, mu, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: mu
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_friction(self%p, mu), self%p, 'rc_wheelrail%set_friction', stat, errmsg)
+  end subroutine
+
+  !> Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
+  subroutine wheelrail_set_accuracy(self, accuracy, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: accuracy
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_accuracy(self%p, accuracy), self%p, 'rc_wheelrail%set_accuracy', stat, errmsg)
+  end subroutine
+
+  !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
+  !> status is the first that fits of CANCELLED, NOT_CONVERGED, RIM_CONTACT (a patch ends at the end of a profile, or is
+  !> not within its frame), COARSE, NO_CONTACT, OK. ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_LOAD:
+  !> with this y no height brings the wheel on the rail.
+  subroutine wheelrail_solve(self, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_solve(self%p), self%p, 'rc_wheelrail%solve', stat, errmsg)
+  end subroutine
+
+  !> Forgets the solution and the warm starts; keeps what was set and all that was computed for the frames.
+  subroutine wheelrail_reset(self, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_reset(self%p), self%p, 'rc_wheelrail%reset', stat, errmsg)
+  end subroutine
+
+  !> Number of patches, from 0.
+  subroutine wheelrail_get_patch_count(self, patches, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    integer, intent(out) :: patches
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_long) :: patches_c
+    patches_c = 0
+    call finish(rollcon_wheelrail_get_patch_count(self%p, patches_c), self%p, 'rc_wheelrail%get_patch_count', stat, &
+      errmsg)
+    patches = int(patches_c)
+  end subroutine
+
+  !> Force of all patches on the wheel and its moment about the wheelset's centre.
+  subroutine wheelrail_get_resultant(self, force, moment, axes, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    real(rc_real), intent(out) :: force(3)
+    real(rc_real), intent(out) :: moment(3)
+    integer(rc_int), intent(in), optional :: axes
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: axes_or_standard
+    axes_or_standard = ROLLCON_IN_TRACK
+    if (present(axes)) axes_or_standard = axes
+    force = 0
+    moment = 0
+    call finish(rollcon_wheelrail_get_resultant(self%p, axes_or_standard, force, moment), self%p, &
+      'rc_wheelrail%get_resultant', stat, errmsg)
+  end subroutine
+
+  !> One number about the last solve: height, vertical force, frictional power, counts. Names:
+  !> rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
+  subroutine wheelrail_get_stat(self, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_wheelrail_get_stat(self%p, c_text(name), value), self%p, 'rc_wheelrail%get_stat', stat, errmsg)
+  end subroutine
+
+  !> One number about a patch: position, angle, rolling radius, creepages, forces, status. Names:
+  !> rollcon_wheelrail_patch_stat_name; meanings: docs/wheelrail.md.
+  subroutine wheelrail_get_patch_stat(self, patch, name, value, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    integer, intent(in) :: patch
+    character(len=*), intent(in) :: name
+    real(rc_real), intent(out) :: value
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    value = 0
+    call finish(rollcon_wheelrail_get_patch_stat(self%p, int(patch - 1, rc_int), c_text(name), value), self%p, &
+      'rc_wheelrail%get_patch_stat', stat, errmsg)
+  end subroutine
+
+end module rollcon_wheelrail_plain

@@ -1,0 +1,124 @@
+/// Wheels on rails: making, results, contacts of patches.
+
+#include "wheelrail/wheel_rail.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "capi/guard.hpp"
+#include "capi/results.hpp"
+#include "support/input_checks.hpp"
+
+using namespace rollcon;
+using namespace rollcon::capi;
+
+namespace {
+
+/// One object for each contact, whose handles may be many: its callback belongs to the contact. Those that the wheel
+/// on its rail has replaced and nobody else knows go.
+std::shared_ptr<Object> object_of(Object& owner, const std::shared_ptr<Contact>& contact) {
+  std::erase_if(owner.patches, [](const auto& p) { return p.use_count() == 1 && p->contact.use_count() == 1; });
+  const auto known = std::find_if(owner.patches.begin(), owner.patches.end(),
+                                  [&](const auto& patch) { return patch->contact == contact; });
+  if (known != owner.patches.end()) return *known;
+  auto object = std::make_shared<Object>();
+  object->context = owner.context;
+  object->contact = contact;
+  object->busy = owner.busy;
+  owner.patches.push_back(object);
+  return object;
+}
+
+void require_row(std::int32_t i, std::int64_t count) {
+  if (i < 0 || i >= count)
+    fail(Status::err_argument, "i is %d; allowed: 0 to %lld", i, static_cast<long long>(count) - 1);
+}
+
+}  // namespace
+
+rollcon_status rollcon_wheelrail_create(rollcon_context* context, rollcon_body* wheel, rollcon_body* rail, int32_t side,
+                                        rollcon_wheelrail** wheelrail) {
+  if (wheelrail) *wheelrail = nullptr;
+  return with_object(__func__, Kind::context, context, [&](Object& parent) {
+    std::shared_ptr<Body> turning = body_of(wheel, "wheel"), resting = body_of(rail, "rail");
+    require_pointer(wheelrail, "wheelrail");
+    auto object = std::make_shared<Object>();
+    object->context = parent.context;
+    object->wheelrail = std::make_unique<WheelRail>(parent.context, std::move(turning), std::move(resting), side);
+    *wheelrail =
+        static_cast<rollcon_wheelrail*>(const_cast<void*>(handles().insert(Kind::wheelrail, std::move(object))));
+  });
+}
+
+rollcon_status rollcon_wheelrail_retain(rollcon_wheelrail* wheelrail) {
+  return retain(__func__, Kind::wheelrail, wheelrail);
+}
+
+void rollcon_wheelrail_release(rollcon_wheelrail* wheelrail) {
+  release(Kind::wheelrail, wheelrail);
+}
+
+rollcon_status rollcon_wheelrail_get_patch_count(const rollcon_wheelrail* wheelrail, int64_t* patches) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    require_pointer(patches, "patches");
+    *patches = w.patches();
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail* wheelrail, int32_t axes, double* force,
+                                               double* moment) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    if (axes != ROLLCON_IN_TRACK && axes != ROLLCON_IN_WHEELSET)
+      fail(Status::err_argument, "axes is %d; allowed: 0 (in track), 1 (in wheelset)", axes);
+    w.resultant(axes == ROLLCON_IN_WHEELSET, force, moment);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail* wheelrail, const char* name, double* value) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    require_pointer(name, "name");
+    require_pointer(value, "value");
+    *value = w.stat(name);
+  });
+}
+
+int32_t rollcon_wheelrail_stat_count(void) {
+  return static_cast<int32_t>(WheelRail::stat_count());
+}
+
+rollcon_status rollcon_wheelrail_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
+  return guarded(__func__, nullptr, [&] {
+    require_row(i, WheelRail::stat_count());
+    copy_text(WheelRail::stat_name(i), capacity, text, needed);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_patch_stat(const rollcon_wheelrail* wheelrail, int32_t patch, const char* name,
+                                                double* value) {
+  return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
+    require_pointer(name, "name");
+    require_pointer(value, "value");
+    *value = w.patch_stat(patch, name);
+  });
+}
+
+int32_t rollcon_wheelrail_patch_stat_count(void) {
+  return static_cast<int32_t>(WheelRail::patch_stat_count());
+}
+
+rollcon_status rollcon_wheelrail_patch_stat_name(int32_t i, int64_t capacity, char* text, int64_t* needed) {
+  return guarded(__func__, nullptr, [&] {
+    require_row(i, WheelRail::patch_stat_count());
+    copy_text(WheelRail::patch_stat_name(i), capacity, text, needed);
+  });
+}
+
+rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail* wheelrail, int32_t patch,
+                                             rollcon_contact** contact) {
+  if (contact) *contact = nullptr;
+  return with_object(__func__, Kind::wheelrail, wheelrail, [&](Object& object) {
+    require_pointer(contact, "contact");
+    std::shared_ptr<Object> of_patch = object_of(object, object.wheelrail->contact(patch));
+    *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(of_patch))));
+  });
+}
