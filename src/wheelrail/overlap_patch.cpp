@@ -24,7 +24,13 @@ double joined(const ProfileGap& gap, const Overlap& a, const Overlap& b) {
   constexpr double together = 0.3, apart = 1, same_plane = 0.35, other_plane = 0.55;
   const double turned = std::abs(std::atan(a.deepest.rail_slope) - std::atan(b.deepest.rail_slope));
   const double one_plane = smooth_step(-turned, -other_plane, -same_plane);
-  if (b.grown || one_plane == 0) return one_plane;
+  if (b.grown) {
+    // What is hardly divided is one, whatever its planes.
+    constexpr double divided = 0.3;
+    const double saddle = b.from.depth() / std::min(a.deepest.depth(), b.deepest.depth());
+    return std::max(one_plane, 1 - smooth_step(1 - saddle, 0, divided));
+  }
+  if (one_plane == 0) return 0;
   const VisiblePoint from = gap.rail().at_y(a.to.wheel[1]), to = gap.rail().at_y(b.from.wheel[1]);
   const double distance = std::hypot(to.y - from.y, to.z - from.z);
   const double near = one_plane * smooth_step(-distance, -apart * (a.size + b.size), -together * (a.size + b.size));

@@ -128,7 +128,7 @@ FramePlace PatchContact::place() {
 
 // 0: within, 1: across the ends along the rolling direction, 2: at the sides.
 int PatchContact::rim_reached(const LatticeSize& size) {
-  constexpr double overlap = 0.05;
+  constexpr double overlap = 0.02;
   const std::int64_t lines = size.across + 1, points = size.along + 1;
   gap_.resize(static_cast<std::size_t>(lines * points));
   contact_->field(Field::gap, InAxes::local, static_cast<std::int64_t>(gap_.size()), gap_.data());

@@ -184,8 +184,8 @@ TEST_F(wheel_rail, vertical_force_finds_the_height) {
     w->prescribe_vertical(2, 10000);
     ASSERT_EQ(w->solve(), Status::ok) << name_of(r);
     expect_error(name_of(r) + ": vertical force", w->stat("vertical_force") / 10000 - 1, 2e-6);
-    // CONTACT's height to 5e-5; one percent of force is 1e-4 to 2.5e-4 mm.
-    expect_error(name_of(r) + ": z of the wheelset, mm", w->stat("z") - r.z, 4e-4);
+    // CONTACT's height is known to 5e-5 mm. On the flange a percent of the force is 6e-4 mm.
+    expect_error(name_of(r) + ": z of the wheelset, mm", w->stat("z") - r.z, r.y > 6 ? 1e-3 : 1e-4);
     double force[3];
     w->resultant(false, force, nullptr);
     expect_error(name_of(r) + ": resultant", force[2] / -10000 - 1, 2e-6);
@@ -254,7 +254,7 @@ TEST_F(wheel_rail, hertz_is_there) {
   const double radius = 300, crown = 80, load = 50000;
   const double line[2] = {20, 0};
   wheel->set_profile_shape("line", 2, line);
-  const double parameter[2] = {crown, 79};
+  const double parameter[2] = {-crown, 79};
   rail->set_profile_shape("arc", 2, parameter);
   for (const double yaw : {0.0, 0.02}) {
     WheelRail w(context, wheel, rail, 1);
@@ -307,8 +307,8 @@ TEST_F(wheel_rail, what_is_not_in_contact_is_told) {
   place(*w, r);
   EXPECT_EQ(w->solve(), Status::no_contact);
   EXPECT_EQ(w->patches(), 0);
-  r.y = 300;
-  place(*w, r);
+  const double beside[6] = {0, 150, 0, 0, 0, 0};
+  w->set_position(beside);
   EXPECT_EQ(w->solve(), Status::no_contact);
   w->prescribe_vertical(2, 10000);
   try {
