@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # From nothing to a result: installs what is missing, builds the library, rolls a wheel meshed by
 # boundary elements over a rigid rail head through the public C API, prints the numbers and draws
-# tractions and slip; the same for a sphere on a plane and a ring of finite elements on a half-space.
+# tractions and slip; the same for a sphere on a plane and a ring of finite elements on a half-space, and a wheelset on
+# its track from two profiles.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/demo
@@ -32,4 +33,5 @@ run() {
 run sphere_on_plane sphere_on_plane.png plot_contact.gp
 run ring_on_halfspace ring_on_halfspace.png plot_ring_on_halfspace.gp
 run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
-say "pictures: $out/wheel_on_rail.png (and wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"
+run manchester manchester.png plot_manchester.gp
+say "pictures: $out/wheel_on_rail.png (and manchester.png, wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"
