@@ -146,9 +146,11 @@ void PatchContact::take_results(const WheelMotion& motion) {
   force_ = from_axes(axes_, force);
   moment_ = from_axes(axes_, moment) + cross(axes_.origin - patch_.reference, force_);
   // The wheel's surface is as far inside the rail as both overlap, which belongs to its rolling radius.
-  const Vec3 slip = motion.velocity.at(patch_.reference + patch_.overlap * axes_.n) - motion.rail.at(patch_.reference);
+  const Vec3 wheel = motion.velocity.at(patch_.reference + patch_.overlap * axes_.n),
+             rail = motion.rail.at(patch_.reference), slip = wheel - rail;
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
-  const double speed = std::abs(motion.speed);
+  // At which both surfaces run through the contact, on average.
+  const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
   creepages_ = {slip[0] / speed, dot(slip, patch_.lateral) / speed, -dot(turning, patch_.normal) / speed};
 }
 

@@ -43,7 +43,8 @@ class PatchContact {
   /// Force on the wheel, and moment about the patch's reference.
   const Vec3& force() const { return force_; }
   const Vec3& moment() const { return moment_; }
-  /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed.
+  /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed
+  /// at which both run through the contact, on average.
   const Vec3& creepages() const { return creepages_; }
   /// Origin and axes of its space are axes().
   const std::shared_ptr<Contact>& contact() const { return contact_; }
