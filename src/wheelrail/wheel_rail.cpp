@@ -289,6 +289,7 @@ Status WheelRail::meet_force() {
 
 Status WheelRail::solve() {
   prepare();
+  for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
   solved_ = false;
   const Status status = by_force_ ? meet_force() : solve_at(position_.z);
   solved_ = true;

@@ -79,8 +79,8 @@ TEST(handle_table, slots_retire_when_their_generations_are_used_up) {
     ASSERT_NE(table.release(Kind::body, handle), nullptr);
     handle = table.insert(Kind::body, object);
   }
-  std::printf("lives of a slot: %lld (expected 8191)\n", static_cast<long long>(lives));
-  EXPECT_EQ(lives, 8191);
+  std::printf("lives of a slot: %lld (expected 4095)\n", static_cast<long long>(lives));
+  EXPECT_EQ(lives, 4095);
   EXPECT_EQ(table.find(Kind::body, first), nullptr);
 }
 
