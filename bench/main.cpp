@@ -41,6 +41,7 @@ std::vector<Case> all_cases() {
                       automatic_frame_cases,
                       thrift_cases,
                       time_loop_cases,
+                      wheel_rail_cases,
                       many_cases,
                       saved_body_cases,
                       lattice_cases,

@@ -1,13 +1,12 @@
 /// Wheels on rails: making, results, contacts of patches.
 
-#include "wheelrail/wheel_rail.hpp"
-
 #include <algorithm>
 #include <utility>
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
 #include "support/input_checks.hpp"
+#include "wheelrail/wheel_rail.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;

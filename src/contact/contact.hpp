@@ -17,8 +17,8 @@ namespace rollcon {
 
 struct CaseList;     // contact/cases/solve_many.hpp
 struct CaseResults;  // contact/cases/solve_many.hpp
-struct FrameFamily;   // contact/results/extrapolation.hpp
-class KnownGap;       // contact/scene/known_gap.hpp
+struct FrameFamily;  // contact/results/extrapolation.hpp
+class KnownGap;      // contact/scene/known_gap.hpp
 struct Rates;        // contact/solution.hpp
 struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
 
@@ -51,6 +51,8 @@ class Contact {
   void set_progress(ProgressFunction function, void* user);
   /// Stops the solve that is running, if one is. Any thread.
   void request_cancel() noexcept { cancel_->store(true); }
+  /// Requests from before a solve do not count; solve does this itself, solve_on_frame does not.
+  void forget_cancel() { cancel_->store(false); }
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();

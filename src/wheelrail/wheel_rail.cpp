@@ -124,11 +124,13 @@ void WheelRail::set_velocity(const double* velocity) {
 void WheelRail::prescribe_vertical(std::int32_t how, double force) {
   if (how != static_cast<std::int32_t>(How::by_motion) && how != static_cast<std::int32_t>(How::by_force))
     fail(Status::err_argument, "how is %d; allowed: 1 (by motion), 2 (by force)", how);
-  by_force_ = how == static_cast<std::int32_t>(How::by_force);
-  if (!by_force_) return;
-  require_finite(force, "force");
-  if (!(force >= 0)) fail(Status::err_argument, "force is %g; allowed: >= 0, pressing the wheel on the rail", force);
-  load_ = force;
+  const bool by_force = how == static_cast<std::int32_t>(How::by_force);
+  if (by_force) {
+    require_finite(force, "force");
+    if (!(force >= 0)) fail(Status::err_argument, "force is %g; allowed: >= 0, pressing the wheel on the rail", force);
+    load_ = force;
+  }
+  by_force_ = by_force;
 }
 
 void WheelRail::set_friction(double mu) {
@@ -318,6 +320,7 @@ Status WheelRail::meet_force() {
 
 Status WheelRail::solve() {
   prepare();
+  for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
   solved_ = false;
   const Status status = by_force_ ? meet_force() : solve_at(position_.z);
   solved_ = true;

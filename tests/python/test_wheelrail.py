@@ -1,0 +1,59 @@
+"""A wheel on its rail over the library itself: the Manchester benchmark at y = 2 mm (mm, N, s), and lives of contacts."""
+
+import math
+import unittest
+
+import numpy as np
+import rollcon as rc
+
+
+class OnRail(unittest.TestCase):
+
+    def setUp(self):
+        self.context = rc.Context(threads=1)
+        bodies = []
+        for shape in ("s1002", "60e1"):
+            body = rc.Body(self.context, "halfspace")
+            body.set_elastic(2 * 82000 * 1.28, 0.28)
+            body.set_profile_shape(shape, [1.0])
+            bodies.append(body)
+        self.wheelrail = rc.WheelRail(self.context, *bodies, side="right")
+        self.wheelrail.set_track(1435, 14, math.atan(1 / 40))
+        self.wheelrail.set_wheelset(1360, -70, 460)
+        self.wheelrail.set_position([0, 2, 0.1529, -1.128e-4, 4.8e-3, 0])
+        self.wheelrail.set_velocity([2000, 0, 0, 0, 0, -4.3459197])
+
+    def test_benchmark(self):
+        """CONTACT's forces on the rail: 9799 normal, -517.3 along, -2893 across."""
+        wheelrail = self.wheelrail
+        with self.assertRaisesRegex(rc.RollconError, "set_friction"):
+            wheelrail.solve()
+        wheelrail.set_friction(0.3)
+        self.assertEqual(wheelrail.solve(), rc.OK)
+        self.assertEqual(wheelrail.patch_count, 1)
+        found = [wheelrail.patch_stat(0, name) for name in ("normal_force", "longitudinal_force", "lateral_force")]
+        np.testing.assert_allclose(found, [9799, 517.3, 2893], atol=0.01 * 9799)
+        wheelrail.prescribe_vertical("by_force", 10000)
+        self.assertEqual(wheelrail.solve(), rc.OK)
+        force, _ = wheelrail.resultant()
+        self.assertAlmostEqual(force[2], -10000, delta=0.01)
+        turned, _ = wheelrail.resultant("in_wheelset")
+        self.assertAlmostEqual(np.linalg.norm(turned), np.linalg.norm(force), delta=1e-8)
+        for name in rc.wheelrail_stat_names():
+            self.assertTrue(np.isfinite(wheelrail.stat(name)), name)
+        for name in rc.wheelrail_patch_stat_names():
+            self.assertTrue(np.isfinite(wheelrail.patch_stat(0, name)), name)
+
+    def test_contacts(self):
+        self.wheelrail.set_friction(0.3)
+        self.wheelrail.solve()
+        contact, = self.wheelrail.contacts
+        force, _ = contact.resultant()
+        self.assertAlmostEqual(-force[2], self.wheelrail.patch_stat(0, "normal_force"), delta=1e-6)
+        self.wheelrail.close()
+        np.testing.assert_array_equal(contact.resultant()[0], force)
+        self.assertEqual(contact.tractions().shape, (contact.size[0], 3))
+
+
+if __name__ == "__main__":
+    unittest.main()
