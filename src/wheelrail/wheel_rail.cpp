@@ -49,6 +49,13 @@ LatticeSize size_for(double accuracy) {
   return std::end(fineness)[-1].size;
 }
 
+WheelsetState state_of(const double* v, const char* name, double side) {
+  require_pointer(v, name);
+  for (int i = 0; i < 6; ++i)
+    if (!std::isfinite(v[i])) fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
+  return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
+}
+
 double depth_of(const OverlapPatch& patch) {
   return patch.share * patch.overlap;
 }
@@ -75,6 +82,7 @@ void WheelRail::set_track(double gauge, double gauge_height, double cant) {
   rail_shape_ = place_rail(given_rail_->profile(), track);
   track_ = track;
   search_.reset();
+  solved_.reset();
 }
 
 void WheelRail::set_wheelset(double back_to_back, double flange_back, double radius) {
@@ -89,6 +97,7 @@ void WheelRail::set_wheelset(double back_to_back, double flange_back, double rad
   radius_ = radius;
   wheelset_given_ = true;
   search_.reset();
+  solved_.reset();
 }
 
 void WheelRail::set_rail_deviation(const double* deviation, const double* rate) {
@@ -96,13 +105,6 @@ void WheelRail::set_rail_deviation(const double* deviation, const double* rate) 
   require_finite_vector(rate, "rate");
   deviation_ = {side_ * deviation[0], deviation[1], side_ * deviation[2]};
   rate_ = {side_ * rate[0], rate[1], side_ * rate[2]};
-}
-
-static WheelsetState state_of(const double* v, const char* name, double side) {
-  require_pointer(v, name);
-  for (int i = 0; i < 6; ++i)
-    if (!std::isfinite(v[i])) fail(Status::err_nonfinite, "entry %d of %s (counting from 0) is %g", i, name, v[i]);
-  return {v[0], side * v[1], v[2], side * v[3], side * v[4], v[5]};
 }
 
 void WheelRail::set_position(const double* position) {
@@ -165,27 +167,27 @@ void WheelRail::prepare() {
   rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
   search_.emplace(WheelShape{given_wheel_->profile(), centre, axis, radius_}, rail_shape_);
   slot_.clear();
-  sink_ = slope_ = 0;
+  sink_ = 0;
 }
 
-Pose WheelRail::wheelset_attitude() const {
-  return attitude(position_.roll, position_.yaw);
+Pose WheelRail::attitude_of(const WheelsetState& position) {
+  return attitude(position.roll, position.yaw);
 }
 
 // Rails roll about the point of the track that the gauge is measured to, at the height of their top.
-Pose WheelRail::rail_pose() const {
+Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
   const Vec3 pivot{0, 0.5 * track_->gauge, 0};
-  Pose rail = attitude(deviation_.roll, 0);
-  rail.translation = pivot + Vec3{0, deviation_.y, deviation_.z} - rail.turn(pivot);
+  Pose rail = attitude(deviation.roll, 0);
+  rail.translation = pivot + Vec3{0, deviation.y, deviation.z} - rail.turn(pivot);
   return rail;
 }
 
 WheelMotion WheelRail::motion_at(double z) const {
-  const Pose set = wheelset_attitude();
+  const Pose set = attitude_of(position_);
   const Vec3 centre{0, position_.y, z - radius_};
   Pose wheel = set;
   wheel.translation = centre + set.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
-  const Pose rail = rail_pose();
+  const Pose rail = rail_pose(deviation_);
   const Pose yawed = attitude(0, position_.yaw);
   const Vec3 turning =
       velocity_.yaw * Vec3{0, 0, 1} + velocity_.roll * yawed.turn({1, 0, 0}) + velocity_.pitch * set.turn({0, 1, 0});
@@ -197,15 +199,16 @@ WheelMotion WheelRail::motion_at(double z) const {
   return motion;
 }
 
+WheelRail::Slot& WheelRail::add_slot() {
+  return *slot_.emplace_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
+}
+
 WheelRail::Slot& WheelRail::slot_for(const OverlapPatch& patch) {
   Slot* nearest = nullptr;
   const auto far = [&](const Slot& slot) { return std::abs(slot.wheel_y - patch.wheel_y); };
   for (const auto& slot : slot_)
     if (!slot->taken && (!nearest || far(*slot) < far(*nearest))) nearest = slot.get();
-  if (!nearest) {
-    slot_.push_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
-    nearest = slot_.back().get();
-  }
+  if (!nearest) nearest = &add_slot();
   nearest->taken = true;
   nearest->wheel_y = patch.wheel_y;
   return *nearest;
@@ -227,7 +230,11 @@ Status WheelRail::solve_at(double z) {
   // What patches give way under each other is a small part of their overlap: a few rounds settle it.
   constexpr int most_rounds = 30;
   constexpr double settled = 1e-6;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0;; ++round) {
+    if (round == most_rounds) {
+      worst = Status::not_converged;
+      break;
+    }
     for (std::size_t i = 0; i < active_.size(); ++i)
       active_[i]->contact.solve(found_[i], motion, friction_, size_for(accuracy_), active_[i]->give_way);
     double change = 0;
@@ -277,8 +284,7 @@ double WheelRail::first_sink(double touch) {
   const OverlapPatch& patch = *std::max_element(found_.begin(), found_.end(),
                                                 [](const auto& a, const auto& b) { return depth_of(a) < depth_of(b); });
   const double half = 0.5 * (patch.high - patch.low), a = 0.5 * patch.curvature.along;
-  if (!slot_.empty()) slot_.front()->taken = false;
-  if (slot_.empty()) slot_.push_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
+  if (slot_.empty()) add_slot();
   const double modulus = slot_.front()->contact.contact()->modulus(), tilt = std::cos(patch.angle);
   return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, load_ / tilt).approach / tilt;
 }
@@ -321,16 +327,16 @@ Status WheelRail::meet_force() {
 Status WheelRail::solve() {
   prepare();
   for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
-  solved_ = false;
+  solved_.reset();
   const Status status = by_force_ ? meet_force() : solve_at(position_.z);
-  solved_ = true;
+  solved_ = Solved{position_, deviation_, z_};
   return status;
 }
 
 void WheelRail::reset() {
   for (const auto& slot : slot_) slot->contact.reset();
   sink_ = 0;
-  solved_ = false;
+  solved_.reset();
 }
 
 void WheelRail::require_solved() const {

@@ -63,6 +63,12 @@ class WheelRail {
     bool taken = false;
     double give_way = 0;
   };
+  /// What the last solve was of; what is set later does not change its results.
+  struct Solved {
+    WheelsetState position;
+    RailDeviation deviation;
+    double z = 0;
+  };
   struct Stat;
   struct PatchStat;
   static const Stat stats[];
@@ -77,8 +83,9 @@ class WheelRail {
   double give_way_under_others(const Slot& slot) const;
   Slot& slot_for(const OverlapPatch& patch);
   void require_solved() const;
-  Pose wheelset_attitude() const;
-  Pose rail_pose() const;
+  static Pose attitude_of(const WheelsetState& position);
+  Pose rail_pose(const RailDeviation& deviation) const;
+  Slot& add_slot();
   const Slot& active(std::int64_t i) const;
 
   std::shared_ptr<Context> context_;
@@ -99,9 +106,9 @@ class WheelRail {
   std::vector<std::unique_ptr<Slot>> slot_;
   std::vector<Slot*> active_;
   double z_ = 0;
-  double sink_ = 0, slope_ = 0;  ///< beyond first touch, and d force / d sink, of the last solve; 0: none
+  double sink_ = 0;  ///< beyond first touch, of the last solve with a force; 0: none
   std::int64_t solves_ = 0;
-  bool solved_ = false;
+  std::optional<Solved> solved_;
 };
 
 }  // namespace rollcon

@@ -31,7 +31,7 @@ struct WheelRail::Stat {
 };
 
 const WheelRail::Stat WheelRail::stats[] = {
-    {"z", [](const WheelRail& w) { return w.z_; }},
+    {"z", [](const WheelRail& w) { return w.solved_->z; }},
     {"vertical_force", [](const WheelRail& w) { return w.vertical_force(); }},
     {"friction_power",
      [](const WheelRail& w) {
@@ -55,13 +55,18 @@ struct WheelRail::PatchStat {
 };
 
 const WheelRail::PatchStat WheelRail::patch_stats[] = {
-    {"x", [](const WheelRail& w,
-             const PatchContact& p) { return w.position_.x + w.rail_pose().place(p.overlap().reference)[0]; }},
+    {"x",
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.solved_->position.x + w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[0];
+     }},
     {"y",
-     [](const WheelRail& w, const PatchContact& p) { return w.side_ * w.rail_pose().place(p.overlap().reference)[1]; }},
-    {"z", [](const WheelRail& w, const PatchContact& p) { return w.rail_pose().place(p.overlap().reference)[2]; }},
-    {"angle",
-     [](const WheelRail& w, const PatchContact& p) { return w.side_ * (p.overlap().angle + w.deviation_.roll); }},
+     [](const WheelRail& w, const PatchContact& p) {
+       return w.side_ * w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[1];
+     }},
+    {"z", [](const WheelRail& w,
+             const PatchContact& p) { return w.rail_pose(w.solved_->deviation).place(p.overlap().reference)[2]; }},
+    {"angle", [](const WheelRail& w,
+                 const PatchContact& p) { return w.side_ * (p.overlap().angle + w.solved_->deviation.roll); }},
     {"wheel_y", [](const WheelRail&, const PatchContact& p) { return p.overlap().wheel_y; }},
     {"rolling_radius", [](const WheelRail&, const PatchContact& p) { return p.overlap().rolling_radius; }},
     {"longitudinal_creepage", [](const WheelRail&, const PatchContact& p) { return p.creepages()[0]; }},
@@ -108,8 +113,8 @@ const char* WheelRail::patch_stat_name(std::int64_t i) {
 
 void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const {
   require_solved();
-  const Pose rail = rail_pose();
-  const Vec3 centre{0, position_.y, z_ - radius_};
+  const Pose rail = rail_pose(solved_->deviation);
+  const Vec3 centre{0, solved_->position.y, solved_->z - radius_};
   Vec3 f{0, 0, 0}, m{0, 0, 0};
   for (const Slot* slot : active_) {
     const PatchContact& p = slot->contact;
@@ -118,7 +123,7 @@ void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const
     m = m + p.overlap().share * rail.turn(p.moment()) + cross(rail.place(p.overlap().reference) - centre, own);
   }
   if (of_wheelset) {
-    const Pose set = wheelset_attitude();
+    const Pose set = attitude_of(solved_->position);
     f = set.turn_back(f);
     m = set.turn_back(m);
   }

@@ -276,6 +276,20 @@ TEST_F(wheel_rail, hertz_is_there) {
   }
 }
 
+TEST_F(wheel_rail, results_are_those_of_the_last_solve) {
+  const auto w = make(1);
+  place(*w, rows[2]);
+  ASSERT_EQ(w->solve(), Status::ok);
+  std::array<double, 3> force[2], moment[2];
+  w->resultant(true, force[0].data(), moment[0].data());
+  const double y = w->patch_stat(0, "y");
+  place(*w, rows[3]);
+  w->resultant(true, force[1].data(), moment[1].data());
+  EXPECT_EQ(force[0], force[1]);
+  EXPECT_EQ(moment[0], moment[1]);
+  EXPECT_EQ(w->patch_stat(0, "y"), y);
+}
+
 // From the tread through both patches on to the flange: the force follows without a jump.
 TEST_F(wheel_rail, forces_are_continuous) {
   const auto w = make(1);
