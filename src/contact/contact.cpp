@@ -366,6 +366,18 @@ Status Contact::solve_scene() {
     const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
   }
+  double ahead = 0;
+  if (s.ahead.known) {
+    s.work_before = s.ahead.work_before;
+    s.assemblies_before = s.ahead.assemblies_before;
+    s.timings.compliance += s.ahead.timings.compliance;
+    s.timings.convection += s.ahead.timings.convection;
+    ahead = s.ahead.seconds;
+    s.ahead.known = false;
+  }
+  s.load_factor = load_factor_;
+  for (const int m : {xi1, xi2, spin})
+    if (const auto k = static_cast<std::size_t>(m); s.given.by_force[k]) s.given.value[k] *= load_factor_;
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;
   const double prepared = now_seconds();
@@ -387,7 +399,7 @@ Status Contact::solve_scene() {
   s.peak_bytes = std::max(s.peak_bytes, s.bytes());
   const double end = now_seconds();
   s.timings.newton = end - prepared;
-  s.timings.total = end - start;
+  s.timings.total = end - start + ahead;
   context_->log(
       LogLevel::info, "Newton: %lld normal, %lld tangential, %lld full iterations, %lld fallbacks, %.3f s",
       static_cast<long long>(s.report.normal_iterations), static_cast<long long>(s.report.tangential_iterations),

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,12 +16,13 @@
 
 namespace rollcon {
 
-struct CaseList;     // contact/cases/solve_many.hpp
-struct CaseResults;  // contact/cases/solve_many.hpp
-struct FrameFamily;  // contact/results/extrapolation.hpp
-class KnownGap;      // contact/scene/known_gap.hpp
-struct Rates;        // contact/solution.hpp
-struct SolverState;  // solution, caches and workspaces; contact/solution.hpp
+struct CaseList;       // contact/cases/solve_many.hpp
+struct CaseResults;    // contact/cases/solve_many.hpp
+struct FrictionShare;  // contact/newton/friction_limit.hpp
+struct FrameFamily;    // contact/results/extrapolation.hpp
+class KnownGap;        // contact/scene/known_gap.hpp
+struct Rates;          // contact/solution.hpp
+struct SolverState;    // solution, caches and workspaces; contact/solution.hpp
 
 class Contact;
 
@@ -66,6 +68,13 @@ class Contact {
   void follow(const Contact& lead);
   /// Both are solved on frames of one family: results become what they tend to. coarse outlives them.
   void extrapolate_from(const Contact& coarse, const FrameFamily& family);
+  /// What the tangential loads of the scene take of friction under the pressures of its frame without friction; nothing
+  /// where those are not known. Prepares the frame for solve_on_frame(). Throws Cancelled.
+  std::optional<FrictionShare> frictionless_share();
+  /// solve_on_frame() takes the tangential loads of the scene times this.
+  void scale_tangential_loads(double factor) { load_factor_ = factor; }
+  /// err_load, with what friction cannot carry.
+  [[noreturn]] void refuse_loads(const FrictionShare& share) const;
   /// E* of the pair; prepares the bodies.
   double modulus();
   bool knows_gap_between_nodes() const;
@@ -123,6 +132,7 @@ class Contact {
   void* progress_user_ = nullptr;
   std::atomic<bool> cancel_here_{false};
   std::atomic<bool>* cancel_ = &cancel_here_;  ///< the lead's, if there is one
+  double load_factor_ = 1;                     ///< on tangential loads, of a frame maker
   bool quiet_ = false;                         ///< statuses are for a frame maker alone
   MakeFrameMaker make_frames_ = nullptr;
   std::unique_ptr<FrameMaker> frames_;  ///< made when a frame is

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/pair.hpp"
+#include "contact/newton/frictionless_share.hpp"
 #include "contact/newton/newton.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/scene/enumerators.hpp"
@@ -110,6 +111,15 @@ struct Prepared {
   double speed = 1;
 };
 
+/// What was prepared before a solve, in the same call of the caller.
+struct PreparedAhead {
+  bool known = false;
+  Work work_before;
+  std::int64_t assemblies_before = 0;
+  Timings timings;
+  double seconds = 0;
+};
+
 struct Preparation;  // contact/prepare/preparation.hpp
 
 struct SolverState {
@@ -123,7 +133,10 @@ struct SolverState {
   Prescribed given;
   Iterate iterate;
   Newton newton;
-  MakePublished make_published = nullptr;             ///< null: they are not part of this build
+  MakePublished make_published = nullptr;                 ///< null: they are not part of this build
+  std::unique_ptr<FrictionlessShare> frictionless_share;  ///< made when it is asked for
+  PreparedAhead ahead;
+  double load_factor = 1;                             ///< on the tangential loads of the last solve
   std::unique_ptr<PublishedSolver> published;         ///< made when one is asked for
   mutable std::vector<std::uint8_t> edge_of_contact;  ///< workspace of nodes_inside()
   bool images_known = false;                          ///< of the solution, at all nodes, slip included

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
 #include "contact/solution.hpp"
+#include "support/error.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -51,6 +54,69 @@ double relative(double part, double whole) {
   return whole > 0 ? part / whole : part > 0 ? 1 : 0;
 }
 
+// Near the limit of friction creepages grow beyond measure, and those of two frames differ by a multiple: the way on
+// from the finer frame's does not lead through zero.
+void limit_creepages(const Results& fine, double length, std::array<double, 4>& motion) {
+  constexpr double farthest = 0.5;
+  const auto size = [&](const std::array<double, 4>& m) { return std::hypot(m[xi1], m[xi2], length * m[spin]); };
+  std::array<double, 4> step = motion;
+  for (std::size_t m = 0; m < 4; ++m) step[m] -= fine.motion[m];
+  const double whole = size(fine.motion), way = size(step);
+  if (!(way > farthest * whole)) return;
+  for (const int m : {xi1, xi2, spin}) motion[at(m)] = fine.motion[at(m)] + farthest * whole / way * step[at(m)];
+}
+
+using Three = std::array<double, 3>;
+constexpr std::array<Motion, 3> slips{xi1, xi2, spin};
+
+// Gauss with pivots; false: singular.
+bool solve3(std::array<Three, 3> a, Three& b) {
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::size_t pivot = c;
+    for (std::size_t r = c + 1; r < 3; ++r)
+      if (std::abs(a[r][c]) > std::abs(a[pivot][c])) pivot = r;
+    if (!(std::abs(a[pivot][c]) > 0)) return false;
+    std::swap(a[c], a[pivot]);
+    std::swap(b[c], b[pivot]);
+    for (std::size_t r = 0; r < 3; ++r) {
+      if (r == c) continue;
+      const double part = a[r][c] / a[c][c];
+      for (std::size_t k = c; k < 3; ++k) a[r][k] -= part * a[c][k];
+      b[r] -= part * b[c];
+    }
+  }
+  for (std::size_t c = 0; c < 3; ++c) b[c] /= a[c][c];
+  return true;
+}
+
+// Forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of forces.
+// Nothing: no forces do, or they cannot be told.
+std::optional<Three> forces_of(SolverState& fine, const Three& off, double length) {
+  if (!fine.procedure.standard()) return std::nullopt;
+  std::array<Three, 3> yields{};
+  Three forces{};
+  constexpr std::array<Parameter, 3> parameter{Parameter::longitudinal, Parameter::lateral, Parameter::spin};
+  const Three unit{1, 1, length};
+  for (std::size_t j = 0; j < 3; ++j) {
+    if (!fine.given.by_force[at(slips[j])]) {
+      yields[j][j] = 1;
+      continue;
+    }
+    forces[j] = off[j];
+    try {
+      const Rates& rates = find_rates(fine, parameter[j]);
+      for (std::size_t i = 0; i < 3; ++i)
+        if (fine.given.by_force[at(slips[i])]) yields[i][j] = unit[i] * unit[j] * rates.motion[at(slips[i])];
+    } catch (const Error&) {
+      return std::nullopt;
+    }
+  }
+  if (!solve3(yields, forces)) return std::nullopt;
+  for (const double f : forces)
+    if (!std::isfinite(f)) return std::nullopt;
+  return forces;
+}
+
 }  // namespace
 
 Rates beyond(const SolverState& state, const Rates& fine, const Rates& coarse) {
@@ -75,32 +141,48 @@ void extrapolate(SolverState& fine, const SolverState& coarse, const FrameFamily
     e.moment[i] = beyond(f.moment[i], c.moment[i], left_over);
   }
   for (std::size_t m = 0; m < 4; ++m) e.motion[m] = beyond(f.motion[m], c.motion[m], left_over);
+  limit_creepages(f, std::sqrt(f.area / std::numbers::pi), e.motion);
   e.area = family.cover * beyond(f.area, c.area, left_over);
   // Friction's bound holds for both; what lies beyond both of them may pass it by the error of either.
   const double bound = beyond(f.friction, c.friction, left_over), force = std::hypot(e.force[0], e.force[1]);
   if (fine.prepared->problem.turn.empty() && force > bound)
     for (std::size_t i = 0; i < 2; ++i) e.force[i] *= bound / force;
+  // Frames carry parts of given loads.
+  for (const auto& [m, result] : {std::pair{xi1, &e.force[0]}, {xi2, &e.force[1]}, {spin, &e.moment[2]}})
+    if (!fine.frictionless && fine.given.by_force[static_cast<std::size_t>(m)])
+      *result = fine.given.value[static_cast<std::size_t>(m)] / fine.load_factor;
   fine.extrapolated = e;
 
   // An edge is what the cells of the frame make of it; lengths for moments and spins.
   const double length = std::sqrt(f.area / std::numbers::pi);
   const auto off = [&](double a, double b) { return std::abs(a - b) * left_over; };
-  const double force_off = std::hypot(off(f.force[0], c.force[0]), off(f.force[1], c.force[1]));
+  const auto load_off = [&](int m, double a, double b) {
+    return fine.given.by_force[static_cast<std::size_t>(m)] ? 0 : off(a, b);
+  };
+  const double force_off = std::hypot(load_off(xi1, f.force[0], c.force[0]), load_off(xi2, f.force[1], c.force[1]));
   ErrorEstimate estimate;
   estimate.known = true;
   const double normal = std::abs(f.force[2]);
   const double x = normal > 0 ? -f.moment[1] / f.force[2] : 0, y = normal > 0 ? f.moment[0] / f.force[2] : 0;
-  const double moment_off = off(spin_moment(f, x, y), spin_moment(c, x, y)) / length;
+  const double moment_off = load_off(spin, spin_moment(f, x, y), spin_moment(c, x, y)) / length;
   estimate.normal = fine.given.by_force[approach]
                         ? relative(1.5 * off(f.motion[approach], c.motion[approach]), std::abs(f.overlap))
                         : relative(off(f.force[2], c.force[2]), normal);
   if (!fine.frictionless) {
     estimate.tangential = relative(std::max(force_off, moment_off), f.carried);
     if (fine.given.tangential_load()) {
-      const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]),
-                   motion_off = std::hypot(off(f.motion[xi1], c.motion[xi1]), off(f.motion[xi2], c.motion[xi2]),
-                                           length * off(f.motion[spin], c.motion[spin]));
-      estimate.tangential = std::max(estimate.tangential, relative(motion_off, motion));
+      const auto motion_off = [&](Motion m) { return left_over * (f.motion[m] - c.motion[m]); };
+      const Three motions_off{motion_off(xi1), motion_off(xi2), length * motion_off(spin)};
+      const double motion = std::hypot(f.motion[xi1], f.motion[xi2], length * f.motion[spin]);
+      // Of vanishing forces the error vanishes only up to rounding.
+      constexpr double least = 1e-3;
+      if (const auto forces = forces_of(fine, motions_off, length))
+        estimate.tangential = std::max(
+            estimate.tangential, relative(std::max(std::hypot((*forces)[0], (*forces)[1]), std::abs((*forces)[2])),
+                                          std::max(f.carried, least * f.friction)));
+      else
+        estimate.tangential =
+            std::max(estimate.tangential, relative(std::hypot(motions_off[0], motions_off[1], motions_off[2]), motion));
     }
   }
   estimate.normal = std::max(estimate.normal, family.least_error);
