@@ -881,7 +881,7 @@ ROLLCON_API void ROLLCON_CALL rollcon_contact_release(rollcon_contact *contact);
  *   x                 [n*3]; coordinates, length
  *   node_stride       >= 1, in doubles
  *   component_stride  >= 1, in doubles
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_contact *contact,
     int64_t n, const double *x, int64_t node_stride, int64_t component_stride);
@@ -927,7 +927,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_from_body(rollcon_
  *   x_greatest  > x_least
  *   y_least     along t2, likewise
  *   y_greatest  > y_least
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_rectangle(rollcon_contact *contact,
     int32_t type, int32_t nx, int32_t ny, double x_least, double x_greatest, double y_least,
@@ -942,7 +942,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_rectangle(rollcon_
  *   a        semi-axis at `angle` from t1, length, > 0
  *   b        the other semi-axis, length, > 0
  *   angle    radian, from t1 towards t2
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, section 4.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_ellipse(rollcon_contact *contact,
@@ -959,7 +959,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_ellipse(rollcon_co
  *   lines    [n][3]; y of each line, ascending, and the least and greatest x that the contact
  *            covers of it, the first less than the second (equal on the first and the last line,
  *            if it is a point), length
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, section 4.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_contact *contact,
@@ -973,6 +973,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
  * ROLLCON_INACCURATE says that it was not. Forces, moment, approach, creepages, their
  * sensitivities and the statistics contact_area and error_estimate are the extrapolated ones;
  * nodes and fields those of the finer frame, which the next solve may replace.
+ * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/theory.md, section 4.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_automatic(rollcon_contact *contact);
@@ -984,7 +985,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_automatic(rollcon_
  *   rotation     [3][3]; by rows; orthonormal with determinant +1 to 1e-6 (else
  *                ROLLCON_ERR_ARGUMENT), then made exactly so
  *   translation  [3]; length
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_pose(rollcon_contact *contact,
@@ -996,7 +997,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_pose(rollcon_contact
  *   origin   [3]; length
  *   rolling  [3]; rolling direction, not parallel to normal
  *   normal   [3]; outward normal of body 1
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_axes(rollcon_contact *contact,
@@ -1021,7 +1022,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap(rollcon_contact 
  *   a        1/length; 1/(2 R) for a sphere
  *   b        1/length
  *   c        1/length
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
     rollcon_contact *contact, double a, double b, double c);
@@ -1039,7 +1040,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_quadratic(
  *   y_greatest  of the last line, length
  *   n           points: nx times the number of lines, which is 2 or more
  *   gap         [n]; line by line, length
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_grid(rollcon_contact *contact,
     int32_t nx, double x_least, double x_greatest, double y_least, double y_greatest, int64_t n,
@@ -1053,7 +1054,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_gap_grid(rollcon_con
  * Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for a
  * wheel). Forgets the velocity of the contact (rollcon_contact_set_velocity).
  *   speed    V > 0, length/time
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_contact *contact,
@@ -1066,7 +1067,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_rolling(rollcon_cont
  *   longitudinal  creepage along t1, dimensionless
  *   lateral       creepage along t2, dimensionless
  *   spin          1/length
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contact *contact,
@@ -1086,7 +1087,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
  *   velocity          [3]; of its point at `point`, length/time
  *   angular_velocity  [3]; 1/time
  *   point             [3]; in space, length
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, signs and axes.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_velocity(rollcon_contact *contact,
@@ -1109,7 +1110,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep_field(rollcon_
  *   how        ROLLCON_BY_MOTION or ROLLCON_BY_FORCE
  *   value      motion: creepage, spin (1/length), approach (length); force: force, spin moment
  *              about the origin, and for NORMAL the compressive load >= 0
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, loads.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contact *contact,
@@ -1120,7 +1121,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
  *   law         "coulomb"
  *   n           parameters: 1
  *   parameters  [n]; mu >= 0
- * Also returns: ROLLCON_ERR_NONFINITE.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/theory.md, contact laws; Coulomb: equation (16) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
@@ -1141,21 +1142,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_field(
 
 /*
  * Sets an integer option.
- * Also returns: ROLLCON_ERR_OPTION.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_int(rollcon_contact *contact,
     const char *name, int64_t value);
 
 /*
  * Sets a real option.
- * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_real(rollcon_contact *contact,
     const char *name, double value);
 
 /*
  * Sets a text option.
- * Also returns: ROLLCON_ERR_OPTION.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_str(rollcon_contact *contact,
     const char *name, const char *value);
@@ -1322,6 +1323,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_conta
 /*
  * Forgets the solution, the warm start and the history; keeps the scene and all that was computed
  * for the frame.
+ * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *contact);
 
@@ -1710,10 +1712,10 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_
 
 /*
  * The contact of a patch: body 1 is the wheel, body 2 the rail, and all its results are in the
- * axes of the patch, t1 along the rolling direction. It is there to be read, and for its options:
- * the next solve of the wheel on its rail sets its scene again and changes its results; what that
- * solve does not set is to be left alone. Both are one object to threads: while either is in use,
- * so is the other.
+ * axes of the patch, t1 along the rolling direction. It is there to be read: calls that change a
+ * contact are ROLLCON_ERR_STATE, but rollcon_contact_set_progress and
+ * rollcon_contact_request_cancel. The next solve of the wheel on its rail changes it. Both are
+ * one object to threads: while either is in use, so is the other.
  *   patch      0 to rollcon_wheelrail_get_patch_count - 1
  *   contact    of the patch
  * Ownership: The caller owns a reference: release it. It outlives the wheel on its rail, which

@@ -80,6 +80,16 @@ std::int32_t with_contact(const char* function, const rollcon_contact* handle, F
   return with_object(function, Kind::contact, handle, [&](Object& object) { return body(*object.contact); });
 }
 
+/// Of calls that change the contact, whose handle is not const.
+template <class F>
+std::int32_t with_contact(const char* function, rollcon_contact* handle, F&& body) noexcept {
+  return with_object(function, Kind::contact, handle, [&](Object& object) {
+    if (object.read_only)
+      fail(Status::err_state, "the contact belongs to a wheel on its rail, which alone changes it: set that one");
+    return body(*object.contact);
+  });
+}
+
 template <class F>
 std::int32_t with_body(const char* function, const rollcon_body* handle, F&& body) noexcept {
   return with_object(function, Kind::body, handle, [&](Object& object) { return body(*object.body); });

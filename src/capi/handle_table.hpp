@@ -28,6 +28,7 @@ struct Object {
   /// A call that may change the object or needs it unchanged; one flag for a wheel on its rail and its contacts.
   std::shared_ptr<std::atomic<bool>> busy = std::make_shared<std::atomic<bool>>(false);
   std::vector<std::shared_ptr<Object>> patches;  ///< of kind wheelrail: those of its contacts that were asked for
+  bool read_only = false;                        ///< a contact whose scene is that of a wheel on its rail
   rollcon_progress_fn progress = nullptr;
   void* progress_user = nullptr;
 };

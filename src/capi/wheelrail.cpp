@@ -24,6 +24,7 @@ std::shared_ptr<Object> object_of(Object& owner, const std::shared_ptr<Contact>&
   object->context = owner.context;
   object->contact = contact;
   object->busy = owner.busy;
+  object->read_only = true;
   owner.patches.push_back(object);
   return object;
 }

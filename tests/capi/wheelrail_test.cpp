@@ -247,7 +247,8 @@ TEST_F(wheelrail, a_contact_shows_its_patch_and_outlives_it) {
   wheel = rail = nullptr;
   ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
   EXPECT_EQ(std::memcmp(force, later, sizeof force), 0);
-  EXPECT_OK(rollcon_contact_solve(contact));
+  EXPECT_FAILS(rollcon_contact_solve(contact), STATE, "wheel on its rail");
+  EXPECT_FAILS(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 3, 2, -1, 1, -1, 1), STATE, "wheel on its rail");
   rollcon_contact_release(contact);
   EXPECT_EQ(rollcon_contact_reset(contact), ROLLCON_ERR_HANDLE);
 }

@@ -14,6 +14,7 @@ std::span<const Call> body_calls();
 std::span<const Call> contact_calls();
 std::span<const Call> solve_calls();
 std::span<const Call> result_calls();
+std::span<const Call> wheelrail_calls();
 
 /// A count that the caller's array has, at most `most`, or a negative one.
 std::int64_t array_size(Input& in, std::int64_t most = 24);

@@ -111,6 +111,10 @@ const std::vector<std::string>& known_names() {
       if (rollcon_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
     for (int i = 0; i < rollcon_body_stat_count(); ++i)
       if (rollcon_body_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
+    for (int i = 0; i < rollcon_wheelrail_stat_count(); ++i)
+      if (rollcon_wheelrail_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
+    for (int i = 0; i < rollcon_wheelrail_patch_stat_count(); ++i)
+      if (rollcon_wheelrail_patch_stat_name(i, sizeof name, name, nullptr) == 0) all.emplace_back(name);
     return all;
   }();
   return names;

@@ -16,9 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     rollcon_context_set_threads(world.add(context), 1);
     const int begin = in.byte(), recipe = begin % (recipes + 1);
     if (recipe < recipes) make_bodies(world, recipe);
-    const std::span<const Call> kinds[] = {context_calls(), body_calls(),    body_calls(),
-                                           contact_calls(), contact_calls(), contact_calls(),
-                                           solve_calls(),   solve_calls(),   result_calls()};
+    const std::span<const Call> kinds[] = {context_calls(), body_calls(),     body_calls(),  contact_calls(),
+                                           contact_calls(), contact_calls(),  solve_calls(), solve_calls(),
+                                           result_calls(),  wheelrail_calls()};
     for (int left = 60; left > 0 && in.more(); --left) {
       const std::span<const Call> calls = kinds[in.below(static_cast<int>(std::size(kinds)))];
       calls[in.byte() % calls.size()](world);

@@ -64,6 +64,7 @@ World::~World() {
   release_all(contexts, rollcon_context_release);
   release_all(bodies, rollcon_body_release);
   release_all(contacts, rollcon_contact_release);
+  release_all(wheelrails, rollcon_wheelrail_release);
 }
 
 rollcon_context* World::context() {
@@ -74,6 +75,10 @@ rollcon_body* World::body() {
 }
 rollcon_contact* World::contact() {
   return pick(*this, contacts);
+}
+
+rollcon_wheelrail* World::wheelrail() {
+  return pick(*this, wheelrails);
 }
 
 rollcon_context* World::add(rollcon_context* made) {
@@ -88,11 +93,16 @@ rollcon_contact* World::add(rollcon_contact* made, rollcon_context* of) {
   contacts.push_back({made, of, 1});
   return made;
 }
+rollcon_wheelrail* World::add(rollcon_wheelrail* made, rollcon_context* of) {
+  wheelrails.push_back({made, of, 1});
+  return made;
+}
 
 const rollcon_context* World::context_of(const void* handle) const {
   const rollcon_context* found = context_in(contexts, handle);
   if (!found) found = context_in(bodies, handle);
   if (!found) found = context_in(contacts, handle);
+  if (!found) found = context_in(wheelrails, handle);
   return found && alive(found) ? found : nullptr;
 }
 

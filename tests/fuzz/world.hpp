@@ -33,6 +33,7 @@ class World {
   std::vector<Owned<rollcon_context>> contexts;
   std::vector<Owned<rollcon_body>> bodies;
   std::vector<Owned<rollcon_contact>> contacts;
+  std::vector<Owned<rollcon_wheelrail>> wheelrails;
   int solves_left = 5, prepares_left = 5, files_left = 2, depth = 0;
 
   /// Mostly one that was made, alive or not; else NULL, one of another kind, or
@@ -40,12 +41,14 @@ class World {
   rollcon_context* context();
   rollcon_body* body();
   rollcon_contact* contact();
+  rollcon_wheelrail* wheelrail();
   const rollcon_event* event = nullptr;  ///< of the last callback, perhaps over
 
   /// New ones, to be released by the destructor.
   rollcon_context* add(rollcon_context* made);
   rollcon_body* add(rollcon_body* made, rollcon_context* of);
   rollcon_contact* add(rollcon_contact* made, rollcon_context* of);
+  rollcon_wheelrail* add(rollcon_wheelrail* made, rollcon_context* of);
 
   /// Where failures of calls on the handle leave their text; null if nowhere.
   const rollcon_context* context_of(const void* handle) const;
