@@ -79,8 +79,10 @@ double TextLines::number_in(std::string_view text) const {
   const std::string_view digits = text.starts_with('+') ? text.substr(1) : text;
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value))
-    fail_here("'" + shown(text) + "' is no number");
+  if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
+    std::string what = "'";
+    fail_here(what.append(shown(text)).append("' is no number"));
+  }
   return value;
 }
 
