@@ -90,7 +90,8 @@ class BoxTree {
 
 }  // namespace
 
-ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance) {
+ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y,
+                            double tolerance) {
   const BoxTree tree(cells, x, y);
   auto inside = [&](std::int64_t cell, double px, double py) {
     const auto n = cells[cell];

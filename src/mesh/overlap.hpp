@@ -15,6 +15,7 @@ struct ElementOverlap {
 
 /// Convex counter-clockwise cells. A cell counts when its centroid or one of its nodes is inside another cell (deeper
 /// than `tolerance` times that cell's size).
-ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y, double tolerance);
+ElementOverlap find_overlap(const LinearCells& cells, std::span<const double> x, std::span<const double> y,
+                            double tolerance);
 
 }  // namespace rollcon
