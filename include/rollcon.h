@@ -1614,7 +1614,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
 
 /*
  * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
- *   accuracy   of tangential forces, as part of the limit of friction: 0.0025 to 1, standard 0.01
+ *   accuracy   of tangential forces, as part of the limit of friction: 0.005 to 1, standard 0.01
  * Also returns: ROLLCON_ERR_NONFINITE.
  * Source: docs/wheelrail.md.
  */

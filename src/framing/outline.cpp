@@ -140,7 +140,7 @@ Outline::Outline(std::span<const EdgePoint> point, std::span<const LoadAt> load,
 // go with its third root, here over that of an ellipse, miss least.
 void Outline::find_density(std::span<const LoadAt> load, double cell) {
   constexpr int steps = 64;
-  constexpr double most = 6, slack = 1.3;  // which lattices leave of ellipses
+  constexpr double most = 6, slack = 1.3;                  // which lattices leave of ellipses
   const double width = std::max(cell, half_height_ / 24);  // of what is taken together
   const auto near = [&](double y) {
     double sum = 0;

@@ -31,8 +31,8 @@ class Outline {
   /// A circle.
   Outline(double x, double y, double radius);
 
-  /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides; twice
-  /// as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
+  /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides;
+  /// twice as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
   std::vector<Strip> strips(std::int64_t across, double stretch) const;
   Rectangle box() const;
   /// How much shorter a strip is than the straight lines between the ends of two others are there, over the longest

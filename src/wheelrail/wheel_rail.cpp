@@ -40,7 +40,7 @@ struct Fineness {
   double accuracy;
   LatticeSize size;
 };
-constexpr Fineness fineness[] = {{0.02, {8, 16}}, {0.01, {12, 24}}, {0.005, {24, 48}}, {0.0025, {48, 96}}};
+constexpr Fineness fineness[] = {{0.02, {8, 16}}, {0.01, {12, 24}}, {0.005, {24, 48}}};
 
 LatticeSize size_for(double accuracy) {
   for (const Fineness& f : fineness)

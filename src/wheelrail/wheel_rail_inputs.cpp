@@ -101,9 +101,9 @@ void WheelRail::set_friction(double mu) {
 
 void WheelRail::set_accuracy(double accuracy) {
   require_finite(accuracy, "accuracy");
-  constexpr double least = 0.0025;
+  constexpr double least = 0.005;
   if (!(accuracy >= least && accuracy <= 1))
-    fail(Status::err_argument, "accuracy is %g; allowed: 0.0025 to 1", accuracy);
+    fail(Status::err_argument, "accuracy is %g; allowed: 0.005 to 1", accuracy);
   accuracy_ = accuracy;
 }
 

@@ -171,7 +171,7 @@ TEST_F(wheelrail, bad_inputs_are_named_and_change_nothing) {
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, 3, 1), ARGUMENT, "how is 3", "1 (by motion), 2 (by force)");
   EXPECT_FAILS(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, -1), ARGUMENT, "force is -1", ">= 0");
   EXPECT_FAILS(rollcon_wheelrail_set_friction(right, -0.1), ARGUMENT, "mu is -0.1", "0 to 10");
-  EXPECT_FAILS(rollcon_wheelrail_set_accuracy(right, 0.001), ARGUMENT, "accuracy is 0.001", "0.0025 to 1");
+  EXPECT_FAILS(rollcon_wheelrail_set_accuracy(right, 0.001), ARGUMENT, "accuracy is 0.001", "0.005 to 1");
   ASSERT_OK(rollcon_wheelrail_solve(right));
   double value = -7;
   rollcon_contact* contact = nullptr;

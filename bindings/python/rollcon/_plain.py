@@ -616,7 +616,7 @@ class WheelrailPlain:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that
         takes.
 
-        accuracy: of tangential forces, as part of the limit of friction: 0.0025 to 1, standard
+        accuracy: of tangential forces, as part of the limit of friction: 0.005 to 1, standard
           0.01.
         """
         self._call("set_accuracy", accuracy)

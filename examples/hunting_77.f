@@ -1,0 +1,150 @@
+C     A WHEELSET WITH CONICAL WHEELS HUNTS: A VEHICLE CODE'S TIME LOOP
+C     AROUND RCWSLV, IN FORTRAN 77.  ITS PATH IS THAT ON WHICH NO
+C     LATERAL FORCE AND NO MOMENT ABOUT THE VERTICAL ARE LEFT, AS AT LOW
+C     SPEED; KLINGEL'S WAVELENGTH IS BESIDE IT.  UNITS: MM, N, S;
+C     X FORWARD, Y TO THE RIGHT, Z DOWN.  DOCS/WHEELRAIL.MD.
+      PROGRAM HUNT
+      DOUBLE PRECISION RADIUS, CONE, HEAD, HALF, LOAD, V, PI, DT
+      PARAMETER (RADIUS = 460D0, CONE = 0.05D0, HEAD = 300D0)
+      PARAMETER (HALF = 750D0, LOAD = 5D4, V = 5000D0)
+      PARAMETER (PI = 3.14159265358979D0, DT = 0.01D0)
+      INTEGER ICTX, IWHEEL, IRAIL, IWR(2), IERR, I, K, NSTEP, NCROSS
+      DOUBLE PRECISION PAR(2), POS(6), VEL(6), F(2), G(2), H(2)
+      DOUBLE PRECISION Z(2), Y, YAW, ROLL, DY, DYAW, DROLL, OLD, DET
+      DOUBLE PRECISION A(2,2), CROSS(2), WAVE, XKLING, ARM, ROLLR, S, T
+      DATA NCROSS /0/, DY, DYAW, DROLL /3*0D0/
+
+      CALL RCINIT(ICTX, IERR)
+      CALL CHECK(IERR)
+C     BODIES: 3 HALF-SPACE; A CONE, AND A RAIL WITH A HEAD OF ONE RADIUS
+      CALL RCBODY(ICTX, 3, IWHEEL, IERR)
+      CALL CHECK(IERR)
+      CALL RCELAS(IWHEEL, 0, 2.1D5, 0.28D0, IERR)
+      CALL CHECK(IERR)
+      PAR(1) = 60
+      PAR(2) = -CONE
+      CALL RCBPSH(IWHEEL, 'line', 2, PAR, IERR)
+      CALL CHECK(IERR)
+      CALL RCBODY(ICTX, 3, IRAIL, IERR)
+      CALL CHECK(IERR)
+      CALL RCELAS(IRAIL, 0, 2.1D5, 0.28D0, IERR)
+      CALL CHECK(IERR)
+      PAR(1) = -HEAD
+      PAR(2) = 35
+      CALL RCBPSH(IRAIL, 'arc', 2, PAR, IERR)
+      CALL CHECK(IERR)
+C     RIGHT AND LEFT WHEEL; THE MIDDLE OF THE HEADS IS 750 FROM THAT OF
+C     THE TRACK, AND SO IS THE MIDDLE OF THE TREADS
+      T = SQRT(2*HEAD - 1)
+      DO 10 I = 1, 2
+         CALL RCWHEL(ICTX, IWHEEL, IRAIL, 3 - 2*I, IWR(I), IERR)
+         CALL CHECK(IERR)
+         CALL RCWTRK(IWR(I), 2*(HALF - T), 1D0, 0D0, IERR)
+         CALL CHECK(IERR)
+         CALL RCWSET(IWR(I), 2*HALF, 0D0, RADIUS, IERR)
+         CALL CHECK(IERR)
+         CALL RCWFRI(IWR(I), 0.3D0, IERR)
+         CALL CHECK(IERR)
+         CALL RCWVRT(IWR(I), 2, LOAD, IERR)
+         CALL CHECK(IERR)
+         CALL RCWACC(IWR(I), 0.02D0, IERR)
+         CALL CHECK(IERR)
+   10 CONTINUE
+
+C     KLINGEL: THE CONE TOUCHES WHERE THE RAIL HAS ITS SLOPE
+      ARM = HALF - CONE*HEAD
+      ROLLR = RADIUS + CONE*CONE*HEAD
+      XKLING = 2*PI*SQRT(ROLLR*ARM/CONE)
+      Y = 2
+      YAW = 0
+      ROLL = 0
+      VEL(1) = V
+      VEL(3) = 0
+      VEL(6) = -V/ROLLR
+      POS(3) = 0
+      POS(6) = 0
+      NSTEP = INT(1.2D0*XKLING/V/DT)
+      WRITE (*, '(A)') '      X, MM      Y, MM   YAW, MRAD'
+      DO 60 K = 0, NSTEP
+         IF (MOD(K, 25).EQ.0) WRITE (*, '(F11.0, 2F11.5)')
+     +      K*DT*V, Y, 1D3*YAW
+C        RATES WITHOUT FORCE AND MOMENT, BY NEWTON'S METHOD
+         DO 40 I = 1, 2
+            CALL FORCES(IWR, POS, VEL, Y, YAW, ROLL, DY, DYAW, DROLL,
+     +                  F, Z)
+            CALL FORCES(IWR, POS, VEL, Y, YAW, ROLL, DY + 1, DYAW,
+     +                  DROLL, G, Z)
+            CALL FORCES(IWR, POS, VEL, Y, YAW, ROLL, DY, DYAW + 1D-3,
+     +                  DROLL, H, Z)
+            A(1,1) = G(1) - F(1)
+            A(2,1) = G(2) - F(2)
+            A(1,2) = (H(1) - F(1))/1D-3
+            A(2,2) = (H(2) - F(2))/1D-3
+            DET = A(1,1)*A(2,2) - A(1,2)*A(2,1)
+            DY = DY - (A(2,2)*F(1) - A(1,2)*F(2))/DET
+            DYAW = DYAW - (A(1,1)*F(2) - A(2,1)*F(1))/DET
+   40    CONTINUE
+C        BOTH WHEELS ON THEIR RAILS
+         S = (Z(1) - Z(2))/(2*ARM)
+         DROLL = S/DT
+         ROLL = ROLL + S
+         OLD = Y
+         Y = Y + DT*DY
+         YAW = YAW + DT*DYAW
+         IF (OLD*Y.LT.0D0 .AND. NCROSS.LT.2) THEN
+            NCROSS = NCROSS + 1
+            CROSS(NCROSS) = V*DT*(K + OLD/(OLD - Y))
+         END IF
+   60 CONTINUE
+      IF (NCROSS.LT.2) STOP 1
+      WAVE = 2*(CROSS(2) - CROSS(1))
+      WRITE (*, '(A, F9.1, A, F9.1, A, F6.2, A)') 'WAVELENGTH', WAVE,
+     +   ' MM, KLINGEL''S', XKLING, ' MM:', 1D2*(WAVE/XKLING - 1), ' %'
+      CALL RCFREE(IWR(1), IERR)
+      CALL RCFREE(IWR(2), IERR)
+      CALL RCFREE(IRAIL, IERR)
+      CALL RCFREE(IWHEEL, IERR)
+      CALL RCFREE(ICTX, IERR)
+      END
+
+C     LATERAL FORCE ON BOTH WHEELS AND MOMENT ABOUT THE VERTICAL; Z: THE
+C     HEIGHTS THAT THEY FIND
+      SUBROUTINE FORCES(IWR, POS, VEL, Y, YAW, ROLL, DY, DYAW, DROLL,
+     +                  F, Z)
+      INTEGER IWR(2), I, IERR
+      DOUBLE PRECISION POS(6), VEL(6), Y, YAW, ROLL, DY, DYAW, DROLL
+      DOUBLE PRECISION F(2), Z(2), FORCE(3), XM(3)
+      F(1) = 0
+      F(2) = 0
+      POS(1) = 0
+      POS(2) = Y
+      POS(4) = ROLL
+      POS(5) = YAW
+      VEL(2) = DY
+      VEL(4) = DROLL
+      VEL(5) = DYAW
+      DO 10 I = 1, 2
+         CALL RCWPOS(IWR(I), POS, IERR)
+         CALL CHECK(IERR)
+         CALL RCWVEL(IWR(I), VEL, IERR)
+         CALL CHECK(IERR)
+         CALL RCWSLV(IWR(I), IERR)
+         CALL CHECK(IERR)
+         CALL RCWRES(IWR(I), 0, FORCE, XM, IERR)
+         CALL CHECK(IERR)
+         CALL RCWSTA(IWR(I), 'z', Z(I), IERR)
+         CALL CHECK(IERR)
+         F(1) = F(1) + FORCE(2)
+         F(2) = F(2) + XM(3)
+   10 CONTINUE
+      END
+
+C     A STATUS BELOW ZERO ENDS THE PROGRAM WITH THE LIBRARY'S OWN WORDS
+      SUBROUTINE CHECK(IERR)
+      INTEGER IERR
+      CHARACTER*400 TEXT
+      IF (IERR.GE.0) RETURN
+      CALL RCLERR(TEXT)
+      WRITE (*, '(A)') TEXT
+      STOP 1
+      END
