@@ -116,8 +116,9 @@ FramePlace PatchContact::place() {
   const double length = std::min(wanted[0], most[0]), width = std::min(wanted[1], most[1]);
   // Operators belong to a shape: it changes in steps, and late. The frame is the least of its shape that holds all.
   constexpr double step = 0.1, late = 0.65;
-  const auto follow = [](double value, std::int64_t& at) {
-    if (std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
+  const bool hold = hold_ && size_.along > 0;
+  const auto follow = [hold](double value, std::int64_t& at) {
+    if (!hold && std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
     return static_cast<double>(at);
   };
   const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, shape_[0])),

@@ -35,6 +35,8 @@ class PatchContact {
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size,
                double give_way);
   void reset();
+  /// The frame keeps its shape: forces are smooth functions of what is solved next.
+  void hold_shape(bool hold) { hold_ = hold; }
 
   const OverlapPatch& overlap() const { return patch_; }
   Status status() const { return status_; }
@@ -67,6 +69,7 @@ class PatchContact {
   std::array<double, 2> margin_{usual_margin, usual_margin};  ///< of the frame over Hertz's ellipse, along and across
   std::array<bool, 2> whole_{};                               ///< the frame holds all of the overlap there
   std::array<std::int64_t, 2> shape_{};                       ///< of the frame, in steps: length over width, shear
+  bool hold_ = false;
   std::vector<double> gap_;
   Vec3 force_{}, moment_{}, creepages_{};
   Status status_ = Status::ok;

@@ -206,7 +206,9 @@ Status WheelRail::meet_force() {
   constexpr double tolerance = 1e-6;
   double low = 0, high = INFINITY, sink = sink_ > 0 ? sink_ : first_sink(touch), before = 0, force_before = 0;
   Status status = Status::ok;
+  // The first height may give frames other shapes, which moves the force a little.
   for (int i = 0; i < most; ++i) {
+    for (const auto& slot : slot_) slot->contact.hold_shape(i > 0);
     status = solve_at(touch + sink);
     if (status == Status::cancelled) return status;
     const double force = vertical_force();
@@ -231,6 +233,7 @@ Status WheelRail::solve() {
   prepare();
   for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
   solved_.reset();
+  for (const auto& slot : slot_) slot->contact.hold_shape(false);
   const Status status = by_force_ ? meet_force() : solve_at(position_.z);
   solved_ = Solved{position_, deviation_, z_};
   return status;

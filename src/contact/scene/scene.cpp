@@ -107,7 +107,8 @@ void Scene::set_speed(double speed) {
   require_finite(speed, "speed");
   if (!(speed > 0)) fail(Status::err_argument, "speed is %g; allowed: > 0", speed);
   speed_given_ = true;
-  if (replace(speed_, speed) | std::exchange(travel_given_, false)) ++revision.kinematics;
+  const bool another = replace(speed_, speed), travelled = std::exchange(travel_given_, false);
+  if (another || travelled) ++revision.kinematics;
 }
 
 void Scene::set_creep(double longitudinal, double lateral, double spin) {
