@@ -95,7 +95,8 @@ TEST_F(wheelrail, manchester_at_2_mm) {
   expect_error("normal force, of CONTACT's", patch_stat(right, "normal_force") / 9799 - 1, 0.01);
   expect_error("longitudinal force, of the limit", (patch_stat(right, "longitudinal_force") - 517.3) / limit, 0.01);
   expect_error("lateral force, of the limit", (patch_stat(right, "lateral_force") - 2893) / limit, 0.01);
-  expect_error("power, of CONTACT's", patch_stat(right, "friction_power") / 28390 - 1, 0.01);
+  // CONTACT's slip, of first order, is on elements of 0.2 mm: about 25 along the patch.
+  expect_error("power, of CONTACT's", patch_stat(right, "friction_power") / 28390 - 1, 0.02);
 
   ASSERT_OK(rollcon_wheelrail_prescribe_vertical(right, ROLLCON_BY_FORCE, 10000));
   ASSERT_OK(rollcon_wheelrail_solve(right));

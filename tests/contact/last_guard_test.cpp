@@ -113,7 +113,7 @@ Solved solve_spoilt(Spoiler::What what, bool by_force, bool again) {
   const auto compliance = make_halfspace_compliance(frame, {c.cn + d.cn, c.cv + d.cv, 0}, 1e-8, 1);
   Problem p;
   take_frame(p, frame);
-  p.convection = make_convection(frame, Scheme::characteristic, 0.6);
+  p.convection = make_convection(frame, Scheme::characteristic, false);
   const auto op = std::make_shared<DenseOperators>();
   assemble_operators(frame, *compliance, p.convection, true, *op);
   p.op = op;

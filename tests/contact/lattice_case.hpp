@@ -38,7 +38,7 @@ inline Frame lattice_frame(int nx, int ny, double dx, double dy, double angle, b
 }
 
 inline Convection convection_of(const Frame& frame, Scheme scheme) {
-  return make_convection(frame, scheme, 0.6);
+  return make_convection(frame, scheme, false);
 }
 
 inline constexpr HalfspaceConstants alike{0.7, 0.3, 0}, unlike{0.7, 0.3, 0.11}, incompressible{0.7, 0, 0.2};

@@ -35,7 +35,7 @@ Case make_case(std::string name, std::shared_ptr<const Frame> frame, std::shared
   c.keep = {c.frame, c.compliance};
   Problem& p = c.problem;
   take_frame(p, *c.frame);
-  p.convection = make_convection(*c.frame, scheme, 1.0);
+  p.convection = make_convection(*c.frame, scheme, false, 1.0);
   p.stiffness = stress;
   const auto n = at(p.nodes);
   const auto op = std::make_shared<DenseOperators>();

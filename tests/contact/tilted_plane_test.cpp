@@ -90,7 +90,7 @@ struct Setting {
     Problem& p = s.problem;
     const Frame& frame = tilted ? askew : flat;
     take_frame(p, frame);
-    p.convection = make_convection(frame, scheme, 0.6);
+    p.convection = make_convection(frame, scheme, false);
     const auto op = std::make_shared<DenseOperators>();
     assemble_operators(frame, tilted ? *askew_compliance : *flat_compliance, p.convection, mu > 0, *op);
     p.op = op;

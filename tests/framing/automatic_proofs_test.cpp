@@ -2,6 +2,8 @@
 /// rolling across a wide ellipse, unlike bodies in free rolling, a creep curve, fine frames; and that the accuracy
 /// asked for is had.
 
+#include <numbers>
+
 #include "rollcon.h"
 #include "support/graded_disc.hpp"
 #include "support/linear_theory.hpp"
@@ -115,7 +117,8 @@ TEST(automatic_proofs_long, unlike_bodies_roll_freely_on_a_wide_ellipse) {
     const Hertz hertz = ellipse(1, width, e_star);
     const double exact = (strain(aluminium) - strain(steel)) * hertz.p0 * std::cbrt(0.5);
     RollingPair pair(steel, aluminium);
-    hertzian(pair, hertz, 1e-5).tangential_force(ROLLCON_LONGITUDINAL, 0);
+    // Of first order here: the finest frames show 1 %.
+    hertzian(pair, hertz, 1e-5).tangential_force(ROLLCON_LONGITUDINAL, 0).option("frame_accuracy", 0.02);
     ASSERT_EQ(pair.solve(), ROLLCON_OK);
     const double error = pair.solution().creep[0] / exact - 1;
     expect_error("b/a = " + std::to_string(std::lround(width)) + ": creepage of free rolling", error, bound);
@@ -158,6 +161,57 @@ TEST(automatic_proofs, creep_curve) {
   pair.creep(-1e-5, 0, 0);
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
   expect_error("force at xi = 1e-5 against linear theory", relative(pair.solution().force[0], 243.30), 0.008);
+}
+
+// ------------------------------------------------------------------------------------ limits
+
+/// Of forces and moment, over mu Fn.
+std::array<double, 2> difference(const RollingAnswer& one, const RollingAnswer& other) {
+  return {std::hypot(one.force[0] - other.force[0], one.force[1] - other.force[1]), one.moment - other.moment};
+}
+
+// What CONTACT's grids tend to, known to 0.08 and 0.04 % of the force.
+TEST(automatic_proofs, cases_a_and_b) {
+  for (const std::string which : {"a", "b"})
+    for (const auto& [accuracy, bound] : {std::pair{0.005, 2.5e-3}, {0.0005, 2e-3}}) {
+      RollingPair pair(steel, steel);
+      hertzian(pair, steady_rolling::hertz, steady_rolling::mu).option("frame_accuracy", accuracy);
+      pair.creep(steady_rolling::creepage, 0, which == "b" ? steady_rolling::spin : 0);
+      EXPECT_GE(pair.solve(), 0);
+      const auto errors = steady_rolling::errors(pair.solution(), which);
+      const std::string name = "case (" + which + "), frame_accuracy " + std::to_string(accuracy) + ": ";
+      expect_error(name + "force", errors.force, bound);
+      expect_error(name + "moment", errors.moment, bound);
+    }
+}
+
+// With spin the pole of sliding moves through the contact where creepages carry it. The limit of vast creepages is an
+// integral of the pressure: slip is that of the rigid bodies.
+TEST(automatic_proofs, vast_creepages_and_spin_slide_as_rigid_bodies_do) {
+  const Hertz hertz = steady_rolling::hertz;
+  const double a = hertz.a, bound = steady_rolling::mu * hertz.load;
+  for (const double offset : {0.2, 0.5, 0.9}) {
+    constexpr double spin = 1e3;
+    const double lateral = -offset * a * spin, along = 0.3 * offset * a * spin;
+    RollingAnswer exact{};
+    constexpr int radii = 400, angles = 720;
+    for (int i = 0; i < radii; ++i)
+      for (int j = 0; j < angles; ++j) {
+        const double r = (i + 0.5) / radii, angle = 2 * std::numbers::pi * (j + 0.5) / angles;
+        const double x = r * std::cos(angle), y = r * std::sin(angle);
+        const double part = 3 * r * std::sqrt(1 - r * r) / (radii * angles);
+        const double s[2] = {along - spin * a * y, lateral + spin * a * x}, speed = std::hypot(s[0], s[1]);
+        for (std::size_t c = 0; c < 2; ++c) exact.force[c] -= part * s[c] / speed;
+        exact.moment -= part * (x * s[1] - y * s[0]) / speed;
+      }
+    RollingPair pair(steel, steel);
+    hertzian(pair, hertz, steady_rolling::mu).creep(along, lateral, spin);
+    ASSERT_EQ(pair.solve(), ROLLCON_OK);
+    const auto [force, moment] = difference(scenes::found_forces(pair.solution(), bound, a), exact);
+    const std::string name = "pole at " + std::to_string(offset) + " a: ";
+    expect_error(name + "force over mu Fn", force, 5e-3);
+    expect_error(name + "moment", moment, 5e-3);
+  }
 }
 
 // ------------------------------------------------------------------------------------ fine frames
@@ -204,16 +258,23 @@ RollingAnswer roll(RollingPair& pair, const Prepared& p) {
   return scenes::found_forces(pair.solution(), p.bound, p.arm);
 }
 
-/// Of forces and moment, over mu Fn.
-std::array<double, 2> difference(const RollingAnswer& one, const RollingAnswer& other) {
-  return {std::hypot(one.force[0] - other.force[0], one.force[1] - other.force[1]), one.moment - other.moment};
+/// On triangles slip is taken half a step upstream of the nodes: an error of first order that two sizes extrapolate.
+RollingAnswer roll_on_rings(const Rolling& r, const Prepared& p, int rings) {
+  const auto on = [&](int n) {
+    RollingPair pair(steel, r.other);
+    pair.frame(scenes::graded_disc(r.a, r.b, n));
+    return roll(pair, p);
+  };
+  const RollingAnswer coarse = on(rings / 2), fine = on(rings);
+  const auto limit = [](double c, double f) { return 2 * f - c; };
+  return {{limit(coarse.force[0], fine.force[0]), limit(coarse.force[1], fine.force[1])},
+          limit(coarse.moment, fine.moment)};
 }
 
 void beside_rings(const Rolling& r, int rings, double force_bound, double moment_bound) {
   const Prepared p = prepare(r);
-  RollingPair none(steel, r.other), fine(steel, r.other);
-  fine.frame(scenes::graded_disc(r.a, r.b, rings));
-  const RollingAnswer found = roll(none, p), beside = roll(fine, p);
+  RollingPair none(steel, r.other);
+  const RollingAnswer found = roll(none, p), beside = roll_on_rings(r, p, rings);
   const auto [force, moment] = difference(found, beside);
   const std::string name = std::string(r.name) + ": ";
   report(name + "force on rings, over mu Fn", std::hypot(beside.force[0], beside.force[1]));
@@ -223,11 +284,11 @@ void beside_rings(const Rolling& r, int rings, double force_bound, double moment
 
 TEST(automatic_proofs, creepages_and_spin_beside_rings) {
   // Pressure strains unlike bodies along the surface: both frames converge slowly.
-  for (const Rolling& r : rollings) beside_rings(r, 10, r.alike() ? 0.0055 : 0.014, 0.008);
+  for (const Rolling& r : rollings) beside_rings(r, 16, r.alike() ? 0.0055 : 0.006, 0.004);
 }
 
 TEST(automatic_proofs_long, creepages_and_spin_beside_fine_rings) {
-  for (const Rolling& r : rollings) beside_rings(r, 16, 0.0033, 0.004);
+  for (const Rolling& r : rollings) beside_rings(r, 24, 0.0045, 0.004);
 }
 
 // ---------------------------------------------------------------------------- accuracy asked for

@@ -51,7 +51,25 @@ struct Scene {
   double force_bound, moment_bound;
 };
 
-// Each beside a fine lattice under the same gap, which is itself off by up to 0.7 % (128 beside 256 intervals).
+/// What lattices of 64 and 128 intervals tend to at first order: slip is taken half a step upstream of the nodes.
+Solution limit_of_lattices(RollingPair& pair, const std::array<double, 4>& sides) {
+  Solution all[2];
+  for (const int i : {0, 1}) {
+    const int n = i == 0 ? 64 : 128;
+    EXPECT_EQ(
+        rollcon_contact_frame_rectangle(pair.handle(), ROLLCON_QUAD4, n, n, sides[0], sides[1], sides[2], sides[3]),
+        ROLLCON_OK);
+    EXPECT_EQ(pair.solve(), ROLLCON_OK);
+    all[i] = pair.solution();
+  }
+  for (int c = 0; c < 3; ++c) {
+    all[1].force[c] = 2 * all[1].force[c] - all[0].force[c];
+    all[1].moment[c] = 2 * all[1].moment[c] - all[0].moment[c];
+  }
+  return all[1];
+}
+
+// Each beside fine lattices under the same gap.
 void expect_lattice(const Scene& scene) {
   RollingPair pair(steel, steel);
   pair.load(load).friction(mu).creep(-4e-4, 2e-4, 1e-4);
@@ -68,11 +86,8 @@ void expect_lattice(const Scene& scene) {
                ? value + towards * margin
                : value;
   };
-  ASSERT_EQ(rollcon_contact_frame_rectangle(pair.handle(), ROLLCON_QUAD4, 128, 128, out(b.x_least, -1),
-                                            out(b.x_greatest, 1), out(b.y_least, -1), out(b.y_greatest, 1)),
-            ROLLCON_OK);
-  ASSERT_EQ(pair.solve(), ROLLCON_OK) << scene.name;
-  const Solution lattice = pair.solution();
+  const Solution lattice =
+      limit_of_lattices(pair, {out(b.x_least, -1), out(b.x_greatest, 1), out(b.y_least, -1), out(b.y_greatest, 1)});
   const std::string name = scene.name;
   expect_error(name + ": force vector over mu Fn",
                std::hypot(found.force[0] - lattice.force[0], found.force[1] - lattice.force[1]) / (mu * load),

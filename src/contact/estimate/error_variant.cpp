@@ -18,7 +18,7 @@ struct Silent final : Monitor {
   bool step(const StepRecord&) override { return false; }
 };
 
-// Rows that take a node and the sample ahead of it alone.
+// Rows over samples of the space's nodes; where one of another node is missing, the difference at the node itself.
 Convection pick(const TractionSpace& space, const Convection& whole) {
   Convection c;
   c.factor = pick(space, whole.factor);
@@ -26,13 +26,25 @@ Convection pick(const TractionSpace& space, const Convection& whole) {
   c.slip_x = pick(space, whole.slip_x);
   c.slip_y = pick(space, whole.slip_y);
   const std::size_t n = whole.ahead.size(), own = c.ahead.size();
+  std::vector<std::int32_t> place(n, -1);
+  for (std::size_t i = 0; i < own; ++i) place[at(space.node[i])] = static_cast<std::int32_t>(i);
+  const auto add = [&](std::size_t sample, double value) {
+    c.rows.column.push_back(static_cast<std::int32_t>(sample));
+    c.rows.value.push_back(value);
+  };
   c.rows.start.push_back(0);
   for (std::size_t i = 0; i < own; ++i) {
-    const std::size_t k = at(space.node[i]);
-    for (auto j = at(whole.rows.start[k]); j < at(whole.rows.start[k + 1]); ++j) {
-      const bool ahead = at(whole.rows.column[j]) >= n;
-      c.rows.column.push_back(static_cast<std::int32_t>(ahead ? own + i : i));
-      c.rows.value.push_back(whole.rows.value[j]);
+    const std::size_t k = at(space.node[i]), from = at(whole.rows.start[k]), to = at(whole.rows.start[k + 1]);
+    const auto there = [&](std::int32_t sample) { return place[at(sample) % n] >= 0; };
+    if (std::all_of(whole.rows.column.data() + from, whole.rows.column.data() + to, there)) {
+      for (std::size_t j = from; j < to; ++j) {
+        const std::size_t sample = at(whole.rows.column[j]), at_node = at(place[sample % n]);
+        add(sample < n ? at_node : own + at_node, whole.rows.value[j]);
+      }
+    } else {
+      add(i, 1);
+      add(own + i, -1);
+      c.slip_x[i] = space.frame.x[i] + c.ahead[i] / 2;
     }
     c.rows.start.push_back(static_cast<std::int64_t>(c.rows.column.size()));
   }
@@ -102,7 +114,8 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
   if (tangential) {
-    v.problem_.convection = pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, step));
+    v.problem_.convection =
+        pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, s.prepared->ends_at_edge, step));
   }
   v.assemble(s, tangential);
   for (std::size_t c = 0; c < 3; ++c) v.iterate_.lambda[c] = pick(*v.space_, s.iterate.lambda[c]);
@@ -118,7 +131,8 @@ Variant Variant::coarse(const SolverState& s, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
-  if (!s.frictionless) v.problem_.convection = make_convection(v.space_->frame, Scheme::characteristic, step);
+  if (!s.frictionless)
+    v.problem_.convection = make_convection(v.space_->frame, Scheme::characteristic, s.prepared->ends_at_edge, step);
   v.assemble(s, !s.frictionless);
   return v;
 }

@@ -60,7 +60,7 @@ void choose_table(SolverState& s, bool wanted) {
 
 LatticeScene scene_of(const SolverState& s, Scheme scheme, std::function<bool()> cancelled) {
   const auto make = [&s, scheme](const Frame& frame, const Lattice& lattice, Problem& p) {
-    p.convection = make_convection(frame, scheme);
+    p.convection = make_convection(frame, scheme, s.prepared->ends_at_edge);
     p.op = make_operators(s, lattice, p.convection);
   };
   return {s.prepared->frame, *s.prepared->lattice, make, std::move(cancelled)};

@@ -38,7 +38,11 @@ void UnitFrame::find_mirror() {
 
 void UnitFrame::take_convection(const Frame& frame, const Convection& convection, const FramePlace& place) {
   ahead_.resize(frame.x.size());
-  for (std::size_t k = 0; k < ahead_.size(); ++k) ahead_[k] = convection.ahead[k] / place.length;
+  slip_.resize(frame.x.size());
+  for (std::size_t k = 0; k < ahead_.size(); ++k) {
+    ahead_[k] = convection.ahead[k] / place.length;
+    slip_[k] = (convection.slip_x[k] - frame.x[k]) / place.length;
+  }
 }
 
 void UnitFrame::put_frame(const FramePlace& place, const std::vector<Vec3>& node, Frame& frame) const {
@@ -69,7 +73,7 @@ void UnitFrame::put_convection(const FramePlace& place, const Frame& frame, Conv
     const double ahead = place.length * ahead_[k];
     convection.ahead[k] = ahead;
     convection.factor[k] = ahead > 0 ? 1 / ahead : 0;
-    convection.slip_x[k] = frame.x[k] + ahead / 2;
+    convection.slip_x[k] = frame.x[k] + place.length * slip_[k];
     convection.slip_y[k] = frame.y[k];
   }
 }

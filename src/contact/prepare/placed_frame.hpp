@@ -29,7 +29,7 @@ class UnitFrame {
  private:
   double area_ = 0;
   std::vector<double> x_, y_, weight_, cell_area_, moment_x_, moment_y_;
-  std::vector<double> ahead_;
+  std::vector<double> ahead_, slip_;  ///< the scheme's steps, and how far from the nodes it takes slip
   std::vector<std::int32_t> mirror_;
 
   void find_mirror();

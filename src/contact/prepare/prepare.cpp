@@ -172,7 +172,7 @@ void build_stencils(SolverState& state, const Scene& scene) {
     preparation.dense->release_slip();
   else
     forget_operators(preparation);
-  on.problem.convection = make_convection(on.frame, scheme);
+  on.problem.convection = make_convection(on.frame, scheme, on.ends_at_edge);
   if (scheme == Scheme::characteristic && on.placed && !on.frame.curved())
     preparation.unit.take_convection(on.frame, on.problem.convection, on.place);
   ++state.work.stencils;

@@ -6,8 +6,8 @@
 namespace rollcon {
 namespace {
 
-// A creep field is given at the nodes, but the characteristic scheme takes slip half a step upstream: c(x + delta/2 e)
-// = c - delta/2 (v . grad c), exact for linear fields such as spin.
+// A creep field is given at the nodes, but the characteristic scheme may take slip d = delta/2 upstream: c(x + d e) =
+// c - d (v . grad c), exact for linear fields such as spin.
 void shift_field(Preparation& preparation) {
   Problem& p = preparation.made->problem;
   SparseRows& d = preparation.field_rows;
@@ -18,7 +18,7 @@ void shift_field(Preparation& preparation) {
     for (std::size_t i = 0; i < given.size(); ++i) {
       double derivative = 0;
       for (auto k = at(d.start[i]); k < at(d.start[i + 1]); ++k) derivative += d.value[k] * given[at(d.column[k])];
-      (*field)[i] -= 0.5 * p.convection.ahead[i] * derivative;
+      (*field)[i] -= (p.convection.slip_x[i] - preparation.made->frame.x[i]) * derivative;
     }
   }
 }

@@ -36,10 +36,10 @@ const char* name_of(Scheme scheme);
 /// Distance ahead over the local spacing along the flow, of the characteristic scheme.
 inline constexpr double characteristic_step = 0.6;
 
-/// step: that distance; other schemes have none. On a curved frame
-/// derivatives are taken along the surface: those in the projection times
-/// t1 . (rolling direction).
-Convection make_convection(const Frame& frame, Scheme scheme, double step = characteristic_step);
+/// ends_at_edge: the frame ends where the contact does, so the characteristic scheme takes slip at the nodes
+/// (take_slip_at_nodes). step: that distance; other schemes have none. On a curved frame derivatives are taken along
+/// the surface: those in the projection times t1 . (rolling direction).
+Convection make_convection(const Frame& frame, Scheme scheme, bool ends_at_edge, double step = characteristic_step);
 
 /// D w of displacements w[3 * k + c] at the nodes and `ahead` at the samples ahead of them. Tangential components.
 void convect(const Convection& convection, const double* w, const double* ahead, std::vector<double> (&slip)[2]);
@@ -58,5 +58,12 @@ SparseRows least_squares(const Frame& frame, double ex, double ey);
 /// Characteristic scheme: distance from each node to its upstream point, in the projection. part: of the node spacing
 /// along the flow (t1); nodes whose own traction acts upstream of them get more.
 std::vector<double> characteristic_steps(const Frame& frame, double part);
+
+/// Differences of the characteristic scheme are the slip half a step upstream of the node, whose traction it turns:
+/// errors of first order where the direction of slip changes, as under spin. Carries them to the node by the next
+/// node's upstream on the same line: s + part (s - s of the next one). Both vanish where both nodes stick, so that stick
+/// is what it was. Needs contact at the next node, for without it slip there is any: rows of nodes near the upstream
+/// end of their line stay, as do those without a next node.
+void take_slip_at_nodes(const Frame& frame, Convection& convection);
 
 }  // namespace rollcon

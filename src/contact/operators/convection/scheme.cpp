@@ -36,16 +36,17 @@ Convection with_rows(const Frame& frame, SparseRows rows) {
 struct Row {
   Scheme scheme;
   const char* name;
-  Convection (*make)(const Frame& frame, double step);
+  Convection (*make)(const Frame& frame, double step, bool ends_at_edge);
 };
 
 // A scheme is a row of this table, and an allowed value of the option `convection`.
 constexpr Row schemes[] = {
     {Scheme::least_squares, "least_squares",
-     [](const Frame& frame, double) { return with_rows(frame, least_squares(frame, 1, 0)); }},
-    {Scheme::godunov, "godunov", [](const Frame& frame, double) { return with_rows(frame, godunov(frame, 1, 0)); }},
+     [](const Frame& frame, double, bool) { return with_rows(frame, least_squares(frame, 1, 0)); }},
+    {Scheme::godunov, "godunov",
+     [](const Frame& frame, double, bool) { return with_rows(frame, godunov(frame, 1, 0)); }},
     {Scheme::characteristic, "characteristic",
-     [](const Frame& frame, double step) {
+     [](const Frame& frame, double step, bool ends_at_edge) {
        const std::vector<double> ahead = characteristic_steps(frame, step);
        Convection c = with_rows(frame, differences(ahead));
        for (std::size_t i = 0; i < ahead.size(); ++i) {
@@ -53,6 +54,7 @@ constexpr Row schemes[] = {
          c.slip_x[i] += ahead[i] / 2;  // second order: the difference is centred there
        }
        c.ahead = ahead;
+       if (ends_at_edge) take_slip_at_nodes(frame, c);
        return c;
      }},
 };
@@ -75,8 +77,8 @@ const char* name_of(Scheme scheme) {
   return row_of(scheme).name;
 }
 
-Convection make_convection(const Frame& frame, Scheme scheme, double step) {
-  Convection c = row_of(scheme).make(frame, step);
+Convection make_convection(const Frame& frame, Scheme scheme, bool ends_at_edge, double step) {
+  Convection c = row_of(scheme).make(frame, step, ends_at_edge);
   // Along the surface.
   for (std::size_t i = 0; i < frame.t1.size(); ++i) c.factor[i] *= dot(frame.t1[i], frame.axes.t1);
   return c;
