@@ -1,4 +1,4 @@
-!> Fortran 2008 view of the rollcon library: types rc_context, rc_body, rc_contact and rc_wheelrail, the functions that
+!> Fortran 2008 view of the rollcon library: types rc_context, rc_body, rc_contact, rc_wheelrail and rc_table, the functions that
 !> need no object, and, from module rollcon_c, all enumerators (ROLLCON_...) and the C functions themselves.
 module rollcon
   use rollcon_c
@@ -8,6 +8,7 @@ module rollcon
   use rollcon_body
   use rollcon_contact
   use rollcon_wheelrail
+  use rollcon_table
   use rollcon_tables
   implicit none
   public

@@ -1429,5 +1429,171 @@ module rollcon_c
       type(c_ptr) :: rc
     end function rollcon_wheelrail_from_id
 
+    function rollcon_table_from_id(id) result(rc) bind(C, name="rollcon_table_from_id")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int32_t), value :: id
+      type(c_ptr) :: rc
+    end function rollcon_table_from_id
+
+    function rollcon_table_create(context, table) result(rc) bind(C, name="rollcon_table_create")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      type(c_ptr), intent(out) :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_create
+
+    function rollcon_table_retain(table) result(rc) bind(C, name="rollcon_table_retain")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_retain
+
+    subroutine rollcon_table_release(table) bind(C, name="rollcon_table_release")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+    end subroutine rollcon_table_release
+
+    function rollcon_table_load(context, path, table) result(rc) bind(C, name="rollcon_table_load")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      character(kind=c_char), intent(in) :: path(*)
+      type(c_ptr), intent(out) :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_load
+
+    function rollcon_table_standard(context, table) result(rc) bind(C, name="rollcon_table_standard")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: context
+      type(c_ptr), intent(out) :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_standard
+
+    function rollcon_table_set_ratios(table, intervals, least, greatest) &
+        result(rc) bind(C, name="rollcon_table_set_ratios")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t), value :: intervals
+      real(c_double), value :: least
+      real(c_double), value :: greatest
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_ratios
+
+    function rollcon_table_set_resolution(table, magnitudes, angles, directions) &
+        result(rc) bind(C, name="rollcon_table_set_resolution")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t), value :: magnitudes
+      integer(c_int32_t), value :: angles
+      integer(c_int32_t), value :: directions
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_resolution
+
+    function rollcon_table_set_frame(table, along, across) &
+        result(rc) bind(C, name="rollcon_table_set_frame")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t), value :: along
+      integer(c_int32_t), value :: across
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_frame
+
+    function rollcon_table_set_poissons(table, n, poissons) &
+        result(rc) bind(C, name="rollcon_table_set_poissons")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: poissons(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_poissons
+
+    function rollcon_table_set_progress(table, fn, user) &
+        result(rc) bind(C, name="rollcon_table_set_progress")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      type(c_funptr), value :: fn
+      type(c_ptr), value :: user
+      integer(c_int32_t) :: rc
+    end function rollcon_table_set_progress
+
+    function rollcon_table_request_cancel(table) &
+        result(rc) bind(C, name="rollcon_table_request_cancel")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_table_request_cancel
+
+    function rollcon_table_make(table, part, parts) result(rc) bind(C, name="rollcon_table_make")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int32_t), value :: part
+      integer(c_int32_t), value :: parts
+      integer(c_int32_t) :: rc
+    end function rollcon_table_make
+
+    function rollcon_table_get_samples(table, capacity, samples, count) &
+        result(rc) bind(C, name="rollcon_table_get_samples")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: samples(*)
+      integer(c_int64_t), intent(inout) :: count
+      integer(c_int32_t) :: rc
+    end function rollcon_table_get_samples
+
+    function rollcon_table_add_samples(table, n, samples) &
+        result(rc) bind(C, name="rollcon_table_add_samples")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: samples(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_add_samples
+
+    function rollcon_table_save(table, path) result(rc) bind(C, name="rollcon_table_save")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_save
+
+    function rollcon_table_evaluate(table, n, inputs, results) &
+        result(rc) bind(C, name="rollcon_table_evaluate")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: inputs(*)
+      real(c_double), intent(out) :: results(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_evaluate
+
+    function rollcon_table_evaluate_derivatives(table, n, inputs, results, derivatives) &
+        result(rc) bind(C, name="rollcon_table_evaluate_derivatives")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: table
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: inputs(*)
+      real(c_double), intent(out) :: results(*)
+      real(c_double), intent(out) :: derivatives(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_table_evaluate_derivatives
+
   end interface
 end module rollcon_c

@@ -75,6 +75,8 @@ subroutine rckeep(ih, ierr)
     ierr = rollcon_contact_retain(contact_of(ih))
   case (of_wheelrail)
     ierr = rollcon_wheelrail_retain(wheelrail_of(ih))
+  case (of_table)
+    ierr = rollcon_table_retain(table_of(ih))
   case default
     call no_handle('RCKEEP', ih, ierr)
   end select
@@ -99,6 +101,9 @@ subroutine rcfree(ih, ierr)
     ih = 0
   case (of_wheelrail)
     call rollcon_wheelrail_release(wheelrail_of(ih))
+    ih = 0
+  case (of_table)
+    call rollcon_table_release(table_of(ih))
     ih = 0
   case default
     call no_handle('RCFREE', ih, ierr)
@@ -1346,4 +1351,156 @@ subroutine rcwcon(iwr, ipatch, icon, ierr)
   icon = 0
   ierr = rollcon_wheelrail_get_contact(wheelrail_of(iwr), narrow(ipatch - 1), p)
   if (ierr == ROLLCON_OK) icon = rollcon_id_of(p)
+end subroutine
+
+!> Makes a table without samples.
+subroutine rctabl(ictx, itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, itab, ierr
+  type(c_ptr) :: p
+  itab = 0
+  ierr = rollcon_table_create(context_of(ictx), p)
+  if (ierr == ROLLCON_OK) itab = rollcon_id_of(p)
+end subroutine
+
+!> Makes a table from a file of rollcon_table_save.
+subroutine rctlod(ictx, path, itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, itab, ierr
+  character(len=*) :: path
+  type(c_ptr) :: p
+  itab = 0
+  ierr = rollcon_table_load(context_of(ictx), c_text(path), p)
+  if (ierr == ROLLCON_OK) itab = rollcon_id_of(p)
+end subroutine
+
+!> Makes the table that comes with the library.
+subroutine rctstd(ictx, itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ictx, itab, ierr
+  type(c_ptr) :: p
+  itab = 0
+  ierr = rollcon_table_standard(context_of(ictx), p)
+  if (ierr == ROLLCON_OK) itab = rollcon_id_of(p)
+end subroutine
+
+!> Sets which ratios a / b of semi-axes the table has.
+subroutine rctrat(itab, intervals, xleast, greatest, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, intervals, ierr
+  double precision :: xleast, greatest
+  ierr = rollcon_table_set_ratios(table_of(itab), narrow(intervals), xleast, greatest)
+end subroutine
+
+!> Sets how fine the table is in the creepages.
+subroutine rctres(itab, magnitudes, iangles, idirections, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, magnitudes, iangles, idirections, ierr
+  ierr = rollcon_table_set_resolution(table_of(itab), narrow(magnitudes), narrow(iangles), narrow(idirections))
+end subroutine
+
+!> Sets the coarser of the two frames of strips on which samples are solved.
+subroutine rctfrm(itab, ialong, iacross, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ialong, iacross, ierr
+  ierr = rollcon_table_set_frame(table_of(itab), narrow(ialong), narrow(iacross))
+end subroutine
+
+!> Sets the Poisson's ratios of the table.
+subroutine rctpoi(itab, n, poissons, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, n, ierr
+  double precision :: poissons(*)
+  ierr = rollcon_table_set_poissons(table_of(itab), int(n, c_int64_t), poissons)
+end subroutine
+
+!> Sets the callback that rollcon_table_make calls about ten times a second (ROLLCON_PHASE_COMPLIANCE, the iterat.
+subroutine rctprg(itab, watch, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ierr
+  procedure(progress_77) :: watch
+  type(box), pointer :: b
+  b => box_of(itab)
+  b%progress => watch
+  ierr = rollcon_table_set_progress(table_of(itab), c_funloc(call_progress), c_loc(b))
+end subroutine
+
+!> Sets the callback that rollcon_table_make calls about ten times a second (ROLLCON_PHASE_COMPLIANCE, the iterat.
+subroutine rctnop(itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ierr
+  ierr = rollcon_table_set_progress(table_of(itab), c_null_funptr, c_null_ptr)
+end subroutine
+
+!> Asks a running rollcon_table_make to stop.
+subroutine rctstp(itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ierr
+  ierr = rollcon_table_request_cancel(table_of(itab))
+end subroutine
+
+!> Solves the samples of a part of the table that are not there yet, over the context's threads.
+subroutine rctmak(itab, ipart, iparts, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ipart, iparts, ierr
+  ierr = rollcon_table_make(table_of(itab), narrow(ipart), narrow(iparts))
+end subroutine
+
+!> All samples.
+subroutine rctgsm(itab, maxn, samples, icount, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, maxn, icount, ierr
+  double precision :: samples(*)
+  integer(c_int64_t) :: count_c
+  count_c = 0
+  ierr = rollcon_table_get_samples(table_of(itab), int(maxn, c_int64_t), samples, count_c)
+  icount = int(count_c)
+end subroutine
+
+!> Adds the samples that another table of the same settings has (rollcon_table_get_samples).
+subroutine rctasm(itab, n, samples, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, n, ierr
+  double precision :: samples(*)
+  ierr = rollcon_table_add_samples(table_of(itab), int(n, c_int64_t), samples)
+end subroutine
+
+!> Writes the table to a file, whole or not at all.
+subroutine rctsav(itab, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, ierr
+  character(len=*) :: path
+  ierr = rollcon_table_save(table_of(itab), c_text(path))
+end subroutine
+
+!> Forces and spin moments on body 1 of n contacts, by the signs of rollcon_contact_get_resultant.
+subroutine rcteva(itab, n, xinputs, results, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, n, ierr
+  double precision :: xinputs(*), results(*)
+  ierr = rollcon_table_evaluate(table_of(itab), int(n, c_int64_t), xinputs, results)
+end subroutine
+
+!> The same with derivatives, which are continuous, by all inputs.
+subroutine rctevd(itab, n, xinputs, results, derivatives, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: itab, n, ierr
+  double precision :: xinputs(*), results(*), derivatives(*)
+  ierr = rollcon_table_evaluate_derivatives(table_of(itab), int(n, c_int64_t), xinputs, results, derivatives)
 end subroutine

@@ -30,7 +30,7 @@ module rollcon_f77_support
   type(box), pointer, save, private :: boxes => null()
 
   integer(c_int32_t), parameter, private :: no_result = -huge(1_c_int32_t)
-  integer, parameter :: of_none = 0, of_context = 1, of_body = 2, of_contact = 3, of_wheelrail = 4
+  integer, parameter :: of_none = 0, of_context = 1, of_body = 2, of_contact = 3, of_wheelrail = 4, of_table = 5
 
 contains
 
@@ -62,6 +62,11 @@ contains
   type(c_ptr) function wheelrail_of(id)
     integer, intent(in) :: id
     wheelrail_of = rollcon_wheelrail_from_id(narrow(id))
+  end function
+
+  type(c_ptr) function table_of(id)
+    integer, intent(in) :: id
+    table_of = rollcon_table_from_id(narrow(id))
   end function
 
   !> What the handle stands for, which is in the highest bits of its number.

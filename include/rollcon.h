@@ -69,6 +69,7 @@ typedef struct rollcon_context rollcon_context;
 typedef struct rollcon_body rollcon_body;
 typedef struct rollcon_contact rollcon_contact;
 typedef struct rollcon_wheelrail rollcon_wheelrail;
+typedef struct rollcon_table rollcon_table;
 /* Only inside a progress callback. */
 typedef struct rollcon_event rollcon_event;
 
@@ -1759,6 +1760,199 @@ ROLLCON_API rollcon_contact *ROLLCON_CALL rollcon_contact_from_id(int32_t id);
  * Threads: any.
  */
 ROLLCON_API rollcon_wheelrail *ROLLCON_CALL rollcon_wheelrail_from_id(int32_t id);
+
+/*
+ * Handle with this number; NULL for 0. Not checked here: its use is (ROLLCON_ERR_HANDLE).
+ * Threads: any.
+ */
+ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
+
+/* ------------------------------------------------------------------------ Creep-force tables */
+/* Forces and spin moment of Hertzian steady rolling of two bodies with equal elastic constants,
+   from solved cases, in about a microsecond. What a table is given or makes stays: once it is
+   there, any number of threads evaluate it. docs/tables.md has its errors. */
+
+/*
+ * Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 14 intervals, 20
+ * magnitudes, 14 angles, 16 directions, frames of 12 x 8 and 24 x 16 strips, Poisson's ratios
+ * 0.28 and 0.3.
+ *   table    new handle
+ * Ownership: The caller owns the new handle: release it. It keeps the context alive. *table is
+ *   NULL after a failure.
+ * Also returns: ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_create(rollcon_context *context,
+    rollcon_table **table);
+
+/*
+ * Adds a reference.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_retain(rollcon_table *table);
+
+/*
+ * Drops a reference; the handle is dead after the last one. NULL and dead handles are ignored.
+ *   table  may be NULL
+ * Threads: any.
+ */
+ROLLCON_API void ROLLCON_CALL rollcon_table_release(rollcon_table *table);
+
+/*
+ * Makes a table from a file of rollcon_table_save. ROLLCON_ERR_IO: the file cannot be read, is
+ * none of these, truncated or changed; ROLLCON_ERR_UNSUPPORTED: it is of another ABI number,
+ * format or byte order.
+ *   path     name of the file
+ *   table    new handle
+ * Ownership: The caller owns the new handle: release it. *table is NULL after a failure.
+ * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_load(rollcon_context *context,
+    const char *path, rollcon_table **table);
+
+/*
+ * Makes the table that comes with the library: steel on steel, Poisson's ratios 0.28 to 0.3,
+ * ratios of semi-axes 1/25 to 25. Its file steel.rct is looked for in the folder that the
+ * environment variable ROLLCON_DATA names, in share/rollcon above the library, and where the
+ * library was to be installed (else ROLLCON_ERR_IO).
+ *   table    new handle
+ * Ownership: The caller owns the new handle: release it. *table is NULL after a failure.
+ * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_standard(rollcon_context *context,
+    rollcon_table **table);
+
+/*
+ * Sets which ratios a / b of semi-axes the table has. Before the first sample (else
+ * ROLLCON_ERR_STATE).
+ *   intervals  of the logarithm of the ratio, 4 to 100
+ *   least      0.01 or more
+ *   greatest   more than the least, at most 100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_ratios(rollcon_table *table,
+    int32_t intervals, double least, double greatest);
+
+/*
+ * Sets how fine the table is in the creepages. Before the first sample (else ROLLCON_ERR_STATE).
+ *   magnitudes  intervals from none to vast creepages, 4 to 100
+ *   angles      intervals from pure spin to none, 4 to 100
+ *   directions  of the translational creepage in half a turn, even, 4 to 32
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_resolution(rollcon_table *table,
+    int32_t magnitudes, int32_t angles, int32_t directions);
+
+/*
+ * Sets the coarser of the two frames of strips on which samples are solved. Before the first
+ * sample (else ROLLCON_ERR_STATE).
+ *   along   elements along each strip, 6 to 100; the finer frame has twice as many
+ *   across  strips, 4 to 100; likewise
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_frame(rollcon_table *table,
+    int32_t along, int32_t across);
+
+/*
+ * Sets the Poisson's ratios of the table; it is linear between them, and has none beyond. Before
+ * the first sample (else ROLLCON_ERR_STATE).
+ *   n         1 to 16
+ *   poissons  [n]; ascending, -1 to 0.5
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_poissons(rollcon_table *table,
+    int64_t n, const double *poissons);
+
+/*
+ * Sets the callback that rollcon_table_make calls about ten times a second
+ * (ROLLCON_PHASE_COMPLIANCE, the iteration counts the calls); a non-zero return cancels.
+ *   fn     NULL removes the callback
+ *   user   handed to fn
+ * Ownership: `user` stays the caller's and must live until the callback is replaced or the table
+ *   is gone.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_progress(rollcon_table *table,
+    rollcon_progress_fn fn, void *user);
+
+/*
+ * Asks a running rollcon_table_make to stop: it returns ROLLCON_CANCELLED within a few solves.
+ * What was solved stays, and the next call goes on.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_request_cancel(rollcon_table *table);
+
+/*
+ * Solves the samples of a part of the table that are not there yet, over the context's threads;
+ * with the last sample the table is made. Results depend neither on the number of threads nor on
+ * the parts. Several processes make a part each, one of them then adds the samples of the others.
+ *   part   0 to parts - 1
+ *   parts  1 or more; 1: the whole table
+ * Also returns: ROLLCON_CANCELLED, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY, ROLLCON_ERR_INTERNAL.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_make(rollcon_table *table, int32_t part,
+    int32_t parts);
+
+/*
+ * All samples; NaN where one is not solved yet. None of a table that was loaded, or before
+ * rollcon_table_make.
+ *   capacity  numbers that fit; 0: only the need
+ *   samples   [capacity], out, may be NULL
+ *   count     out; numbers that there are
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_get_samples(const rollcon_table *table,
+    int64_t capacity, double *samples, int64_t *count);
+
+/*
+ * Adds the samples that another table of the same settings has (rollcon_table_get_samples); NaN
+ * adds none. With the last sample the table is made.
+ *   n        as many as the other has
+ *   samples  [n]
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_add_samples(rollcon_table *table,
+    int64_t n, const double *samples);
+
+/*
+ * Writes the table to a file, whole or not at all; an older one is replaced. ROLLCON_ERR_STATE:
+ * the table is not made yet.
+ *   path   name of the file
+ * Also returns: ROLLCON_ERR_IO, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_save(rollcon_table *table,
+    const char *path);
+
+/*
+ * Forces and spin moments on body 1 of n contacts, by the signs of rollcon_contact_get_resultant.
+ * |F| is never above friction times load. Nothing is allocated. Inputs are those of a Hertzian
+ * contact: shear modulus, Poisson's ratio, coefficient of friction, semi-axes along and across
+ * the rolling direction, load, creepages along and across it, spin. The first entry that the
+ * table does not have is ROLLCON_ERR_ARGUMENT (ROLLCON_ERR_NONFINITE) and ends the call; results
+ * before it are there. ROLLCON_ERR_STATE: the table is not made yet.
+ *   n        entries
+ *   inputs   [n][9]; shear > 0, force/length^2; poisson, as the table has it; friction 0 to 10; a
+ *            and b > 0, length; load >= 0, force; longitudinal and lateral creepage; spin,
+ *            1/length
+ *   results  [n][3], out; force along t1 and t2; moment about n, force length
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Threads: any.
+ * Source: docs/tables.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate(const rollcon_table *table,
+    int64_t n, const double *inputs, double *results);
+
+/*
+ * The same with derivatives, which are continuous, by all inputs.
+ *   n            entries
+ *   inputs       [n][9]; as rollcon_table_evaluate takes them
+ *   results      [n][3], out; likewise
+ *   derivatives  [n][3][9], out; of each result by each input
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Threads: any.
+ * Source: docs/tables.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_evaluate_derivatives(
+    const rollcon_table *table, int64_t n, const double *inputs, double *results,
+    double *derivatives);
 
 #ifdef __cplusplus
 }

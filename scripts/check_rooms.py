@@ -18,6 +18,7 @@ ROOMS = [
     ["contact"],
     ["procedures"],
     ["framing"],
+    ["tables"],
     ["wheelrail"],
     ["capi"],
 ]

@@ -11,6 +11,7 @@ OPENING = """\
 #include "capi/results.hpp"
 #include "contact/contact.hpp"
 #include "support/input_checks.hpp"
+#include "tables/force_table.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 using namespace rollcon;
@@ -22,7 +23,8 @@ using namespace rollcon::capi;
 GUARDS = {"context": "with_object(__func__, Kind::context, context, [&](Object& self) {{\n{}  }})",
           "body": "with_body(__func__, body, [&](Body& self) {{\n{}  }})",
           "contact": "with_contact(__func__, contact, [&](Contact& self) {{\n{}  }})",
-          "wheelrail": "with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {{\n{}  }})"}
+          "wheelrail": "with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {{\n{}  }})",
+          "table": "with_table(__func__, table, [&](ForceTable& self) {{\n{}  }})"}
 
 
 def statement(function):

@@ -12,7 +12,8 @@ Arguments are those of the C function in their order; what FORTRAN 77 says other
 import re
 
 WIDTH = 118  # the language allows 132
-HANDLES = {"context": "ictx", "body": "ibody", "contact": "icon", "wheelrail": "iwr"}
+HANDLES = {"context": "ictx", "body": "ibody", "contact": "icon", "wheelrail": "iwr",
+           "table": "itab"}
 CALLBACKS = {"log_fn": "log", "progress_fn": "progress"}
 
 OPENING = """\

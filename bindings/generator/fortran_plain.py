@@ -1,4 +1,4 @@
-"""fortran/rollcon_{body,contact,wheelrail}_plain.f90: a type with the life of a handle and its plain procedures.
+"""fortran/rollcon_{body,contact,wheelrail,table}_plain.f90: a type with the life of a handle and its plain procedures.
 
 What Fortran 2008 says otherwise than C: arrays know their extents, enumerators have a kind of their
 own, other numbers are default INTEGERs, texts have lengths, `defaults` are optional and come last.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 SCALARS = {"int32", "int64", "real", "row"}
 TEXTS = {"text", "path", "char"}
 # Kinds of handles, and the numbers that they begin with (src/capi/handle_table.hpp).
-HANDLES = {"context": 1, "body": 2, "contact": 3, "wheelrail": 4}
+HANDLES = {"context": 1, "body": 2, "contact": 3, "wheelrail": 4, "table": 5}
 OPAQUE = set(HANDLES) | {"event", "handle"}
 OTHERS = {"log_fn", "progress_fn", "user"}
 RETURNS = {"status", "int32", "text", "void"} | set(HANDLES)

@@ -73,6 +73,10 @@ rollcon_wheelrail* rollcon_wheelrail_from_id(int32_t id) {
   return as_handle<rollcon_wheelrail>(HandleTable::from_id(id));
 }
 
+rollcon_table* rollcon_table_from_id(int32_t id) {
+  return as_handle<rollcon_table>(HandleTable::from_id(id));
+}
+
 rollcon_contact* rollcon_contact_from_id(int32_t id) {
   return as_handle<rollcon_contact>(HandleTable::from_id(id));
 }

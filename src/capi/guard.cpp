@@ -44,8 +44,10 @@ const char* name(Kind kind) noexcept {
       return "body";
     case Kind::contact:
       return "contact";
-    default:
+    case Kind::wheelrail:
       return "wheelrail";
+    default:
+      return "table";
   }
 }
 

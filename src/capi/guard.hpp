@@ -100,6 +100,11 @@ std::int32_t with_wheelrail(const char* function, const rollcon_wheelrail* handl
   return with_object(function, Kind::wheelrail, handle, [&](Object& object) { return body(*object.wheelrail); });
 }
 
+template <class F>
+std::int32_t with_table(const char* function, const rollcon_table* handle, F&& body) noexcept {
+  return with_object(function, Kind::table, handle, [&](Object& object) { return body(*object.table); });
+}
+
 /// Of a further argument of a call.
 std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name);
 

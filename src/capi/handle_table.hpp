@@ -13,11 +13,12 @@
 #include "contact/contact.hpp"
 #include "rollcon.h"
 #include "support/context.hpp"
+#include "tables/force_table.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 namespace rollcon::capi {
 
-enum class Kind : std::uint32_t { context = 1, body = 2, contact = 3, wheelrail = 4 };
+enum class Kind : std::uint32_t { context = 1, body = 2, contact = 3, wheelrail = 4, table = 5 };
 
 /// What a handle stands for. A call holds a reference, so a release in another thread is harmless.
 struct Object {
@@ -25,6 +26,7 @@ struct Object {
   std::shared_ptr<Body> body;        ///< of kind body
   std::shared_ptr<Contact> contact;  ///< of kind contact
   std::unique_ptr<WheelRail> wheelrail;
+  std::unique_ptr<ForceTable> table;
   /// A call that may change the object or needs it unchanged; one flag for a wheel on its rail and its contacts.
   std::shared_ptr<std::atomic<bool>> busy = std::make_shared<std::atomic<bool>>(false);
   std::vector<std::shared_ptr<Object>> patches;  ///< of kind wheelrail: those of its contacts that were asked for

@@ -6,6 +6,7 @@
 #include "capi/results.hpp"
 #include "contact/contact.hpp"
 #include "support/input_checks.hpp"
+#include "tables/force_table.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 using namespace rollcon;
@@ -373,6 +374,45 @@ rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
 rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.reset();
+  });
+}
+
+rollcon_status rollcon_table_set_ratios(rollcon_table *table, int32_t intervals, double least,
+    double greatest) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.set_ratios(intervals, least, greatest);
+  });
+}
+
+rollcon_status rollcon_table_set_resolution(rollcon_table *table, int32_t magnitudes,
+    int32_t angles, int32_t directions) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.set_resolution(magnitudes, angles, directions);
+  });
+}
+
+rollcon_status rollcon_table_set_frame(rollcon_table *table, int32_t along, int32_t across) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.set_frame(along, across);
+  });
+}
+
+rollcon_status rollcon_table_set_poissons(rollcon_table *table, int64_t n,
+    const double *poissons) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.set_poissons(n, poissons);
+  });
+}
+
+rollcon_status rollcon_table_add_samples(rollcon_table *table, int64_t n, const double *samples) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.add_samples(n, samples);
+  });
+}
+
+rollcon_status rollcon_table_save(rollcon_table *table, const char *path) {
+  return with_table(__func__, table, [&](ForceTable& self) {
+    self.save(path);
   });
 }
 

@@ -1,6 +1,7 @@
 /// Solving, watching, stopping.
 
 #include "capi/guard.hpp"
+#include "capi/progress.hpp"
 #include "support/input_checks.hpp"
 #include "support/last_error.hpp"
 
@@ -19,17 +20,6 @@ struct LiveEvent {
 
 thread_local const LiveEvent* innermost_event = nullptr;
 
-std::int32_t call_progress(const Event& event, void* user) {
-  const auto& object = *static_cast<const Object*>(user);
-  const LiveEvent live{event, object.context.get(), innermost_event};
-  innermost_event = &live;
-  struct Leave {
-    ~Leave() { innermost_event = innermost_event->outer; }
-  } const at_end;
-  const HostFloatingPoint host;
-  return object.progress(reinterpret_cast<const rollcon_event*>(&event), object.progress_user);
-}
-
 template <class F>
 std::int32_t with_event(const char* function, const rollcon_event* handle, F&& body) noexcept {
   for (const LiveEvent* live = innermost_event; live; live = live->outer) {
@@ -43,6 +33,17 @@ std::int32_t with_event(const char* function, const rollcon_event* handle, F&& b
 }
 
 }  // namespace
+
+std::int32_t rollcon::capi::call_progress(const Event& event, void* user) {
+  const auto& object = *static_cast<const Object*>(user);
+  const LiveEvent live{event, object.context.get(), innermost_event};
+  innermost_event = &live;
+  struct Leave {
+    ~Leave() { innermost_event = innermost_event->outer; }
+  } const at_end;
+  const HostFloatingPoint host;
+  return object.progress(reinterpret_cast<const rollcon_event*>(&event), object.progress_user);
+}
 
 rollcon_status rollcon_contact_set_progress(rollcon_contact* contact, rollcon_progress_fn fn, void* user) {
   return with_object(__func__, Kind::contact, contact, [&](Object& object) {

@@ -52,7 +52,7 @@ static void blank(void) {
 
 /* Kind and number, as give_handle makes them. */
 void record_handle(const void* handle) {
-  static const char* const kinds[] = {"handle", "context", "body", "contact", "wheelrail"};
+  static const char* const kinds[] = {"handle", "context", "body", "contact", "wheelrail", "table"};
   const intptr_t id = (intptr_t)handle;
   blank();
   if (handle)

@@ -137,9 +137,27 @@ const char* const recorded_names[] = {
   "body_from_id",
   "contact_from_id",
   "wheelrail_from_id",
+  "table_from_id",
+  "table_create",
+  "table_retain",
+  "table_release",
+  "table_load",
+  "table_standard",
+  "table_set_ratios",
+  "table_set_resolution",
+  "table_set_frame",
+  "table_set_poissons",
+  "table_set_progress",
+  "table_request_cancel",
+  "table_make",
+  "table_get_samples",
+  "table_add_samples",
+  "table_save",
+  "table_evaluate",
+  "table_evaluate_derivatives",
 };
 
-const int recorded_number = 132;
+const int recorded_number = 150;
 
 enum {
   recorded_rollcon_version,
@@ -274,6 +292,24 @@ enum {
   recorded_rollcon_body_from_id,
   recorded_rollcon_contact_from_id,
   recorded_rollcon_wheelrail_from_id,
+  recorded_rollcon_table_from_id,
+  recorded_rollcon_table_create,
+  recorded_rollcon_table_retain,
+  recorded_rollcon_table_release,
+  recorded_rollcon_table_load,
+  recorded_rollcon_table_standard,
+  recorded_rollcon_table_set_ratios,
+  recorded_rollcon_table_set_resolution,
+  recorded_rollcon_table_set_frame,
+  recorded_rollcon_table_set_poissons,
+  recorded_rollcon_table_set_progress,
+  recorded_rollcon_table_request_cancel,
+  recorded_rollcon_table_make,
+  recorded_rollcon_table_get_samples,
+  recorded_rollcon_table_add_samples,
+  recorded_rollcon_table_save,
+  recorded_rollcon_table_evaluate,
+  recorded_rollcon_table_evaluate_derivatives,
 };
 
 int32_t rollcon_version(void) {
@@ -1461,4 +1497,158 @@ rollcon_wheelrail *rollcon_wheelrail_from_id(int32_t id) {
   record_begin(recorded_rollcon_wheelrail_from_id);
   record_integer(id);
   return (rollcon_wheelrail*)(intptr_t)id;
+}
+
+rollcon_table *rollcon_table_from_id(int32_t id) {
+  record_begin(recorded_rollcon_table_from_id);
+  record_integer(id);
+  return (rollcon_table*)(intptr_t)id;
+}
+
+rollcon_status rollcon_table_create(rollcon_context *context, rollcon_table **table) {
+  record_begin(recorded_rollcon_table_create);
+  record_handle(context);
+  record_room(table);
+  if (table) *table = (rollcon_table*)give_handle(5);
+  return record_end();
+}
+
+rollcon_status rollcon_table_retain(rollcon_table *table) {
+  record_begin(recorded_rollcon_table_retain);
+  record_handle(table);
+  return record_end();
+}
+
+void rollcon_table_release(rollcon_table *table) {
+  record_begin(recorded_rollcon_table_release);
+  record_handle(table);
+}
+
+rollcon_status rollcon_table_load(rollcon_context *context, const char *path,
+    rollcon_table **table) {
+  record_begin(recorded_rollcon_table_load);
+  record_handle(context);
+  record_text(path);
+  record_room(table);
+  if (table) *table = (rollcon_table*)give_handle(5);
+  return record_end();
+}
+
+rollcon_status rollcon_table_standard(rollcon_context *context, rollcon_table **table) {
+  record_begin(recorded_rollcon_table_standard);
+  record_handle(context);
+  record_room(table);
+  if (table) *table = (rollcon_table*)give_handle(5);
+  return record_end();
+}
+
+rollcon_status rollcon_table_set_ratios(rollcon_table *table, int32_t intervals, double least,
+    double greatest) {
+  record_begin(recorded_rollcon_table_set_ratios);
+  record_handle(table);
+  record_integer(intervals);
+  record_real(least);
+  record_real(greatest);
+  return record_end();
+}
+
+rollcon_status rollcon_table_set_resolution(rollcon_table *table, int32_t magnitudes,
+    int32_t angles, int32_t directions) {
+  record_begin(recorded_rollcon_table_set_resolution);
+  record_handle(table);
+  record_integer(magnitudes);
+  record_integer(angles);
+  record_integer(directions);
+  return record_end();
+}
+
+rollcon_status rollcon_table_set_frame(rollcon_table *table, int32_t along, int32_t across) {
+  record_begin(recorded_rollcon_table_set_frame);
+  record_handle(table);
+  record_integer(along);
+  record_integer(across);
+  return record_end();
+}
+
+rollcon_status rollcon_table_set_poissons(rollcon_table *table, int64_t n,
+    const double *poissons) {
+  record_begin(recorded_rollcon_table_set_poissons);
+  record_handle(table);
+  record_integer(n);
+  record_reals(poissons, n);
+  return record_end();
+}
+
+rollcon_status rollcon_table_set_progress(rollcon_table *table, rollcon_progress_fn fn,
+    void *user) {
+  const int64_t told = fn ? fn((const rollcon_event*)7, user) : 0;
+  record_begin(recorded_rollcon_table_set_progress);
+  record_handle(table);
+  if (fn) record_integer(told); else record_room(0);
+  return record_end();
+}
+
+rollcon_status rollcon_table_request_cancel(rollcon_table *table) {
+  record_begin(recorded_rollcon_table_request_cancel);
+  record_handle(table);
+  return record_end();
+}
+
+rollcon_status rollcon_table_make(rollcon_table *table, int32_t part, int32_t parts) {
+  record_begin(recorded_rollcon_table_make);
+  record_handle(table);
+  record_integer(part);
+  record_integer(parts);
+  return record_end();
+}
+
+rollcon_status rollcon_table_get_samples(const rollcon_table *table, int64_t capacity,
+    double *samples, int64_t *count) {
+  record_begin(recorded_rollcon_table_get_samples);
+  record_handle(table);
+  record_integer(capacity);
+  record_room(samples);
+  record_room(count);
+  give_reals(samples, capacity, 2);
+  give_integer64(count, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_table_add_samples(rollcon_table *table, int64_t n, const double *samples) {
+  record_begin(recorded_rollcon_table_add_samples);
+  record_handle(table);
+  record_integer(n);
+  record_reals(samples, n);
+  return record_end();
+}
+
+rollcon_status rollcon_table_save(rollcon_table *table, const char *path) {
+  record_begin(recorded_rollcon_table_save);
+  record_handle(table);
+  record_text(path);
+  return record_end();
+}
+
+rollcon_status rollcon_table_evaluate(const rollcon_table *table, int64_t n,
+    const double *inputs, double *results) {
+  record_begin(recorded_rollcon_table_evaluate);
+  record_handle(table);
+  record_integer(n);
+  record_reals(inputs, n * 9);
+  record_room(results);
+  give_reals(results, n * 3, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_table_evaluate_derivatives(const rollcon_table *table, int64_t n,
+    const double *inputs, double *results, double *derivatives) {
+  record_begin(recorded_rollcon_table_evaluate_derivatives);
+  record_handle(table);
+  record_integer(n);
+  record_reals(inputs, n * 9);
+  record_room(results);
+  record_room(derivatives);
+  give_reals(results, n * 3, 3);
+  give_reals(derivatives, n * 3 * 9, 4);
+  return record_end();
 }

@@ -18,6 +18,7 @@ struct HarmlessArguments {
   rollcon_body* body = nullptr;
   rollcon_contact* contact = nullptr;
   rollcon_wheelrail* wheelrail = nullptr;
+  rollcon_table* table = nullptr;
 };
 
 template <class Check>
@@ -42,6 +43,12 @@ void with_each_context_call(const void* handle, Check&& check) {
         rollcon_contact_create(object, nullptr, nullptr, &a.contact));
   check("rollcon_wheelrail_create", false,
         rollcon_wheelrail_create(object, nullptr, nullptr, 1, &a.wheelrail));
+  check("rollcon_table_create", false,
+        rollcon_table_create(object, &a.table));
+  check("rollcon_table_load", false,
+        rollcon_table_load(object, "never_written", &a.table));
+  check("rollcon_table_standard", false,
+        rollcon_table_standard(object, &a.table));
 }
 
 template <class Check>
@@ -238,6 +245,38 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_get_patch_stat(object, 1, "never_written", a.out));
   check("rollcon_wheelrail_get_contact", false,
         rollcon_wheelrail_get_contact(object, 1, &a.contact));
+}
+
+template <class Check>
+void with_each_table_call(const void* handle, Check&& check) {
+  auto* object = static_cast<rollcon_table*>(const_cast<void*>(handle));
+  HarmlessArguments a;
+  check("rollcon_table_retain", true,
+        rollcon_table_retain(object));
+  check("rollcon_table_set_ratios", false,
+        rollcon_table_set_ratios(object, 1, 1, 1));
+  check("rollcon_table_set_resolution", false,
+        rollcon_table_set_resolution(object, 1, 1, 1));
+  check("rollcon_table_set_frame", false,
+        rollcon_table_set_frame(object, 1, 1));
+  check("rollcon_table_set_poissons", false,
+        rollcon_table_set_poissons(object, 1, a.reals));
+  check("rollcon_table_set_progress", false,
+        rollcon_table_set_progress(object, nullptr, nullptr));
+  check("rollcon_table_request_cancel", true,
+        rollcon_table_request_cancel(object));
+  check("rollcon_table_make", false,
+        rollcon_table_make(object, 1, 1));
+  check("rollcon_table_get_samples", false,
+        rollcon_table_get_samples(object, 1, a.out, &a.n));
+  check("rollcon_table_add_samples", false,
+        rollcon_table_add_samples(object, 1, a.reals));
+  check("rollcon_table_save", false,
+        rollcon_table_save(object, "never_written"));
+  check("rollcon_table_evaluate", true,
+        rollcon_table_evaluate(object, 1, a.reals, a.out));
+  check("rollcon_table_evaluate_derivatives", true,
+        rollcon_table_evaluate_derivatives(object, 1, a.reals, a.out, a.out));
 }
 
 // clang-format on

@@ -108,6 +108,20 @@ program mapping_77_test
   call test_rcwpst()
   call test_rcwpsn()
   call test_rcwcon()
+  call test_rctabl()
+  call test_rctlod()
+  call test_rctstd()
+  call test_rctrat()
+  call test_rctres()
+  call test_rctfrm()
+  call test_rctpoi()
+  call test_rctstp()
+  call test_rctmak()
+  call test_rctgsm()
+  call test_rctasm()
+  call test_rctsav()
+  call test_rcteva()
+  call test_rctevd()
   call mapped_by_hand()
   call done('')
 contains
@@ -1612,5 +1626,211 @@ contains
     call rcwcon(iwr, 11, ih, stat)
     call rclerr(message)
     call failed('wheelrail_get_contact', stat, message)
+  end subroutine
+
+  subroutine test_rctabl()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctabl(ictx, ih, stat)
+    call told('table_create', 'context1 room', stat)
+    call gave_kind(ih, 5)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctabl(ictx, ih, stat)
+    call rclerr(message)
+    call failed('table_create', stat, message)
+  end subroutine
+
+  subroutine test_rctlod()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctlod(ictx, 'text 1', ih, stat)
+    call told('table_load', 'context1 <text 1> room', stat)
+    call gave_kind(ih, 5)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctlod(ictx, 'text 1', ih, stat)
+    call rclerr(message)
+    call failed('table_load', stat, message)
+  end subroutine
+
+  subroutine test_rctstd()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctstd(ictx, ih, stat)
+    call told('table_standard', 'context1 room', stat)
+    call gave_kind(ih, 5)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctstd(ictx, ih, stat)
+    call rclerr(message)
+    call failed('table_standard', stat, message)
+  end subroutine
+
+  subroutine test_rctrat()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctrat(itab, 11, 2.5d0, 3.5d0, stat)
+    call told('table_set_ratios', 'table1 11 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctrat(itab, 11, 2.5d0, 3.5d0, stat)
+    call rclerr(message)
+    call failed('table_set_ratios', stat, message)
+  end subroutine
+
+  subroutine test_rctres()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctres(itab, 11, 21, 31, stat)
+    call told('table_set_resolution', 'table1 11 21 31', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctres(itab, 11, 21, 31, stat)
+    call rclerr(message)
+    call failed('table_set_resolution', stat, message)
+  end subroutine
+
+  subroutine test_rctfrm()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctfrm(itab, 11, 21, stat)
+    call told('table_set_frame', 'table1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctfrm(itab, 11, 21, stat)
+    call rclerr(message)
+    call failed('table_set_frame', stat, message)
+  end subroutine
+
+  subroutine test_rctpoi()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctpoi(itab, 2, [2.125d0, 2.25d0], stat)
+    call told('table_set_poissons', 'table1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctpoi(itab, 2, [2.125d0, 2.25d0], stat)
+    call rclerr(message)
+    call failed('table_set_poissons', stat, message)
+  end subroutine
+
+  subroutine test_rctstp()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctstp(itab, stat)
+    call told('table_request_cancel', 'table1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctstp(itab, stat)
+    call rclerr(message)
+    call failed('table_request_cancel', stat, message)
+  end subroutine
+
+  subroutine test_rctmak()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctmak(itab, 11, 21, stat)
+    call told('table_make', 'table1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctmak(itab, 11, 21, stat)
+    call rclerr(message)
+    call failed('table_make', stat, message)
+  end subroutine
+
+  subroutine test_rctgsm()
+    double precision :: samples(6)
+    integer :: icount
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctgsm(itab, 6, samples, icount, stat)
+    call told('table_get_samples', 'table1 6 room room', stat)
+    call gave_reals('samples', samples, 200.5_rc_real)
+    call gave_integers('icount', int([icount]), 300)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctgsm(itab, 6, samples, icount, stat)
+    call rclerr(message)
+    call failed('table_get_samples', stat, message)
+  end subroutine
+
+  subroutine test_rctasm()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctasm(itab, 2, [2.125d0, 2.25d0], stat)
+    call told('table_add_samples', 'table1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctasm(itab, 2, [2.125d0, 2.25d0], stat)
+    call rclerr(message)
+    call failed('table_add_samples', stat, message)
+  end subroutine
+
+  subroutine test_rctsav()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctsav(itab, 'text 1', stat)
+    call told('table_save', 'table1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctsav(itab, 'text 1', stat)
+    call rclerr(message)
+    call failed('table_save', stat, message)
+  end subroutine
+
+  subroutine test_rcteva()
+    double precision :: results(6)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcteva(itab, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0], results, stat)
+    call told('table_evaluate', &
+      'table1 2 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125 3.25 3.375 3.5 3.625 3.75 3.875 4 4.125 4.25] room', &
+      stat)
+    call gave_reals('results', results, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcteva(itab, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0], results, stat)
+    call rclerr(message)
+    call failed('table_evaluate', stat, message)
+  end subroutine
+
+  subroutine test_rctevd()
+    double precision :: results(6)
+    double precision :: derivatives(54)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctevd(itab, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0], results, derivatives, stat)
+    call told('table_evaluate_derivatives', &
+      'table1 2 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125 3.25 3.375 3.5 3.625 3.75 3.875 4 4.125 4.25] room room', &
+      stat)
+    call gave_reals('results', results, 300.5_rc_real)
+    call gave_reals('derivatives', derivatives, 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctevd(itab, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0], results, derivatives, stat)
+    call rclerr(message)
+    call failed('table_evaluate_derivatives', stat, message)
   end subroutine
 end program

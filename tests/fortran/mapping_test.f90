@@ -65,6 +65,14 @@ program mapping_test
   call wheelrail_get_resultant()
   call wheelrail_get_stat()
   call wheelrail_get_patch_stat()
+  call table_set_ratios()
+  call table_set_resolution()
+  call table_set_frame()
+  call table_set_poissons()
+  call table_request_cancel()
+  call table_make()
+  call table_add_samples()
+  call table_save()
   call mapped_by_hand()
   call done('')
 contains
@@ -880,5 +888,101 @@ contains
     message = ''
     call wheelrail%get_patch_stat(11, 'text 2', value, stat, message)
     call failed('wheelrail_get_patch_stat', stat, message)
+  end subroutine
+
+  subroutine table_set_ratios()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%set_ratios(11, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call told('table_set_ratios', 'table1 11 2.5 3.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%set_ratios(11, 2.5_rc_real, 3.5_rc_real, stat, message)
+    call failed('table_set_ratios', stat, message)
+  end subroutine
+
+  subroutine table_set_resolution()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%set_resolution(11, 21, 31, stat, message)
+    call told('table_set_resolution', 'table1 11 21 31', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%set_resolution(11, 21, 31, stat, message)
+    call failed('table_set_resolution', stat, message)
+  end subroutine
+
+  subroutine table_set_frame()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%set_frame(11, 21, stat, message)
+    call told('table_set_frame', 'table1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%set_frame(11, 21, stat, message)
+    call failed('table_set_frame', stat, message)
+  end subroutine
+
+  subroutine table_set_poissons()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%set_poissons([2.125_rc_real, 2.25_rc_real], stat, message)
+    call told('table_set_poissons', 'table1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%set_poissons([2.125_rc_real, 2.25_rc_real], stat, message)
+    call failed('table_set_poissons', stat, message)
+  end subroutine
+
+  subroutine table_request_cancel()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%request_cancel(stat, message)
+    call told('table_request_cancel', 'table1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%request_cancel(stat, message)
+    call failed('table_request_cancel', stat, message)
+  end subroutine
+
+  subroutine table_make()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%make(11, 21, stat, message)
+    call told('table_make', 'table1 11 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%make(11, 21, stat, message)
+    call failed('table_make', stat, message)
+  end subroutine
+
+  subroutine table_add_samples()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%add_samples([2.125_rc_real, 2.25_rc_real], stat, message)
+    call told('table_add_samples', 'table1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%add_samples([2.125_rc_real, 2.25_rc_real], stat, message)
+    call failed('table_add_samples', stat, message)
+  end subroutine
+
+  subroutine table_save()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call table%save('text 1', stat, message)
+    call told('table_save', 'table1 <text 1>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call table%save('text 1', stat, message)
+    call failed('table_save', stat, message)
   end subroutine
 end program

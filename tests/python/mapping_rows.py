@@ -77,4 +77,11 @@ ROWS = list(starmap(Row, [
     ('wheelrail', 'resultant', False, (), 'wheelrail_get_resultant', 'wheelrail1 0 room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5])),
     ('wheelrail', 'stat', False, ('text 1',), 'wheelrail_get_stat', 'wheelrail1 <text 1> room', 200.5),
     ('wheelrail', 'patch_stat', False, (11, 'text 2'), 'wheelrail_get_patch_stat', 'wheelrail1 11 <text 2> room', 300.5),
+    ('table', 'set_ratios', False, (11, 2.5, 3.5), 'table_set_ratios', 'table1 11 2.5 3.5', None),
+    ('table', 'set_resolution', False, (11, 21, 31), 'table_set_resolution', 'table1 11 21 31', None),
+    ('table', 'set_frame', False, (11, 21), 'table_set_frame', 'table1 11 21', None),
+    ('table', 'set_poissons', False, ([2.125, 2.25],), 'table_set_poissons', 'table1 2 [2.125 2.25]', None),
+    ('table', 'request_cancel', False, (), 'table_request_cancel', 'table1', None),
+    ('table', 'add_samples', False, ([2.125, 2.25],), 'table_add_samples', 'table1 2 [2.125 2.25]', None),
+    ('table', 'save', False, ('text 1',), 'table_save', 'table1 <text 1>', None),
 ]))

@@ -1,6 +1,6 @@
 """rollcon for Python: frictional rolling contact by the C library librollcon.
 
-Context, Body, Contact and WheelRail wrap the handles of rollcon.h; each object releases its handle when it
+Context, Body, Contact, WheelRail and Table wrap the handles of rollcon.h; each object releases its handle when it
 is closed, leaves a `with` block or is collected. Failures raise RollconError. Arrays are numpy
 arrays of float64, x[n, 3]; node numbers count from 0. Contiguous arrays are passed without a copy.
 """
@@ -14,11 +14,12 @@ from .contact import Contact
 from .context import Context
 from .options import (body_option_table, body_stat_names, option_table, stat_names,
                       wheelrail_patch_stat_names, wheelrail_stat_names)
+from .table import Table
 from .wheelrail import WheelRail
 
 __version__ = ".".join(str(part) for part in _api.VERSION)
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
-__all__ += ["Body", "Contact", "Context", "RollconError", "WheelRail", "body_option_table", "body_stat_names",
+__all__ += ["Body", "Contact", "Context", "RollconError", "Table", "WheelRail", "body_option_table", "body_stat_names",
             "build_info", "has_feature", "last_error", "library_path", "option_table", "stat_names",
             "status_string", "version", "version_string", "wheelrail_patch_stat_names",
             "wheelrail_stat_names"]

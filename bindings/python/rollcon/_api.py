@@ -340,6 +340,28 @@ FUNCTIONS = {
     "rollcon_body_from_id": (c_void_p, [c_int32]),
     "rollcon_contact_from_id": (c_void_p, [c_int32]),
     "rollcon_wheelrail_from_id": (c_void_p, [c_int32]),
+    "rollcon_table_from_id": (c_void_p, [c_int32]),
+    "rollcon_table_create": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "rollcon_table_retain": (c_int32, [c_void_p]),
+    "rollcon_table_release": (None, [c_void_p]),
+    "rollcon_table_load": (c_int32, [c_void_p, c_char_p, POINTER(c_void_p)]),
+    "rollcon_table_standard": (c_int32, [c_void_p, POINTER(c_void_p)]),
+    "rollcon_table_set_ratios": (c_int32, [c_void_p, c_int32, c_double, c_double]),
+    "rollcon_table_set_resolution": (c_int32, [c_void_p, c_int32, c_int32, c_int32]),
+    "rollcon_table_set_frame": (c_int32, [c_void_p, c_int32, c_int32]),
+    "rollcon_table_set_poissons": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_table_set_progress": (c_int32, [c_void_p, progress_fn, c_void_p]),
+    "rollcon_table_request_cancel": (c_int32, [c_void_p]),
+    "rollcon_table_make": (c_int32, [c_void_p, c_int32, c_int32]),
+    "rollcon_table_get_samples": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_table_add_samples": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_table_save": (c_int32, [c_void_p, c_char_p]),
+    "rollcon_table_evaluate": (c_int32, [c_void_p, c_int64, POINTER(c_double), POINTER(c_double)]),
+    "rollcon_table_evaluate_derivatives": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
 }
 
 # Names of the values of enumerations, with and without what all of them begin with.
@@ -602,6 +624,28 @@ ARGUMENTS = {
     "rollcon_body_from_id": [("id", "")],
     "rollcon_contact_from_id": [("id", "")],
     "rollcon_wheelrail_from_id": [("id", "")],
+    "rollcon_table_from_id": [("id", "")],
+    "rollcon_table_create": [("context", ""), ("table", "")],
+    "rollcon_table_retain": [("table", "")],
+    "rollcon_table_release": [("table", "")],
+    "rollcon_table_load": [("context", ""), ("path", ""), ("table", "")],
+    "rollcon_table_standard": [("context", ""), ("table", "")],
+    "rollcon_table_set_ratios": [("table", ""), ("intervals", ""), ("least", ""), ("greatest", "")],
+    "rollcon_table_set_resolution": [
+        ("table", ""), ("magnitudes", ""), ("angles", ""), ("directions", "")
+    ],
+    "rollcon_table_set_frame": [("table", ""), ("along", ""), ("across", "")],
+    "rollcon_table_set_poissons": [("table", ""), ("n", ""), ("poissons", "")],
+    "rollcon_table_set_progress": [("table", ""), ("fn", ""), ("user", "")],
+    "rollcon_table_request_cancel": [("table", "")],
+    "rollcon_table_make": [("table", ""), ("part", ""), ("parts", "")],
+    "rollcon_table_get_samples": [("table", ""), ("capacity", ""), ("samples", ""), ("count", "")],
+    "rollcon_table_add_samples": [("table", ""), ("n", ""), ("samples", "")],
+    "rollcon_table_save": [("table", ""), ("path", "")],
+    "rollcon_table_evaluate": [("table", ""), ("n", ""), ("inputs", ""), ("results", "")],
+    "rollcon_table_evaluate_derivatives": [
+        ("table", ""), ("n", ""), ("inputs", ""), ("results", ""), ("derivatives", "")
+    ],
 }
 
 

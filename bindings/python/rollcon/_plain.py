@@ -672,3 +672,64 @@ class WheelrailPlain:
         value = c_double()
         self._call("get_patch_stat", patch, c_text(name, "name"), byref(value))
         return value.value
+
+
+class TablePlain:
+
+    def set_ratios(self, intervals, least, greatest):
+        """Sets which ratios a / b of semi-axes the table has. Before the first sample (else
+        ERR_STATE).
+
+        intervals: of the logarithm of the ratio, 4 to 100.
+        least: 0.01 or more.
+        greatest: more than the least, at most 100.
+        """
+        self._call("set_ratios", intervals, least, greatest)
+
+    def set_resolution(self, magnitudes, angles, directions):
+        """Sets how fine the table is in the creepages. Before the first sample (else ERR_STATE).
+
+        magnitudes: intervals from none to vast creepages, 4 to 100.
+        angles: intervals from pure spin to none, 4 to 100.
+        directions: of the translational creepage in half a turn, even, 4 to 32.
+        """
+        self._call("set_resolution", magnitudes, angles, directions)
+
+    def set_frame(self, along, across):
+        """Sets the coarser of the two frames of strips on which samples are solved. Before the
+        first sample (else ERR_STATE).
+
+        along: elements along each strip, 6 to 100; the finer frame has twice as many.
+        across: strips, 4 to 100; likewise.
+        """
+        self._call("set_frame", along, across)
+
+    def set_poissons(self, poissons):
+        """Sets the Poisson's ratios of the table; it is linear between them, and has none beyond.
+        Before the first sample (else ERR_STATE).
+
+        poissons: ascending, -1 to 0.5.
+        """
+        poissons, poissons_at = reals(poissons)
+        self._call("set_poissons", len(poissons), poissons_at)
+
+    def request_cancel(self):
+        """Asks a running make() to stop: it returns CANCELLED within a few solves. What was
+        solved stays, and the next call goes on.
+        """
+        self._call("request_cancel")
+
+    def add_samples(self, samples):
+        """Adds the samples that another table of the same settings has (samples()); NaN adds
+        none. With the last sample the table is made.
+        """
+        samples, samples_at = reals(samples)
+        self._call("add_samples", len(samples), samples_at)
+
+    def save(self, path):
+        """Writes the table to a file, whole or not at all; an older one is replaced. ERR_STATE:
+        the table is not made yet.
+
+        path: name of the file.
+        """
+        self._call("save", c_path(path))

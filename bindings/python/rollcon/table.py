@@ -1,0 +1,69 @@
+"""Creep-force tables."""
+
+import ctypes
+from ctypes import byref, c_int64
+
+import numpy as np
+
+from ._arrays import reals, room
+from ._library import Handle, c_path, check, lib
+from ._plain import TablePlain
+
+
+class Table(TablePlain, Handle):
+    """Forces and spin moment of Hertzian steady rolling in about a microsecond, from solved cases.
+
+    Table(context) has no samples: set it, then make() it. Table.standard(context) is the one that comes
+    with the library, Table.load(context, path) one that was saved.
+    """
+
+    _kind = "table"
+
+    def __init__(self, context, _made=None):
+        if _made is None:
+            _made = ctypes.c_void_p()
+            check(lib.rollcon_table_create(context.handle, byref(_made)))
+        super().__init__(_made.value, context)
+
+    @classmethod
+    def standard(cls, context):
+        """Steel on steel, Poisson's ratios 0.28 to 0.3, ratios of semi-axes 1/25 to 25."""
+        made = ctypes.c_void_p()
+        check(lib.rollcon_table_standard(context.handle, byref(made)))
+        return cls(context, made)
+
+    @classmethod
+    def load(cls, context, path):
+        """A table that save() wrote."""
+        made = ctypes.c_void_p()
+        check(lib.rollcon_table_load(context.handle, c_path(path), byref(made)))
+        return cls(context, made)
+
+    def make(self, part=0, parts=1):
+        """Solves a part of the samples; the status: OK or CANCELLED."""
+        return self._call("make", part, parts)
+
+    @property
+    def samples(self):
+        """All samples; NaN where one is not solved yet."""
+        count = c_int64()
+        self._call("get_samples", 0, None, byref(count))
+        samples, at = room(count.value)
+        if count.value:
+            self._call("get_samples", count.value, at, byref(count))
+        return samples
+
+    def evaluate(self, inputs, derivatives=False):
+        """Forces and moment [3], or [n, 3], of inputs [9] or [n, 9]: shear, poisson, friction, a, b, load,
+        longitudinal and lateral creepage, spin. With derivatives also those [3, 9] or [n, 3, 9] by the inputs."""
+        given = np.asarray(inputs, dtype=float)
+        one = given.ndim == 1
+        given, given_at = reals(given.reshape(-1, 9), 9)
+        n = len(given)
+        results, results_at = room(n, 3)
+        if not derivatives:
+            self._call("evaluate", n, given_at, results_at)
+            return results[0] if one else results
+        by, by_at = room(n, 3, 9)
+        self._call("evaluate_derivatives", n, given_at, results_at, by_at)
+        return (results[0], by[0]) if one else (results, by)

@@ -1,0 +1,185 @@
+#include "tables/force_table.hpp"
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+#include "build_info.hpp"
+#include "contact/scene/host_interrupt.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+#include "support/input_checks.hpp"
+#include "tables/table_samples.hpp"
+
+namespace rollcon {
+namespace {
+
+void require_between(std::int64_t value, const char* name, std::int64_t low, std::int64_t high) {
+  if (value < low || value > high)
+    fail(Status::err_argument, "%s is %lld; allowed: %lld to %lld", name, static_cast<long long>(value),
+         static_cast<long long>(low), static_cast<long long>(high));
+}
+
+/// Where this code was loaded from.
+std::filesystem::path library_folder() {
+  Dl_info info{};
+  if (dladdr(reinterpret_cast<const void*>(&library_folder), &info) == 0 || !info.dli_fname) return {};
+  std::error_code failed;
+  return std::filesystem::weakly_canonical(info.dli_fname, failed).parent_path();
+}
+
+}  // namespace
+
+std::unique_ptr<ForceTable> ForceTable::load(std::shared_ptr<Context> context, const std::string& path) {
+  auto table = std::make_unique<ForceTable>(std::move(context));
+  table->table_ = std::make_unique<const CreepTable>(CreepTable::load(path));
+  table->grid_ = table->table_->grid();
+  table->ready_.store(table->table_.get(), std::memory_order_release);
+  return table;
+}
+
+// ROLLCON_DATA, then beside the library as installed anywhere, then where this build installs, then its sources.
+std::unique_ptr<ForceTable> ForceTable::standard(std::shared_ptr<Context> context) {
+  constexpr const char* name = "steel.rct";
+  std::vector<std::filesystem::path> folders;
+  if (const char* given = std::getenv("ROLLCON_DATA")) folders.emplace_back(given);
+  for (std::filesystem::path up = library_folder(); up.has_relative_path(); up = up.parent_path())
+    folders.push_back(up / "share" / "rollcon");
+  folders.emplace_back(ROLLCON_DATA_INSTALLED);
+  folders.emplace_back(ROLLCON_DATA_SOURCE);
+  for (const auto& folder : folders) {
+    std::error_code failed;
+    if (std::filesystem::exists(folder / name, failed)) return load(std::move(context), (folder / name).string());
+  }
+  fail(Status::err_io,
+       "%s is not there: looked in %s and beside the library; the environment variable ROLLCON_DATA "
+       "may name its folder",
+       name, ROLLCON_DATA_INSTALLED);
+}
+
+void ForceTable::require_free() const {
+  if (ready_.load(std::memory_order_acquire) || !sample_.empty())
+    fail(Status::err_state, "the table has samples already: make a new one");
+}
+
+void ForceTable::set_ratios(std::int32_t intervals, double least, double greatest) {
+  require_free();
+  require_between(intervals, "intervals", 4, 100);
+  require_ascending(least, "least", greatest, "greatest");
+  if (!(least >= 1e-2 && greatest <= 1e2))
+    fail(Status::err_argument, "least is %g and greatest is %g; allowed: 0.01 to 100", least, greatest);
+  grid_.ratios = intervals;
+  grid_.least_ratio = least;
+  grid_.greatest_ratio = greatest;
+}
+
+void ForceTable::set_resolution(std::int32_t magnitudes, std::int32_t angles, std::int32_t directions) {
+  require_free();
+  require_between(magnitudes, "magnitudes", 4, 100);
+  require_between(angles, "angles", 4, 100);
+  require_between(directions, "directions", 4, 32);
+  if (directions % 2 != 0) fail(Status::err_argument, "directions is %d; allowed: even numbers", directions);
+  grid_.magnitudes = magnitudes;
+  grid_.angles = angles;
+  grid_.directions = directions;
+}
+
+void ForceTable::set_frame(std::int32_t along, std::int32_t across) {
+  require_free();
+  require_between(along, "along", 6, 100);
+  require_between(across, "across", 4, 100);
+  grid_.along = along;
+  grid_.across = across;
+}
+
+void ForceTable::set_poissons(std::int64_t n, const double* poisson) {
+  require_free();
+  require_between(n, "n", 1, 16);
+  require_pointer(poisson, "poisson");
+  for (std::int64_t i = 0; i < n; ++i) {
+    require_finite(poisson[i], "poisson");
+    if (!(poisson[i] > -1 && poisson[i] <= 0.5) || (i > 0 && !(poisson[i] > poisson[i - 1])))
+      fail(Status::err_argument, "entry %lld (counting from 0) of poisson is %g; allowed: -1 to 0.5, ascending",
+           static_cast<long long>(i), poisson[i]);
+  }
+  grid_.poisson.assign(poisson, poisson + n);
+}
+
+void ForceTable::set_progress(ProgressFunction function, void* user) {
+  progress_ = function;
+  progress_user_ = user;
+}
+
+Status ForceTable::make(std::int32_t part, std::int32_t parts) {
+  if (ready_.load(std::memory_order_acquire)) fail(Status::err_state, "the table is made already");
+  if (parts < 1) fail(Status::err_argument, "parts is %d; allowed: 1 or more", parts);
+  require_between(part, "part", 0, parts - 1);
+  if (sample_.empty()) sample_.assign(at(SampleLayout(grid_).size()), std::numeric_limits<double>::quiet_NaN());
+  cancel_.store(false);
+  try {
+    const HostInterrupt interrupt(progress_, progress_user_, cancel_);
+    solve_samples(grid_, part, parts, context_->threads(), sample_);
+  } catch (const Cancelled&) {
+    return Status::cancelled;
+  }
+  fit_if_complete();
+  return Status::ok;
+}
+
+void ForceTable::fit_if_complete() {
+  if (sample_.empty() || std::any_of(sample_.begin(), sample_.end(), [](double v) { return std::isnan(v); })) return;
+  table_ = std::make_unique<const CreepTable>(CreepTable::fit(grid_, sample_));
+  ready_.store(table_.get(), std::memory_order_release);
+}
+
+std::int64_t ForceTable::samples(std::int64_t capacity, double* sample) const {
+  const auto n = static_cast<std::int64_t>(sample_.size());
+  if (capacity >= n && sample) std::copy(sample_.begin(), sample_.end(), sample);
+  return n;
+}
+
+void ForceTable::add_samples(std::int64_t n, const double* sample) {
+  if (ready_.load(std::memory_order_acquire)) fail(Status::err_state, "the table is made already");
+  const std::int64_t size = SampleLayout(grid_).size();
+  if (n != size)
+    fail(Status::err_argument, "n is %lld; a table of this size has %lld numbers", static_cast<long long>(n),
+         static_cast<long long>(size));
+  require_pointer(sample, "samples");
+  for (std::int64_t i = 0; i < n; ++i)
+    if (std::isinf(sample[i]))
+      fail(Status::err_nonfinite, "entry %lld of samples is infinite", static_cast<long long>(i));
+  if (sample_.empty()) sample_.assign(at(size), std::numeric_limits<double>::quiet_NaN());
+  for (std::int64_t i = 0; i < n; ++i)
+    if (!std::isnan(sample[i])) sample_[at(i)] = sample[i];
+  fit_if_complete();
+}
+
+const CreepTable& ForceTable::table() const {
+  const CreepTable* ready = ready_.load(std::memory_order_acquire);
+  if (!ready)
+    fail(Status::err_state, "the table is not made: call rollcon_table_make, or add the samples of all parts");
+  return *ready;
+}
+
+void ForceTable::evaluate(std::int64_t n, const double* input, double* result, double* derivative) const {
+  const CreepTable& ready = table();
+  require_count(n, "n");
+  if (n == 0) return;
+  require_pointer(input, "inputs");
+  require_pointer(result, "results");
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double* v = input + i * static_cast<std::int64_t>(table_inputs);
+    ready.evaluate({v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7], v[8]}, i, result + 3 * i,
+                   derivative ? derivative + 27 * i : nullptr);
+  }
+}
+
+void ForceTable::save(const std::string& path) const {
+  table().save(path);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,58 @@
+#pragma once
+/// A creep-force table as its users hold it: set, made in parts, then frozen.
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact.hpp"
+#include "support/context.hpp"
+#include "tables/creep_table.hpp"
+
+namespace rollcon {
+
+class ForceTable {
+ public:
+  explicit ForceTable(std::shared_ptr<Context> context) : context_(std::move(context)) {}
+  static std::unique_ptr<ForceTable> load(std::shared_ptr<Context> context, const std::string& path);
+  /// The one that comes with the library. err_io: it is not where the library looks.
+  static std::unique_ptr<ForceTable> standard(std::shared_ptr<Context> context);
+
+  // Before the first sample; err_state after.
+  void set_ratios(std::int32_t intervals, double least, double greatest);
+  void set_resolution(std::int32_t magnitudes, std::int32_t angles, std::int32_t directions);
+  void set_frame(std::int32_t along, std::int32_t across);
+  void set_poissons(std::int64_t n, const double* poisson);
+
+  void set_progress(ProgressFunction function, void* user);
+  /// Any thread.
+  void request_cancel() noexcept { cancel_.store(true); }
+  /// Solves part `part` of `parts` of the samples; with the last of them the table is there. ok or cancelled.
+  Status make(std::int32_t part, std::int32_t parts);
+  /// Numbers of all samples, NaN where one is missing; 0 of a table that was loaded.
+  std::int64_t samples(std::int64_t capacity, double* sample) const;
+  /// Those that are no NaN.
+  void add_samples(std::int64_t n, const double* sample);
+
+  /// Any thread. err_state without a table.
+  void evaluate(std::int64_t n, const double* input, double* result, double* derivative) const;
+  void save(const std::string& path) const;
+
+ private:
+  void require_free() const;
+  void fit_if_complete();
+  const CreepTable& table() const;
+
+  std::shared_ptr<Context> context_;
+  TableGrid grid_;
+  std::vector<double> sample_;
+  std::unique_ptr<const CreepTable> table_;
+  std::atomic<const CreepTable*> ready_{nullptr};  ///< table_, for other threads
+  std::atomic<bool> cancel_{false};
+  ProgressFunction progress_ = nullptr;
+  void* progress_user_ = nullptr;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,83 @@
+#include "tables/rolling_sampler.hpp"
+
+#include <cmath>
+
+#include "bodies/body_kind.hpp"
+#include "framing/hertz.hpp"
+#include "framing/makers.hpp"
+#include "support/error.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr double friction = 0.3, curvature = 1e-3;
+
+/// Curvatures whose ellipse has this ratio of semi-axes, a along the first.
+QuadraticGap gap_of(double ratio, double modulus) {
+  double low = -16, high = 16;
+  QuadraticGap gap;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);  // logarithm of the ratio of curvatures
+    gap = {curvature * std::exp(-middle / 2), curvature * std::exp(middle / 2), 0};
+    const HertzContact hertz = hertz_by_load(gap, modulus, 1);
+    const double found = middle > 0 ? hertz.larger / hertz.smaller : hertz.smaller / hertz.larger;
+    (found < ratio ? low : high) = middle;
+  }
+  return gap;
+}
+
+}  // namespace
+
+RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across)
+    : context_(std::make_shared<Context>()) {
+  context_->set_threads(1);
+  const double modulus = 1 / (1 - poisson);  // E* of equal bodies of shear modulus 1
+  const QuadraticGap gap = gap_of(ratio, modulus);
+  const HertzContact unit = hertz_by_load(gap, modulus, 1);
+  const double load = std::pow(unit.larger * unit.smaller, -1.5);
+  bound_ = friction * load;
+  std::shared_ptr<Body> body[2];
+  for (auto& b : body) {
+    b = std::make_shared<Body>(context_, static_cast<std::int32_t>(BodyKind::halfspace));
+    b->set_elastic(0, 2 * (1 + poisson), poisson);
+  }
+  const double a = std::sqrt(ratio);
+  for (const std::int64_t finer : {2, 1}) {
+    auto contact = std::make_unique<Contact>(context_, body[0], body[1]);
+    Scene& scene = contact->scene;
+    scene.set_gap_quadratic(gap.a, gap.b, gap.c);
+    scene.set_friction("coulomb", 1, &friction);
+    scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_force), load);
+    scene.set_made_frame(strips_mesh({}, strips_of_ellipse(a, 1 / a, 0, finer * across), finer * along), true, true);
+    (finer == 2 ? fine_ : coarse_) = std::move(contact);
+  }
+}
+
+void RollingSampler::reset() {
+  fine_->reset();
+  coarse_->reset();
+}
+
+std::array<double, 3> RollingSampler::solve_on(Contact& contact, const std::array<double, 3>& creepage) {
+  contact.scene.set_creep(bound_ * creepage[0], bound_ * creepage[1], bound_ * creepage[2]);
+  Status status = contact.solve_on_frame();
+  if (status == Status::not_converged) {
+    contact.reset();
+    status = contact.solve_on_frame();
+  }
+  if (status == Status::not_converged)
+    fail(Status::err_internal, "a case of the table did not converge: creepages %g %g, spin %g over mu Fn / (G a b)",
+         creepage[0], creepage[1], creepage[2]);
+  double force[3], moment[3];
+  contact.resultant(InAxes::local, force, moment);
+  return {force[0] / bound_, force[1] / bound_, moment[2] / bound_};
+}
+
+std::array<double, 3> RollingSampler::solve(const std::array<double, 3>& creepage) {
+  const auto fine = solve_on(*fine_, creepage), coarse = solve_on(*coarse_, creepage);
+  std::array<double, 3> f{};
+  for (std::size_t i = 0; i < 3; ++i) f[i] = (4 * fine[i] - coarse[i]) / 3;
+  return f;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,29 @@
+#pragma once
+/// Solves Hertzian contacts of one shape on two frames of strips and extrapolates them.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include "contact/contact.hpp"
+
+namespace rollcon {
+
+class RollingSampler {
+ public:
+  /// Semi-axes sqrt(ratio) and 1 / sqrt(ratio), equal bodies of shear modulus 1.
+  RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across);
+  /// Creepages over mu Fn / (G a b). Forces and moment over mu Fn.
+  std::array<double, 3> solve(const std::array<double, 3>& creepage);
+  /// Forgets warm starts.
+  void reset();
+
+ private:
+  std::array<double, 3> solve_on(Contact& contact, const std::array<double, 3>& creepage);
+
+  double bound_ = 0;  ///< mu Fn
+  std::shared_ptr<Context> context_;
+  std::unique_ptr<Contact> fine_, coarse_;
+};
+
+}  // namespace rollcon

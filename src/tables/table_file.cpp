@@ -1,0 +1,101 @@
+/// Tables to and from files. Sections: "grid", how fine the table is; "linear" and "spline", its coefficients.
+
+#include <cmath>
+#include <cstring>
+
+#include "build_info.hpp"
+#include "io/section_file.hpp"
+#include "rollcon.h"
+#include "support/index.hpp"
+#include "tables/creep_table.hpp"
+
+namespace rollcon {
+namespace {
+
+/// To be raised whenever sections or coordinates change.
+constexpr std::uint32_t table_format = 1;
+
+constexpr FileKind table_file{{0x89, 'R', 'C', 'T', '\r', '\n', 0x1a, '\n'},
+                              "a creep-force table of rollcon",
+                              table_format,
+                              ROLLCON_ABI,
+                              ROLLCON_VERSION_TEXT};
+
+struct GridRecord {
+  std::int64_t ratios, magnitudes, angles, directions, along, across, planes;
+  double least_ratio, greatest_ratio;
+};
+
+bool sound(const GridRecord& g) {
+  const auto within = [](std::int64_t v, std::int64_t low, std::int64_t high) { return v >= low && v <= high; };
+  return within(g.ratios, 4, 200) && within(g.magnitudes, 4, 200) && within(g.angles, 4, 200) &&
+         within(g.directions, 4, 32) && g.directions % 2 == 0 && within(g.along, 2, 1000) &&
+         within(g.across, 2, 1000) && within(g.planes, 1, 16) && g.least_ratio > 0 &&
+         g.least_ratio < g.greatest_ratio && std::isfinite(g.greatest_ratio);
+}
+
+template <class T>
+void read_all(SectionReader& file, const char* name, std::vector<T>& v) {
+  file.begin(name);
+  if (file.left() != v.size() * sizeof(T)) file.fail_here("the section has another length than its table needs");
+  file.read(v.data(), v.size() * sizeof(T));
+  file.end();
+  for (const T value : v)
+    if (!std::isfinite(value)) file.fail_here("a number is not finite");
+}
+
+}  // namespace
+
+void CreepTable::save(const std::string& path) const {
+  SectionWriter file(path, table_file);
+  const GridRecord record{grid_.ratios,
+                          grid_.magnitudes,
+                          grid_.angles,
+                          grid_.directions,
+                          grid_.along,
+                          grid_.across,
+                          static_cast<std::int64_t>(grid_.poisson.size()),
+                          grid_.least_ratio,
+                          grid_.greatest_ratio};
+  file.begin("grid");
+  file.write(&record, sizeof record);
+  file.write(grid_.poisson.data(), grid_.poisson.size() * sizeof(double));
+  file.begin("linear");
+  file.write(linear_.data(), linear_.size() * sizeof(double));
+  file.begin("spline");
+  file.write(coefficient_.data(), coefficient_.size() * sizeof(float));
+  file.commit();
+}
+
+CreepTable CreepTable::load(const std::string& path) {
+  SectionReader file(path, table_file);
+  file.begin("grid");
+  GridRecord record{};
+  file.read(&record, sizeof record);
+  if (!sound(record)) file.fail_here("the table's size is out of range");
+  TableGrid grid;
+  grid.ratios = record.ratios;
+  grid.magnitudes = record.magnitudes;
+  grid.angles = record.angles;
+  grid.directions = record.directions;
+  grid.along = record.along;
+  grid.across = record.across;
+  grid.least_ratio = record.least_ratio;
+  grid.greatest_ratio = record.greatest_ratio;
+  grid.poisson.resize(at(record.planes));
+  if (file.left() != grid.poisson.size() * sizeof(double)) file.fail_here("the section has another length");
+  file.read(grid.poisson.data(), grid.poisson.size() * sizeof(double));
+  file.end();
+  double last = -1;
+  for (const double nu : grid.poisson) {
+    if (!(nu > last && nu <= 0.5)) file.fail_here("Poisson's ratios are out of order or range");
+    last = nu;
+  }
+  CreepTable table(std::move(grid));
+  read_all(file, "linear", table.linear_);
+  read_all(file, "spline", table.coefficient_);
+  file.verify_rest();
+  return table;
+}
+
+}  // namespace rollcon
