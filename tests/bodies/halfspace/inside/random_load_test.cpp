@@ -1,0 +1,81 @@
+// Stresses and displacements at random points under random tractions on every kind of element, against direct
+// quadrature.
+
+#include <random>
+
+#include "bodies/halfspace/inside/direct.hpp"
+#include "support/frames.hpp"
+#include "support/testing.hpp"
+
+namespace rollcon {
+namespace {
+
+using inside::Solid;
+using inside::Values;
+
+constexpr Solid solid{2, 0.3};
+
+/// Four by three cells of a size near 1, distorted.
+Frame frame_of(ElementType type, double perturbed, double bent) {
+  const double x[] = {0, 1, 1.8, 3, 4}, y[] = {0, 0.7, 2, 3};
+  SurfaceMesh mesh = frames::rectangle(type, x, y);
+  if (perturbed > 0) mesh = frames::perturb(std::move(mesh), perturbed, 5);
+  if (bent > 0) mesh = frames::bend_midsides(std::move(mesh), bent, 6);
+  return build_frame(std::move(mesh), Axes{});
+}
+
+/// At a depth, over the frame and beside it.
+std::vector<std::array<double, 3>> points_at(double depth, int count, std::uint32_t seed) {
+  std::mt19937 engine(seed);
+  std::uniform_real_distribution<double> x(-1, 5), y(-1, 4);
+  std::vector<std::array<double, 3>> points;
+  for (int i = 0; i < count; ++i) points.push_back({x(engine), y(engine), depth});
+  return points;
+}
+
+void compare(const std::string& what, const Frame& frame, double depth, double accuracy, int count) {
+  const std::vector<double> load = inside::random_load(frame, 1);
+  const auto points = points_at(depth, count, 2);
+  const std::vector<Values> values = inside::from_library(frame, load, solid, points, accuracy);
+  double stress = 0, motion = 0;
+  for (std::size_t p = 0; p < points.size(); ++p) {
+    const Values exact = inside::direct(frame, load, solid, points[p][0], points[p][1], points[p][2]);
+    stress = std::max(stress, inside::stress_difference(values[p], exact));
+    motion = std::max(motion, inside::motion_difference(values[p], exact));
+  }
+  char text[100];
+  std::snprintf(text, sizeof text, "%s, depth %g, accuracy %g: stress", what.c_str(), depth, accuracy);
+  expect_error(text, stress, accuracy);
+  std::snprintf(text, sizeof text, "%s, depth %g, accuracy %g: displacement", what.c_str(), depth, accuracy);
+  expect_error(text, motion, accuracy);
+}
+
+constexpr ElementType types[] = {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8,
+                                 ElementType::quad9};
+
+TEST(inside_random_load, affine_elements_match_direct_quadrature) {
+  for (const ElementType type : types)
+    for (const double depth : {1e-3, 0.05, 0.4, 3.0})
+      compare("affine " + std::to_string(static_cast<int>(type)), frame_of(type, 0, 0), depth, 1e-5, 12);
+}
+
+TEST(inside_random_load, distorted_elements_match_direct_quadrature) {
+  for (const ElementType type : types)
+    for (const double depth : {1e-3, 0.1, 1.0})
+      compare("distorted " + std::to_string(static_cast<int>(type)), frame_of(type, 0.2, 0), depth, 1e-5, 12);
+}
+
+TEST(inside_random_load, curved_elements_match_direct_quadrature) {
+  for (const ElementType type : {ElementType::tri6, ElementType::quad8, ElementType::quad9})
+    for (const double depth : {1e-3, 0.1, 1.0})
+      compare("curved " + std::to_string(static_cast<int>(type)), frame_of(type, 0.1, 0.1), depth, 1e-5, 12);
+}
+
+TEST(inside_random_load, accuracy_asked_for_is_met) {
+  for (const double accuracy : {1e-3, 1e-7, 1e-9})
+    for (const double depth : {1e-2, 0.3, 2.0})
+      compare("distorted quad9", frame_of(ElementType::quad9, 0.2, 0), depth, accuracy, 12);
+}
+
+}  // namespace
+}  // namespace rollcon
