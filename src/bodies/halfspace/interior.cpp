@@ -18,14 +18,14 @@ using namespace halfspace;
 namespace {
 
 /// Error of a rule with m = degree + 1 - degree of N J over (1.9 R/a)^-m times integral of |t|/R^2.
-constexpr double plain_constant = 12;
+constexpr double plain_constant = 4;
 /// Closer than this, in half-lengths of the longest side, the near field decides.
 constexpr double nearest = 2.5;
 /// Errors over integral of |t|/R^2 add up like the logarithm of the frame's extent in elements.
 constexpr double far_share = 1.0 / 15;
 /// Of one element near a point. The rules there are those of Kelvin's double layer, of which stresses are up to six
 /// times as large.
-constexpr double near_share = 0.03;
+constexpr double near_share = 0.15;
 /// Fewer points than this are cheaper without boxes.
 constexpr std::int64_t points_for_boxes = 200;
 constexpr std::size_t elements_for_boxes = 64;

@@ -14,9 +14,9 @@ namespace {
 constexpr int leaf_elements = 16;
 constexpr int most_line = 16;  ///< Chebyshev points along a side, at most
 /// Error of a box over error rho^-q times integral of |t|/R^2; tests/bodies/halfspace/source_tree_test.cpp.
-constexpr double box_constant = 40;
+constexpr double box_constant = 0.8;
 /// Where the largest grid serves at the latest.
-constexpr double nearest_axis = 1.9;
+constexpr double nearest_axis = 2.2;
 
 /// Lagrange functions of q Chebyshev points: L_k(x) = (1 + 2 sum over m of T_m(x) T_m(x_k)) / q.
 class Chebyshev {
@@ -58,11 +58,33 @@ int padded(int n) {
 
 /// Adds forces at one point to a grid.
 void spread(const double* lx, const double* ly, int q, const double* f, double* const* grid) {
-  for (int j = 0; j < q; ++j)
-    for (int c = 0; c < 3; ++c) {
+  for (int c = 0; c < 3; ++c)
+    for (int j = 0; j < q; ++j) {
       const double weight = ly[j] * f[c];
-      for (int i = 0; i < q; ++i) grid[c][j * q + i] += weight * lx[i];
+      double* row = grid[c] + j * q;
+      for (int i = 0; i < q; ++i) row[i] += weight * lx[i];
     }
+}
+
+/// Lagrange functions of a grid at the Chebyshev points of another: value[from][to].
+struct Passage {
+  double value[most_line][most_line];
+
+  /// The other grid's points are at centre + half x in units of this one's side.
+  Passage(int from, int to, double centre, double half) {
+    for (int i = 0; i < from; ++i) chebyshev(to).values(centre + half * chebyshev(from).point(i), value[i]);
+  }
+};
+
+/// Adds the forces of one grid to another, direction by direction.
+void pass(const double* from, int q_from, const Passage& x, const Passage& y, double* to, int q_to) {
+  for (int j = 0; j < q_from; ++j) {
+    double row[most_line] = {};
+    for (int i = 0; i < q_from; ++i)
+      for (int k = 0; k < q_to; ++k) row[k] += from[j * q_from + i] * x.value[i][k];
+    for (int m = 0; m < q_to; ++m)
+      for (int k = 0; k < q_to; ++k) to[m * q_to + k] += y.value[j][m] * row[k];
+  }
 }
 
 }  // namespace
@@ -131,59 +153,53 @@ void SourceTree::divide(std::int32_t number) {
 
 /// The largest grid of a box, of its elements or of its two halves; then the smaller ones of it.
 void SourceTree::collect(std::int32_t number) {
+  constexpr int top = grids - 1;
   const Box& box = boxes_[at(number)];
-  double lx[most_line], ly[most_line];
-  double* grid[grids][3];
   for (int g = 0; g < grids; ++g) {
-    double* x = data_[g].data() + number * std::ptrdiff_t{5} * padded_[g];
-    const Chebyshev& t = chebyshev(q_[g]);
+    double* x = data(number, g);
     for (int k = 0; k < padded_[g]; ++k) {
       const int used = std::min(k, q_[g] * q_[g] - 1);
-      x[k] = box.x + box.half_x * t.point(used % q_[g]);
-      x[padded_[g] + k] = box.y + box.half_y * t.point(used / q_[g]);
+      x[k] = box.x + box.half_x * chebyshev(q_[g]).point(used % q_[g]);
+      x[padded_[g] + k] = box.y + box.half_y * chebyshev(q_[g]).point(used / q_[g]);
     }
-    for (int c = 0; c < 3; ++c) grid[g][c] = x + (2 + c) * padded_[g];
   }
-  const auto take = [&](int g, double x, double y, const double* f) {
-    const Chebyshev& t = chebyshev(q_[g]);
-    t.values((x - box.x) / box.half_x, lx);
-    t.values((y - box.y) / box.half_y, ly);
-    spread(lx, ly, q_[g], f, grid[g]);
+  const auto take = [&](const Box& from, std::int32_t from_number, int g) {
+    const Passage x(q_[top], q_[g], (from.x - box.x) / box.half_x, from.half_x / box.half_x);
+    const Passage y(q_[top], q_[g], (from.y - box.y) / box.half_y, from.half_y / box.half_y);
+    for (int c = 2; c < 5; ++c)
+      pass(data(from_number, top) + c * padded_[top], q_[top], x, y, data(number, g) + c * padded_[g], q_[g]);
   };
+  if (box.child >= 0)
+    for (const std::int32_t half : {box.child, box.child + 1}) take(boxes_[at(half)], half, top);
+  else
+    for (std::int32_t i = box.first; i < box.last; ++i) add_element(elements_[at(order_[at(i)])], number);
+  for (int g = 0; g < top; ++g) take(box, number, g);
+}
+
+void SourceTree::add_element(const LoadedElement& e, std::int32_t number) {
   constexpr int top = grids - 1;
-  if (box.child >= 0) {
-    for (std::int32_t half = 0; half < 2; ++half) {
-      const InteriorForces from = forces(box.child + half, top);
-      for (int k = 0; k < q_[top] * q_[top]; ++k) {
-        const double f[3] = {from.force[0][k], from.force[1][k], from.force[2][k]};
-        take(top, from.x[k], from.y[k], f);
-      }
+  const Box& box = boxes_[at(number)];
+  const Chebyshev& chebyshev_points = chebyshev(q_[top]);
+  const InteriorElement& element = e.element;
+  double* grid[3];
+  for (int c = 0; c < 3; ++c) grid[c] = data(number, top) + (2 + c) * padded_[top];
+  NearPoints points;
+  plain_rule(element.type, q_[top] - 1 + quadrature::direction_degree(element.type, e.geometry.map), points);
+  for (int q = 0; q < points.n; ++q) {
+    Shape s;
+    evaluate_shape(element.type, points.xi[q], points.eta[q], s);
+    double x = 0, y = 0, xu = 0, xv = 0, yu = 0, yv = 0, f[3] = {0, 0, 0};
+    for (int k = 0; k < node_count(element.type); ++k) {
+      const double n = s.value[at(k)], u = s.d_xi[at(k)], v = s.d_eta[at(k)];
+      x += n * element.x[k], xu += u * element.x[k], xv += v * element.x[k];
+      y += n * element.y[k], yu += u * element.y[k], yv += v * element.y[k];
+      for (int c = 0; c < 3; ++c) f[c] += n * element.traction[c][k];
     }
-  } else {
-    NearPoints points;
-    for (std::int32_t i = box.first; i < box.last; ++i) {
-      const LoadedElement& e = elements_[at(order_[at(i)])];
-      const int degree = q_[top] - 1 + quadrature::direction_degree(e.element.type, e.geometry.map);
-      plain_rule(e.element.type, degree, points);
-      for (int q = 0; q < points.n; ++q) {
-        Shape s;
-        evaluate_shape(e.element.type, points.xi[q], points.eta[q], s);
-        double x = 0, y = 0, xu = 0, xv = 0, yu = 0, yv = 0, f[3] = {0, 0, 0};
-        for (int k = 0; k < node_count(e.element.type); ++k) {
-          const double n = s.value[at(k)], u = s.d_xi[at(k)], v = s.d_eta[at(k)];
-          x += n * e.element.x[k], xu += u * e.element.x[k], xv += v * e.element.x[k];
-          y += n * e.element.y[k], yu += u * e.element.y[k], yv += v * e.element.y[k];
-          for (int c = 0; c < 3; ++c) f[c] += n * e.element.traction[c][k];
-        }
-        for (double& component : f) component *= points.w[q] * (xu * yv - xv * yu);
-        take(top, x, y, f);
-      }
-    }
-  }
-  const InteriorForces own = forces(number, top);
-  for (int k = 0; k < q_[top] * q_[top]; ++k) {
-    const double f[3] = {own.force[0][k], own.force[1][k], own.force[2][k]};
-    for (int g = 0; g < top; ++g) take(g, own.x[k], own.y[k], f);
+    for (double& component : f) component *= points.w[q] * (xu * yv - xv * yu);
+    double lx[most_line], ly[most_line];
+    chebyshev_points.values((x - box.x) / box.half_x, lx);
+    chebyshev_points.values((y - box.y) / box.half_y, ly);
+    spread(lx, ly, q_[top], f, grid);
   }
 }
 

@@ -24,7 +24,7 @@ struct LoadedElement {
   double largest = 0;  ///< traction component
 };
 
-/// Most points of the reference element in any rule: NearPoints with the rule's degree.
+/// Gauss rule of at least that degree: symmetric on triangles (the highest there is, if need be), a product elsewhere.
 void plain_rule(ElementType type, int degree, NearPoints& points);
 
 class SourceTree {
@@ -49,7 +49,8 @@ class SourceTree {
  private:
   void divide(std::int32_t box);
   void collect(std::int32_t box);
-  void pass(std::int32_t box);
+  void add_element(const LoadedElement& e, std::int32_t box);
+  double* data(std::int64_t box, int grid) { return data_[grid].data() + box * 5 * padded_[grid]; }
 
   std::span<const LoadedElement> elements_;
   std::vector<std::int32_t> order_;
