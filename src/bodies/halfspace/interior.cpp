@@ -27,7 +27,7 @@ constexpr double far_share = 1.0 / 15;
 /// times as large.
 constexpr double near_share = 0.15;
 /// Fewer points than this are cheaper without boxes.
-constexpr std::int64_t points_for_boxes = 200;
+constexpr std::int64_t points_for_boxes = 100;
 constexpr std::size_t elements_for_boxes = 64;
 
 std::size_t index_of(ElementType type) {

@@ -203,14 +203,16 @@ void SourceTree::add_element(const LoadedElement& e, std::int32_t number) {
   }
 }
 
+double ellipse_axis2(double along, double beside, double z, double half_along, double half_beside) {
+  const double x = std::abs(along) / half_along, away = std::max(std::abs(beside) - half_beside, 0.0);
+  const double sum = x * x + 1 + (away * away + z * z) / (half_along * half_along);
+  return 0.5 * (sum + std::sqrt(std::max(sum * sum - 4 * x * x, 0.0)));
+}
+
 int SourceTree::grid(const Box& box, const InteriorPoint& at) const {
-  const double x = std::abs(at.x - box.x) / box.half_x, y = std::abs(at.y - box.y) / box.half_y;
-  const double beside_x = std::max(x - 1, 0.0) * box.half_x, beside_y = std::max(y - 1, 0.0) * box.half_y;
-  const auto axis2 = [&](double along, double beside, double half) {
-    const double sum = along * along + 1 + (beside * beside + at.z * at.z) / (half * half);
-    return 0.5 * (sum + std::sqrt(std::max(sum * sum - 4 * along * along, 0.0)));
-  };
-  const double least = std::min(axis2(x, beside_y, box.half_x), axis2(y, beside_x, box.half_y));
+  const double x = at.x - box.x, y = at.y - box.y;
+  const double least =
+      std::min(ellipse_axis2(x, y, at.z, box.half_x, box.half_y), ellipse_axis2(y, x, at.z, box.half_y, box.half_x));
   for (int g = 0; g < grids; ++g)
     if (least >= least_axis2_[g]) return g;
   return -1;

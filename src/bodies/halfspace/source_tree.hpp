@@ -27,6 +27,10 @@ struct LoadedElement {
 /// Gauss rule of at least that degree: symmetric on triangles (the highest there is, if need be), a product elsewhere.
 void plain_rule(ElementType type, int degree, NearPoints& points);
 
+/// Squared half-axis A of the ellipse above, the least over a box that reaches half_along and half_beside to each side
+/// of the origin, for an observer at (along, beside, z).
+double ellipse_axis2(double along, double beside, double z, double half_along, double half_beside);
+
 class SourceTree {
  public:
   struct Box {

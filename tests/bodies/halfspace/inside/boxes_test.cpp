@@ -68,7 +68,7 @@ TEST(inside_boxes, error_of_a_box_is_within_its_bound) {
   for (const double aspect : {1.0, 3.0, 0.2})
     for (const double error : {1e-4, 1e-7})
       for (const bool uniform : {true, false}) {
-        char text[80];
+        char text[120];
         std::snprintf(text, sizeof text, "box 1 : %g, %s load, error over that allowed, %g", aspect,
                       uniform ? "uniform" : "random", error);
         expect_error(text, worst_of_box(aspect, error, uniform), 1);
@@ -97,7 +97,7 @@ TEST(inside_boxes, many_points_agree_with_few) {
   for (const ElementType type : {ElementType::quad4, ElementType::tri6}) {
     const Frame frame = build_frame(frames::perturb(frames::rectangle(type, line, line), 0.2, 4), Axes{});
     for (const double depth : {0.0, 0.1, 1.0}) {
-      char text[80];
+      char text[120];
       std::snprintf(text, sizeof text, "type %d, depth %g: many points against few, accuracy 1e-5",
                     static_cast<int>(type), depth);
       expect_error(text, many_against_few(frame, depth, 1e-5), 1e-5);
