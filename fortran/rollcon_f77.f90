@@ -1052,6 +1052,15 @@ subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
 end subroutine
 
+!> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .
+subroutine rcfati(icon, shear_yield, xindex, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: shear_yield, xindex
+  ierr = rollcon_contact_get_fatigue_index(contact_of(icon), shear_yield, xindex)
+end subroutine
+
 !> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
 subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
   use rollcon_f77_support

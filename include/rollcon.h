@@ -1456,6 +1456,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
     double *u);
 
 /*
+ * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),
+ * with the area A in contact (statistic contact_area; pi a b of an ellipse) and the yield stress
+ * k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no
+ * normal force. The wear number T-gamma, force times creepage, is the statistic t_gamma.
+ *   shear_yield  k, force/length^2, above 0
+ *   index        out; dimensionless
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Source: docs/theory.md, statistics (Ekberg, Kabo, Andersson 2002).
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
+    const rollcon_contact *contact, double shear_yield, double *index);
+
+/*
  * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
  * come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact to
  * rounding, relative to the largest of the three.

@@ -138,6 +138,15 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, i
   });
 }
 
+rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact* contact, double shear_yield, double* index) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_finite(shear_yield, "shear_yield");
+    if (!(shear_yield > 0)) fail(Status::err_argument, "shear_yield is %g; allowed: above 0", shear_yield);
+    require_pointer(index, "index");
+    *index = c.fatigue_index(shear_yield);
+  });
+}
+
 rollcon_status rollcon_stress_invariants(int64_t n, const double* stress, double* principal, double* von_mises,
                                          double* shear) {
   return guarded(__func__, nullptr, [&] {

@@ -227,6 +227,13 @@ void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, 
   find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
 }
 
+double Contact::fatigue_index(double shear_yield) const {
+  double force[3];
+  resultant(InAxes::local, force, nullptr);
+  if (!(force[2] < 0)) fail(Status::err_state, "there is no normal force, of which the index is a ratio");
+  return (std::hypot(force[0], force[1]) - 2 * shear_yield * stat("contact_area") / 3) / -force[2];
+}
+
 std::span<const double> Contact::error_function() const {
   return state_->merit;
 }

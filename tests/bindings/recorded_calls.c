@@ -104,6 +104,7 @@ const char* const recorded_names[] = {
   "contact_get_sensitivity",
   "contact_get_displacements_at",
   "contact_get_stresses_at",
+  "contact_get_fatigue_index",
   "stress_invariants",
   "contact_get_stat",
   "stat_count",
@@ -141,7 +142,7 @@ const char* const recorded_names[] = {
   "wheelrail_from_id",
 };
 
-const int recorded_number = 134;
+const int recorded_number = 135;
 
 enum {
   recorded_rollcon_version,
@@ -243,6 +244,7 @@ enum {
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
+  recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
   recorded_rollcon_stat_count,
@@ -1192,6 +1194,16 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact *contact, i
   record_room(u);
   give_reals(stress, n * 6, 4);
   give_reals(u, n * 3, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
+    double shear_yield, double *index) {
+  record_begin(recorded_rollcon_contact_get_fatigue_index);
+  record_handle(contact);
+  record_real(shear_yield);
+  record_room(index);
+  give_reals(index, 1, 2);
   return record_end();
 }
 

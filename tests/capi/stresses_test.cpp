@@ -154,6 +154,47 @@ TEST_F(stresses, hertz_on_frames_of_the_library) {
   }
 }
 
+TEST_F(stresses, fatigue_index_and_wear_number) {
+  solve();
+  double force[3], creep[3], area = 0, index = 0, wear = 0;
+  ASSERT_OK(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, force, nullptr));
+  ASSERT_OK(rollcon_contact_get_motion(contact, nullptr, creep));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "contact_area", &area));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "t_gamma", &wear));
+  const double k = 30, utilised = std::hypot(force[0], force[1]) / -force[2];
+  ASSERT_OK(rollcon_contact_get_fatigue_index(contact, k, &index));
+  EXPECT_NEAR(index, utilised + 2 * area * k / (3 * force[2]), 1e-15);
+  EXPECT_NEAR(wear, -force[0] * creep[0] - force[1] * creep[1], 1e-14);
+  EXPECT_GT(wear, 0);
+  EXPECT_FAILS(rollcon_contact_get_fatigue_index(contact, 0, &index), ARGUMENT, "shear_yield is 0", "above 0");
+  EXPECT_FAILS(rollcon_contact_get_fatigue_index(contact, std::nan(""), &index), NONFINITE, "shear_yield");
+  EXPECT_FAILS(rollcon_contact_get_fatigue_index(contact, k, nullptr), ARGUMENT, "index is NULL");
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1));
+  EXPECT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
+  EXPECT_FAILS(rollcon_contact_get_fatigue_index(contact, k, &index), STATE, "no normal force");
+}
+
+TEST_F(stresses, hertz_index_of_fatigue) {
+  // Full sliding on frames of the library: mu - 2 pi a^2 k/(3 Fn).
+  const double mu = 0.4, load = 300, radius = 50, k = 30;
+  ASSERT_OK(rollcon_contact_set_gap_quadratic(contact, 0.5 / radius, 0.5 / radius, 0));
+  ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, load));
+  ASSERT_OK(rollcon_contact_set_creep(contact, 0.3, 0, 0));
+  ASSERT_OK(rollcon_contact_solve(contact));
+  const double modulus = 1 / ((1 - 0.09) / 1e4 + (1 - 0.01) / 3e4), a = std::cbrt(0.75 * load * radius / modulus);
+  double index = 0, wear = 0, power = 0;
+  ASSERT_OK(rollcon_contact_get_fatigue_index(contact, k, &index));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "t_gamma", &wear));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "friction_power_balance", &power));
+  const double exact = mu - 2 * pi * a * a * k / (3 * load);
+  std::printf("fatigue index %.5f (%.5f, bound 1e-3), T-gamma %.5f (%.5f, bound 3e-6), power %.5f\n", index, exact,
+              wear, mu * load * 0.3, power);
+  EXPECT_NEAR(power / wear, 1, 1e-2) << "speed 1, no spin; unlike bodies add their free rolling";
+  EXPECT_NEAR(index, exact, 1e-3);
+  EXPECT_NEAR(wear / (mu * load * 0.3), 1, 3e-6);
+}
+
 TEST_F(stresses, accuracy_is_an_option) {
   solve();
   const std::vector<double> xyz{0.1, 0.2, -0.05, 0.7, -0.3, -0.4, 0, 0, 0};

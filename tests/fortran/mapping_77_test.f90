@@ -85,6 +85,7 @@ program mapping_77_test
   call test_rcsens()
   call test_rcdisp()
   call test_rcstrs()
+  call test_rcfati()
   call test_rcsinv()
   call test_rcstat()
   call test_rcstnm()
@@ -1285,6 +1286,21 @@ contains
     call rcstrs(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stress, u, stat)
     call rclerr(message)
     call failed('contact_get_stresses_at', stat, message)
+  end subroutine
+
+  subroutine test_rcfati()
+    double precision :: xindex
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfati(icon, 1.5d0, xindex, stat)
+    call told('contact_get_fatigue_index', 'contact1 1.5 room', stat)
+    call gave_reals('xindex', [xindex], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfati(icon, 1.5d0, xindex, stat)
+    call rclerr(message)
+    call failed('contact_get_fatigue_index', stat, message)
   end subroutine
 
   subroutine test_rcsinv()

@@ -100,6 +100,13 @@ void stresses_at(World& w) {
           good ? "a stress is not finite" : "a failed call wrote into its output");
 }
 
+void fatigue_index(World& w) {
+  const rollcon_contact* c = w.contact();
+  Output<double> index(1);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_fatigue_index, c, w.in.reals(1)[0], index.data()) == ROLLCON_OK;
+  require(good || index.untouched(), "a failed call wrote into its output");
+}
+
 void stress_invariants(World& w) {
   const std::int64_t n = array_size(w.in, 5);
   const std::vector<double> stress = w.in.reals(static_cast<std::size_t>(n > 0 ? 6 * n : 0));
@@ -151,9 +158,14 @@ void write(World& w) {
 }  // namespace
 
 std::span<const Call> result_calls() {
-  static const Call calls[] = {
-      tractions,         status, field,   field, resultant, sensitivity, sensitivity, displacements_at, stresses_at,
-      stress_invariants, stat,   history, plan,  write};
+  static const Call calls[] = {tractions,     status,
+                               field,         field,
+                               resultant,     sensitivity,
+                               sensitivity,   displacements_at,
+                               stresses_at,   stress_invariants,
+                               fatigue_index, stat,
+                               history,       plan,
+                               write};
   return calls;
 }
 

@@ -299,6 +299,7 @@ FUNCTIONS = {
     "rollcon_contact_get_stresses_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
     "rollcon_stress_invariants": (c_int32, [
         c_int64, POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
@@ -561,6 +562,7 @@ ARGUMENTS = {
     "rollcon_contact_get_stresses_at": [
         ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
     ],
+    "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
     "rollcon_stress_invariants": [
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],
