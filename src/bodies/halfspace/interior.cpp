@@ -24,8 +24,9 @@ constexpr double nearest = 2.5;
 /// Errors over integral of |t|/R^2 add up like the logarithm of the frame's extent in elements.
 constexpr double far_share = 1.0 / 15;
 /// Of one element near a point. The rules there are those of Kelvin's double layer, of which stresses are up to six
-/// times as large.
-constexpr double near_share = 0.15;
+/// times as large, and judge its size from the element's centre: too small by about the element's slenderness where the
+/// point is near a short side.
+constexpr double near_share = 0.03;
 /// Fewer points than this are cheaper without boxes.
 constexpr std::int64_t points_for_boxes = 100;
 constexpr std::size_t elements_for_boxes = 64;
@@ -107,7 +108,8 @@ const std::vector<HalfspaceInterior::Rule>& HalfspaceInterior::rules(const Loade
 }
 
 void HalfspaceInterior::near(const LoadedElement& e, const InteriorPoint& at, Workspace& w) const {
-  const double t = near_share * accuracy_ * largest_ / e.largest;
+  const double round = std::min(1.0, 0.5 * std::sqrt(e.geometry.shape.area) / e.geometry.shape.half_length);
+  const double t = near_share * round * accuracy_ * largest_ / e.largest;
   const quadrature::Tolerance number{t, std::numeric_limits<double>::infinity()};
   const InteriorKernels& kernels = interior_kernels(instruction_set());
   const double kappa = 1 - 2 * material_.poisson;

@@ -94,15 +94,12 @@ double many_against_few(const Frame& frame, double depth, double accuracy) {
 
 TEST(inside_boxes, many_points_agree_with_few) {
   const std::vector<double> line = frames::uniform_lines(-1, 1, 12);
+  double worst = 0;
   for (const ElementType type : {ElementType::quad4, ElementType::tri6}) {
     const Frame frame = build_frame(frames::perturb(frames::rectangle(type, line, line), 0.2, 4), Axes{});
-    for (const double depth : {0.0, 0.1, 1.0}) {
-      char text[120];
-      std::snprintf(text, sizeof text, "type %d, depth %g: many points against few, accuracy 1e-5",
-                    static_cast<int>(type), depth);
-      expect_error(text, many_against_few(frame, depth, 1e-5), 1e-5);
-    }
+    for (const double depth : {0.0, 0.1, 1.0}) worst = std::max(worst, many_against_few(frame, depth, 1e-5));
   }
+  expect_error("many points against few, accuracy 1e-5", worst, 2.9e-6);
 }
 
 TEST(inside_boxes, regular_and_irregular_frames_agree) {
@@ -124,7 +121,7 @@ TEST(inside_boxes, regular_and_irregular_frames_agree) {
   const std::vector<Values> b = inside::from_library(triangles, linear(triangles), {1, 0.3}, points, 1e-6);
   double worst = 0;
   for (std::size_t p = 0; p < points.size(); ++p) worst = std::max(worst, inside::stress_difference(a[p], b[p]));
-  expect_error("a grid of quadrilaterals and irregular triangles, accuracy 1e-6", worst, 1e-6);
+  expect_error("a grid of quadrilaterals and irregular triangles, accuracy 1e-6", worst, 3.7e-7);
 }
 
 }  // namespace
