@@ -69,7 +69,6 @@ struct HalfspaceInterior::Workspace {
   double sum[interior_count];
   std::vector<std::int32_t> open;  ///< boxes still to look at
   quadrature::NearWorkspace near;
-  std::int64_t evaluations = 0;
 };
 
 HalfspaceInterior::HalfspaceInterior(const Frame& frame, const double* traction, Material material, double accuracy)
@@ -113,12 +112,10 @@ void HalfspaceInterior::near(const LoadedElement& e, const InteriorPoint& at, Wo
   const quadrature::Tolerance number{t, std::numeric_limits<double>::infinity()};
   const InteriorKernels& kernels = interior_kernels(instruction_set());
   const double kappa = 1 - 2 * material_.poisson;
-  const std::int64_t before = w.near.evaluations;
   quadrature::near_field(e.geometry, {at.x, at.y, at.z}, {}, number, true, w.near, [&] {
     pad_points(w.near.points);
     kernels.element(e.element, w.near.points, at, kappa, w.sum);
   });
-  w.evaluations += w.near.evaluations - before;
 }
 
 void HalfspaceInterior::add_element(const LoadedElement& e, const InteriorPoint& at, Workspace& w) const {
@@ -127,7 +124,6 @@ void HalfspaceInterior::add_element(const LoadedElement& e, const InteriorPoint&
   const double distance2 = (dx * dx + dy * dy + at.z * at.z) / (shape.half_length * shape.half_length);
   for (const Rule& rule : rules(e)) {
     if (distance2 < rule.least_distance2) continue;
-    w.evaluations += rule.points.n;
     interior_kernels(instruction_set()).element(e.element, rule.points, at, 1 - 2 * material_.poisson, w.sum);
     return;
   }
@@ -146,7 +142,6 @@ void HalfspaceInterior::add_all(const SourceTree* tree, const InteriorPoint& at,
     const SourceTree::Box& box = tree->boxes()[rollcon::at(number)];
     if (const int grid = tree->grid(box, at); grid >= 0) {
       const InteriorForces forces = tree->forces(number, grid);
-      w.evaluations += forces.n;
       interior_kernels(instruction_set()).push(forces, at, 1 - 2 * material_.poisson, w.sum);
     } else if (box.child >= 0) {
       w.open.push_back(box.child);
@@ -176,7 +171,6 @@ void HalfspaceInterior::evaluate(std::int64_t points, const double* xyz, double*
     for (int i = 0; stress && i < 6; ++i) stress[6 * p + i] = of_stress * w.sum[i];
     for (int i = 0; displacement && i < 3; ++i) displacement[3 * p + i] = of_motion * w.sum[6 + i];
   });
-  for (const Workspace& w : workspaces) evaluations_ += w.evaluations;
 }
 
 }  // namespace rollcon

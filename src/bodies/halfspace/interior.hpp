@@ -30,9 +30,6 @@ class HalfspaceInterior {
   /// null. Throws Cancelled.
   void evaluate(std::int64_t points, const double* xyz, double* stress, double* displacement, int threads) const;
 
-  /// Points times elements under load of the last calls per unit of work: kernel evaluations since construction.
-  std::int64_t evaluations() const { return evaluations_; }
-
  private:
   struct Rule {
     double least_distance2;  ///< over the squared half-length of an element's longest side
@@ -49,7 +46,6 @@ class HalfspaceInterior {
   double largest_ = 0, least_depth_ = 0, accuracy_;
   std::vector<halfspace::LoadedElement> elements_;
   std::vector<Rule> rules_[5][3];  ///< by element type and kind of map; empty: none of these elements
-  mutable std::int64_t evaluations_ = 0;
 };
 
 }  // namespace rollcon
