@@ -45,6 +45,7 @@ std::vector<Case> all_cases() {
                       many_cases,
                       saved_body_cases,
                       lattice_cases,
+                      stress_cases,
                       stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
 #ifdef ROLLCON_BENCH_KERNELS

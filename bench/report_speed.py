@@ -140,6 +140,21 @@ def loops(records):
     return text
 
 
+def stresses(records):
+    found = of_case(records, "stresses")
+    if not found:
+        return ""
+    return ("## Stresses inside half-spaces\n\n"
+            "Stresses and displacements to the standard accuracy, 1e-5 of the largest traction, below a solved contact of radius 1\n"
+            "whose frame reaches to 1.1; `rollcon-bench run stresses` alone makes these. Blocks of points that have the\n"
+            "places of a regular frame, layer by layer, go by FFT.\n\n"
+            + rows_of(found, {
+                "frame": lambda r: r["mesh"], "points": lambda r: r["model"], "number": extra("points", 7),
+                "time": lambda r: seconds(r["seconds"]["wall"]), "per point": lambda r: f"{r['extra']['us_per_point']:.3g} µs",
+                "points x nodes under load, a second": extra("loaded_pairs_per_second", 2),
+                "points x elements, a second": extra("pairs_per_second", 2)}) + "\n")
+
+
 def saved(records):
     found = of_case(records, "saved_body")
     if not found:
@@ -158,7 +173,7 @@ def main():
     text = ("# Regular frames and repeated solves: time and memory\n\n"
             f"Made by `{command}` on one core of {processor()}. Times are of single runs or the least of a few, on a shared machine good\n"
             "to a few ten per cent; ratios are within one run. What each shortcut saves by itself is in [thrift.md](thrift.md).\n\n"
-            + lattice(records, docs) + resolve(records) + tables(records) + loops(records) + saved(records))
+            + lattice(records, docs) + stresses(records) + resolve(records) + tables(records) + loops(records) + saved(records))
     with open(f"{docs}/speed.md", "w", encoding="utf-8") as out:
         out.write(text.rstrip() + "\n")
 

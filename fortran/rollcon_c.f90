@@ -1122,6 +1122,41 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_displacements_at
 
+    function rollcon_contact_get_stresses_at(contact, body, n, xyz, stress, u) &
+        result(rc) bind(C, name="rollcon_contact_get_stresses_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xyz(*)
+      real(c_double), intent(out) :: stress(*)
+      real(c_double), intent(out) :: u(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_stresses_at
+
+    function rollcon_contact_get_fatigue_index(contact, shear_yield, index) &
+        result(rc) bind(C, name="rollcon_contact_get_fatigue_index")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: shear_yield
+      real(c_double), intent(inout) :: index
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_fatigue_index
+
+    function rollcon_stress_invariants(n, stress, principal, von_mises, shear) &
+        result(rc) bind(C, name="rollcon_stress_invariants")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: stress(*)
+      real(c_double), intent(out) :: principal(*)
+      real(c_double), intent(out) :: von_mises(*)
+      real(c_double), intent(out) :: shear(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_stress_invariants
+
     function rollcon_contact_get_stat(contact, name, value) &
         result(rc) bind(C, name="rollcon_contact_get_stat")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

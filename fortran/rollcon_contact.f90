@@ -26,6 +26,7 @@ module rollcon_contact
     generic :: get_field => get_field_vectors, get_field_scalars
     procedure :: get_status
     procedure :: get_displacements_at
+    procedure :: get_stresses_at
     procedure :: get_history
     procedure :: get_error_function
   end type
@@ -316,6 +317,30 @@ contains
     u = 0
     call finish(rollcon_contact_get_displacements_at(self%handle(), int(body, rc_int), size(xy, 2, rc_long), xy, u), &
       self%handle(), 'rc_contact%get_displacements_at', stat, errmsg)
+  end subroutine
+
+  !> Stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body 1 or 2, in
+  !> the contact's axes.
+  subroutine get_stresses_at(self, body, xyz, stress, u, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer, intent(in) :: body
+    real(rc_real), intent(in), contiguous :: xyz(:, :)
+    real(rc_real), allocatable, intent(out) :: stress(:, :)
+    real(rc_real), allocatable, intent(out), optional :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: displacement(:, :)
+    if (size(xyz, 1) /= 3) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_stresses_at', stat, errmsg, &
+        'the first extent of xyz must be 3')
+      return
+    end if
+    allocate (stress(6, size(xyz, 2)), displacement(3, size(xyz, 2)))
+    stress = 0
+    displacement = 0
+    call finish(rollcon_contact_get_stresses_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, stress, &
+      displacement), self%handle(), 'rc_contact%get_stresses_at', stat, errmsg)
+    if (present(u)) call move_alloc(displacement, u)
   end subroutine
 
   !> rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip, seconds.

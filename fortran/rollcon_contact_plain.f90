@@ -44,6 +44,7 @@ module rollcon_contact_plain
     procedure :: get_resultant => contact_get_resultant
     procedure :: get_motion => contact_get_motion
     procedure :: get_sensitivity => contact_get_sensitivity
+    procedure :: get_fatigue_index => contact_get_fatigue_index
     procedure :: get_stat => contact_get_stat
     procedure :: get_plan => contact_get_plan
     procedure :: write_vtu => contact_write
@@ -592,6 +593,21 @@ contains
     creep = 0
     call finish(rollcon_contact_get_sensitivity(self%p, parameter, force, moment, approach, creep), self%p, &
       'rc_contact%get_sensitivity', stat, errmsg)
+  end subroutine
+
+  !> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A in
+  !> contact (statistic contact_area; pi a b of an ellipse) and the yield stress k in shear; positive where fatigue is
+  !> to be expected. ROLLCON_ERR_STATE: no solution, or no normal force. The wear number T-gamma, force times creepage,
+  !> is the statistic t_gamma.
+  subroutine contact_get_fatigue_index(self, shear_yield, index, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    real(rc_real), intent(in) :: shear_yield
+    real(rc_real), intent(out) :: index
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    index = 0
+    call finish(rollcon_contact_get_fatigue_index(self%p, shear_yield, index), self%p, 'rc_contact%get_fatigue_index', &
+      stat, errmsg)
   end subroutine
 
   !> One number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes. Names:

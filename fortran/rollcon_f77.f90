@@ -1048,6 +1048,33 @@ subroutine rcdisp(icon, ibody, n, xy, u, ierr)
   ierr = rollcon_contact_get_displacements_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xy, u)
 end subroutine
 
+!> Stresses and elastic displacements at any points inside a body, or on its surface, under the tractions of the .
+subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, n, ierr
+  double precision :: xyz(*), stress(*), u(*)
+  ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
+end subroutine
+
+!> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .
+subroutine rcfati(icon, shear_yield, xindex, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: shear_yield, xindex
+  ierr = rollcon_contact_get_fatigue_index(contact_of(icon), shear_yield, xindex)
+end subroutine
+
+!> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
+subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: n, ierr
+  double precision :: stress(*), principal(*), von_mises(*), shear(*)
+  ierr = rollcon_stress_invariants(int(n, c_int64_t), stress, principal, von_mises, shear)
+end subroutine
+
 !> One number about the last solve.
 subroutine rcstat(icon, name, value, ierr)
   use rollcon_f77_support

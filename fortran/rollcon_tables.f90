@@ -1,4 +1,5 @@
-!> The tables of settings and of counters, and what a progress callback may read. Entries count from 1.
+!> Functions without an object: tables of settings and of counters, whose entries count from 1, what a progress callback
+!> may read, and invariants of stresses.
 module rollcon_tables
   use, intrinsic :: iso_c_binding, only: c_char, c_null_char, c_null_ptr, c_ptr
   use rollcon_c
@@ -7,9 +8,30 @@ module rollcon_tables
   private
   public :: rc_option_count, rc_option_info, rc_option_doc, rc_stat_count, rc_stat_name, rc_event_int, rc_event_real
   public :: rc_body_option_count, rc_body_option_info, rc_body_option_doc, rc_body_stat_count, rc_body_stat_name
+  public :: rc_stress_invariants
   public :: rc_wheelrail_stat_count, rc_wheelrail_stat_name, rc_wheelrail_patch_stat_count, rc_wheelrail_patch_stat_name
 
 contains
+
+  !> Principal stresses principal(3,n), the largest first, von Mises's stress and the largest shear stress of stress(6,n).
+  subroutine rc_stress_invariants(stress, principal, von_mises, shear, stat, errmsg)
+    real(rc_real), intent(in), contiguous :: stress(:, :)
+    real(rc_real), allocatable, intent(out) :: principal(:, :)
+    real(rc_real), allocatable, intent(out) :: von_mises(:), shear(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(stress, 1) /= 6) then
+      call finish(ROLLCON_ERR_ARGUMENT, c_null_ptr, 'rc_stress_invariants', stat, errmsg, &
+        'the first extent of stress must be 6')
+      return
+    end if
+    allocate (principal(3, size(stress, 2)), von_mises(size(stress, 2)), shear(size(stress, 2)))
+    principal = 0
+    von_mises = 0
+    shear = 0
+    call finish(rollcon_stress_invariants(size(stress, 2, rc_long), stress, principal, von_mises, shear), c_null_ptr, &
+      'rc_stress_invariants', stat, errmsg)
+  end subroutine
 
   integer function rc_option_count()
     rc_option_count = int(rollcon_option_count())

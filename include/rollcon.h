@@ -1433,6 +1433,60 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
     const rollcon_contact *contact, int32_t body, int64_t n, const double *xy, double *u);
 
 /*
+ * Stresses and elastic displacements at any points inside a body, or on its surface, under the
+ * tractions of the last solve (those of rollcon_contact_get_tractions, between nodes as the
+ * frame's shape functions have them). The body must be an elastic half-space. Points and results
+ * are in the contact's axes: body 1 fills n <= 0 and body 2 n >= 0, on its surface n = 0 results
+ * are the limits from inside. Tension is positive. Every stress is within the option
+ * stress_accuracy times the largest traction of the exact integrals. Where tractions jump (at the
+ * rim of a frame that ends under load) stresses along the surface grow like a logarithm and are
+ * given for a depth of 1e-8 of the smallest element. On a curved frame the local components of
+ * tractions act on the plane of the axes, as they do in the solve. ROLLCON_ERR_UNSUPPORTED:
+ * another kind of body; ROLLCON_ERR_ARGUMENT: a point outside of the body.
+ *   body     1 or 2
+ *   n        points, >= 0
+ *   xyz      [n][3]; positions along t1, t2 and n from the origin, length
+ *   stress   [n][6], out; s11, s22, snn, s12, s1n, s2n, force/length^2; NULL: not wanted
+ *   u        [n][3], out; displacement (t1, t2, n), length; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of half-spaces.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
+    const rollcon_contact *contact, int32_t body, int64_t n, const double *xyz, double *stress,
+    double *u);
+
+/*
+ * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),
+ * with the area A in contact (statistic contact_area; pi a b of an ellipse) and the yield stress
+ * k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no
+ * normal force. The wear number T-gamma, force times creepage, is the statistic t_gamma.
+ *   shear_yield  k, force/length^2, above 0
+ *   index        out; dimensionless
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE.
+ * Source: docs/theory.md, statistics (Ekberg, Kabo, Andersson 2002).
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
+    const rollcon_contact *contact, double shear_yield, double *index);
+
+/*
+ * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
+ * come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact to
+ * rounding, relative to the largest of the three.
+ *   n          stresses, >= 0
+ *   stress     [n][6]; s11, s22, s33, s12, s13, s23, tension positive
+ *   principal  [n][3], out; the largest first; NULL: not wanted
+ *   von_mises  [n], out; sqrt(3/2) times the norm of the deviator; NULL: not wanted
+ *   shear      [n], out; half the difference of the first and the last principal stress; NULL:
+ *              not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Threads: any.
+ * Source: docs/theory.md, inside of half-spaces.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_stress_invariants(int64_t n,
+    const double *stress, double *principal, double *von_mises, double *shear);
+
+/*
  * One number about the last solve: residuals, error estimates, iterations, areas, power, seconds,
  * bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error estimate is
  * computed when one of its numbers is asked for, at about the price of a solve.

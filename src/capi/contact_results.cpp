@@ -4,6 +4,7 @@
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
+#include "support/stress_invariants.hpp"
 
 using namespace rollcon;
 using namespace rollcon::capi;
@@ -18,6 +19,25 @@ InAxes checked_axes(int32_t axes) {
 
 void require_capacity(int64_t capacity) {
   require_count(capacity, "capacity");
+}
+
+void require_body_number(int32_t body) {
+  if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1, 2", body);
+}
+
+/// Of which the longest array has so many doubles each.
+void require_points(int64_t n, int64_t doubles) {
+  require_count(n, "n");
+  if (n > PTRDIFF_MAX / (doubles * int64_t{sizeof(double)}))
+    fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+}
+
+/// names: of the coordinates, a letter each.
+void require_finite_points(int64_t n, const double* x, int64_t coordinates, const char* names) {
+  for (int64_t i = 0; i < coordinates * n; ++i)
+    if (!std::isfinite(x[i]))
+      fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", names[i % coordinates],
+           static_cast<long long>(i / coordinates), x[i]);
 }
 
 }  // namespace
@@ -96,20 +116,53 @@ rollcon_status rollcon_contact_get_sensitivity(const rollcon_contact* contact, i
 rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact* contact, int32_t body, int64_t n,
                                                     const double* xy, double* u) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    if (body != 1 && body != 2) fail(Status::err_argument, "body is %d; allowed: 1, 2", body);
-    require_count(n, "n");
-    constexpr std::int64_t most = PTRDIFF_MAX / (3 * std::int64_t{sizeof(double)});
-    if (n > most) fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+    require_body_number(body);
+    require_points(n, 3);
     if (n > 0) {
       require_pointer(xy, "xy");
       require_pointer(u, "u");
     }
-    for (std::int64_t i = 0; i < 2 * n; ++i) {
-      if (!std::isfinite(xy[i]))
-        fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", "xy"[i % 2],
-             static_cast<long long>(i / 2), xy[i]);
-    }
+    require_finite_points(n, xy, 2, "xy");
     c.displacements_at(body, n, xy, u);
+  });
+}
+
+rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, int32_t body, int64_t n,
+                                               const double* xyz, double* stress, double* u) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(body);
+    require_points(n, 6);
+    if (n > 0) require_pointer(xyz, "xyz");
+    require_finite_points(n, xyz, 3, "12n");
+    c.stresses_at(body, n, xyz, stress, u);
+  });
+}
+
+rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact* contact, double shear_yield, double* index) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_finite(shear_yield, "shear_yield");
+    if (!(shear_yield > 0)) fail(Status::err_argument, "shear_yield is %g; allowed: above 0", shear_yield);
+    require_pointer(index, "index");
+    *index = c.fatigue_index(shear_yield);
+  });
+}
+
+rollcon_status rollcon_stress_invariants(int64_t n, const double* stress, double* principal, double* von_mises,
+                                         double* shear) {
+  return guarded(__func__, nullptr, [&] {
+    require_points(n, 6);
+    if (n > 0) require_pointer(stress, "stress");
+    static constexpr const char* name[] = {"s11", "s22", "s33", "s12", "s13", "s23"};
+    for (int64_t i = 0; i < 6 * n; ++i)
+      if (!std::isfinite(stress[i]))
+        fail(Status::err_nonfinite, "component %s of stress %lld (counting from 0) is %g", name[i % 6],
+             static_cast<long long>(i / 6), stress[i]);
+    for (int64_t i = 0; i < n; ++i) {
+      const StressInvariants s = stress_invariants(stress + 6 * i);
+      if (principal) std::copy_n(s.principal, 3, principal + 3 * i);
+      if (von_mises) von_mises[i] = s.von_mises;
+      if (shear) shear[i] = s.shear;
+    }
   });
 }
 

@@ -109,6 +109,11 @@ class Contact {
   /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a curved frame in the
   /// local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;
+  /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
+  /// be null. See rollcon_contact_get_stresses_at.
+  void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
+  /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
+  double fatigue_index(double shear_yield) const;
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);

@@ -9,6 +9,7 @@
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
+#include "contact/results/stresses.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -219,6 +220,18 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   // A lambda is u1 - u2: the second body's part carries the opposite sign.
   if (body == 2)
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
+}
+
+void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
+  require_solution(*state_, scene);
+  find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+}
+
+double Contact::fatigue_index(double shear_yield) const {
+  double force[3];
+  resultant(InAxes::local, force, nullptr);
+  if (!(force[2] < 0)) fail(Status::err_state, "there is no normal force, of which the index is a ratio");
+  return (std::hypot(force[0], force[1]) - 2 * shear_yield * stat("contact_area") / 3) / -force[2];
 }
 
 std::span<const double> Contact::error_function() const {

@@ -4,7 +4,8 @@
 
 namespace rollcon {
 
-PlaneFft::PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x, std::int64_t least_y)
+template <class Real>
+PlaneFft<Real>::PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x, std::int64_t least_y)
     : nx_(nx),
       ny_(ny),
       px_(fft_size(std::max(nx, least_x))),
@@ -16,9 +17,10 @@ PlaneFft::PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x, std::
       half_(half_stride_ * ny) {}
 
 // Columns are transposed in tiles: a column alone would use one number of every cache line.
-void PlaneFft::forward(const float* data, Complex* spectrum) {
+template <class Real>
+void PlaneFft<Real>::forward(const Real* data, Complex* spectrum) {
   constexpr std::int64_t tile = 8;
-  std::fill(row_.data() + nx_, row_.data() + px_, 0.0f);
+  std::fill(row_.data() + nx_, row_.data() + px_, Real{0});
   for (std::int64_t j = 0; j < ny_; ++j) {
     std::copy(data + j * nx_, data + (j + 1) * nx_, row_.data());
     along_.forward(row_.data(), half_.data() + j * half_stride_);
@@ -35,7 +37,8 @@ void PlaneFft::forward(const float* data, Complex* spectrum) {
   }
 }
 
-void PlaneFft::backward(Complex* spectrum, float* data) {
+template <class Real>
+void PlaneFft<Real>::backward(Complex* spectrum, Real* data) {
   constexpr std::int64_t tile = 8;
   for (std::int64_t first = 0; first < waves_x(); first += tile) {
     const std::int64_t last = std::min(first + tile, waves_x());
@@ -48,5 +51,8 @@ void PlaneFft::backward(Complex* spectrum, float* data) {
     std::copy(row_.data(), row_.data() + nx_, data + j * nx_);
   }
 }
+
+template class PlaneFft<float>;
+template class PlaneFft<double>;
 
 }  // namespace rollcon

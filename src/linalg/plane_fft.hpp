@@ -1,5 +1,5 @@
 #pragma once
-/// Two-dimensional transforms of real data on a part of their period, in single precision.
+/// Two-dimensional transforms of real data on a part of their period, in single or double precision.
 
 #include <complex>
 #include <cstdint>
@@ -8,9 +8,10 @@
 
 namespace rollcon {
 
+template <class Real>
 class PlaneFft {
  public:
-  using Complex = std::complex<float>;
+  using Complex = std::complex<Real>;
   /// Data of nx by ny in periods of at least least_x by least_y; the rest of a period is zero.
   PlaneFft(std::int64_t nx, std::int64_t ny, std::int64_t least_x, std::int64_t least_y);
 
@@ -23,16 +24,16 @@ class PlaneFft {
   AlignedArray<Complex> make_spectrum() const { return AlignedArray<Complex>(waves_x() * stride()); }
 
   /// data[j * nx + i]
-  void forward(const float* data, Complex* spectrum);
+  void forward(const Real* data, Complex* spectrum);
   /// Without the factor 1 / (period_x period_y); the spectrum is overwritten.
-  void backward(Complex* spectrum, float* data);
+  void backward(Complex* spectrum, Real* data);
   std::size_t bytes() const { return row_.bytes() + half_.bytes(); }
 
  private:
   std::int64_t nx_, ny_, px_, py_, half_stride_;
-  RealFft<float> along_;
-  ComplexFft<float> across_;
-  AlignedArray<float> row_;
+  RealFft<Real> along_;
+  ComplexFft<Real> across_;
+  AlignedArray<Real> row_;
   AlignedArray<Complex> half_;  ///< [iy][kx]
 };
 

@@ -103,6 +103,9 @@ const char* const recorded_names[] = {
   "contact_get_motion",
   "contact_get_sensitivity",
   "contact_get_displacements_at",
+  "contact_get_stresses_at",
+  "contact_get_fatigue_index",
+  "stress_invariants",
   "contact_get_stat",
   "stat_count",
   "stat_name",
@@ -157,7 +160,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 150;
+const int recorded_number = 153;
 
 enum {
   recorded_rollcon_version,
@@ -258,6 +261,9 @@ enum {
   recorded_rollcon_contact_get_motion,
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
+  recorded_rollcon_contact_get_stresses_at,
+  recorded_rollcon_contact_get_fatigue_index,
+  recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
   recorded_rollcon_stat_count,
   recorded_rollcon_stat_name,
@@ -1210,6 +1216,44 @@ rollcon_status rollcon_contact_get_displacements_at(const rollcon_contact *conta
   record_reals(xy, n * 2);
   record_room(u);
   give_reals(u, n * 3, 4);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact *contact, int32_t body,
+    int64_t n, const double *xyz, double *stress, double *u) {
+  record_begin(recorded_rollcon_contact_get_stresses_at);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(n);
+  record_reals(xyz, n * 3);
+  record_room(stress);
+  record_room(u);
+  give_reals(stress, n * 6, 4);
+  give_reals(u, n * 3, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
+    double shear_yield, double *index) {
+  record_begin(recorded_rollcon_contact_get_fatigue_index);
+  record_handle(contact);
+  record_real(shear_yield);
+  record_room(index);
+  give_reals(index, 1, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_stress_invariants(int64_t n, const double *stress, double *principal,
+    double *von_mises, double *shear) {
+  record_begin(recorded_rollcon_stress_invariants);
+  record_integer(n);
+  record_reals(stress, n * 6);
+  record_room(principal);
+  record_room(von_mises);
+  record_room(shear);
+  give_reals(principal, n * 3, 2);
+  give_reals(von_mises, n, 3);
+  give_reals(shear, n, 4);
   return record_end();
 }
 

@@ -197,6 +197,10 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_sensitivity(object, 1, a.out, a.out, a.out, a.out));
   check("rollcon_contact_get_displacements_at", false,
         rollcon_contact_get_displacements_at(object, 1, 1, a.reals, a.out));
+  check("rollcon_contact_get_stresses_at", false,
+        rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_get_fatigue_index", false,
+        rollcon_contact_get_fatigue_index(object, 1, a.out));
   check("rollcon_contact_get_stat", false,
         rollcon_contact_get_stat(object, "never_written", a.out));
   check("rollcon_contact_get_history", false,

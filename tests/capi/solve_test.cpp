@@ -24,7 +24,7 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
   double v[3];
   std::int32_t s = 0;
   std::int64_t n = 0;
-  const double point[2] = {0, 0};
+  const double point[3] = {0, 0, 0};
   for (int round = 0; round < 3; ++round) {
     EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, 1000, v), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_field(contact, ROLLCON_FIELD_GAP, ROLLCON_LOCAL, 0, nullptr, &n), STATE, "solve");
@@ -32,6 +32,7 @@ TEST_F(solve, results_before_a_solve_are_a_state_error) {
     EXPECT_FAILS(rollcon_contact_get_resultant(contact, ROLLCON_LOCAL, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_motion(contact, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_displacements_at(contact, 1, 1, point, v), STATE, "solve");
+    EXPECT_FAILS(rollcon_contact_get_stresses_at(contact, 1, 1, point, v, nullptr), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_get_plan(contact, 0, nullptr, &n), STATE, "solve");
     EXPECT_FAILS(rollcon_contact_write(contact, "never_written.vtu"), STATE, "solve");
     if (round == 0) set_scene();

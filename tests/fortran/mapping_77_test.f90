@@ -84,6 +84,9 @@ program mapping_77_test
   call test_rcmotn()
   call test_rcsens()
   call test_rcdisp()
+  call test_rcstrs()
+  call test_rcfati()
+  call test_rcsinv()
   call test_rcstat()
   call test_rcstnm()
   call test_rchist()
@@ -1280,6 +1283,60 @@ contains
     call rcdisp(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0], u, stat)
     call rclerr(message)
     call failed('contact_get_displacements_at', stat, message)
+  end subroutine
+
+  subroutine test_rcstrs()
+    double precision :: stress(12)
+    double precision :: u(6)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcstrs(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stress, u, stat)
+    call told('contact_get_stresses_at', 'contact1 11 2 [3.125 3.25 3.375 3.5 3.625 3.75] room room', stat)
+    call gave_reals('stress', stress, 400.5_rc_real)
+    call gave_reals('u', u, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcstrs(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stress, u, stat)
+    call rclerr(message)
+    call failed('contact_get_stresses_at', stat, message)
+  end subroutine
+
+  subroutine test_rcfati()
+    double precision :: xindex
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfati(icon, 1.5d0, xindex, stat)
+    call told('contact_get_fatigue_index', 'contact1 1.5 room', stat)
+    call gave_reals('xindex', [xindex], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfati(icon, 1.5d0, xindex, stat)
+    call rclerr(message)
+    call failed('contact_get_fatigue_index', stat, message)
+  end subroutine
+
+  subroutine test_rcsinv()
+    double precision :: principal(6)
+    double precision :: von_mises(2)
+    double precision :: shear(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcsinv(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0, 1.875d0, 2.0d0, 2.125d0, 2.25d0, 2.375d0, &
+      2.5d0], principal, von_mises, shear, stat)
+    call told('stress_invariants', &
+      '2 [1.125 1.25 1.375 1.5 1.625 1.75 1.875 2 2.125 2.25 2.375 2.5] room room room', stat)
+    call gave_reals('principal', principal, 200.5_rc_real)
+    call gave_reals('von_mises', von_mises, 300.5_rc_real)
+    call gave_reals('shear', shear, 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcsinv(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0, 1.625d0, 1.75d0, 1.875d0, 2.0d0, 2.125d0, 2.25d0, 2.375d0, &
+      2.5d0], principal, von_mises, shear, stat)
+    call rclerr(message)
+    call failed('stress_invariants', stat, message)
   end subroutine
 
   subroutine test_rcstat()

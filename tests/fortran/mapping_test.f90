@@ -48,6 +48,7 @@ program mapping_test
   call contact_get_resultant()
   call contact_get_motion()
   call contact_get_sensitivity()
+  call contact_get_fatigue_index()
   call contact_get_stat()
   call contact_get_plan()
   call contact_write()
@@ -658,6 +659,20 @@ contains
     message = ''
     call contact%get_sensitivity(11_rc_int, force, moment, approach, creep, stat, message)
     call failed('contact_get_sensitivity', stat, message)
+  end subroutine
+
+  subroutine contact_get_fatigue_index()
+    real(rc_real) :: index
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_fatigue_index(1.5_rc_real, index, stat, message)
+    call told('contact_get_fatigue_index', 'contact1 1.5 room', stat)
+    call gave_reals('index', [index], 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_fatigue_index(1.5_rc_real, index, stat, message)
+    call failed('contact_get_fatigue_index', stat, message)
   end subroutine
 
   subroutine contact_get_stat()

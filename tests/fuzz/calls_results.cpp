@@ -85,6 +85,38 @@ void displacements_at(World& w) {
           good ? "a displacement is not finite" : "a failed call wrote into its output");
 }
 
+void stresses_at(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int64_t n = array_size(w.in, 5);
+  std::vector<double> xyz = w.in.reals(static_cast<std::size_t>(n > 0 ? 3 * n : 0));
+  const std::int32_t body = w.in.below(4);
+  // Most points would lie outside of the body.
+  if (!w.in.one_in(8))
+    for (std::size_t k = 2; k < xyz.size(); k += 3) xyz[k] = body == 1 ? -std::abs(xyz[k]) : std::abs(xyz[k]);
+  Output<double> stress(n > 0 ? 6 * n : 0), u(n > 0 ? 3 * n : 0);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_stresses_at, c, body, n, maybe_null(w.in, xyz), stress.data(),
+                              w.in.one_in(4) ? nullptr : u.data()) == ROLLCON_OK;
+  require(good ? all_finite(stress.values()) : stress.untouched() && u.untouched(),
+          good ? "a stress is not finite" : "a failed call wrote into its output");
+}
+
+void fatigue_index(World& w) {
+  const rollcon_contact* c = w.contact();
+  Output<double> index(1);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_fatigue_index, c, w.in.reals(1)[0], index.data()) == ROLLCON_OK;
+  require(good || index.untouched(), "a failed call wrote into its output");
+}
+
+void stress_invariants(World& w) {
+  const std::int64_t n = array_size(w.in, 5);
+  const std::vector<double> stress = w.in.reals(static_cast<std::size_t>(n > 0 ? 6 * n : 0));
+  Output<double> principal(n > 0 ? 3 * n : 0), von_mises(n > 0 ? n : 0), shear(n > 0 ? n : 0);
+  const bool good = FUZZ_CALL(w, rollcon_stress_invariants, n, maybe_null(w.in, stress), principal.data(),
+                              w.in.one_in(4) ? nullptr : von_mises.data(), shear.data()) == ROLLCON_OK;
+  require(good || (principal.untouched() && von_mises.untouched() && shear.untouched()),
+          "a failed call wrote into its output");
+}
+
 void stat(World& w) {
   const rollcon_contact* c = w.contact();
   const std::string name = w.in.text(known_names());
@@ -126,8 +158,14 @@ void write(World& w) {
 }  // namespace
 
 std::span<const Call> result_calls() {
-  static const Call calls[] = {tractions,   status,           field, field,   resultant, sensitivity,
-                               sensitivity, displacements_at, stat,  history, plan,      write};
+  static const Call calls[] = {tractions,     status,
+                               field,         field,
+                               resultant,     sensitivity,
+                               sensitivity,   displacements_at,
+                               stresses_at,   stress_invariants,
+                               fatigue_index, stat,
+                               history,       plan,
+                               write};
   return calls;
 }
 

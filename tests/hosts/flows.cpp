@@ -112,6 +112,9 @@ std::vector<double> solve(Caller& call, Handles& h) {
   CALL(rollcon_contact_get_resultant, h.contact, ROLLCON_LOCAL, force.data(), moment.data());
   const double point[2] = {0.1, 0.2};
   CALL(rollcon_contact_get_displacements_at, h.contact, 1, 1, point, at.data());
+  const double stress[6] = {1, 2, 3, 4, 5, 6};
+  double principal[3];
+  CALL(rollcon_stress_invariants, 1, stress, principal, nullptr, nullptr);
   CALL(rollcon_contact_get_plan, h.contact, 0, nullptr, &needed);
   std::vector<char> plan(static_cast<std::size_t>(needed));
   CALL(rollcon_contact_get_plan, h.contact, needed, plan.data(), nullptr);

@@ -68,6 +68,12 @@ class Mapping(unittest.TestCase):
         self.told("has_feature", "<some name>")
         self.assertEqual((rc.version(), rc.version_string()), (2, "text of version_string"))
         self.assertEqual((rc.build_info(), rc.last_error()), ("text of build_info", "text of last_error"))
+        principal, von_mises, shear = rc.stress_invariants(np.hstack([X, X]))
+        self.told("stress_invariants", "2 [1.5 2.5 3.5 1.5 2.5 3.5 4.5 5.5 6.5 4.5 5.5 6.5] room room room")
+        np.testing.assert_equal(principal, [[200.5, 201.5, 202.5], [203.5, 204.5, 205.5]])
+        np.testing.assert_equal(von_mises, [300.5, 301.5])
+        np.testing.assert_equal(shear, [400.5, 401.5])
+        self.refuses("shape", rc.stress_invariants, X)
         self.assertEqual(rc.status_string(-7), "text of status_string")
         self.told("status_string", "-7")
         for kind, table, names in (("", rc.option_table, rc.stat_names),
@@ -226,12 +232,17 @@ class Mapping(unittest.TestCase):
         check(contact.displacements_at(2, X[:, :2]), (2, 3), 400.5, "contact_get_displacements_at",
               "contact1 2 2 [1.5 2.5 4.5 5.5] room")
         self.refuses("shape", contact.displacements_at, 2, X)
+        stress, u = contact.stresses_at(2, X)
+        check(u, (2, 3), 500.5, "contact_get_stresses_at", f"contact1 2 2 {WRITTEN} room room")
+        np.testing.assert_equal(stress, 400.5 + np.arange(12).reshape(2, 6))
+        self.refuses("shape", contact.stresses_at, 2, X[:, :2])
         check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
         np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
         self.told("contact_get_error_function", "contact1 2 room room room")
         for function, arguments in ((self.body.displacements, ()), (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
+                                    (contact.stresses_at, (1, X)), (rc.stress_invariants, (np.hstack([X, X]),)),
                                     (self.body.set, ("a name", 1)), (self.body.get, ("a name",))):
             self.fails(function, *arguments)
 

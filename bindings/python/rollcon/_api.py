@@ -296,6 +296,13 @@ FUNCTIONS = {
     "rollcon_contact_get_displacements_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_stresses_at": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
+    "rollcon_stress_invariants": (c_int32, [
+        c_int64, POINTER(c_double), POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_stat_count": (c_int32, []),
     "rollcon_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
@@ -573,6 +580,13 @@ ARGUMENTS = {
     ],
     "rollcon_contact_get_displacements_at": [
         ("contact", ""), ("body", ""), ("n", ""), ("xy", ""), ("u", "")
+    ],
+    "rollcon_contact_get_stresses_at": [
+        ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
+    ],
+    "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
+    "rollcon_stress_invariants": [
+        ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],
     "rollcon_contact_get_stat": [("contact", ""), ("name", ""), ("value", "")],
     "rollcon_stat_count": [],

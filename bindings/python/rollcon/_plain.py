@@ -516,6 +516,19 @@ class ContactPlain:
         self._call("get_sensitivity", parameter, force_at, moment_at, byref(approach), creep_at)
         return force, moment, approach.value, creep
 
+    def fatigue_index(self, shear_yield):
+        """Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A
+        k/(3 Fn), with the area A in contact (statistic contact_area; pi a b of an ellipse) and
+        the yield stress k in shear; positive where fatigue is to be expected. ERR_STATE: no
+        solution, or no normal force. The wear number T-gamma, force times creepage, is the
+        statistic t_gamma.
+
+        shear_yield: k, force/length^2, above 0.
+        """
+        index = c_double()
+        self._call("get_fatigue_index", shear_yield, byref(index))
+        return index.value
+
     def stat(self, name):
         """One number about the last solve: residuals, error estimates, iterations, areas, power,
         seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error

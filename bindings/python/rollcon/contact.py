@@ -203,6 +203,15 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_displacements_at", body, len(xy), points, address)
         return u
 
+    def stresses_at(self, body, xyz):
+        """Stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3]
+        inside body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
+        xyz, points = reals(xyz, 3)
+        stress, first = room(len(xyz), 6)
+        u, second = room(len(xyz), 3)
+        self._call("get_stresses_at", body, len(xyz), points, first, second)
+        return stress, u
+
     def history(self):
         """One row per iteration: phase, iteration, normal residual, tangential residual, step
         length, nodes in contact, nodes in slip, seconds."""

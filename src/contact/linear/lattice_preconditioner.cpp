@@ -50,7 +50,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
   void sum_along_flow(std::vector<float>& s) const;
 
   Lattice lattice_;
-  PlaneFft fft_;
+  PlaneFft<float> fft_;
   std::vector<std::int32_t> place_;           ///< frame node -> place on the lattice
   std::array<std::vector<float>, 4> symbol_;  ///< of A^-1: 11, 12, 22 and normal
   std::array<std::vector<float>, 2> grid_;

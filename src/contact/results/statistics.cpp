@@ -1,6 +1,7 @@
 #include "contact/results/statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contact/estimate/error_estimate.hpp"
@@ -60,6 +61,17 @@ double near_change(SolverState& s) {
   return count;
 }
 
+// Force times creepage, without the spin.
+double t_gamma(SolverState& s) {
+  Vec3 force, moment;
+  std::array<double, 4> motion = s.iterate.motion;
+  if (s.extrapolated)
+    force = s.extrapolated->force, motion = s.extrapolated->motion;
+  else
+    sum_tractions(s.prepared->problem, s.prepared->frame, s.iterate.lambda, force, moment);
+  return -(force[0] * motion[xi1] + force[1] * motion[xi2]);
+}
+
 constexpr Statistic table[] = {
     {"iterations",
      [](SolverState& s) {
@@ -107,6 +119,7 @@ constexpr Statistic table[] = {
      true},
     {"friction_power", [](SolverState& s) { return power_at_nodes(s); }, true},
     {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }, true},
+    {"t_gamma", t_gamma},
     {"rolling_speed", [](SolverState& s) { return s.prepared->speed; }},
     {"max_pressure",
      [](SolverState& s) {

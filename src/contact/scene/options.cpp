@@ -11,6 +11,8 @@ const SettingTable<Options>& table() {
       {"max_iterations", &Options::max_iterations, 1, 100000,
        "Most Newton iterations of one solve, those of its fallbacks included."},
       {"accuracy", &Options::accuracy, 1e-12, 1e-2, "Relative accuracy of the half-space integrals."},
+      {"stress_accuracy", &Options::stress_accuracy, 1e-9, 1e-2,
+       "Error that stresses inside half-spaces may have, relative to the largest traction."},
       {"frame_accuracy", &Options::frame_accuracy, 1e-4, 1,
        "Error that frames made by the library may leave in force and spin moment, relative to the force."},
       {"convection", &Options::convection, "characteristic|least_squares|godunov",

@@ -16,6 +16,7 @@ struct Options {
   double tolerance = 1e-10;                   // "tolerance"
   std::int64_t max_iterations = 500;          // "max_iterations"
   double accuracy = 1e-6;                     // "accuracy": of the half-space integrals
+  double stress_accuracy = 1e-5;              // "stress_accuracy": of stresses inside half-spaces
   double frame_accuracy = 0.005;              // "frame_accuracy"
   std::string convection = "characteristic";  // "convection"
   std::string linear_solver = "auto";         // "linear_solver"

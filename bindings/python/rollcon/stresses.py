@@ -1,0 +1,15 @@
+"""What yield criteria want of stresses."""
+
+from ._arrays import reals, room
+from ._library import check, lib
+
+
+def stress_invariants(stress):
+    """Principal stresses [n, 3], the largest first, von Mises's stress [n] and the largest shear
+    stress [n] of stresses [n, 6]: s11, s22, s33, s12, s13, s23."""
+    stress, given = reals(stress, 6)
+    principal, first = room(len(stress), 3)
+    von_mises, second = room(len(stress))
+    shear, third = room(len(stress))
+    check(lib.rollcon_stress_invariants(len(stress), given, first, second, third))
+    return principal, von_mises, shear

@@ -1,0 +1,51 @@
+#pragma once
+/// Stresses and displacements inside an elastic half-space z >= 0, from tractions on its surface that a frame's shape
+/// functions interpolate (docs/theory.md, inside of half-spaces).
+///
+/// Elements near a point are integrated by the rules of near_field.hpp, those farther off by one Gauss rule that is
+/// enough for their distance, and boxes of them, farther still, by forces on a grid (source_tree.hpp). On the surface
+/// the integrals are limits: there they are taken at a depth of 1e-8 of the smallest element, which changes stresses by
+/// about 1e-7 of the largest traction, but grows like a logarithm with it where tractions jump.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bodies/halfspace/source_tree.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+class HalfspaceInterior {
+ public:
+  struct Material {
+    double shear, poisson;
+  };
+
+  /// traction[3 * node + j]: on the half-space, along x, y, z (z into the body). accuracy: of every stress, relative to
+  /// the largest component of the tractions. Copies what it needs.
+  HalfspaceInterior(const Frame& frame, const double* traction, Material material, double accuracy);
+
+  /// Points (x, y, z), z >= 0. stress: 6 per point, xx, yy, zz, xy, xz, yz; displacement: 3 per point; either may be
+  /// null. Throws Cancelled.
+  void evaluate(std::int64_t points, const double* xyz, double* stress, double* displacement, int threads) const;
+
+ private:
+  struct Rule {
+    double least_distance2;  ///< over the squared half-length of an element's longest side
+    halfspace::NearPoints points;
+  };
+  struct Workspace;
+
+  const std::vector<Rule>& rules(const halfspace::LoadedElement& e) const;
+  void near(const halfspace::LoadedElement& e, const halfspace::InteriorPoint& at, Workspace& w) const;
+  void add_element(const halfspace::LoadedElement& e, const halfspace::InteriorPoint& at, Workspace& w) const;
+  void add_all(const halfspace::SourceTree* tree, const halfspace::InteriorPoint& at, Workspace& w) const;
+
+  Material material_;
+  double largest_ = 0, least_depth_ = 0, accuracy_;
+  std::vector<halfspace::LoadedElement> elements_;
+  std::vector<Rule> rules_[5][3];  ///< by element type and kind of map; empty: none of these elements
+};
+
+}  // namespace rollcon
