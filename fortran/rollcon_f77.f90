@@ -1347,3 +1347,23 @@ subroutine rcwcon(iwr, ipatch, icon, ierr)
   ierr = rollcon_wheelrail_get_contact(wheelrail_of(iwr), narrow(ipatch - 1), p)
   if (ierr == ROLLCON_OK) icon = rollcon_id_of(p)
 end subroutine
+
+!> Finds where both wheels of a wheelset touch over its lateral shift, without yaw.
+subroutine rcwpts(ileft, iright, n, shift, points, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ileft, iright, n, ierr
+  double precision :: shift(*), points(*)
+  ierr = rollcon_wheelrail_find_contact_points(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), shift, &
+    points)
+end subroutine
+
+!> Finds equivalent conicities as EN 15302 defines them.
+subroutine rcwcnc(ileft, iright, n, amplitude, conicity, wavelength, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ileft, iright, n, ierr
+  double precision :: amplitude(*), conicity(*), wavelength(*)
+  ierr = rollcon_wheelrail_find_conicity(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), amplitude, &
+    conicity, wavelength)
+end subroutine

@@ -12,6 +12,8 @@ module rollcon_wheelrail
   type, extends(rc_wheelrail_plain) :: rc_wheelrail
   contains
     procedure :: get_contact
+    procedure :: find_contact_points
+    procedure :: find_conicity
   end type
 
 contains
@@ -34,6 +36,37 @@ contains
       call rollcon_contact_release(p)
     end if
     call finish(status, self%handle(), 'rc_wheelrail%get_contact', stat, errmsg)
+  end subroutine
+
+  !> Where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one. points(13,n): z
+  !> and roll of the wheelset, rolling-radius difference; then y and z of the contact in the track, its angle, y on the
+  !> wheel's profile and rolling radius, of the left wheel and of the right one.
+  subroutine find_contact_points(self, right, shift, points, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    class(rc_wheelrail), intent(inout) :: right
+    real(rc_real), intent(in), contiguous :: shift(:)
+    real(rc_real), allocatable, intent(out) :: points(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    allocate (points(13, size(shift)))
+    points = 0
+    call finish(rollcon_wheelrail_find_contact_points(self%handle(), right%handle(), size(shift, kind=rc_long), shift, &
+      points), self%handle(), 'rc_wheelrail%find_contact_points', stat, errmsg)
+  end subroutine
+
+  !> Equivalent conicity of EN 15302 for each amplitude, and the wavelength of the motion; this is the left wheel.
+  subroutine find_conicity(self, right, amplitude, conicity, wavelength, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    class(rc_wheelrail), intent(inout) :: right
+    real(rc_real), intent(in), contiguous :: amplitude(:)
+    real(rc_real), allocatable, intent(out) :: conicity(:), wavelength(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    allocate (conicity(size(amplitude)), wavelength(size(amplitude)))
+    conicity = 0
+    wavelength = 0
+    call finish(rollcon_wheelrail_find_conicity(self%handle(), right%handle(), size(amplitude, kind=rc_long), amplitude, &
+      conicity, wavelength), self%handle(), 'rc_wheelrail%find_conicity', stat, errmsg)
   end subroutine
 
 end module rollcon_wheelrail

@@ -19,18 +19,6 @@ Pose attitude(double roll, double yaw) {
   return pose;
 }
 
-/// b as seen from a.
-Pose relative(const Pose& a, const Pose& b) {
-  Pose pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 row{a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
-    for (std::size_t j = 0; j < 3; ++j)
-      pose.rotation[i][j] = dot(row, {b.rotation[0][j], b.rotation[1][j], b.rotation[2][j]});
-  }
-  pose.translation = a.to_body(b.translation);
-  return pose;
-}
-
 Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
@@ -52,16 +40,37 @@ double depth_of(const OverlapPatch& patch) {
   return patch.share * patch.overlap;
 }
 
+// Of the wheel's radius. Overlaps of steel wheels under 200 kN are a third of the first at most; at it pressures are 2
+// to 5 percent of the modulus of contact.
+constexpr double too_deep = 1e-3, nonsense = 0.1;
+
+/// The worse ones first; the rest may be success.
+int rank(Status status) {
+  constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::derailed,
+                              Status::too_deep,  Status::rim_contact,   Status::coarse};
+  return static_cast<int>(std::find(std::begin(order), std::end(order), status) - std::begin(order));
+}
+
 }  // namespace
 
-void WheelRail::prepare() {
+void WheelRail::require_dimensions() const {
   const char* missing = !track_            ? "rollcon_wheelrail_set_track"
                         : !wheelset_given_ ? "rollcon_wheelrail_set_wheelset"
-                        : !position_given_ ? "rollcon_wheelrail_set_position"
+                                           : nullptr;
+  if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+}
+
+void WheelRail::prepare() {
+  require_dimensions();
+  const char* missing = !position_given_   ? "rollcon_wheelrail_set_position"
                         : !velocity_given_ ? "rollcon_wheelrail_set_velocity"
                         : !friction_given_ ? "rollcon_wheelrail_set_friction"
                                            : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+  prepare_search();
+}
+
+void WheelRail::prepare_search() {
   if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
@@ -85,11 +94,15 @@ Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
   return rail;
 }
 
+Pose WheelRail::wheel_pose(const WheelsetState& position, double z) const {
+  Pose wheel = attitude_of(position);
+  wheel.translation = Vec3{0, position.y, z - radius_} + wheel.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
+  return wheel;
+}
+
 WheelMotion WheelRail::motion_at(double z) const {
-  const Pose set = attitude_of(position_);
+  const Pose set = attitude_of(position_), wheel = wheel_pose(position_, z);
   const Vec3 centre{0, position_.y, z - radius_};
-  Pose wheel = set;
-  wheel.translation = centre + set.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
   const Pose rail = rail_pose(deviation_);
   const Pose yawed = attitude(0, position_.yaw);
   const Vec3 turning =
@@ -123,11 +136,18 @@ Status WheelRail::solve_at(double z) {
   search_->find(motion.pose, found_);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
-  Status worst = found_.empty() ? Status::no_contact : Status::ok;
-  const auto rank = [](Status s) {
-    constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::rim_contact, Status::coarse};
-    return std::find(std::begin(order), std::end(order), s) - std::begin(order);
-  };
+  double deepest = 0;
+  for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
+  if (!by_force_ && deepest > nonsense * radius_)
+    fail(Status::err_argument,
+         "z is %g (y is %g): wheel and rail overlap by %g, more than a tenth of the wheel's radius (%g); check z, y, "
+         "both profiles and all units",
+         z, side_ * position_.y, deepest, radius_);
+  Status worst = Status::ok;
+  if (found_.empty())
+    worst = std::isfinite(search_->first_touch(motion.pose)) ? Status::no_contact : Status::derailed;
+  else if (deepest > too_deep * radius_)
+    worst = Status::too_deep;
   for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
   if (active_.size() == 1) active_.front()->give_way = 0;
   // What patches give way under each other is a small part of their overlap: a few rounds settle it.
@@ -204,7 +224,9 @@ Status WheelRail::meet_force() {
   }
   constexpr int most = 60;
   constexpr double tolerance = 1e-6;
-  double low = 0, high = INFINITY, sink = sink_ > 0 ? sink_ : first_sink(touch), before = 0, force_before = 0;
+  const double deepest = nonsense * radius_;
+  double low = 0, high = INFINITY, before = 0, force_before = 0;
+  double sink = std::min(sink_ > 0 ? sink_ : first_sink(touch), deepest);
   Status status = Status::ok;
   // The first height may give frames other shapes, which moves the force a little.
   for (int i = 0; i < most; ++i) {
@@ -217,10 +239,16 @@ Status WheelRail::meet_force() {
       return status;
     }
     (force < load_ ? low : high) = sink;
+    if (low == deepest)
+      fail(Status::err_load,
+           "no height of the wheelset carries the vertical force %g: sunk by a tenth of its radius, the wheel carries "
+           "%g; check force, profiles and units",
+           load_, force);
     const auto root = [](double f) { return f > 0 ? std::cbrt(f * f) : 0.0; };
     const double rise = (root(force) - root(force_before)) / (sink - before);
     double next = rise > 0 ? sink + (root(load_) - root(force)) / rise : 2 * sink;
     if (!(next > low && next < high)) next = std::isfinite(high) ? 0.5 * (low + high) : 2 * sink;
+    next = std::min(next, deepest);
     before = sink;
     force_before = force;
     sink = next;
@@ -236,7 +264,26 @@ Status WheelRail::solve() {
   for (const auto& slot : slot_) slot->contact.hold_shape(false);
   const Status status = by_force_ ? meet_force() : solve_at(position_.z);
   solved_ = Solved{position_, deviation_, z_};
+  tell(status);
   return status;
+}
+
+// What a caller should know of a solve that is not plain success, as warnings.
+void WheelRail::tell(Status status) const {
+  if (!context_->hears(LogLevel::warning)) return;
+  double deepest = 0;
+  for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
+  if (status == Status::derailed)
+    context_->log(LogLevel::warning, "the wheel is beside its rail (y is %g): it has derailed", side_ * position_.y);
+  if (status == Status::too_deep)
+    context_->log(LogLevel::warning,
+                  "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
+                  "units",
+                  deepest, radius_, by_force_ ? "the vertical force" : "z");
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut)
+      context_->log(LogLevel::warning, "patch %d (counting from 0), at y = %g of the wheel, ends where a profile does",
+                    static_cast<int>(i), patch.wheel_y);
 }
 
 void WheelRail::reset() {

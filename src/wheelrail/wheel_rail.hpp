@@ -38,10 +38,22 @@ class WheelRail {
   void set_friction(double mu);
   void set_accuracy(double accuracy);
 
-  /// ok or the first that fits of not_converged, rim_contact, coarse, no_contact.
+  /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
   /// Forgets warm starts.
   void reset();
+
+  /// Where the rigid wheel touches the rigid rail, in the track.
+  struct Touch {
+    double height = 0;  ///< z of the wheelset then; infinite: the wheel is beside its rail, and nothing else is known
+    double x = 0, y = 0, z = 0, angle = 0, wheel_y = 0, rolling_radius = 0;
+  };
+  /// Without yaw; from track, wheelset and deviation of the rail alone.
+  Touch touch(double shift, double roll);
+  /// err_state: track or wheelset are not set.
+  void require_dimensions() const;
+  double side() const { return side_; }
+  double radius() const { return radius_; }
 
   // Of the last solve; err_state before one.
   std::int64_t patches() const;
@@ -75,9 +87,12 @@ class WheelRail {
   static const PatchStat patch_stats[];
 
   void prepare();
+  void prepare_search();
+  Pose wheel_pose(const WheelsetState& position, double z) const;
   WheelMotion motion_at(double z) const;
   Status solve_at(double z);
   Status meet_force();
+  void tell(Status status) const;
   double first_sink(double touch);
   double vertical_force() const;
   double give_way_under_others(const Slot& slot) const;

@@ -132,6 +132,8 @@ const char* const recorded_names[] = {
   "wheelrail_patch_stat_count",
   "wheelrail_patch_stat_name",
   "wheelrail_get_contact",
+  "wheelrail_find_contact_points",
+  "wheelrail_find_conicity",
   "id_of",
   "context_from_id",
   "body_from_id",
@@ -139,7 +141,7 @@ const char* const recorded_names[] = {
   "wheelrail_from_id",
 };
 
-const int recorded_number = 132;
+const int recorded_number = 134;
 
 enum {
   recorded_rollcon_version,
@@ -269,6 +271,8 @@ enum {
   recorded_rollcon_wheelrail_patch_stat_count,
   recorded_rollcon_wheelrail_patch_stat_name,
   recorded_rollcon_wheelrail_get_contact,
+  recorded_rollcon_wheelrail_find_contact_points,
+  recorded_rollcon_wheelrail_find_conicity,
   recorded_rollcon_id_of,
   recorded_rollcon_context_from_id,
   recorded_rollcon_body_from_id,
@@ -1430,6 +1434,32 @@ rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail *wheelrail,
   record_integer(patch);
   record_room(contact);
   if (contact) *contact = (rollcon_contact*)give_handle(3);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_contact_points(rollcon_wheelrail *left,
+    rollcon_wheelrail *right, int64_t n, const double *shift, double *points) {
+  record_begin(recorded_rollcon_wheelrail_find_contact_points);
+  record_handle(left);
+  record_handle(right);
+  record_integer(n);
+  record_reals(shift, n);
+  record_room(points);
+  give_reals(points, n * 13, 4);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_conicity(rollcon_wheelrail *left, rollcon_wheelrail *right,
+    int64_t n, const double *amplitude, double *conicity, double *wavelength) {
+  record_begin(recorded_rollcon_wheelrail_find_conicity);
+  record_handle(left);
+  record_handle(right);
+  record_integer(n);
+  record_reals(amplitude, n);
+  record_room(conicity);
+  record_room(wavelength);
+  give_reals(conicity, n, 4);
+  give_reals(wavelength, n, 5);
   return record_end();
 }
 

@@ -238,6 +238,10 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_get_patch_stat(object, 1, "never_written", a.out));
   check("rollcon_wheelrail_get_contact", false,
         rollcon_wheelrail_get_contact(object, 1, &a.contact));
+  check("rollcon_wheelrail_find_contact_points", false,
+        rollcon_wheelrail_find_contact_points(object, nullptr, 1, a.reals, a.out));
+  check("rollcon_wheelrail_find_conicity", false,
+        rollcon_wheelrail_find_conicity(object, nullptr, 1, a.reals, a.out, a.out));
 }
 
 // clang-format on

@@ -108,6 +108,8 @@ program mapping_77_test
   call test_rcwpst()
   call test_rcwpsn()
   call test_rcwcon()
+  call test_rcwpts()
+  call test_rcwcnc()
   call mapped_by_hand()
   call done('')
 contains
@@ -1612,5 +1614,37 @@ contains
     call rcwcon(iwr, 11, ih, stat)
     call rclerr(message)
     call failed('wheelrail_get_contact', stat, message)
+  end subroutine
+
+  subroutine test_rcwpts()
+    double precision :: points(26)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpts(iwr, iwr, 2, [3.125d0, 3.25d0], points, stat)
+    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [3.125 3.25] room', stat)
+    call gave_reals('points', points, 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpts(iwr, iwr, 2, [3.125d0, 3.25d0], points, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_contact_points', stat, message)
+  end subroutine
+
+  subroutine test_rcwcnc()
+    double precision :: conicity(2)
+    double precision :: wavelength(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwcnc(iwr, iwr, 2, [3.125d0, 3.25d0], conicity, wavelength, stat)
+    call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [3.125 3.25] room room', stat)
+    call gave_reals('conicity', conicity, 400.5_rc_real)
+    call gave_reals('wavelength', wavelength, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwcnc(iwr, iwr, 2, [3.125d0, 3.25d0], conicity, wavelength, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_conicity', stat, message)
   end subroutine
 end program

@@ -28,6 +28,7 @@ contains
     call results()
     call cases()
     call patches()
+    call wheelsets()
   end subroutine
 
   subroutine facts()
@@ -417,6 +418,23 @@ contains
     call wheelrail%get_contact(1, of_patch, stat, message)
     call failed('wheelrail_get_contact', stat, message)
     call demand(.not. c_associated(of_patch%handle()), 'a failure leaves no contact')
+  end subroutine
+
+  subroutine wheelsets()
+    real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:)
+    call answers(ROLLCON_OK)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real, 2.5_rc_real], points, stat, message)
+    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [1.5 2.5] room', stat)
+    call gave_reals('points', reshape(points, [26]), 400.5_rc_real)
+    call wheelrail%find_conicity(wheelrail, [1.5_rc_real, 2.5_rc_real], conicity, wavelength, stat, message)
+    call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [1.5 2.5] room room', stat)
+    call gave_reals('conicity', conicity, 400.5_rc_real)
+    call gave_reals('wavelength', wavelength, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], points, stat, message)
+    call failed('wheelrail_find_contact_points', stat, message)
+    call wheelrail%find_conicity(wheelrail, [1.5_rc_real], conicity, wavelength, stat, message)
+    call failed('wheelrail_find_conicity', stat, message)
   end subroutine
 
 end module mapping_by_hand

@@ -269,6 +269,23 @@ class Mapping(unittest.TestCase):
         self.refuses("allowed: track", wheelrail.resultant, "local")
         self.fails(wheelrail.contact, 0)
 
+    def test_wheelsets(self):
+        wheelrail = self.wheelrail
+        points = rc.contact_points(wheelrail, wheelrail, [1.5, 2.5])
+        self.told("wheelrail_find_contact_points", "wheelrail1 wheelrail1 2 [1.5 2.5] room")
+        numbers = np.arange(26).reshape(2, 13) + 400.5
+        for column, got in zip(numbers.T, (points.z, points.roll, points.difference, points.left.y, points.left.z,
+                                           points.left.angle, points.left.wheel_y, points.left.rolling_radius,
+                                           points.right.y, points.right.z, points.right.angle, points.right.wheel_y,
+                                           points.right.rolling_radius)):
+            np.testing.assert_array_equal(got, column)
+        found, wavelength = rc.conicity(wheelrail, wheelrail, [1.5, 2.5])
+        self.told("wheelrail_find_conicity", "wheelrail1 wheelrail1 2 [1.5 2.5] room room")
+        np.testing.assert_array_equal(found, [400.5, 401.5])
+        np.testing.assert_array_equal(wavelength, [500.5, 501.5])
+        self.fails(rc.contact_points, wheelrail, wheelrail, [1.5])
+        self.fails(rc.conicity, wheelrail, wheelrail, [1.5])
+
     def test_z_every_function_is_called(self):
         """But those that are for layers over C."""
         self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id wheelrail_from_id")

@@ -3,9 +3,46 @@
 import ctypes
 from ctypes import byref
 
+from ._arrays import reals, room
 from ._library import Handle, call, check, lib
 from ._plain import WheelrailPlain
 from .contact import Contact
+
+
+class Touch:
+    """Where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's
+    profile, rolling_radius; [n] each."""
+
+    def __init__(self, table):
+        self.y, self.z, self.angle, self.wheel_y, self.rolling_radius = table.T.copy()
+
+
+class ContactPoints:
+    """Results of contact_points: shift, z and roll of the wheelset, its rolling-radius difference
+    (right less left), [n] each; left and right, a Touch each."""
+
+    def __init__(self, shift, table):
+        self.shift = shift
+        self.z, self.roll, self.difference = table[:, :3].T.copy()
+        self.left, self.right = Touch(table[:, 3:8]), Touch(table[:, 8:])
+
+
+def contact_points(left, right, shift):
+    """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n], without
+    yaw: a ContactPoints. left, right: the WheelRail of each side, with track and wheelset set."""
+    shift, shift_at = reals(shift)
+    table, table_at = room(len(shift), 13)
+    left._call("find_contact_points", right.handle, len(shift), shift_at, table_at)
+    return ContactPoints(shift, table)
+
+
+def conicity(left, right, amplitude):
+    """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion."""
+    amplitude, amplitude_at = reals(amplitude)
+    found, found_at = room(len(amplitude))
+    wavelength, wavelength_at = room(len(amplitude))
+    left._call("find_conicity", right.handle, len(amplitude), amplitude_at, found_at, wavelength_at)
+    return found, wavelength
 
 
 class WheelRail(WheelrailPlain, Handle):
