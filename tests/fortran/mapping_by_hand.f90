@@ -433,6 +433,7 @@ contains
     call answers(ROLLCON_ERR_STATE)
     call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], points, stat, message)
     call failed('wheelrail_find_contact_points', stat, message)
+    call answers(ROLLCON_ERR_STATE)
     call wheelrail%find_conicity(wheelrail, [1.5_rc_real], conicity, wavelength, stat, message)
     call failed('wheelrail_find_conicity', stat, message)
   end subroutine
