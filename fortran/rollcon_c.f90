@@ -1303,6 +1303,54 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_solve
 
+    function rollcon_wheelrail_request_cancel(wheelrail) &
+        result(rc) bind(C, name="rollcon_wheelrail_request_cancel")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_request_cancel
+
+    function rollcon_wheelrail_solve_many(wheelrail, n, positions, velocities, totals, status) &
+        result(rc) bind(C, name="rollcon_wheelrail_solve_many")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: positions(*)
+      real(c_double), intent(in) :: velocities(*)
+      real(c_double), intent(out) :: totals(*)
+      integer(c_int32_t), intent(out) :: status(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_solve_many
+
+    function rollcon_wheelrail_save(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_save")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: place
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_save
+
+    function rollcon_wheelrail_restore(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_restore")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: place
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_restore
+
+    function rollcon_wheelrail_copy(wheelrail, copy) &
+        result(rc) bind(C, name="rollcon_wheelrail_copy")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      type(c_ptr), intent(out) :: copy
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_copy
+
     function rollcon_wheelrail_reset(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_reset")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none

@@ -1640,6 +1640,69 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail);
 
 /*
+ * Asks a running rollcon_wheelrail_solve or rollcon_wheelrail_solve_many to stop (an atomic
+ * store) before its next patch, height or position. It returns ROLLCON_CANCELLED; the wheel stays
+ * usable.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
+    rollcon_wheelrail *wheelrail);
+
+/*
+ * Solves many positions on the threads of the context, each by itself from nothing, as after
+ * rollcon_wheelrail_reset, with what else is set: results do not depend on the other positions,
+ * their order, or the number of threads, to the last bit. A row of totals has force and moment on
+ * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
+ * power. A position that fails has its negative status and NaN and leaves the others alone; texts
+ * go to the log as warnings. The status returned is the first that fits of CANCELLED (some were
+ * not solved), NOT_CONVERGED (or failed), DERAILED, TOO_DEEP, RIM_CONTACT, COARSE, NO_CONTACT,
+ * OK. The wheel and its last solution stay as they are.
+ *   n           >= 0
+ *   positions   [n][6]; as rollcon_wheelrail_set_position takes them; NULL only with n = 0
+ *   velocities  [n][6]; as rollcon_wheelrail_set_velocity takes them; NULL only with n = 0
+ *   totals      [n][9], out; a row for each position; NULL only with n = 0
+ *   status      [n], out, may be NULL; as rollcon_wheelrail_solve would return
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
+    rollcon_wheelrail *wheelrail, int64_t n, const double *positions, const double *velocities,
+    double *totals, int32_t *status);
+
+/*
+ * Keeps what is set and the last solution at a place within the wheel, for
+ * rollcon_wheelrail_restore: integrators step back. Nothing is allocated where as much was kept
+ * before.
+ *   place      0 to 15
+ * Also returns: ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_save(rollcon_wheelrail *wheelrail,
+    int32_t place);
+
+/*
+ * Goes back to what was kept: inputs, results, and later solves are as if nothing had been done
+ * since, to the last bit. ROLLCON_ERR_STATE: nothing was kept at this place, or track or wheelset
+ * have been set since. What was kept stays. Contacts of patches that were new since then are no
+ * longer those of this wheel.
+ *   place      0 to 15
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail,
+    int32_t place);
+
+/*
+ * Makes another wheel on its rail with the same bodies, inputs and last solution, and no states
+ * kept: both go on alike to the last bit.
+ *   copy       new handle
+ * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
+ * Also returns: ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_copy(
+    const rollcon_wheelrail *wheelrail, rollcon_wheelrail **copy);
+
+/*
  * Forgets the solution and the warm starts; keeps what was set and all that was computed for the
  * frames.
  */

@@ -11,7 +11,7 @@ namespace rollcon {
 WheelRail::Touch WheelRail::touch(double shift, double roll) {
   require_dimensions();
   prepare_search();
-  const Pose rail = rail_pose(deviation_);
+  const Pose rail = rail_pose(in_.deviation);
   WheelsetState position;
   position.y = side_ * shift;
   position.roll = side_ * roll;
@@ -29,10 +29,10 @@ WheelRail::Touch WheelRail::touch(double shift, double roll) {
     touch.x = x[0];
     touch.y = side_ * x[1];
     touch.z = x[2];
-    touch.angle = side_ * (found->angle + deviation_.roll);
+    touch.angle = side_ * (found->angle + in_.deviation.roll);
     touch.wheel_y = found->wheel_y;
     touch.rolling_radius = found->rolling_radius;
-    if (deviation_.roll == 0 || std::abs(found->gap) <= enough) break;
+    if (in_.deviation.roll == 0 || std::abs(found->gap) <= enough) break;
   }
   return touch;
 }

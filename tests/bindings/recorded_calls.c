@@ -122,6 +122,11 @@ const char* const recorded_names[] = {
   "wheelrail_set_friction",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
+  "wheelrail_request_cancel",
+  "wheelrail_solve_many",
+  "wheelrail_save",
+  "wheelrail_restore",
+  "wheelrail_copy",
   "wheelrail_reset",
   "wheelrail_get_patch_count",
   "wheelrail_get_resultant",
@@ -141,7 +146,7 @@ const char* const recorded_names[] = {
   "wheelrail_from_id",
 };
 
-const int recorded_number = 134;
+const int recorded_number = 139;
 
 enum {
   recorded_rollcon_version,
@@ -261,6 +266,11 @@ enum {
   recorded_rollcon_wheelrail_set_friction,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
+  recorded_rollcon_wheelrail_request_cancel,
+  recorded_rollcon_wheelrail_solve_many,
+  recorded_rollcon_wheelrail_save,
+  recorded_rollcon_wheelrail_restore,
+  recorded_rollcon_wheelrail_copy,
   recorded_rollcon_wheelrail_reset,
   recorded_rollcon_wheelrail_get_patch_count,
   recorded_rollcon_wheelrail_get_resultant,
@@ -1344,6 +1354,49 @@ rollcon_status rollcon_wheelrail_set_accuracy(rollcon_wheelrail *wheelrail, doub
 rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   record_begin(recorded_rollcon_wheelrail_solve);
   record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_request_cancel);
+  record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *positions, const double *velocities, double *totals, int32_t *status) {
+  record_begin(recorded_rollcon_wheelrail_solve_many);
+  record_handle(wheelrail);
+  record_integer(n);
+  record_reals(positions, n * 6);
+  record_reals(velocities, n * 6);
+  record_room(totals);
+  record_room(status);
+  give_reals(totals, n * 9, 4);
+  give_integer32(status, n, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_save(rollcon_wheelrail *wheelrail, int32_t place) {
+  record_begin(recorded_rollcon_wheelrail_save);
+  record_handle(wheelrail);
+  record_integer(place);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail, int32_t place) {
+  record_begin(recorded_rollcon_wheelrail_restore);
+  record_handle(wheelrail);
+  record_integer(place);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_copy(const rollcon_wheelrail *wheelrail,
+    rollcon_wheelrail **copy) {
+  record_begin(recorded_rollcon_wheelrail_copy);
+  record_handle(wheelrail);
+  record_room(copy);
+  if (copy) *copy = (rollcon_wheelrail*)give_handle(4);
   return record_end();
 }
 

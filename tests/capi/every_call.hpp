@@ -226,6 +226,16 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,
         rollcon_wheelrail_solve(object));
+  check("rollcon_wheelrail_request_cancel", true,
+        rollcon_wheelrail_request_cancel(object));
+  check("rollcon_wheelrail_solve_many", false,
+        rollcon_wheelrail_solve_many(object, 1, a.reals, a.reals, a.out, a.states));
+  check("rollcon_wheelrail_save", false,
+        rollcon_wheelrail_save(object, 1));
+  check("rollcon_wheelrail_restore", false,
+        rollcon_wheelrail_restore(object, 1));
+  check("rollcon_wheelrail_copy", false,
+        rollcon_wheelrail_copy(object, &a.wheelrail));
   check("rollcon_wheelrail_reset", false,
         rollcon_wheelrail_reset(object));
   check("rollcon_wheelrail_get_patch_count", false,

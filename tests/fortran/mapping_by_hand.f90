@@ -421,7 +421,9 @@ contains
   end subroutine
 
   subroutine wheelsets()
-    real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:)
+    real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:), totals(:, :)
+    integer(rc_int), allocatable :: states(:)
+    type(rc_wheelrail) :: other
     call answers(ROLLCON_OK)
     call wheelrail%find_contact_points(wheelrail, [1.5_rc_real, 2.5_rc_real], points, stat, message)
     call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [1.5 2.5] room', stat)
@@ -430,6 +432,27 @@ contains
     call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [1.5 2.5] room room', stat)
     call gave_reals('conicity', conicity, 400.5_rc_real)
     call gave_reals('wavelength', wavelength, 500.5_rc_real)
+    call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      states, stat, message)
+    call told('wheelrail_solve_many', 'wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room', stat)
+    call gave_reals('totals', reshape(totals, [9]), 400.5_rc_real)
+    call demand(all(states == 500), 'states of positions')
+    call wheelrail%solve_many(reshape([1.5_rc_real], [1, 1]), reshape([1.5_rc_real], [1, 1]), totals, stat=stat)
+    call demand(stat == ROLLCON_ERR_ARGUMENT, 'six components')
+    call wheelrail%copy(other, stat, message)
+    call told('wheelrail_copy', 'wheelrail1 room', stat)
+    call told('wheelrail_retain', 'wheelrail2', stat)
+    call told('wheelrail_release', 'wheelrail2', stat)
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%copy(other, stat, message)
+    call failed('wheelrail_copy', stat, message)
+    call demand(.not. c_associated(other%handle()), 'a failure leaves no copy')
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      states, stat, message)
+    call failed('wheelrail_solve_many', stat, message)
     call answers(ROLLCON_ERR_STATE)
     call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], points, stat, message)
     call failed('wheelrail_find_contact_points', stat, message)

@@ -283,6 +283,21 @@ class Mapping(unittest.TestCase):
         self.told("wheelrail_find_conicity", "wheelrail1 wheelrail1 2 [1.5 2.5] room room")
         np.testing.assert_array_equal(found, [400.5, 401.5])
         np.testing.assert_array_equal(wavelength, [500.5, 501.5])
+        positions, velocities = [[1.5, 2.5, 3.5, 4.5, 5.5, 6.5]], [[6.5, 5.5, 4.5, 3.5, 2.5, 1.5]]
+        many = wheelrail.solve_many(positions, velocities)
+        self.told("wheelrail_solve_many",
+                  "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room")
+        np.testing.assert_array_equal(many.force, [[400.5, 401.5, 402.5]])
+        np.testing.assert_array_equal(many.moment, [[403.5, 404.5, 405.5]])
+        np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]], [406.5, 407.5, 408.5])
+        np.testing.assert_array_equal(many.status, [500])
+        self.refuses("2 positions, but 1", wheelrail.solve_many, 2 * positions, velocities)
+        other = wheelrail.copy()
+        self.told("wheelrail_copy", "wheelrail1 room")
+        self.assertEqual(other.id, wheelrail.id + 1)
+        other.close()
+        self.fails(wheelrail.copy)
+        self.fails(wheelrail.solve_many, positions, velocities)
         self.fails(rc.contact_points, wheelrail, wheelrail, [1.5])
         self.fails(rc.conicity, wheelrail, wheelrail, [1.5])
 

@@ -327,6 +327,13 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_solve_many": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
+    "rollcon_wheelrail_save": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_restore": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "rollcon_wheelrail_reset": (c_int32, [c_void_p]),
     "rollcon_wheelrail_get_patch_count": (c_int32, [c_void_p, POINTER(c_int64)]),
     "rollcon_wheelrail_get_resultant": (c_int32, [
@@ -591,6 +598,14 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
     "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],
+    "rollcon_wheelrail_request_cancel": [("wheelrail", "")],
+    "rollcon_wheelrail_solve_many": [
+        ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("totals", ""),
+        ("status", "")
+    ],
+    "rollcon_wheelrail_save": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_restore": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_copy": [("wheelrail", ""), ("copy", "")],
     "rollcon_wheelrail_reset": [("wheelrail", "")],
     "rollcon_wheelrail_get_patch_count": [("wheelrail", ""), ("patches", "")],
     "rollcon_wheelrail_get_resultant": [

@@ -632,6 +632,30 @@ class WheelrailPlain:
         """
         return self._call("solve")
 
+    def request_cancel(self):
+        """Asks a running solve() or solve_many() to stop (an atomic store) before its next patch,
+        height or position. It returns CANCELLED; the wheel stays usable.
+        """
+        self._call("request_cancel")
+
+    def save(self, place):
+        """Keeps what is set and the last solution at a place within the wheel, for restore():
+        integrators step back. Nothing is allocated where as much was kept before.
+
+        place: 0 to 15.
+        """
+        self._call("save", place)
+
+    def restore(self, place):
+        """Goes back to what was kept: inputs, results, and later solves are as if nothing had
+        been done since, to the last bit. ERR_STATE: nothing was kept at this place, or track or
+        wheelset have been set since. What was kept stays. Contacts of patches that were new since
+        then are no longer those of this wheel.
+
+        place: 0 to 15.
+        """
+        self._call("restore", place)
+
     def reset(self):
         """Forgets the solution and the warm starts; keeps what was set and all that was computed
         for the frames.

@@ -3,6 +3,8 @@
 import ctypes
 from ctypes import byref
 
+import numpy as np
+
 from ._arrays import reals, room
 from ._library import Handle, call, check, lib
 from ._plain import WheelrailPlain
@@ -15,6 +17,17 @@ class Touch:
 
     def __init__(self, table):
         self.y, self.z, self.angle, self.wheel_y, self.rolling_radius = table.T.copy()
+
+
+class Positions:
+    """Results of WheelRail.solve_many: worst, the call's status; status[n]; force[n, 3] and
+    moment[n, 3] on the wheel in the track, z, vertical_force, friction_power, [n] each; NaN where
+    there are none."""
+
+    def __init__(self, worst, status, totals):
+        self.worst, self.status = worst, status
+        self.force, self.moment = totals[:, :3].copy(), totals[:, 3:6].copy()
+        self.z, self.vertical_force, self.friction_power = totals[:, 6:].T.copy()
 
 
 class ContactPoints:
@@ -58,6 +71,30 @@ class WheelRail(WheelrailPlain, Handle):
         check(call(lib.rollcon_wheelrail_create, context.handle, wheel.handle, rail.handle, side,
                    byref(made)))
         super().__init__(made.value, context)
+
+    @classmethod
+    def _of_handle(cls, handle, context):
+        wheelrail = cls.__new__(cls)
+        Handle.__init__(wheelrail, handle, context)
+        return wheelrail
+
+    def copy(self):
+        """Another WheelRail with the same bodies, inputs and last solution: both go on alike."""
+        made = ctypes.c_void_p()
+        self._call("copy", byref(made))
+        return WheelRail._of_handle(made.value, self._context)
+
+    def solve_many(self, positions, velocities):
+        """Solves positions[n, 6] with velocities[n, 6] on the threads of the context, each by
+        itself from nothing; a Positions."""
+        positions, positions_at = reals(positions, 6)
+        velocities, velocities_at = reals(velocities, 6)
+        if len(positions) != len(velocities):
+            raise ValueError(f"{len(positions)} positions, but {len(velocities)} velocities")
+        totals, totals_at = room(len(positions), 9)
+        status, status_at = room(len(positions), dtype=np.int32)
+        worst = self._call("solve_many", len(positions), positions_at, velocities_at, totals_at, status_at)
+        return Positions(worst, status, totals)
 
     def contact(self, patch):
         """The Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""
