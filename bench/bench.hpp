@@ -88,6 +88,7 @@ std::vector<Case> thrift_cases();
 std::vector<Case> time_loop_cases();
 std::vector<Case> many_cases();
 std::vector<Case> wheel_rail_cases();
+std::vector<Case> creep_table_cases();
 std::vector<Case> stability_cases();
 std::vector<Case> stress_cases();
 

@@ -42,6 +42,7 @@ std::vector<Case> all_cases() {
                       thrift_cases,
                       time_loop_cases,
                       wheel_rail_cases,
+                      creep_table_cases,
                       many_cases,
                       saved_body_cases,
                       lattice_cases,

@@ -24,6 +24,7 @@ list(TRANSFORM ROLLCON_FORTRAN_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/fortran/"
   OUTPUT_VARIABLE _fortran_sources)
 install(FILES ${_fortran_sources} DESTINATION "${_fortran_dir}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES "${PROJECT_SOURCE_DIR}/src/tables/steel.rct" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon")
 
 # The package of a static rollcon looks for libraries of components where this build found them, then
 # anywhere.

@@ -20,6 +20,8 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_rim_contact = 4_c_int32_t
   integer(c_int32_t), parameter :: rollcon_coarse = 5_c_int32_t
   integer(c_int32_t), parameter :: rollcon_inaccurate = 6_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_too_deep = 7_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_derailed = 8_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_argument = -1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_handle = -2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_err_nonfinite = -3_c_int32_t
@@ -1336,6 +1338,54 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_solve
 
+    function rollcon_wheelrail_request_cancel(wheelrail) &
+        result(rc) bind(C, name="rollcon_wheelrail_request_cancel")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_request_cancel
+
+    function rollcon_wheelrail_solve_many(wheelrail, n, positions, velocities, totals, status) &
+        result(rc) bind(C, name="rollcon_wheelrail_solve_many")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: positions(*)
+      real(c_double), intent(in) :: velocities(*)
+      real(c_double), intent(out) :: totals(*)
+      integer(c_int32_t), intent(out) :: status(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_solve_many
+
+    function rollcon_wheelrail_save(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_save")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: place
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_save
+
+    function rollcon_wheelrail_restore(wheelrail, place) &
+        result(rc) bind(C, name="rollcon_wheelrail_restore")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: place
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_restore
+
+    function rollcon_wheelrail_copy(wheelrail, copy) &
+        result(rc) bind(C, name="rollcon_wheelrail_copy")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      type(c_ptr), intent(out) :: copy
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_copy
+
     function rollcon_wheelrail_reset(wheelrail) result(rc) bind(C, name="rollcon_wheelrail_reset")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -1428,6 +1478,31 @@ module rollcon_c
       type(c_ptr), intent(out) :: contact
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_get_contact
+
+    function rollcon_wheelrail_find_contact_points(left, right, n, shift, points) &
+        result(rc) bind(C, name="rollcon_wheelrail_find_contact_points")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: left
+      type(c_ptr), value :: right
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: shift(*)
+      real(c_double), intent(out) :: points(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_find_contact_points
+
+    function rollcon_wheelrail_find_conicity(left, right, n, amplitude, conicity, wavelength) &
+        result(rc) bind(C, name="rollcon_wheelrail_find_conicity")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: left
+      type(c_ptr), value :: right
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: amplitude(*)
+      real(c_double), intent(out) :: conicity(*)
+      real(c_double), intent(out) :: wavelength(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_find_conicity
 
     function rollcon_id_of(handle) result(rc) bind(C, name="rollcon_id_of")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -1261,6 +1261,54 @@ subroutine rcwslv(iwr, ierr)
   ierr = rollcon_wheelrail_solve(wheelrail_of(iwr))
 end subroutine
 
+!> Asks a running rollcon_wheelrail_solve or rollcon_wheelrail_solve_many to stop (an atomic store) before its ne.
+subroutine rcwstp(iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  ierr = rollcon_wheelrail_request_cancel(wheelrail_of(iwr))
+end subroutine
+
+!> Solves many positions on the threads of the context, each by itself from nothing, as after rollcon_wheelrail_r.
+subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, n, istatus(*), ierr
+  double precision :: positions(*), velocities(*), totals(*)
+  integer(c_int32_t), allocatable :: whole(:)
+  call room_77(wheelrail_of(iwr), 'RCWMNY', n, whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_wheelrail_solve_many(wheelrail_of(iwr), int(n, c_int64_t), positions, velocities, totals, whole)
+  call give_integers(whole, istatus)
+end subroutine
+
+!> Keeps what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore.
+subroutine rcwsav(iwr, iplace, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, iplace, ierr
+  ierr = rollcon_wheelrail_save(wheelrail_of(iwr), narrow(iplace))
+end subroutine
+
+!> Goes back to what was kept.
+subroutine rcwbck(iwr, iplace, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, iplace, ierr
+  ierr = rollcon_wheelrail_restore(wheelrail_of(iwr), narrow(iplace))
+end subroutine
+
+!> Makes another wheel on its rail with the same bodies, inputs and last solution, and no states kept.
+subroutine rcwcpy(iwr, icopy, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, icopy, ierr
+  type(c_ptr) :: p
+  icopy = 0
+  ierr = rollcon_wheelrail_copy(wheelrail_of(iwr), p)
+  if (ierr == ROLLCON_OK) icopy = rollcon_id_of(p)
+end subroutine
+
 !> Forgets the solution and the warm starts.
 subroutine rcwrst(iwr, ierr)
   use rollcon_f77_support
@@ -1378,6 +1426,26 @@ subroutine rcwcon(iwr, ipatch, icon, ierr)
   icon = 0
   ierr = rollcon_wheelrail_get_contact(wheelrail_of(iwr), narrow(ipatch - 1), p)
   if (ierr == ROLLCON_OK) icon = rollcon_id_of(p)
+end subroutine
+
+!> Finds where both wheels of a wheelset touch over its lateral shift, without yaw.
+subroutine rcwpts(ileft, iright, n, shift, points, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ileft, iright, n, ierr
+  double precision :: shift(*), points(*)
+  ierr = rollcon_wheelrail_find_contact_points(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), shift, &
+    points)
+end subroutine
+
+!> Finds equivalent conicities as EN 15302 defines them.
+subroutine rcwcnc(ileft, iright, n, amplitude, conicity, wavelength, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ileft, iright, n, ierr
+  double precision :: amplitude(*), conicity(*), wavelength(*)
+  ierr = rollcon_wheelrail_find_conicity(wheelrail_of(ileft), wheelrail_of(iright), int(n, c_int64_t), amplitude, &
+    conicity, wavelength)
 end subroutine
 
 !> Makes a table without samples.

@@ -1,6 +1,6 @@
 !> A creep-force table: what the generated type rc_table_plain does not have.
 module rollcon_table
-  use, intrinsic :: iso_c_binding, only: c_null_ptr, c_ptr
+  use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_null_funptr, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_support
   use rollcon_context
@@ -14,6 +14,7 @@ module rollcon_table
     procedure :: load
     procedure :: standard
     procedure, private :: take
+    procedure :: set_progress
     procedure :: get_samples
     procedure :: evaluate
   end type
@@ -58,6 +59,23 @@ contains
     integer :: kept
     call self%from_id(int(rollcon_id_of(p)), kept)
     call rollcon_table_release(p)
+  end subroutine
+
+  !> `progress`, a bind(C) module procedure, is called about ten times a second; absent: no calls. A result other than 0
+  !> cancels.
+  subroutine set_progress(self, progress, user, stat, errmsg)
+    class(rc_table), intent(inout) :: self
+    procedure(rollcon_progress_fn), optional :: progress
+    type(c_ptr), intent(in), optional :: user
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_funptr) :: f
+    type(c_ptr) :: u
+    f = c_null_funptr
+    u = c_null_ptr
+    if (present(progress)) f = c_funloc(progress)
+    if (present(user)) u = user
+    call finish(rollcon_table_set_progress(self%handle(), f, u), self%handle(), 'rc_table%set_progress', stat, errmsg)
   end subroutine
 
   !> All samples; NaN where one is not solved yet.

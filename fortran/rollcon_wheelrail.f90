@@ -12,6 +12,10 @@ module rollcon_wheelrail
   type, extends(rc_wheelrail_plain) :: rc_wheelrail
   contains
     procedure :: get_contact
+    procedure :: copy
+    procedure :: solve_many
+    procedure :: find_contact_points
+    procedure :: find_conicity
   end type
 
 contains
@@ -34,6 +38,80 @@ contains
       call rollcon_contact_release(p)
     end if
     call finish(status, self%handle(), 'rc_wheelrail%get_contact', stat, errmsg)
+  end subroutine
+
+  !> Another wheel on its rail with the same bodies, inputs and last solution.
+  subroutine copy(self, other, stat, errmsg)
+    class(rc_wheelrail), intent(in) :: self
+    class(rc_wheelrail), intent(inout) :: other
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: p
+    integer(rc_int) :: status
+    integer :: kept
+    call other%free()
+    p = c_null_ptr
+    status = rollcon_wheelrail_copy(self%handle(), p)
+    if (status == ROLLCON_OK) then
+      call other%from_id(int(rollcon_id_of(p)), kept)  ! a reference of its own
+      call rollcon_wheelrail_release(p)
+    end if
+    call finish(status, self%handle(), 'rc_wheelrail%copy', stat, errmsg)
+  end subroutine
+
+  !> Many positions(6,n) and velocities(6,n) over threads, each by itself from nothing. totals(9,n): force and moment on
+  !> the wheel in the track, z, vertical force, frictional power; status(n) as solve would return.
+  subroutine solve_many(self, positions, velocities, totals, status, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: positions(:, :), velocities(:, :)
+    real(rc_real), allocatable, intent(out) :: totals(:, :)
+    integer(rc_int), allocatable, intent(out), optional :: status(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int), allocatable :: state(:)
+    integer(rc_int) :: rc
+    if (size(positions, 1) /= 6 .or. any(shape(positions) /= shape(velocities))) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_wheelrail%solve_many', stat, errmsg, &
+        'positions and velocities must both be (6,n)')
+      return
+    end if
+    allocate (totals(9, size(positions, 2)), state(size(positions, 2)))
+    totals = 0
+    state = 0
+    rc = rollcon_wheelrail_solve_many(self%handle(), size(positions, 2, rc_long), positions, velocities, totals, state)
+    if (present(status)) status = state
+    call finish(rc, self%handle(), 'rc_wheelrail%solve_many', stat, errmsg)
+  end subroutine
+
+  !> Where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one. points(13,n): z
+  !> and roll of the wheelset, rolling-radius difference; then y and z of the contact in the track, its angle, y on the
+  !> wheel's profile and rolling radius, of the left wheel and of the right one.
+  subroutine find_contact_points(self, right, shift, points, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    class(rc_wheelrail), intent(inout) :: right
+    real(rc_real), intent(in), contiguous :: shift(:)
+    real(rc_real), allocatable, intent(out) :: points(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    allocate (points(13, size(shift)))
+    points = 0
+    call finish(rollcon_wheelrail_find_contact_points(self%handle(), right%handle(), size(shift, kind=rc_long), shift, &
+      points), self%handle(), 'rc_wheelrail%find_contact_points', stat, errmsg)
+  end subroutine
+
+  !> Equivalent conicity of EN 15302 for each amplitude, and the wavelength of the motion; this is the left wheel.
+  subroutine find_conicity(self, right, amplitude, conicity, wavelength, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    class(rc_wheelrail), intent(inout) :: right
+    real(rc_real), intent(in), contiguous :: amplitude(:)
+    real(rc_real), allocatable, intent(out) :: conicity(:), wavelength(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    allocate (conicity(size(amplitude)), wavelength(size(amplitude)))
+    conicity = 0
+    wavelength = 0
+    call finish(rollcon_wheelrail_find_conicity(self%handle(), right%handle(), size(amplitude, kind=rc_long), amplitude, &
+      conicity, wavelength), self%handle(), 'rc_wheelrail%find_conicity', stat, errmsg)
   end subroutine
 
 end module rollcon_wheelrail

@@ -29,6 +29,9 @@ module rollcon_wheelrail_plain
     procedure :: set_friction => wheelrail_set_friction
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
+    procedure :: request_cancel => wheelrail_request_cancel
+    procedure :: save => wheelrail_save
+    procedure :: restore => wheelrail_restore
     procedure :: reset => wheelrail_reset
     procedure :: get_patch_count => wheelrail_get_patch_count
     procedure :: get_resultant => wheelrail_get_resultant
@@ -203,14 +206,46 @@ contains
   end subroutine
 
   !> Finds the patches and solves each as a steady rolling contact, from the last solution where there is one. The
-  !> status is the first that fits of CANCELLED, NOT_CONVERGED, RIM_CONTACT (a patch ends at the end of a profile, or is
-  !> not within its frame), COARSE, NO_CONTACT, OK. ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_LOAD:
-  !> with this y no height brings the wheel on the rail.
+  !> status is the first that fits of CANCELLED, NOT_CONVERGED, DERAILED, TOO_DEEP, RIM_CONTACT (a patch ends at the end
+  !> of a profile, or is not within its frame), COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers.
+  !> ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more
+  !> than a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the rail, or no
+  !> overlap up to a tenth of the radius carries the vertical force.
   subroutine wheelrail_solve(self, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_solve(self%p), self%p, 'rc_wheelrail%solve', stat, errmsg)
+  end subroutine
+
+  !> Asks a running rollcon_wheelrail_solve or rollcon_wheelrail_solve_many to stop (an atomic store) before its next
+  !> patch, height or position. It returns ROLLCON_CANCELLED; the wheel stays usable.
+  subroutine wheelrail_request_cancel(self, stat, errmsg)
+    class(rc_wheelrail_plain), intent(in) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_request_cancel(self%p), self%p, 'rc_wheelrail%request_cancel', stat, errmsg)
+  end subroutine
+
+  !> Keeps what is set and the last solution at a place within the wheel, for rollcon_wheelrail_restore: integrators
+  !> step back. Nothing is allocated where as much was kept before.
+  subroutine wheelrail_save(self, place, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: place
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_save(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%save', stat, errmsg)
+  end subroutine
+
+  !> Goes back to what was kept: inputs, results, and later solves are as if nothing had been done since, to the last
+  !> bit. ROLLCON_ERR_STATE: nothing was kept at this place, or track or wheelset have been set since. What was kept
+  !> stays. Contacts of patches that were new since then are no longer those of this wheel.
+  subroutine wheelrail_restore(self, place, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: place
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_restore(self%p, int(place, rc_int)), self%p, 'rc_wheelrail%restore', stat, errmsg)
   end subroutine
 
   !> Forgets the solution and the warm starts; keeps what was set and all that was computed for the frames.

@@ -82,6 +82,8 @@ enum {
   ROLLCON_RIM_CONTACT     = 4,    /* the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which */
   ROLLCON_COARSE          = 5,    /* too few nodes touch, results may be off by half and more: refine the frame there */
   ROLLCON_INACCURATE      = 6,    /* the accuracy asked for (option frame_accuracy) was not reached; statistic error_estimate says which was */
+  ROLLCON_TOO_DEEP        = 7,    /* wheel and rail overlap by more than a thousandth of the wheel's radius, as no metal bears: check heights, load and units */
+  ROLLCON_DERAILED        = 8,    /* the wheel is beside its rail, whatever its height; forces are zero */
   ROLLCON_ERR_ARGUMENT    = -1,   /* NULL, negative count, value out of range, unknown number */
   ROLLCON_ERR_HANDLE      = -2,   /* released, garbage or wrong-kind handle */
   ROLLCON_ERR_NONFINITE   = -3,   /* NaN or infinity among the inputs, or among results to be written */
@@ -1678,16 +1680,82 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_accuracy(
 
 /*
  * Finds the patches and solves each as a steady rolling contact, from the last solution where
- * there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED, RIM_CONTACT (a
- * patch ends at the end of a profile, or is not within its frame), COARSE, NO_CONTACT, OK.
- * ROLLCON_ERR_STATE names the call that is missing. ROLLCON_ERR_LOAD: with this y no height
- * brings the wheel on the rail.
+ * there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED, DERAILED,
+ * TOO_DEEP, RIM_CONTACT (a patch ends at the end of a profile, or is not within its frame),
+ * COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers. ROLLCON_ERR_STATE names
+ * the call that is missing. ROLLCON_ERR_ARGUMENT: with this z wheel and rail overlap by more than
+ * a tenth of the wheel's radius. ROLLCON_ERR_LOAD: with this y no height brings the wheel on the
+ * rail, or no overlap up to a tenth of the radius carries the vertical force.
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE,
- *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_LOAD.
  * Source: docs/wheelrail.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail);
+
+/*
+ * Asks a running rollcon_wheelrail_solve or rollcon_wheelrail_solve_many to stop (an atomic
+ * store) before its next patch, height or position. It returns ROLLCON_CANCELLED; the wheel stays
+ * usable.
+ * Threads: any.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
+    rollcon_wheelrail *wheelrail);
+
+/*
+ * Solves many positions on the threads of the context, each by itself from nothing, as after
+ * rollcon_wheelrail_reset, with what else is set: results do not depend on the other positions,
+ * their order, or the number of threads, to the last bit. A row of totals has force and moment on
+ * the wheel in the track (rollcon_wheelrail_get_resultant), z, vertical force and frictional
+ * power. A position that fails has its negative status and NaN and leaves the others alone; texts
+ * go to the log as warnings. The status returned is the first that fits of CANCELLED (some were
+ * not solved), NOT_CONVERGED (or failed), DERAILED, TOO_DEEP, RIM_CONTACT, COARSE, NO_CONTACT,
+ * OK. The wheel and its last solution stay as they are.
+ *   n           >= 0
+ *   positions   [n][6]; as rollcon_wheelrail_set_position takes them; NULL only with n = 0
+ *   velocities  [n][6]; as rollcon_wheelrail_set_velocity takes them; NULL only with n = 0
+ *   totals      [n][9], out; a row for each position; NULL only with n = 0
+ *   status      [n], out, may be NULL; as rollcon_wheelrail_solve would return
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED, ROLLCON_ERR_STATE,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
+    rollcon_wheelrail *wheelrail, int64_t n, const double *positions, const double *velocities,
+    double *totals, int32_t *status);
+
+/*
+ * Keeps what is set and the last solution at a place within the wheel, for
+ * rollcon_wheelrail_restore: integrators step back. Nothing is allocated where as much was kept
+ * before.
+ *   place      0 to 15
+ * Also returns: ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_save(rollcon_wheelrail *wheelrail,
+    int32_t place);
+
+/*
+ * Goes back to what was kept: inputs, results, and later solves are as if nothing had been done
+ * since, to the last bit. ROLLCON_ERR_STATE: nothing was kept at this place, or track or wheelset
+ * have been set since. What was kept stays. Contacts of patches that were new since then are no
+ * longer those of this wheel.
+ *   place      0 to 15
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail,
+    int32_t place);
+
+/*
+ * Makes another wheel on its rail with the same bodies, inputs and last solution, and no states
+ * kept: both go on alike to the last bit.
+ *   copy       new handle
+ * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
+ * Also returns: ROLLCON_ERR_MEMORY.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_copy(
+    const rollcon_wheelrail *wheelrail, rollcon_wheelrail **copy);
 
 /*
  * Forgets the solution and the warm starts; keeps what was set and all that was computed for the
@@ -1779,6 +1847,47 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_patch_stat_name(int32_
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_contact(
     const rollcon_wheelrail *wheelrail, int32_t patch, rollcon_contact **contact);
+
+/* ----------------------------------------------- Wheel on rail: rigid geometry of a wheelset */
+/* A wheelset that rolls on rigid rails: from track, wheelset and deviations of the rails alone;
+   nothing else need be set. Both handles are in use. */
+
+/*
+ * Finds where both wheels of a wheelset touch over its lateral shift, without yaw: the roll
+ * follows from contact on both sides. Each row of points has z and roll of the wheelset and its
+ * rolling-radius difference, the radius on the right less that on the left; then of the left
+ * wheel y and z of the contact in the track, its angle, y on the wheel's profile, and the rolling
+ * radius; then the same of the right wheel.
+ *   left    made with ROLLCON_LEFT
+ *   right   made with ROLLCON_RIGHT
+ *   n       >= 0
+ *   shift   [n]; y of the wheelset's centre, length; such that both wheels find their rails
+ *   points  [n][13], out; a row for each shift; what is behind a shift that fails is left alone
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_contact_points(
+    rollcon_wheelrail *left, rollcon_wheelrail *right, int64_t n, const double *shift,
+    double *points);
+
+/*
+ * Finds equivalent conicities as EN 15302 defines them: of cones whose free wheelset has the same
+ * wavelength at the same amplitude of its kinematic motion, from the rolling-radius difference by
+ * integration of y'' = -difference / (e r). Shifts count at the height of the rails.
+ *   left        made with ROLLCON_LEFT
+ *   right       made with ROLLCON_RIGHT
+ *   n           >= 0
+ *   amplitude   [n]; half the distance of the turning points, > 0, length; such that the wheelset
+ *               comes back
+ *   conicity    [n], out; tan gamma_e
+ *   wavelength  [n], out, may be NULL; of the motion, length: with the distance e of the points
+ *               of contact and the rolling radius r where the wheelset runs straight on
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md; EN 15302.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_conicity(rollcon_wheelrail *left,
+    rollcon_wheelrail *right, int64_t n, const double *amplitude, double *conicity,
+    double *wavelength);
 
 /* ----------------------------------------------------------------------- Handles as integers */
 /* For languages without pointers (the FORTRAN 77 layer). Neither direction changes reference

@@ -189,7 +189,7 @@ class Routine:
         self.call.append(packed)
 
     def take_out_integers(self, arg, name):
-        count = "nc" if "n_cases" in arg.shape else "maxn"
+        count = "nc" if "n_cases" in arg.shape else "n" if arg.shape == "[n]" else "maxn"
         self.dummy(name, "integer(*)", f"{name.upper()}({count.upper()})")
         self.locals.append("integer(c_int32_t), allocatable :: whole(:)")
         if count == "maxn":  # no more room than there are nodes

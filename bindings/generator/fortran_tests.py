@@ -41,7 +41,18 @@ def broken(head, words, tail=""):
             lines.append(line.rstrip() + " &")
             line = "  "
         line += word
-    return lines + [line if words else line + ")" + tail]
+    return cut_texts(lines + [line if words else line + ")" + tail])
+
+
+def cut_texts(lines):
+    """Texts that no line holds go on in the next one."""
+    out = []
+    for line in lines:
+        while len(line) > WIDTH:
+            out.append(line[:WIDTH - 10] + "&")
+            line = "&" + line[WIDTH - 10:]
+        out.append(line)
+    return out
 
 
 def literal(value, suffix):
@@ -223,7 +234,7 @@ class Call77:
         # A room for numbers is larger than what is there, or as large: the rest is not looked at.
         verb = self.function.name.removeprefix("rollcon_")
         told = broken("call told", [f"'{verb}'", f"'{samples.record(self.function, self.given)}'", "stat"])
-        if any(a.base == "int32" and a.out and a.array for a in self.function.args):
+        if any(a.base == "int32" and a.out and a.array and a.shape != "[n]" for a in self.function.args):
             self.outs.checks = [c.replace("int(istatus)", "int(istatus(:3))") for c in self.outs.checks]
         call = self.before + broken(f"call {self.name.lower()}", self.words + ["stat"])
         message = ["    call rclerr(message)", f"    call failed('{verb}', stat, message)", "  end subroutine", ""]

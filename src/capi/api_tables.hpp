@@ -33,6 +33,8 @@ constexpr StatusText status_table[] = {
     {4, "the contact reaches the rim of the frame (a body's own edge does not count): enlarge it, or mend the gap's sign or the units; the plan says which"},
     {5, "too few nodes touch, results may be off by half and more: refine the frame there"},
     {6, "the accuracy asked for (option frame_accuracy) was not reached; statistic error_estimate says which was"},
+    {7, "wheel and rail overlap by more than a thousandth of the wheel's radius, as no metal bears: check heights, load and units"},
+    {8, "the wheel is beside its rail, whatever its height; forces are zero"},
     {-1, "NULL, negative count, value out of range, unknown number"},
     {-2, "released, garbage or wrong-kind handle"},
     {-3, "NaN or infinity among the inputs, or among results to be written"},

@@ -18,6 +18,8 @@ static_assert(same(Status::cancelled, ROLLCON_CANCELLED));
 static_assert(same(Status::rim_contact, ROLLCON_RIM_CONTACT));
 static_assert(same(Status::coarse, ROLLCON_COARSE));
 static_assert(same(Status::inaccurate, ROLLCON_INACCURATE));
+static_assert(same(Status::too_deep, ROLLCON_TOO_DEEP));
+static_assert(same(Status::derailed, ROLLCON_DERAILED));
 static_assert(same(Status::err_argument, ROLLCON_ERR_ARGUMENT));
 static_assert(same(Status::err_handle, ROLLCON_ERR_HANDLE));
 static_assert(same(Status::err_nonfinite, ROLLCON_ERR_NONFINITE));

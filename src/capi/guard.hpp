@@ -57,6 +57,21 @@ std::int32_t with_shared(const char* function, Kind kind, const void* handle, F&
   return guarded(function, object->context.get(), [&] { return body(*object); });
 }
 
+/// Keeps other calls off an object while it lives. err_busy: another call has it; `what` names it.
+class InUse {
+ public:
+  InUse(const Object& object, const char* what) : busy_(*object.busy) {
+    if (busy_.exchange(true, std::memory_order_acquire))
+      fail(Status::err_busy, "the %s is in use by another call", what);
+  }
+  ~InUse() { busy_.store(false, std::memory_order_release); }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  std::atomic<bool>& busy_;
+};
+
 /// Runs the body with the object of a handle for itself alone, unless the context's latch has caught a failure.
 template <class F>
 std::int32_t with_object(const char* function, Kind kind, const void* handle, F&& body) noexcept {
@@ -65,12 +80,7 @@ std::int32_t with_object(const char* function, Kind kind, const void* handle, F&
   Object& object = *found;
   if (object.context->latched() != Status::ok) return report_latched(*object.context);
   return guarded(function, object.context.get(), [&] {
-    if (object.busy->exchange(true, std::memory_order_acquire))
-      fail(Status::err_busy, "the %s is in use by another call", name(kind));
-    struct Free {
-      std::atomic<bool>& busy;
-      ~Free() { busy.store(false, std::memory_order_release); }
-    } const at_end{*object.busy};
+    const InUse use(object, name(kind));
     return body(object);
   });
 }

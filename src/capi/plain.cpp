@@ -371,6 +371,18 @@ rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   });
 }
 
+rollcon_status rollcon_wheelrail_save(rollcon_wheelrail *wheelrail, int32_t place) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.save(place);
+  });
+}
+
+rollcon_status rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail, int32_t place) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.restore(place);
+  });
+}
+
 rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.reset();

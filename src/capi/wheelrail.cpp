@@ -6,6 +6,7 @@
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
 #include "support/input_checks.hpp"
+#include "wheelrail/solve_positions.hpp"
 #include "wheelrail/wheel_rail.hpp"
 
 using namespace rollcon;
@@ -47,6 +48,38 @@ rollcon_status rollcon_wheelrail_create(rollcon_context* context, rollcon_body* 
     object->wheelrail = std::make_unique<WheelRail>(parent.context, std::move(turning), std::move(resting), side);
     *wheelrail =
         static_cast<rollcon_wheelrail*>(const_cast<void*>(handles().insert(Kind::wheelrail, std::move(object))));
+  });
+}
+
+rollcon_status rollcon_wheelrail_copy(const rollcon_wheelrail* wheelrail, rollcon_wheelrail** copy) {
+  if (copy) *copy = nullptr;
+  return with_object(__func__, Kind::wheelrail, wheelrail, [&](Object& from) {
+    require_pointer(copy, "copy");
+    auto object = std::make_shared<Object>();
+    object->context = from.context;
+    object->wheelrail = from.wheelrail->copy();
+    *copy = static_cast<rollcon_wheelrail*>(const_cast<void*>(handles().insert(Kind::wheelrail, std::move(object))));
+  });
+}
+
+rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail* wheelrail) {
+  return with_shared(__func__, Kind::wheelrail, wheelrail, [](Object& object) { object.wheelrail->request_cancel(); });
+}
+
+rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail* wheelrail, int64_t n, const double* positions,
+                                            const double* velocities, double* totals, int32_t* status) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
+    require_count(n, "n");
+    constexpr int64_t most = int64_t{1} << 40;
+    if (n > most)
+      fail(Status::err_argument, "n is %lld; allowed: 0 to %lld", static_cast<long long>(n),
+           static_cast<long long>(most));
+    if (n > 0) {
+      require_pointer(positions, "positions");
+      require_pointer(velocities, "velocities");
+      require_pointer(totals, "totals");
+    }
+    return solve_positions(w, {n, positions, velocities}, totals, status);
   });
 }
 

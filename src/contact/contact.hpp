@@ -17,6 +17,7 @@
 namespace rollcon {
 
 struct CaseList;       // contact/cases/solve_many.hpp
+struct KeptSolution;   // contact/kept_solution.hpp
 struct CaseResults;    // contact/cases/solve_many.hpp
 struct FrictionShare;  // contact/newton/friction_limit.hpp
 struct FrameFamily;    // contact/results/extrapolation.hpp
@@ -91,6 +92,12 @@ class Contact {
   /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
   /// last solution unless something was set since.
   Status solve_many(const CaseList& cases, const CaseResults& results);
+  /// The next solve on a frame depends on the scene and the last tractions alone, not on how they were found.
+  void forget_all_but_tractions();
+  /// The last solution on a frame; nothing is allocated where the storage has been used.
+  void keep(KeptSolution& kept) const;
+  /// Back to it, the scene being again what it was of; counters and history are not brought back.
+  void return_to(const KeptSolution& kept);
   /// Forgets warm start, solution and history; keeps the scene and the caches that still fit.
   void reset();
 

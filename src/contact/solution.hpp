@@ -95,6 +95,7 @@ struct Prepared {
   Frame frame;
   FrameSource frame_source;  ///< as far as the body still has these faces
   bool placed = false;       ///< a frame at a place of its own, which solves may change
+  bool in_steps = false;     ///< likewise, its shapes are a few that come again
   FramePlace place;
   bool ends_at_edge = false;               ///< the contact covers the frame, nodes on its rim carry nothing
   PairOfBodies pair;                       ///< where the bodies stood

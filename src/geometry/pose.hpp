@@ -18,4 +18,16 @@ struct Pose {
   Vec3 to_body(const Vec3& x) const { return turn_back(x - translation); }
 };
 
+/// b as seen from a.
+inline Pose relative(const Pose& a, const Pose& b) {
+  Pose pose;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 row{a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
+    for (std::size_t j = 0; j < 3; ++j)
+      pose.rotation[i][j] = dot(row, {b.rotation[0][j], b.rotation[1][j], b.rotation[2][j]});
+  }
+  pose.translation = a.to_body(b.translation);
+  return pose;
+}
+
 }  // namespace rollcon

@@ -73,18 +73,84 @@ void straighten_zigzags(std::vector<NamedPoint>& point, const PointName& name) {
   }
 }
 
+/// Means of neighbours over a part of the filter's length: of points closer than their noise, whose path goes to and
+/// fro.
+std::vector<NamedPoint> means_over(const std::vector<NamedPoint>& point, double reach) {
+  std::vector<NamedPoint> mean{point.front()};
+  for (std::size_t i = 1; i + 1 < point.size();) {
+    const NamedPoint& first = point[i];
+    Vec2 sum{0, 0};
+    double n = 0;
+    for (; i + 1 < point.size() && (n == 0 || length(point[i].x - first.x) < reach); ++i, ++n) sum = sum + point[i].x;
+    mean.push_back({(1 / n) * sum, first.number});
+  }
+  mean.push_back(point.back());
+  return mean;
+}
+
+double path_of(const std::vector<NamedPoint>& point) {
+  double path = 0;
+  for (std::size_t i = 1; i < point.size(); ++i) path += length(point[i].x - point[i - 1].x);
+  return path;
+}
+
+/// In the order of the path. Where there is a filter, and noise makes the path longer than that of means, those stand
+/// for the points: the filter would take the way to and fro for length.
+std::vector<NamedPoint> along_the_path(std::vector<NamedPoint> point, double filter_length, const PointName& name) {
+  constexpr double part = 1.0 / 24, longer = 1.01;
+  if (filter_length > 0) {
+    std::vector<NamedPoint> mean = means_over(point, part * filter_length);
+    if (path_of(point) > longer * path_of(mean)) point = std::move(mean);
+  }
+  straighten_zigzags(point, name);
+  return point;
+}
+
 double turn(const Vec2& before, const Vec2& x, const Vec2& after) {
   return std::abs(std::atan2(cross(x - before, after - x), dot(x - before, after - x)));
 }
 
-/// Points at which the curve turns by far more than beside them.
-std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x) {
-  constexpr double least = std::numbers::pi / 6, others = 1.0 / 3;
+/// Direction of the line that fits some points best; it goes from the first to the last.
+Vec2 direction_of(const Vec2* first, std::ptrdiff_t n) {
+  Vec2 mean{0, 0};
+  for (std::ptrdiff_t i = 0; i < n; ++i) mean = mean + (1.0 / static_cast<double>(n)) * first[i];
+  double yy = 0, yz = 0, zz = 0;
+  for (std::ptrdiff_t i = 0; i < n; ++i) {
+    const Vec2 off = first[i] - mean;
+    yy += off[0] * off[0];
+    yz += off[0] * off[1];
+    zz += off[1] * off[1];
+  }
+  const double angle = 0.5 * std::atan2(2 * yz, yy - zz);
+  const Vec2 along{std::cos(angle), std::sin(angle)};
+  return dot(along, first[n - 1] - first[0]) < 0 ? -1.0 * along : along;
+}
+
+/// Whether the curve turns at a point by so much as lines say that fit what is within reach on both sides: noise does
+/// not. Fewer than four points tell nothing.
+bool turns_by(const std::vector<Vec2>& x, std::size_t k, double reach, double least) {
+  constexpr std::ptrdiff_t few = 4;
+  const auto n = static_cast<std::ptrdiff_t>(x.size()), at = static_cast<std::ptrdiff_t>(k);
+  std::ptrdiff_t from = at, to = at;
+  while (from > 0 && length(x[static_cast<std::size_t>(from - 1)] - x[k]) <= reach) --from;
+  while (to + 1 < n && length(x[static_cast<std::size_t>(to + 1)] - x[k]) <= reach) ++to;
+  if (at - from + 1 < few || to - at + 1 < few) return true;
+  const Vec2 before = direction_of(&x[static_cast<std::size_t>(from)], at - from + 1),
+             after = direction_of(&x[k], to - at + 1);
+  return std::abs(std::atan2(cross(before, after), dot(before, after))) >= least;
+}
+
+/// Points at which the curve turns by far more than beside them, in points to be filtered over what a fourth of that
+/// length says, too.
+std::vector<std::size_t> kinks_of(const std::vector<Vec2>& x, double filter_length) {
+  constexpr double least = std::numbers::pi / 6, others = 1.0 / 3, part = 0.25, nearly = 0.8;
   std::vector<double> angle(x.size(), 0);
   for (std::size_t i = 1; i + 1 < x.size(); ++i) angle[i] = turn(x[i - 1], x[i], x[i + 1]);
   std::vector<std::size_t> found;
   for (std::size_t i = 1; i + 1 < x.size(); ++i)
-    if (angle[i] >= least && angle[i - 1] <= others * angle[i] && angle[i + 1] <= others * angle[i]) found.push_back(i);
+    if (angle[i] >= least && angle[i - 1] <= others * angle[i] && angle[i + 1] <= others * angle[i] &&
+        turns_by(x, i, part * filter_length, nearly * least))
+      found.push_back(i);
   return found;
 }
 
@@ -205,17 +271,15 @@ std::vector<ProfilePiece> spline_through(const std::vector<Vec2>& x) {
 
 ProfileCurve profile_through(const std::vector<Vec2>& point, double filter_length, const PointName& name) {
   require_points(point, name);
-  std::vector<NamedPoint> kept = without_close_ones(point);
-  straighten_zigzags(kept, name);
+  const std::vector<NamedPoint> kept = along_the_path(without_close_ones(point), filter_length, name);
   std::vector<Vec2> x;
   for (const NamedPoint& p : kept) x.push_back(p.x);
   if (x.back()[0] < x.front()[0]) std::reverse(x.begin(), x.end());
-  double path = 0;
-  for (std::size_t i = 1; i < x.size(); ++i) path += length(x[i] - x[i - 1]);
+  const double path = path_of(kept);
   if (!(filter_length >= 0 && filter_length <= path))
     fail(Status::err_argument, "filter_length is %g; allowed: 0 to the length of the profile, %g", filter_length, path);
 
-  std::vector<std::size_t> ends = kinks_of(x);
+  std::vector<std::size_t> ends = kinks_of(x, filter_length);
   ends.push_back(x.size() - 1);
   std::vector<ProfilePiece> piece;
   std::size_t from = 0;

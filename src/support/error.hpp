@@ -17,6 +17,8 @@ enum class Status : std::int32_t {
   rim_contact = 4,
   coarse = 5,
   inaccurate = 6,
+  too_deep = 7,
+  derailed = 8,
   err_argument = -1,
   err_handle = -2,
   err_nonfinite = -3,

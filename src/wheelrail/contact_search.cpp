@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "support/error.hpp"
 #include "wheelrail/gap_scan.hpp"
@@ -38,7 +39,16 @@ WheelLocus ContactSearch::locus_of(const Pose& wheel) const {
 }
 
 double ContactSearch::first_touch(const Pose& wheel) const {
-  return least_gap({wheel_, rail_, locus_of(wheel)});
+  const auto nearest = least_gap({wheel_, rail_, locus_of(wheel)});
+  return nearest ? nearest->gap : std::numeric_limits<double>::infinity();
+}
+
+std::optional<TouchPoint> ContactSearch::touch(const Pose& wheel) const {
+  const auto nearest = least_gap({wheel_, rail_, locus_of(wheel)});
+  if (!nearest) return std::nullopt;
+  const VisiblePoint p = wheel_.at(nearest->s);
+  return TouchPoint{nearest->gap, nearest->wheel + Vec3{0, 0, nearest->gap}, std::atan(nearest->rail_slope),
+                    side_ * p.y, shape_.radius + p.z};
 }
 
 void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch) {

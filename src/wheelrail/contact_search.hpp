@@ -4,6 +4,7 @@
 /// on the right. For one on the left the caller mirrors.
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "geometry/pose.hpp"
@@ -28,6 +29,14 @@ struct RailShape {
   Vec3 down{0, 0, 1};   ///< of the profile's z, at right angles to it
 };
 
+/// Where a rigid wheel touches first.
+struct TouchPoint {
+  double gap = 0;    ///< how far it may sink until then
+  Vec3 x{};          ///< on the rail
+  double angle = 0;  ///< of the rail there: atan dz/dy
+  double wheel_y = 0, rolling_radius = 0;
+};
+
 class ContactSearch {
  public:
   /// Prepares the profiles. Throws err_argument.
@@ -36,6 +45,8 @@ class ContactSearch {
   /// How far the wheel, its body axes in this pose, may sink along z until it touches the rail; negative where they
   /// overlap, infinite where it is not above the rail. To rounding.
   double first_touch(const Pose& wheel) const;
+  /// The point that does; nullopt where it is not above the rail. Of several, or a line, the first by y.
+  std::optional<TouchPoint> touch(const Pose& wheel) const;
   /// In the order of y; overwritten. Allocates nothing once it has seen as many patches.
   void find(const Pose& wheel, std::vector<OverlapPatch>& patch);
 

@@ -130,15 +130,19 @@ class OverlapScan {
 
 }  // namespace
 
-double least_gap(ProfileGap gap) {
-  double rough = infinite, least = infinite;
+std::optional<GapPoint> least_gap(ProfileGap gap) {
+  double rough = infinite;
+  std::optional<GapPoint> least;
   for_each_span(gap, [&](const VisibleSpan&, const RoughGap& a, const RoughGap& b) {
     if (a.known) rough = std::min(rough, a.gap + a.slack);
     if (b.known) rough = std::min(rough, b.gap + b.slack);
   });
   for_each_span(gap, [&](const VisibleSpan& span, const RoughGap& a, const RoughGap& b) {
-    if (bound(a, b, span) > std::min(rough, least)) return;
-    for_each_slope(gap, span, [&](const GapPoint& p, const GapPoint& q) { least = std::min({least, p.gap, q.gap}); });
+    if (bound(a, b, span) > (least ? std::min(rough, least->gap) : rough)) return;
+    for_each_slope(gap, span, [&](const GapPoint& p, const GapPoint& q) {
+      const GapPoint& nearer = q.gap < p.gap ? q : p;
+      if (!least || nearer.gap < least->gap) least = nearer;
+    });
   });
   return least;
 }

@@ -3,14 +3,15 @@
 /// negative, each with one least value: those with several are divided where it is greatest between them. Spans in
 /// which neither can be are passed by.
 
+#include <optional>
 #include <vector>
 
 #include "wheelrail/overlap_patch.hpp"
 
 namespace rollcon {
 
-/// Infinite where the wheel is beside the rail.
-double least_gap(ProfileGap gap);
+/// Where the gap is least; nullopt where the wheel is beside the rail.
+std::optional<GapPoint> least_gap(ProfileGap gap);
 /// In the order of s; overwritten.
 void find_overlaps(ProfileGap gap, std::vector<Overlap>& overlap);
 

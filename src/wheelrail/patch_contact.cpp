@@ -48,81 +48,124 @@ PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Bod
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, double friction,
                            const LatticeSize& size, double give_way) {
-  patch_ = patch;
-  give_way_ = give_way;
+  now_.solves = ++solves_;
+  now_.patch = patch;
   stand(motion);
+  prescribe(give_way, friction);
+  for (int growths = 0;; ++growths) {
+    lay_frame(size);
+    contact_->forget_all_but_tractions();
+    now_.status = contact_->solve_on_frame();
+    if (now_.status != Status::ok && now_.status != Status::coarse) break;
+    // Nothing touches beyond the overlap of the undeformed bodies.
+    const int rim = rim_reached(size);
+    if (rim == 0 || now_.whole[static_cast<std::size_t>(rim - 1)]) break;
+    if (growths == most_growths) {
+      now_.status = Status::rim_contact;
+      break;
+    }
+    now_.margin[static_cast<std::size_t>(rim - 1)] *= growth;
+    ++now_.grown;
+  }
+  take_results(motion);
+  return now_.status;
+}
+
+// Nothing of it may depend on what was solved before.
+void PatchContact::reset() {
+  now_.margin = {usual_margin, usual_margin};
+  now_.shape = {};
+  now_.shaped = now_.hold = false;
+  now_.solves = ++solves_;
+  contact_->reset();
+}
+
+void PatchContact::keep(Kept& kept) const {
+  kept.state = now_;
+  kept.state.owner = this;
+  contact_->keep(kept.solution);
+}
+
+void PatchContact::return_to(const Kept& kept) {
+  if (kept.state.owner == this && kept.state.solves == now_.solves) return;
+  const LatticeSize before = now_.size;
+  now_ = kept.state;
+  now_.solves = ++solves_;
+  if (!kept.solution.solved) {
+    now_.size = before;
+    contact_->reset();
+    return;
+  }
+  now_.size = before;
+  stand(now_.motion);
+  prescribe(now_.give_way, now_.friction);
+  put_frame(kept.state.size, kept.state.place);
+  contact_->return_to(kept.solution);
+}
+
+void PatchContact::prescribe(double give_way, double friction) {
+  now_.give_way = give_way;
+  now_.friction = friction;
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
   contact_->scene.set_friction("coulomb", 1, &friction);
-  for (int growths = 0;; ++growths) {
-    lay_frame(size);
-    status_ = contact_->solve_on_frame();
-    if (status_ != Status::ok && status_ != Status::coarse) break;
-    // Nothing touches beyond the overlap of the undeformed bodies.
-    const int rim = rim_reached(size);
-    if (rim == 0 || whole_[static_cast<std::size_t>(rim - 1)]) break;
-    if (growths == most_growths) {
-      status_ = Status::rim_contact;
-      break;
-    }
-    margin_[static_cast<std::size_t>(rim - 1)] *= growth;
-    ++grown_;
-  }
-  take_results(motion);
-  return status_;
-}
-
-void PatchContact::reset() {
-  margin_ = {usual_margin, usual_margin};
-  contact_->reset();
 }
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.
 void PatchContact::stand(const WheelMotion& motion) {
-  axes_.n = -1.0 * patch_.normal;
-  axes_.t1 = {motion.speed > 0 ? 1.0 : -1.0, 0, 0};
-  axes_.t2 = cross(axes_.n, axes_.t1);
-  const double x = 0.5 * (patch_.back + patch_.front), y = 0.5 * (patch_.low + patch_.high);
-  axes_.origin = patch_.reference + Vec3{x, 0, 0} + y * patch_.lateral;
+  now_.motion = motion;
+  now_.axes.n = -1.0 * now_.patch.normal;
+  now_.axes.t1 = {motion.speed > 0 ? 1.0 : -1.0, 0, 0};
+  now_.axes.t2 = cross(now_.axes.n, now_.axes.t1);
+  const double x = 0.5 * (now_.patch.back + now_.patch.front), y = 0.5 * (now_.patch.low + now_.patch.high);
+  now_.axes.origin = now_.patch.reference + Vec3{x, 0, 0} + y * now_.patch.lateral;
   Scene& scene = contact_->scene;
-  set_pose(scene, 1, axes_, motion.pose);
-  set_pose(scene, 2, axes_, Pose{});
-  set_velocity(scene, 0, axes_, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
-  set_velocity(scene, 1, axes_, motion.velocity);
-  set_velocity(scene, 2, axes_, motion.rail);
+  set_pose(scene, 1, now_.axes, motion.pose);
+  set_pose(scene, 2, now_.axes, Pose{});
+  set_velocity(scene, 0, now_.axes, {{motion.speed, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  set_velocity(scene, 1, now_.axes, motion.velocity);
+  set_velocity(scene, 2, now_.axes, motion.rail);
 }
 
 void PatchContact::lay_frame(const LatticeSize& size) {
+  put_frame(size, place());
+}
+
+void PatchContact::put_frame(const LatticeSize& size, const FramePlace& place) {
   Scene& scene = contact_->scene;
-  if (!(size == size_)) {
-    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place());
-    size_ = size;
-  } else if (const FramePlace now = place(); !(now == scene.place())) {
-    scene.place_frame(now);
+  now_.place = place;
+  if (!(size == now_.size)) {
+    const bool in_steps = true;
+    scene.set_placed_frame(rectangle_mesh({}, ElementType::quad4, size.along, size.across, {-1, 1, -1, 1}), place,
+                           in_steps);
+    now_.size = size;
+  } else if (!(place == scene.place())) {
+    scene.place_frame(place);
   }
 }
 
 // Hertz's ellipse of the paraboloid with the overlap's depth, width and the curvatures along the rail. What is in
 // contact lies within the overlap.
 FramePlace PatchContact::place() {
-  const double half = 0.5 * (patch_.high - patch_.low), depth = patch_.overlap;
-  const double a = 0.5 * patch_.curvature.along, c = patch_.curvature.twist;
+  const double half = 0.5 * (now_.patch.high - now_.patch.low), depth = now_.patch.overlap;
+  const double a = 0.5 * now_.patch.curvature.along, c = now_.patch.curvature.twist;
   const HertzContact hertz = hertz_by_approach({a, depth / (half * half) + c * c / (4 * a), c}, 1, depth);
   const FramePlace ellipse = place_of_disc(hertz.larger, hertz.smaller, hertz.angle);
-  const double left = std::sqrt(std::max(1 - give_way_ / depth, 0.01));
-  const std::array<double, 2> wanted{left * margin_[0] * ellipse.length, left * margin_[1] * ellipse.width},
+  const double left = std::sqrt(std::max(1 - now_.give_way / depth, 0.01));
+  const std::array<double, 2> wanted{left * now_.margin[0] * ellipse.length, left * now_.margin[1] * ellipse.width},
       most{std::sqrt(depth / a), half};
-  for (std::size_t i = 0; i < 2; ++i) whole_[i] = wanted[i] >= most[i];
+  for (std::size_t i = 0; i < 2; ++i) now_.whole[i] = wanted[i] >= most[i];
   const double length = std::min(wanted[0], most[0]), width = std::min(wanted[1], most[1]);
   // Operators belong to a shape: it changes in steps, and late. The frame is the least of its shape that holds all.
   constexpr double step = 0.1, late = 0.65;
-  const bool hold = hold_ && size_.along > 0;
+  const bool hold = now_.hold && now_.shaped;
+  now_.shaped = true;
   const auto follow = [hold](double value, std::int64_t& at) {
     if (!hold && std::abs(value - static_cast<double>(at)) > late) at = std::llround(value);
     return static_cast<double>(at);
   };
-  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, shape_[0])),
-               shear = step * follow(ellipse.shear / ellipse.length / step, shape_[1]);
+  const double longer = length / width, ratio = std::exp(step * follow(std::log(longer) / step, now_.shape[0])),
+               shear = step * follow(ellipse.shear / ellipse.length / step, now_.shape[1]);
   const double w = std::max(width, length / ratio);
   return {ratio * w, w, shear * ratio * w};
 }
@@ -137,22 +180,22 @@ int PatchContact::rim_reached(const LatticeSize& size) {
   const auto at = [&](std::int64_t i, std::int64_t j) { return gap_[static_cast<std::size_t>(j * points + i)]; };
   for (std::int64_t i = 0; i < points; ++i) sides = std::min({sides, at(i, 0), at(i, lines - 1)});
   for (std::int64_t j = 0; j < lines; ++j) ends = std::min({ends, at(0, j), at(points - 1, j)});
-  if (std::min(ends, sides) > -overlap * patch_.overlap) return 0;
+  if (std::min(ends, sides) > -overlap * now_.patch.overlap) return 0;
   return ends < sides ? 1 : 2;
 }
 
 void PatchContact::take_results(const WheelMotion& motion) {
   Vec3 force{}, moment{};
   contact_->resultant(InAxes::local, force.data(), moment.data());
-  force_ = from_axes(axes_, force);
-  moment_ = from_axes(axes_, moment) + cross(axes_.origin - patch_.reference, force_);
+  now_.force = from_axes(now_.axes, force);
+  now_.moment = from_axes(now_.axes, moment) + cross(now_.axes.origin - now_.patch.reference, now_.force);
   // The wheel's surface is as far inside the rail as both overlap, which belongs to its rolling radius.
-  const Vec3 wheel = motion.velocity.at(patch_.reference + patch_.overlap * axes_.n),
-             rail = motion.rail.at(patch_.reference), slip = wheel - rail;
+  const Vec3 wheel = motion.velocity.at(now_.patch.reference + now_.patch.overlap * now_.axes.n),
+             rail = motion.rail.at(now_.patch.reference), slip = wheel - rail;
   const Vec3 turning = motion.velocity.angular - motion.rail.angular;
   // At which both surfaces run through the contact, on average.
   const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
-  creepages_ = {slip[0] / speed, dot(slip, patch_.lateral) / speed, -dot(turning, patch_.normal) / speed};
+  now_.creepages = {slip[0] / speed, dot(slip, now_.patch.lateral) / speed, -dot(turning, now_.patch.normal) / speed};
 }
 
 }  // namespace rollcon

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact.hpp"
+#include "contact/kept_solution.hpp"
 #include "geometry/velocity.hpp"
 #include "wheelrail/contact_search.hpp"
 
@@ -35,45 +36,73 @@ class PatchContact {
   Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size,
                double give_way);
   void reset();
+  /// As if it had never been used, counters included.
+  void begin_anew() {
+    reset();
+    now_.grown = 0;
+  }
   /// The frame keeps its shape: forces are smooth functions of what is solved next.
-  void hold_shape(bool hold) { hold_ = hold; }
+  void hold_shape(bool hold) { now_.hold = hold; }
 
-  const OverlapPatch& overlap() const { return patch_; }
-  Status status() const { return status_; }
+  /// Everything that a later solve or result depends on.
+  struct Kept;
+  /// Nothing is allocated where the storage has been used.
+  void keep(Kept& kept) const;
+  void return_to(const Kept& kept);
+
+  const OverlapPatch& overlap() const { return now_.patch; }
+  Status status() const { return now_.status; }
   /// Of the contact: origin in the middle of its frame, t1 along the rolling direction, n into the rail.
-  const Axes& axes() const { return axes_; }
+  const Axes& axes() const { return now_.axes; }
   /// Force on the wheel, and moment about the patch's reference.
-  const Vec3& force() const { return force_; }
-  const Vec3& moment() const { return moment_; }
+  const Vec3& force() const { return now_.force; }
+  const Vec3& moment() const { return now_.moment; }
   /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed
   /// at which both run through the contact, on average.
-  const Vec3& creepages() const { return creepages_; }
+  const Vec3& creepages() const { return now_.creepages; }
   /// Origin and axes of its space are axes().
   const std::shared_ptr<Contact>& contact() const { return contact_; }
   /// Times a frame was too small, and was made larger.
-  std::int64_t grown() const { return grown_; }
+  std::int64_t grown() const { return now_.grown; }
 
  private:
+  /// All of it but the contact.
+  struct State {
+    OverlapPatch patch;
+    double give_way = 0, friction = 0;
+    WheelMotion motion;
+    Axes axes;
+    LatticeSize size;
+    FramePlace place;
+    std::array<double, 2> margin{usual_margin, usual_margin};  ///< of the frame over Hertz's ellipse, along and across
+    std::array<bool, 2> whole{};                               ///< the frame holds all of the overlap there
+    std::array<std::int64_t, 2> shape{};                       ///< of the frame, in steps: length over width, shear
+    bool shaped = false, hold = false;  ///< the frame has had a shape since the last reset; it keeps it
+    Vec3 force{}, moment{}, creepages{};
+    Status status = Status::ok;
+    std::int64_t grown = 0;
+    const void* owner = nullptr;  ///< with the number of its solve: tells whether there was one in between
+    std::int64_t solves = 0;
+  };
+  static constexpr double usual_margin = 1.05;
+
+  void prescribe(double give_way, double friction);
   void stand(const WheelMotion& motion);
   void lay_frame(const LatticeSize& size);
+  void put_frame(const LatticeSize& size, const FramePlace& place);
   FramePlace place();
   int rim_reached(const LatticeSize& size);
   void take_results(const WheelMotion& motion);
 
   std::shared_ptr<Contact> contact_;
-  OverlapPatch patch_;
-  double give_way_ = 0;
-  Axes axes_;
-  LatticeSize size_;
-  static constexpr double usual_margin = 1.05;
-  std::array<double, 2> margin_{usual_margin, usual_margin};  ///< of the frame over Hertz's ellipse, along and across
-  std::array<bool, 2> whole_{};                               ///< the frame holds all of the overlap there
-  std::array<std::int64_t, 2> shape_{};                       ///< of the frame, in steps: length over width, shear
-  bool hold_ = false;
+  State now_;
+  std::int64_t solves_ = 0;  ///< ever
   std::vector<double> gap_;
-  Vec3 force_{}, moment_{}, creepages_{};
-  Status status_ = Status::ok;
-  std::int64_t grown_ = 0;
+};
+
+struct PatchContact::Kept {
+  State state;
+  KeptSolution solution;
 };
 
 }  // namespace rollcon

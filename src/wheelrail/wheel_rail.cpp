@@ -19,18 +19,6 @@ Pose attitude(double roll, double yaw) {
   return pose;
 }
 
-/// b as seen from a.
-Pose relative(const Pose& a, const Pose& b) {
-  Pose pose;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3 row{a.rotation[0][i], a.rotation[1][i], a.rotation[2][i]};
-    for (std::size_t j = 0; j < 3; ++j)
-      pose.rotation[i][j] = dot(row, {b.rotation[0][j], b.rotation[1][j], b.rotation[2][j]});
-  }
-  pose.translation = a.to_body(b.translation);
-  return pose;
-}
-
 Velocity seen_from(const Pose& pose, const Velocity& v) {
   return {pose.turn_back(v.linear), pose.turn_back(v.angular), pose.to_body(v.point)};
 }
@@ -52,16 +40,44 @@ double depth_of(const OverlapPatch& patch) {
   return patch.share * patch.overlap;
 }
 
+// Of the wheel's radius. Overlaps of steel wheels under 200 kN are a third of the first at most; at it pressures are 2
+// to 5 percent of the modulus of contact.
+constexpr double too_deep = 1e-3, nonsense = 0.1;
+
+/// The worse ones first; the rest may be success.
+int rank(Status status) {
+  constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::derailed,
+                              Status::too_deep,  Status::rim_contact,   Status::coarse};
+  return static_cast<int>(std::find(std::begin(order), std::end(order), status) - std::begin(order));
+}
+
 }  // namespace
 
-void WheelRail::prepare() {
+void WheelRail::require_dimensions() const {
   const char* missing = !track_            ? "rollcon_wheelrail_set_track"
                         : !wheelset_given_ ? "rollcon_wheelrail_set_wheelset"
-                        : !position_given_ ? "rollcon_wheelrail_set_position"
-                        : !velocity_given_ ? "rollcon_wheelrail_set_velocity"
-                        : !friction_given_ ? "rollcon_wheelrail_set_friction"
                                            : nullptr;
   if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+}
+
+void WheelRail::prepare() {
+  require_dimensions();
+  const char* missing = !in_.position_given   ? "rollcon_wheelrail_set_position"
+                        : !in_.velocity_given ? "rollcon_wheelrail_set_velocity"
+                        : !in_.friction_given ? "rollcon_wheelrail_set_friction"
+                                              : nullptr;
+  if (missing) fail(Status::err_state, "something is missing: call %s first", missing);
+  prepare_search();
+}
+
+void WheelRail::require_ready_for_positions() {
+  require_dimensions();
+  if (!in_.friction_given)
+    fail(Status::err_state, "something is missing: call %s first", "rollcon_wheelrail_set_friction");
+  prepare_search();
+}
+
+void WheelRail::prepare_search() {
   if (search_) return;
   wheel_ = given_wheel_->with_profile_alone();
   rail_ = given_rail_->with_profile_alone();
@@ -70,6 +86,7 @@ void WheelRail::prepare() {
   rail_->extrude_profile(rail_shape_.origin.data(), rail_shape_.along.data(), rail_shape_.down.data());
   search_.emplace(WheelShape{given_wheel_->profile(), centre, axis, radius_}, rail_shape_);
   slot_.clear();
+  spare_.clear();
   sink_ = 0;
 }
 
@@ -85,24 +102,38 @@ Pose WheelRail::rail_pose(const RailDeviation& deviation) const {
   return rail;
 }
 
+Pose WheelRail::wheel_pose(const WheelsetState& position, double z) const {
+  Pose wheel = attitude_of(position);
+  wheel.translation = Vec3{0, position.y, z - radius_} + wheel.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
+  return wheel;
+}
+
 WheelMotion WheelRail::motion_at(double z) const {
-  const Pose set = attitude_of(position_);
-  const Vec3 centre{0, position_.y, z - radius_};
-  Pose wheel = set;
-  wheel.translation = centre + set.turn({0, 0.5 * back_to_back_ - flange_back_, radius_});
-  const Pose rail = rail_pose(deviation_);
-  const Pose yawed = attitude(0, position_.yaw);
-  const Vec3 turning =
-      velocity_.yaw * Vec3{0, 0, 1} + velocity_.roll * yawed.turn({1, 0, 0}) + velocity_.pitch * set.turn({0, 1, 0});
+  const Pose set = attitude_of(in_.position), wheel = wheel_pose(in_.position, z);
+  const Vec3 centre{0, in_.position.y, z - radius_};
+  const Pose rail = rail_pose(in_.deviation);
+  const Pose yawed = attitude(0, in_.position.yaw);
+  const Vec3 turning = in_.velocity.yaw * Vec3{0, 0, 1} + in_.velocity.roll * yawed.turn({1, 0, 0}) +
+                       in_.velocity.pitch * set.turn({0, 1, 0});
   WheelMotion motion;
   motion.pose = relative(rail, wheel);
-  motion.velocity = seen_from(rail, {{velocity_.x, velocity_.y, velocity_.z}, turning, centre});
-  motion.rail = seen_from(rail, {{0, rate_.y, rate_.z}, {rate_.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
-  motion.speed = velocity_.x;
+  motion.velocity = seen_from(rail, {{in_.velocity.x, in_.velocity.y, in_.velocity.z}, turning, centre});
+  motion.rail =
+      seen_from(rail, {{0, in_.rate.y, in_.rate.z}, {in_.rate.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
+  motion.speed = in_.velocity.x;
   return motion;
 }
 
 WheelRail::Slot& WheelRail::add_slot() {
+  if (!spare_.empty()) {
+    slot_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+    Slot& slot = *slot_.back();
+    slot.contact.begin_anew();
+    slot.give_way = slot.wheel_y = 0;
+    slot.taken = false;
+    return slot;
+  }
   return *slot_.emplace_back(std::make_unique<Slot>(Slot{PatchContact(context_, wheel_, rail_)}));
 }
 
@@ -123,11 +154,18 @@ Status WheelRail::solve_at(double z) {
   search_->find(motion.pose, found_);
   for (const auto& slot : slot_) slot->taken = false;
   active_.clear();
-  Status worst = found_.empty() ? Status::no_contact : Status::ok;
-  const auto rank = [](Status s) {
-    constexpr Status order[] = {Status::cancelled, Status::not_converged, Status::rim_contact, Status::coarse};
-    return std::find(std::begin(order), std::end(order), s) - std::begin(order);
-  };
+  double deepest = 0;
+  for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
+  if (!in_.by_force && deepest > nonsense * radius_)
+    fail(Status::err_argument,
+         "z is %g (y is %g): wheel and rail overlap by %g, more than a tenth of the wheel's radius (%g); check z, y, "
+         "both profiles and all units",
+         z, side_ * in_.position.y, deepest, radius_);
+  Status worst = Status::ok;
+  if (found_.empty())
+    worst = std::isfinite(search_->first_touch(motion.pose)) ? Status::no_contact : Status::derailed;
+  else if (deepest > too_deep * radius_)
+    worst = Status::too_deep;
   for (const OverlapPatch& patch : found_) active_.push_back(&slot_for(patch));
   if (active_.size() == 1) active_.front()->give_way = 0;
   // What patches give way under each other is a small part of their overlap: a few rounds settle it.
@@ -138,8 +176,8 @@ Status WheelRail::solve_at(double z) {
       worst = Status::not_converged;
       break;
     }
-    for (std::size_t i = 0; i < active_.size(); ++i)
-      active_[i]->contact.solve(found_[i], motion, friction_, size_for(accuracy_), active_[i]->give_way);
+    for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
+      active_[i]->contact.solve(found_[i], motion, in_.friction, size_for(in_.accuracy), active_[i]->give_way);
     double change = 0;
     if (active_.size() > 1)
       for (Slot* slot : active_) {
@@ -147,7 +185,7 @@ Status WheelRail::solve_at(double z) {
         change = std::max(change, std::abs(now - slot->give_way) / slot->contact.overlap().overlap);
         slot->give_way = now;
       }
-    if (change <= settled) break;
+    if (change <= settled || cancelled()) break;
   }
   for (const Slot* slot : active_) {
     Status status = slot->contact.status();
@@ -155,6 +193,7 @@ Status WheelRail::solve_at(double z) {
     if (status != Status::no_contact && rank(status) < rank(worst)) worst = status;
   }
   ++solves_;
+  if (cancelled()) worst = Status::cancelled;
   return worst;
 }
 
@@ -189,22 +228,24 @@ double WheelRail::first_sink(double touch) {
   const double half = 0.5 * (patch.high - patch.low), a = 0.5 * patch.curvature.along;
   if (slot_.empty()) add_slot();
   const double modulus = slot_.front()->contact.contact()->modulus(), tilt = std::cos(patch.angle);
-  return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, load_ / tilt).approach / tilt;
+  return hertz_by_load({a, patch.overlap / (half * half), 0}, modulus, in_.load / tilt).approach / tilt;
 }
 
 // The force grows about as the sink to the power of 3/2, whatever the number of patches: secants of its power 2/3.
 Status WheelRail::meet_force() {
-  const double touch = position_.z + search_->first_touch(motion_at(position_.z).pose);
+  const double touch = in_.position.z + search_->first_touch(motion_at(in_.position.z).pose);
   if (!std::isfinite(touch))
     fail(Status::err_load, "no height of the wheelset brings the wheel on the rail (y is %g): it has derailed",
-         side_ * position_.y);
-  if (load_ == 0) {
+         side_ * in_.position.y);
+  if (in_.load == 0) {
     solve_at(touch);
     return Status::no_contact;
   }
   constexpr int most = 60;
   constexpr double tolerance = 1e-6;
-  double low = 0, high = INFINITY, sink = sink_ > 0 ? sink_ : first_sink(touch), before = 0, force_before = 0;
+  const double deepest = nonsense * radius_;
+  double low = 0, high = INFINITY, before = 0, force_before = 0;
+  double sink = std::min(sink_ > 0 ? sink_ : first_sink(touch), deepest);
   Status status = Status::ok;
   // The first height may give frames other shapes, which moves the force a little.
   for (int i = 0; i < most; ++i) {
@@ -212,15 +253,21 @@ Status WheelRail::meet_force() {
     status = solve_at(touch + sink);
     if (status == Status::cancelled) return status;
     const double force = vertical_force();
-    if (std::abs(force - load_) <= tolerance * load_) {
+    if (std::abs(force - in_.load) <= tolerance * in_.load) {
       sink_ = sink;
       return status;
     }
-    (force < load_ ? low : high) = sink;
+    (force < in_.load ? low : high) = sink;
+    if (low == deepest)
+      fail(Status::err_load,
+           "no height of the wheelset carries the vertical force %g: sunk by a tenth of its radius, the wheel carries "
+           "%g; check force, profiles and units",
+           in_.load, force);
     const auto root = [](double f) { return f > 0 ? std::cbrt(f * f) : 0.0; };
     const double rise = (root(force) - root(force_before)) / (sink - before);
-    double next = rise > 0 ? sink + (root(load_) - root(force)) / rise : 2 * sink;
+    double next = rise > 0 ? sink + (root(in_.load) - root(force)) / rise : 2 * sink;
     if (!(next > low && next < high)) next = std::isfinite(high) ? 0.5 * (low + high) : 2 * sink;
+    next = std::min(next, deepest);
     before = sink;
     force_before = force;
     sink = next;
@@ -230,17 +277,43 @@ Status WheelRail::meet_force() {
 }
 
 Status WheelRail::solve() {
+  forget_cancel();
   prepare();
   for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
   solved_.reset();
   for (const auto& slot : slot_) slot->contact.hold_shape(false);
-  const Status status = by_force_ ? meet_force() : solve_at(position_.z);
-  solved_ = Solved{position_, deviation_, z_};
+  const Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
+  solved_ = Solved{in_.position, in_.deviation, z_};
+  tell(status);
   return status;
 }
 
+// What a caller should know of a solve that is not plain success, as warnings.
+void WheelRail::tell(Status status) const {
+  if (!context_->hears(LogLevel::warning)) return;
+  double deepest = 0;
+  for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
+  if (status == Status::derailed)
+    context_->log(LogLevel::warning, "the wheel is beside its rail (y is %g): it has derailed", side_ * in_.position.y);
+  if (status == Status::too_deep)
+    context_->log(LogLevel::warning,
+                  "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
+                  "units",
+                  deepest, radius_, in_.by_force ? "the vertical force" : "z");
+  for (std::size_t i = 0; i < active_.size(); ++i)
+    if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut)
+      context_->log(LogLevel::warning, "patch %d (counting from 0), at y = %g of the wheel, ends where a profile does",
+                    static_cast<int>(i), patch.wheel_y);
+}
+
 void WheelRail::reset() {
-  for (const auto& slot : slot_) slot->contact.reset();
+  // Which contact serves a patch depends on those that are there.
+  for (auto& slot : slot_) {
+    grown_ += slot->contact.grown();
+    spare_.push_back(std::move(slot));
+  }
+  slot_.clear();
+  active_.clear();
   sink_ = 0;
   solved_.reset();
 }

@@ -2,6 +2,7 @@
 /// A wheel of a wheelset on its rail: profiles, position and velocity in, patches and forces out. docs/wheelrail.md.
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -38,10 +39,39 @@ class WheelRail {
   void set_friction(double mu);
   void set_accuracy(double accuracy);
 
-  /// ok or the first that fits of not_converged, rim_contact, coarse, no_contact.
+  /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
   Status solve();
   /// Forgets warm starts.
   void reset();
+
+  static constexpr std::int32_t places = 16;
+  /// Keeps what was set and the last solution at a place, 0 to places - 1. Allocates nothing where as much was kept
+  /// before.
+  void save(std::int32_t place);
+  /// Back to that, as if nothing had been done in between. err_state: nothing is there, or other dimensions have been
+  /// set since.
+  void restore(std::int32_t place);
+  /// A wheel of its own with the same inputs and the same last solution; context: null: the same.
+  std::unique_ptr<WheelRail> copy(std::shared_ptr<Context> context = nullptr) const;
+  /// Stops the solve that is running, if one is, before its next patch or height. Any thread.
+  void request_cancel() noexcept { cancel_.store(true); }
+  void forget_cancel() noexcept { cancel_.store(false); }
+  bool cancelled() const noexcept { return cancel_.load(); }
+  Context& context() const { return *context_; }
+  /// What is missing before a solve but position and velocity: err_state.
+  void require_ready_for_positions();
+
+  /// Where the rigid wheel touches the rigid rail, in the track.
+  struct Touch {
+    double height = 0;  ///< z of the wheelset then; infinite: the wheel is beside its rail, and nothing else is known
+    double x = 0, y = 0, z = 0, angle = 0, wheel_y = 0, rolling_radius = 0;
+  };
+  /// Without yaw; from track, wheelset and deviation of the rail alone.
+  Touch touch(double shift, double roll);
+  /// err_state: track or wheelset are not set.
+  void require_dimensions() const;
+  double side() const { return side_; }
+  double radius() const { return radius_; }
 
   // Of the last solve; err_state before one.
   std::int64_t patches() const;
@@ -69,15 +99,26 @@ class WheelRail {
     RailDeviation deviation;
     double z = 0;
   };
+  /// What may change between two solves.
+  struct Inputs {
+    WheelsetState position, velocity;
+    RailDeviation deviation, rate;
+    bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
+    double load = 0, friction = 0, accuracy = 0.01;
+  };
+  struct Kept;
   struct Stat;
   struct PatchStat;
   static const Stat stats[];
   static const PatchStat patch_stats[];
 
   void prepare();
+  void prepare_search();
+  Pose wheel_pose(const WheelsetState& position, double z) const;
   WheelMotion motion_at(double z) const;
   Status solve_at(double z);
   Status meet_force();
+  void tell(Status status) const;
   double first_sink(double touch);
   double vertical_force() const;
   double give_way_under_others(const Slot& slot) const;
@@ -87,28 +128,31 @@ class WheelRail {
   Pose rail_pose(const RailDeviation& deviation) const;
   Slot& add_slot();
   const Slot& active(std::int64_t i) const;
+  void keep(Kept& kept) const;
+  void return_to(const Kept& kept);
 
   std::shared_ptr<Context> context_;
   std::shared_ptr<Body> given_wheel_, given_rail_, wheel_, rail_;
   double side_;  ///< -1: everything is solved in a mirror
   std::optional<TrackGauge> track_;
   double back_to_back_ = 0, flange_back_ = 0, radius_ = 0;
-  bool wheelset_given_ = false, position_given_ = false, velocity_given_ = false, friction_given_ = false;
-  WheelsetState position_, velocity_;
-  RailDeviation deviation_, rate_;
-  bool by_force_ = false;
-  double load_ = 0, friction_ = 0, accuracy_ = 0.01;
+  bool wheelset_given_ = false;
+  std::int64_t dimensions_ = 0;  ///< times they were set
+  Inputs in_;
 
   // Made from these.
   std::optional<ContactSearch> search_;
   RailShape rail_shape_;
   std::vector<OverlapPatch> found_;
   std::vector<std::unique_ptr<Slot>> slot_;
+  std::vector<std::unique_ptr<Slot>> spare_;  ///< made after a state that was gone back to
   std::vector<Slot*> active_;
   double z_ = 0;
-  double sink_ = 0;  ///< beyond first touch, of the last solve with a force; 0: none
-  std::int64_t solves_ = 0;
+  double sink_ = 0;                      ///< beyond first touch, of the last solve with a force; 0: none
+  std::int64_t solves_ = 0, grown_ = 0;  ///< the second: frames of slots that a reset took out
   std::optional<Solved> solved_;
+  std::atomic<bool> cancel_{false};
+  std::vector<std::shared_ptr<Kept>> kept_;  ///< by place
 };
 
 }  // namespace rollcon

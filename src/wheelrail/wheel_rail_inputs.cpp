@@ -39,6 +39,7 @@ void WheelRail::set_track(double gauge, double gauge_height, double cant) {
   track_ = track;
   search_.reset();
   solved_.reset();
+  ++dimensions_;
 }
 
 void WheelRail::set_wheelset(double back_to_back, double flange_back, double radius) {
@@ -54,13 +55,14 @@ void WheelRail::set_wheelset(double back_to_back, double flange_back, double rad
   wheelset_given_ = true;
   search_.reset();
   solved_.reset();
+  ++dimensions_;
 }
 
 void WheelRail::set_rail_deviation(const double* deviation, const double* rate) {
   require_finite_vector(deviation, "deviation");
   require_finite_vector(rate, "rate");
-  deviation_ = {side_ * deviation[0], deviation[1], side_ * deviation[2]};
-  rate_ = {side_ * rate[0], rate[1], side_ * rate[2]};
+  in_.deviation = {side_ * deviation[0], deviation[1], side_ * deviation[2]};
+  in_.rate = {side_ * rate[0], rate[1], side_ * rate[2]};
 }
 
 void WheelRail::set_position(const double* position) {
@@ -68,15 +70,15 @@ void WheelRail::set_position(const double* position) {
   constexpr double most = 0.5;
   if (!(std::abs(now.roll) <= most && std::abs(now.yaw) <= most))
     fail(Status::err_argument, "roll is %g and yaw is %g; allowed: -0.5 to 0.5 (radian)", position[3], position[4]);
-  position_ = now;
-  position_given_ = true;
+  in_.position = now;
+  in_.position_given = true;
 }
 
 void WheelRail::set_velocity(const double* velocity) {
   const WheelsetState now = state_of(velocity, "velocity", side_);
   if (now.x == 0) fail(Status::err_argument, "the forward speed, entry 0 of velocity, is 0; allowed: any other");
-  velocity_ = now;
-  velocity_given_ = true;
+  in_.velocity = now;
+  in_.velocity_given = true;
 }
 
 void WheelRail::prescribe_vertical(std::int32_t how, double force) {
@@ -86,17 +88,17 @@ void WheelRail::prescribe_vertical(std::int32_t how, double force) {
   if (by_force) {
     require_finite(force, "force");
     if (!(force >= 0)) fail(Status::err_argument, "force is %g; allowed: >= 0, pressing the wheel on the rail", force);
-    load_ = force;
+    in_.load = force;
   }
-  by_force_ = by_force;
+  in_.by_force = by_force;
 }
 
 void WheelRail::set_friction(double mu) {
   require_finite(mu, "mu");
   constexpr double most = 10;
   if (!(mu >= 0 && mu <= most)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
-  friction_ = mu;
-  friction_given_ = true;
+  in_.friction = mu;
+  in_.friction_given = true;
 }
 
 void WheelRail::set_accuracy(double accuracy) {
@@ -104,7 +106,7 @@ void WheelRail::set_accuracy(double accuracy) {
   constexpr double least = 0.005;
   if (!(accuracy >= least && accuracy <= 1))
     fail(Status::err_argument, "accuracy is %g; allowed: 0.005 to 1", accuracy);
-  accuracy_ = accuracy;
+  in_.accuracy = accuracy;
 }
 
 }  // namespace rollcon

@@ -43,7 +43,7 @@ const WheelRail::Stat WheelRail::stats[] = {
     {"solves", [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
     {"frames_grown",
      [](const WheelRail& w) {
-       std::int64_t n = 0;
+       std::int64_t n = w.grown_;
        for (const auto& slot : w.slot_) n += slot->contact.grown();
        return static_cast<double>(n);
      }},
@@ -79,6 +79,7 @@ const WheelRail::PatchStat WheelRail::patch_stats[] = {
     {"spin_moment",
      [](const WheelRail& w, const PatchContact& p) { return -w.side_ * dot(p.moment(), p.overlap().normal); }},
     {"overlap", [](const WheelRail&, const PatchContact& p) { return p.overlap().overlap; }},
+    {"cut", [](const WheelRail&, const PatchContact& p) { return p.overlap().cut ? 1.0 : 0.0; }},
     {"share", [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
     {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("max_pressure"); }},
     {"area", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("contact_area"); }},

@@ -125,6 +125,11 @@ const char* const recorded_names[] = {
   "wheelrail_set_friction",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
+  "wheelrail_request_cancel",
+  "wheelrail_solve_many",
+  "wheelrail_save",
+  "wheelrail_restore",
+  "wheelrail_copy",
   "wheelrail_reset",
   "wheelrail_get_patch_count",
   "wheelrail_get_resultant",
@@ -135,6 +140,8 @@ const char* const recorded_names[] = {
   "wheelrail_patch_stat_count",
   "wheelrail_patch_stat_name",
   "wheelrail_get_contact",
+  "wheelrail_find_contact_points",
+  "wheelrail_find_conicity",
   "id_of",
   "context_from_id",
   "body_from_id",
@@ -160,7 +167,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 153;
+const int recorded_number = 160;
 
 enum {
   recorded_rollcon_version,
@@ -283,6 +290,11 @@ enum {
   recorded_rollcon_wheelrail_set_friction,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
+  recorded_rollcon_wheelrail_request_cancel,
+  recorded_rollcon_wheelrail_solve_many,
+  recorded_rollcon_wheelrail_save,
+  recorded_rollcon_wheelrail_restore,
+  recorded_rollcon_wheelrail_copy,
   recorded_rollcon_wheelrail_reset,
   recorded_rollcon_wheelrail_get_patch_count,
   recorded_rollcon_wheelrail_get_resultant,
@@ -293,6 +305,8 @@ enum {
   recorded_rollcon_wheelrail_patch_stat_count,
   recorded_rollcon_wheelrail_patch_stat_name,
   recorded_rollcon_wheelrail_get_contact,
+  recorded_rollcon_wheelrail_find_contact_points,
+  recorded_rollcon_wheelrail_find_conicity,
   recorded_rollcon_id_of,
   recorded_rollcon_context_from_id,
   recorded_rollcon_body_from_id,
@@ -1423,6 +1437,49 @@ rollcon_status rollcon_wheelrail_solve(rollcon_wheelrail *wheelrail) {
   return record_end();
 }
 
+rollcon_status rollcon_wheelrail_request_cancel(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_request_cancel);
+  record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *positions, const double *velocities, double *totals, int32_t *status) {
+  record_begin(recorded_rollcon_wheelrail_solve_many);
+  record_handle(wheelrail);
+  record_integer(n);
+  record_reals(positions, n * 6);
+  record_reals(velocities, n * 6);
+  record_room(totals);
+  record_room(status);
+  give_reals(totals, n * 9, 4);
+  give_integer32(status, n, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_save(rollcon_wheelrail *wheelrail, int32_t place) {
+  record_begin(recorded_rollcon_wheelrail_save);
+  record_handle(wheelrail);
+  record_integer(place);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_restore(rollcon_wheelrail *wheelrail, int32_t place) {
+  record_begin(recorded_rollcon_wheelrail_restore);
+  record_handle(wheelrail);
+  record_integer(place);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_copy(const rollcon_wheelrail *wheelrail,
+    rollcon_wheelrail **copy) {
+  record_begin(recorded_rollcon_wheelrail_copy);
+  record_handle(wheelrail);
+  record_room(copy);
+  if (copy) *copy = (rollcon_wheelrail*)give_handle(4);
+  return record_end();
+}
+
 rollcon_status rollcon_wheelrail_reset(rollcon_wheelrail *wheelrail) {
   record_begin(recorded_rollcon_wheelrail_reset);
   record_handle(wheelrail);
@@ -1510,6 +1567,32 @@ rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail *wheelrail,
   record_integer(patch);
   record_room(contact);
   if (contact) *contact = (rollcon_contact*)give_handle(3);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_contact_points(rollcon_wheelrail *left,
+    rollcon_wheelrail *right, int64_t n, const double *shift, double *points) {
+  record_begin(recorded_rollcon_wheelrail_find_contact_points);
+  record_handle(left);
+  record_handle(right);
+  record_integer(n);
+  record_reals(shift, n);
+  record_room(points);
+  give_reals(points, n * 13, 4);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_conicity(rollcon_wheelrail *left, rollcon_wheelrail *right,
+    int64_t n, const double *amplitude, double *conicity, double *wavelength) {
+  record_begin(recorded_rollcon_wheelrail_find_conicity);
+  record_handle(left);
+  record_handle(right);
+  record_integer(n);
+  record_reals(amplitude, n);
+  record_room(conicity);
+  record_room(wavelength);
+  give_reals(conicity, n, 4);
+  give_reals(wavelength, n, 5);
   return record_end();
 }
 

@@ -237,6 +237,16 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,
         rollcon_wheelrail_solve(object));
+  check("rollcon_wheelrail_request_cancel", true,
+        rollcon_wheelrail_request_cancel(object));
+  check("rollcon_wheelrail_solve_many", false,
+        rollcon_wheelrail_solve_many(object, 1, a.reals, a.reals, a.out, a.states));
+  check("rollcon_wheelrail_save", false,
+        rollcon_wheelrail_save(object, 1));
+  check("rollcon_wheelrail_restore", false,
+        rollcon_wheelrail_restore(object, 1));
+  check("rollcon_wheelrail_copy", false,
+        rollcon_wheelrail_copy(object, &a.wheelrail));
   check("rollcon_wheelrail_reset", false,
         rollcon_wheelrail_reset(object));
   check("rollcon_wheelrail_get_patch_count", false,
@@ -249,6 +259,10 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_get_patch_stat(object, 1, "never_written", a.out));
   check("rollcon_wheelrail_get_contact", false,
         rollcon_wheelrail_get_contact(object, 1, &a.contact));
+  check("rollcon_wheelrail_find_contact_points", false,
+        rollcon_wheelrail_find_contact_points(object, nullptr, 1, a.reals, a.out));
+  check("rollcon_wheelrail_find_conicity", false,
+        rollcon_wheelrail_find_conicity(object, nullptr, 1, a.reals, a.out, a.out));
 }
 
 template <class Check>

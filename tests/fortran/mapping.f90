@@ -11,7 +11,8 @@ module mapping
   type(rc_body) :: body, body2
   type(rc_contact) :: contact
   type(rc_wheelrail) :: wheelrail
-  integer :: ictx = 0, ibody = 0, ibody2 = 0, icon = 0, iwr = 0, failures = 0, checks = 0
+  type(rc_table) :: table
+  integer :: ictx = 0, ibody = 0, ibody2 = 0, icon = 0, iwr = 0, itab = 0, failures = 0, checks = 0
 
   interface
     function recorder_said(function) result(p) bind(c)
@@ -28,7 +29,7 @@ module mapping
       type(c_ptr) :: p
     end function
   end interface
-  external :: rcinit, rcbody, rcpair, rcwhel
+  external :: rcinit, rcbody, rcpair, rcwhel, rctabl
 
 contains
 
@@ -41,6 +42,8 @@ contains
     call told('contact_create', 'context1 body1 body2 room', 0)
     call wheelrail%create(context, body, body2, ROLLCON_LEFT)
     call told('wheelrail_create', 'context1 body1 body2 -1 room', 0)
+    call table%create(context)
+    call told('table_create', 'context1 room', 0)
   end subroutine
 
   subroutine begin_77()
@@ -50,6 +53,7 @@ contains
     call rcbody(ictx, 4, ibody2, ierr)
     call rcpair(ictx, ibody, ibody2, icon, ierr)
     call rcwhel(ictx, ibody, ibody2, -1, iwr, ierr)
+    call rctabl(ictx, itab, ierr)
   end subroutine
 
   subroutine answers(status)

@@ -42,8 +42,8 @@ contains
 
   subroutine references()
     external :: rckeep, rcfree
-    integer :: spare(4)
-    spare = [ictx, ibody2, icon, iwr]
+    integer :: spare(5)
+    spare = [ictx, ibody2, icon, iwr, itab]
     call rckeep(ictx, ierr)
     call told('context_retain', 'context1', ierr)
     call rckeep(ibody2, ierr)
@@ -52,6 +52,8 @@ contains
     call told('contact_retain', 'contact1', ierr)
     call rckeep(iwr, ierr)
     call told('wheelrail_retain', 'wheelrail1', ierr)
+    call rckeep(itab, ierr)
+    call told('table_retain', 'table1', ierr)
     call rcfree(spare(1), ierr)
     call told('context_release', 'context1', ierr)
     call rcfree(spare(2), ierr)
@@ -60,6 +62,8 @@ contains
     call told('contact_release', 'contact1', ierr)
     call rcfree(spare(4), ierr)
     call told('wheelrail_release', 'wheelrail1', ierr)
+    call rcfree(spare(5), ierr)
+    call told('table_release', 'table1', ierr)
     call demand(all(spare == 0), 'released handles are 0')
     call rcfree(spare(1), ierr)
     call status_is('release of 0', ierr, 0)
@@ -83,7 +87,7 @@ contains
   end subroutine
 
   subroutine callbacks()
-    external :: rcprog, rcnopr, rclog
+    external :: rcprog, rcnopr, rclog, rctprg, rctnop
     call rcprog(icon, watch, ierr)
     call told('contact_set_progress', 'contact1 1', ierr)
     call demand(seen, 'arguments of WATCH')
@@ -91,6 +95,10 @@ contains
     call told('event_get_real', '7 102 room', 0)
     call rcnopr(icon, ierr)
     call told('contact_set_progress', 'contact1 null', ierr)
+    call rctprg(itab, watch, ierr)
+    call told('table_set_progress', 'table1 1', ierr)
+    call rctnop(itab, ierr)
+    call told('table_set_progress', 'table1 null', ierr)
     seen = .false.
     call rclog(ictx, 3, sink, ierr)
     call told('context_set_log', 'context1 3 0', ierr)

@@ -103,6 +103,11 @@ program mapping_77_test
   call test_rcwfri()
   call test_rcwacc()
   call test_rcwslv()
+  call test_rcwstp()
+  call test_rcwmny()
+  call test_rcwsav()
+  call test_rcwbck()
+  call test_rcwcpy()
   call test_rcwrst()
   call test_rcwnpa()
   call test_rcwres()
@@ -111,6 +116,8 @@ program mapping_77_test
   call test_rcwpst()
   call test_rcwpsn()
   call test_rcwcon()
+  call test_rcwpts()
+  call test_rcwcnc()
   call test_rctabl()
   call test_rctlod()
   call test_rctstd()
@@ -1565,6 +1572,84 @@ contains
     call failed('wheelrail_solve', stat, message)
   end subroutine
 
+  subroutine test_rcwstp()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwstp(iwr, stat)
+    call told('wheelrail_request_cancel', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwstp(iwr, stat)
+    call rclerr(message)
+    call failed('wheelrail_request_cancel', stat, message)
+  end subroutine
+
+  subroutine test_rcwmny()
+    double precision :: totals(18)
+    integer :: istatus(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwmny(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], totals, istatus, stat)
+    call told('wheelrail_solve_many', &
+      'wheelrail1 2 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125 3.25 3.375 3.5] [3.125 3.25 3.375 3.5 3.625 3&
+    &.75 3.875 4 4.125 4.25 4.375 4.5] room room', &
+      stat)
+    call gave_reals('totals', totals, 400.5_rc_real)
+    call gave_integers('istatus', int(istatus), 500)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwmny(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], totals, istatus, stat)
+    call rclerr(message)
+    call failed('wheelrail_solve_many', stat, message)
+  end subroutine
+
+  subroutine test_rcwsav()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwsav(iwr, 11, stat)
+    call told('wheelrail_save', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwsav(iwr, 11, stat)
+    call rclerr(message)
+    call failed('wheelrail_save', stat, message)
+  end subroutine
+
+  subroutine test_rcwbck()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwbck(iwr, 11, stat)
+    call told('wheelrail_restore', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwbck(iwr, 11, stat)
+    call rclerr(message)
+    call failed('wheelrail_restore', stat, message)
+  end subroutine
+
+  subroutine test_rcwcpy()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwcpy(iwr, ih, stat)
+    call told('wheelrail_copy', 'wheelrail1 room', stat)
+    call gave_kind(ih, 4)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwcpy(iwr, ih, stat)
+    call rclerr(message)
+    call failed('wheelrail_copy', stat, message)
+  end subroutine
+
   subroutine test_rcwrst()
     integer :: stat
     character(len=80) :: message
@@ -1683,6 +1768,38 @@ contains
     call rcwcon(iwr, 11, ih, stat)
     call rclerr(message)
     call failed('wheelrail_get_contact', stat, message)
+  end subroutine
+
+  subroutine test_rcwpts()
+    double precision :: points(26)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpts(iwr, iwr, 2, [3.125d0, 3.25d0], points, stat)
+    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [3.125 3.25] room', stat)
+    call gave_reals('points', points, 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpts(iwr, iwr, 2, [3.125d0, 3.25d0], points, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_contact_points', stat, message)
+  end subroutine
+
+  subroutine test_rcwcnc()
+    double precision :: conicity(2)
+    double precision :: wavelength(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwcnc(iwr, iwr, 2, [3.125d0, 3.25d0], conicity, wavelength, stat)
+    call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [3.125 3.25] room room', stat)
+    call gave_reals('conicity', conicity, 400.5_rc_real)
+    call gave_reals('wavelength', wavelength, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwcnc(iwr, iwr, 2, [3.125d0, 3.25d0], conicity, wavelength, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_conicity', stat, message)
   end subroutine
 
   subroutine test_rctabl()

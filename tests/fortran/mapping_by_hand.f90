@@ -28,6 +28,7 @@ contains
     call results()
     call cases()
     call patches()
+    call wheelsets()
   end subroutine
 
   subroutine facts()
@@ -40,11 +41,46 @@ contains
     call told('status_string', '-7', 0)
   end subroutine
 
+  subroutine force_tables()
+    type(rc_table) :: other
+    real(rc_real), allocatable :: samples(:)
+    real(rc_real) :: inputs(9, 2), results(3, 2), derivatives(9, 3, 2)
+    integer :: i
+    character(len=*), parameter :: listed = '[1.5 2.5 3.5 4.5 5.5 6.5 7.5 8.5 9.5 10.5 11.5 12.5 13.5 14.5 15.5 '// &
+      '16.5 17.5 18.5]'
+    inputs = reshape([(i + 0.5_rc_real, i=1, 18)], [9, 2])
+    call other%load(context, 'a path ', stat, message)
+    call told('table_load', 'context1 <a path> room', stat)
+    call other%standard(context, stat, message)
+    call told('table_standard', 'context1 room', stat)
+    call table%evaluate(inputs, results, stat=stat)
+    call told('table_evaluate', 'table1 2 '//listed//' room', stat)
+    call gave_reals('results', reshape(results, [6]), 300.5_rc_real)
+    call table%evaluate(inputs, results, derivatives, stat)
+    call told('table_evaluate_derivatives', 'table1 2 '//listed//' room room', stat)
+    call gave_reals('derivatives', reshape(derivatives, [54]), 400.5_rc_real)
+    call table%get_samples(samples, stat)
+    call status_is('samples', stat, 0)
+    call table%evaluate(inputs(:8, :), results, stat=stat, errmsg=message)
+    call status_is('inputs of 8', stat, int(ROLLCON_ERR_ARGUMENT))
+    call answers(ROLLCON_ERR_STATE)
+    call other%load(context, 'a path', stat, message)
+    call failed('table_load', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call other%standard(context, stat, message)
+    call failed('table_standard', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call table%evaluate(inputs, results, derivatives, stat, message)
+    call failed('table_evaluate_derivatives', stat, message)
+    call answers(ROLLCON_OK)
+  end subroutine
+
   subroutine references()
     type(rc_context) :: other
     type(rc_body) :: one
     type(rc_contact) :: two
     type(rc_wheelrail) :: three
+    type(rc_table) :: four
     call told('context_create', '1 room', 0)
     other = context
     call told('context_retain', 'context1', 0)
@@ -54,6 +90,10 @@ contains
     call told('contact_retain', 'contact1', 0)
     three = wheelrail
     call told('wheelrail_retain', 'wheelrail1', 0)
+    four = table
+    call told('table_retain', 'table1', 0)
+    call four%free()
+    call told('table_release', 'table1', 0)
     call three%free()
     call told('wheelrail_release', 'wheelrail1', 0)
     call two%free()
@@ -71,6 +111,9 @@ contains
     call three%from_id(wheelrail%id(), stat)
     call told('wheelrail_from_id', '1073741825', stat)
     call told('id_of', 'wheelrail1', 0)
+    call four%from_id(table%id(), stat)
+    call told('table_from_id', '1342177281', stat)
+    call force_tables()
     call one%load(context, 'a path ', stat, message)
     call told('body_load', 'context1 <a path> room', stat)
     call demand(one%id() /= body2%id(), 'a body of its own')
@@ -122,6 +165,10 @@ contains
     call told('contact_set_progress', 'contact1 77', stat)
     call contact%set_progress(stat=stat)
     call told('contact_set_progress', 'contact1 null', stat)
+    call table%set_progress(watch, c_loc(mark), stat, message)
+    call told('table_set_progress', 'table1 77', stat)
+    call table%set_progress(stat=stat)
+    call told('table_set_progress', 'table1 null', stat)
     call context%set_log(ROLLCON_LOG_INFO, sink, stat=stat)
     call told('context_set_log', 'context1 3 0', stat)
     call context%set_log(ROLLCON_LOG_INFO, sink, c_loc(mark), stat)
@@ -443,6 +490,47 @@ contains
     call wheelrail%get_contact(1, of_patch, stat, message)
     call failed('wheelrail_get_contact', stat, message)
     call demand(.not. c_associated(of_patch%handle()), 'a failure leaves no contact')
+  end subroutine
+
+  subroutine wheelsets()
+    real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:), totals(:, :)
+    integer(rc_int), allocatable :: states(:)
+    type(rc_wheelrail) :: other
+    call answers(ROLLCON_OK)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real, 2.5_rc_real], points, stat, message)
+    call told('wheelrail_find_contact_points', 'wheelrail1 wheelrail1 2 [1.5 2.5] room', stat)
+    call gave_reals('points', reshape(points, [26]), 400.5_rc_real)
+    call wheelrail%find_conicity(wheelrail, [1.5_rc_real, 2.5_rc_real], conicity, wavelength, stat, message)
+    call told('wheelrail_find_conicity', 'wheelrail1 wheelrail1 2 [1.5 2.5] room room', stat)
+    call gave_reals('conicity', conicity, 400.5_rc_real)
+    call gave_reals('wavelength', wavelength, 500.5_rc_real)
+    call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      states, stat, message)
+    call told('wheelrail_solve_many', 'wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room', stat)
+    call gave_reals('totals', reshape(totals, [9]), 400.5_rc_real)
+    call demand(all(states == 500), 'states of positions')
+    call wheelrail%solve_many(reshape([1.5_rc_real], [1, 1]), reshape([1.5_rc_real], [1, 1]), totals, stat=stat)
+    call demand(stat == ROLLCON_ERR_ARGUMENT, 'six components')
+    call wheelrail%copy(other, stat, message)
+    call told('wheelrail_copy', 'wheelrail1 room', stat)
+    call told('wheelrail_retain', 'wheelrail2', stat)
+    call told('wheelrail_release', 'wheelrail2', stat)
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%copy(other, stat, message)
+    call failed('wheelrail_copy', stat, message)
+    call demand(.not. c_associated(other%handle()), 'a failure leaves no copy')
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%solve_many(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), totals, &
+      states, stat, message)
+    call failed('wheelrail_solve_many', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%find_contact_points(wheelrail, [1.5_rc_real], points, stat, message)
+    call failed('wheelrail_find_contact_points', stat, message)
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%find_conicity(wheelrail, [1.5_rc_real], conicity, wavelength, stat, message)
+    call failed('wheelrail_find_conicity', stat, message)
   end subroutine
 
 end module mapping_by_hand

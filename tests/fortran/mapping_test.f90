@@ -61,6 +61,9 @@ program mapping_test
   call wheelrail_set_friction()
   call wheelrail_set_accuracy()
   call wheelrail_solve()
+  call wheelrail_request_cancel()
+  call wheelrail_save()
+  call wheelrail_restore()
   call wheelrail_reset()
   call wheelrail_get_patch_count()
   call wheelrail_get_resultant()
@@ -830,6 +833,42 @@ contains
     message = ''
     call wheelrail%solve(stat, message)
     call failed('wheelrail_solve', stat, message)
+  end subroutine
+
+  subroutine wheelrail_request_cancel()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%request_cancel(stat, message)
+    call told('wheelrail_request_cancel', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%request_cancel(stat, message)
+    call failed('wheelrail_request_cancel', stat, message)
+  end subroutine
+
+  subroutine wheelrail_save()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%save(11, stat, message)
+    call told('wheelrail_save', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%save(11, stat, message)
+    call failed('wheelrail_save', stat, message)
+  end subroutine
+
+  subroutine wheelrail_restore()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%restore(11, stat, message)
+    call told('wheelrail_restore', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%restore(11, stat, message)
+    call failed('wheelrail_restore', stat, message)
   end subroutine
 
   subroutine wheelrail_reset()

@@ -18,6 +18,7 @@ program wheelrail_test
   call make(rail, '60e1')
   call by_2008()
   call by_77()
+  call geometry()
   if (failures > 0) error stop 1
 
 contains
@@ -68,6 +69,33 @@ contains
     call demand(abs(norm2(of_patch) - norm2(force)) < 1e-9_rc_real*load, 'the contact outlives the wheel on its rail')
     call rc_wheelrail_stat_name(1, name)
     call demand(name == 'z' .and. rc_wheelrail_patch_stat_count() > rc_wheelrail_stat_count(), 'names of statistics')
+  end subroutine
+
+  !> Rigid geometry of a wheelset, by both layers.
+  subroutine geometry()
+    external :: rcwpts, rcwcnc
+    type(rc_wheelrail) :: left, right
+    real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:)
+    double precision :: p(13, 2), c(1), w(1)
+    integer :: ierr, stat
+    call left%create(context, wheel, rail, ROLLCON_LEFT)
+    call right%create(context, wheel, rail, ROLLCON_RIGHT)
+    call left%find_contact_points(right, [0.0_rc_real], points, stat)
+    call demand(stat == ROLLCON_ERR_STATE, 'dimensions are missing')
+    call left%set_track(1435.0_rc_real, 14.0_rc_real, cant)
+    call left%set_wheelset(1360.0_rc_real, -70.0_rc_real, 460.0_rc_real)
+    call right%set_track(1435.0_rc_real, 14.0_rc_real, cant)
+    call right%set_wheelset(1360.0_rc_real, -70.0_rc_real, 460.0_rc_real)
+    call left%find_contact_points(right, [-2.0_rc_real, 2.0_rc_real], points)
+    call demand(all(shape(points) == [13, 2]) .and. abs(points(3, 1) + points(3, 2)) < 1e-9_rc_real, 'odd difference')
+    call demand(abs(points(4, 1) + points(9, 2)) < 1e-9_rc_real, 'mirrored points')
+    call left%find_conicity(right, [3.0_rc_real], conicity, wavelength)
+    write (*, '(a, f8.5, a)') 'conicity at 3 mm: ', conicity(1), ' (bound 0.18 within 0.002)'
+    call demand(abs(conicity(1) - 0.18_rc_real) < 2e-3_rc_real, 'conicity')
+    call rcwpts(left%id(), right%id(), 2, [-2d0, 2d0], p, ierr)
+    call demand(ierr == 0 .and. all(p == points), 'RCWPTS')
+    call rcwcnc(left%id(), right%id(), 1, [3d0], c, w, ierr)
+    call demand(ierr == 0 .and. c(1) == conicity(1) .and. w(1) == wavelength(1), 'RCWCNC')
   end subroutine
 
   subroutine by_77()

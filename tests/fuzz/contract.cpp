@@ -20,6 +20,8 @@ const std::map<std::string, std::int32_t>& status_numbers() {
                                                               {"ROLLCON_CANCELLED", ROLLCON_CANCELLED},
                                                               {"ROLLCON_RIM_CONTACT", ROLLCON_RIM_CONTACT},
                                                               {"ROLLCON_COARSE", ROLLCON_COARSE},
+                                                              {"ROLLCON_TOO_DEEP", ROLLCON_TOO_DEEP},
+                                                              {"ROLLCON_DERAILED", ROLLCON_DERAILED},
                                                               {"ROLLCON_ERR_ARGUMENT", ROLLCON_ERR_ARGUMENT},
                                                               {"ROLLCON_ERR_HANDLE", ROLLCON_ERR_HANDLE},
                                                               {"ROLLCON_ERR_NONFINITE", ROLLCON_ERR_NONFINITE},

@@ -29,6 +29,7 @@ class Mapping(unittest.TestCase):
         cls.body, cls.other = rc.Body(cls.context, "fem"), rc.Body(cls.context, rc.BODY_RIGID)
         cls.contact = rc.Contact(cls.context, cls.body, cls.other)
         cls.wheelrail = rc.WheelRail(cls.context, cls.body, cls.other, "left")
+        cls.table = rc.Table(cls.context)
 
     def tearDown(self):
         lib.recorder_answers(rc.OK)
@@ -94,7 +95,8 @@ class Mapping(unittest.TestCase):
         self.told("body_create", "context1 4 room")
         self.told("contact_create", "context1 body1 body2 room")
         self.told("wheelrail_create", "context1 body1 body2 -1 room")
-        for kind in ("context", "body", "contact", "wheelrail"):
+        self.told("table_create", "context1 room")
+        for kind in ("context", "body", "contact", "wheelrail", "table"):
             thing = getattr(self, kind)
             again = type(thing).__new__(type(thing))
             again.__dict__.update(thing.__dict__)
@@ -269,6 +271,28 @@ class Mapping(unittest.TestCase):
             self.contact.solve_many(np.array([[rc.LATERAL, rc.NORMAL]]), [[1.0]])
         self.fails(self.contact.solve_many, [rc.LATERAL], [[1.0]])
 
+    def test_tables(self):
+        rows = np.arange(18.0).reshape(2, 9)
+        written = "[" + " ".join(f"{v:g}" for v in rows.ravel()) + "]"
+        rc.Table.load(self.context, "a path")
+        self.told("table_load", "context1 <a path> room")
+        rc.Table.standard(self.context)
+        self.told("table_standard", "context1 room")
+        self.assertEqual(self.table.evaluate(rows).shape, (2, 3))
+        self.told("table_evaluate", f"table1 2 {written} room")
+        results, by = self.table.evaluate(rows[0], derivatives=True)
+        self.assertEqual((results.shape, by.shape), ((3,), (3, 9)))
+        self.assertEqual(self.table.make(), rc.OK)
+        self.told("table_make", "table1 0 1")
+        self.table.samples
+        self.table.set_progress(lambda e: True)
+        self.assertEqual(said("table_set_progress")[:7], "table1 ")
+        self.table.set_progress(None)
+        self.told("table_set_progress", "table1 null")
+        self.fails(self.table.evaluate, rows)
+        self.fails(self.table.make)
+        self.fails(rc.Table.standard, self.context)
+
     def test_patches(self):
         wheelrail = self.wheelrail
         of_patch = wheelrail.contact(11)
@@ -279,6 +303,38 @@ class Mapping(unittest.TestCase):
         self.refuses("6 components", wheelrail.set_position, [0, 0, 0])
         self.refuses("allowed: track", wheelrail.resultant, "local")
         self.fails(wheelrail.contact, 0)
+
+    def test_wheelsets(self):
+        wheelrail = self.wheelrail
+        points = rc.contact_points(wheelrail, wheelrail, [1.5, 2.5])
+        self.told("wheelrail_find_contact_points", "wheelrail1 wheelrail1 2 [1.5 2.5] room")
+        numbers = np.arange(26).reshape(2, 13) + 400.5
+        for column, got in zip(numbers.T, (points.z, points.roll, points.difference, points.left.y, points.left.z,
+                                           points.left.angle, points.left.wheel_y, points.left.rolling_radius,
+                                           points.right.y, points.right.z, points.right.angle, points.right.wheel_y,
+                                           points.right.rolling_radius)):
+            np.testing.assert_array_equal(got, column)
+        found, wavelength = rc.conicity(wheelrail, wheelrail, [1.5, 2.5])
+        self.told("wheelrail_find_conicity", "wheelrail1 wheelrail1 2 [1.5 2.5] room room")
+        np.testing.assert_array_equal(found, [400.5, 401.5])
+        np.testing.assert_array_equal(wavelength, [500.5, 501.5])
+        positions, velocities = [[1.5, 2.5, 3.5, 4.5, 5.5, 6.5]], [[6.5, 5.5, 4.5, 3.5, 2.5, 1.5]]
+        many = wheelrail.solve_many(positions, velocities)
+        self.told("wheelrail_solve_many",
+                  "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] room room")
+        np.testing.assert_array_equal(many.force, [[400.5, 401.5, 402.5]])
+        np.testing.assert_array_equal(many.moment, [[403.5, 404.5, 405.5]])
+        np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]], [406.5, 407.5, 408.5])
+        np.testing.assert_array_equal(many.status, [500])
+        self.refuses("2 positions, but 1", wheelrail.solve_many, 2 * positions, velocities)
+        other = wheelrail.copy()
+        self.told("wheelrail_copy", "wheelrail1 room")
+        self.assertEqual(other.id, wheelrail.id + 1)
+        other.close()
+        self.fails(wheelrail.copy)
+        self.fails(wheelrail.solve_many, positions, velocities)
+        self.fails(rc.contact_points, wheelrail, wheelrail, [1.5])
+        self.fails(rc.conicity, wheelrail, wheelrail, [1.5])
 
     def test_z_every_function_is_called(self):
         """But those that are for layers over C."""

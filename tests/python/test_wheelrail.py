@@ -17,6 +17,7 @@ class OnRail(unittest.TestCase):
             body.set_elastic(2 * 82000 * 1.28, 0.28)
             body.set_profile_shape(shape, [1.0])
             bodies.append(body)
+        self.bodies = bodies
         self.wheelrail = rc.WheelRail(self.context, *bodies, side="right")
         self.wheelrail.set_track(1435, 14, math.atan(1 / 40))
         self.wheelrail.set_wheelset(1360, -70, 460)
@@ -53,6 +54,18 @@ class OnRail(unittest.TestCase):
         self.wheelrail.close()
         np.testing.assert_array_equal(contact.resultant()[0], force)
         self.assertEqual(contact.tractions().shape, (contact.size[0], 3))
+
+    def test_conicity(self):
+        """Often quoted as 0.18 at 3 mm."""
+        wheelset = [rc.WheelRail(self.context, *self.bodies, side=side) for side in ("left", "right")]
+        for wheel in wheelset:
+            wheel.set_track(1435, 14, math.atan(1 / 40))
+            wheel.set_wheelset(1360, -70, 460)
+        found, _ = rc.conicity(*wheelset, [3.0])
+        self.assertAlmostEqual(found[0], 0.18, delta=0.002)
+        points = rc.contact_points(*wheelset, [-2.0, 0.0, 2.0])
+        np.testing.assert_allclose(points.difference, -points.difference[::-1], atol=1e-9)
+        np.testing.assert_allclose(points.left.y, -points.right.y[::-1], atol=1e-9)
 
 
 if __name__ == "__main__":

@@ -17,6 +17,8 @@ CANCELLED = 3
 RIM_CONTACT = 4
 COARSE = 5
 INACCURATE = 6
+TOO_DEEP = 7
+DERAILED = 8
 ERR_ARGUMENT = -1
 ERR_HANDLE = -2
 ERR_NONFINITE = -3
@@ -137,6 +139,8 @@ STATUS_NAMES = {
     4: "RIM_CONTACT",
     5: "COARSE",
     6: "INACCURATE",
+    7: "TOO_DEEP",
+    8: "DERAILED",
     -1: "ERR_ARGUMENT",
     -2: "ERR_HANDLE",
     -3: "ERR_NONFINITE",
@@ -330,6 +334,13 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_solve_many": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
+    "rollcon_wheelrail_save": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_restore": (c_int32, [c_void_p, c_int32]),
+    "rollcon_wheelrail_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "rollcon_wheelrail_reset": (c_int32, [c_void_p]),
     "rollcon_wheelrail_get_patch_count": (c_int32, [c_void_p, POINTER(c_int64)]),
     "rollcon_wheelrail_get_resultant": (c_int32, [
@@ -342,6 +353,12 @@ FUNCTIONS = {
     "rollcon_wheelrail_patch_stat_count": (c_int32, []),
     "rollcon_wheelrail_patch_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
     "rollcon_wheelrail_get_contact": (c_int32, [c_void_p, c_int32, POINTER(c_void_p)]),
+    "rollcon_wheelrail_find_contact_points": (c_int32, [
+        c_void_p, c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wheelrail_find_conicity": (c_int32, [
+        c_void_p, c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_id_of": (c_int32, [c_void_p]),
     "rollcon_context_from_id": (c_void_p, [c_int32]),
     "rollcon_body_from_id": (c_void_p, [c_int32]),
@@ -375,10 +392,10 @@ FUNCTIONS = {
 ENUMERATORS = {
     "status": {
         "ok": 0, "not_converged": 1, "no_contact": 2, "cancelled": 3, "rim_contact": 4, "coarse":
-        5, "inaccurate": 6, "err_argument": -1, "err_handle": -2, "err_nonfinite": -3, "err_mesh":
-        -4, "err_state": -5, "err_option": -6, "err_capacity": -7, "err_singular": -8,
-        "err_memory": -9, "err_unsupported": -10, "err_busy": -11, "err_load": -12, "err_io": -13,
-        "err_internal": -99
+        5, "inaccurate": 6, "too_deep": 7, "derailed": 8, "err_argument": -1, "err_handle": -2,
+        "err_nonfinite": -3, "err_mesh": -4, "err_state": -5, "err_option": -6, "err_capacity":
+        -7, "err_singular": -8, "err_memory": -9, "err_unsupported": -10, "err_busy": -11,
+        "err_load": -12, "err_io": -13, "err_internal": -99
     },
     "body kind": {
         "fem": 1, "bem": 2, "halfspace": 3, "rigid": 4, "body_fem": 1, "body_bem": 2,
@@ -617,6 +634,14 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
     "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],
+    "rollcon_wheelrail_request_cancel": [("wheelrail", "")],
+    "rollcon_wheelrail_solve_many": [
+        ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("totals", ""),
+        ("status", "")
+    ],
+    "rollcon_wheelrail_save": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_restore": [("wheelrail", ""), ("place", "")],
+    "rollcon_wheelrail_copy": [("wheelrail", ""), ("copy", "")],
     "rollcon_wheelrail_reset": [("wheelrail", "")],
     "rollcon_wheelrail_get_patch_count": [("wheelrail", ""), ("patches", "")],
     "rollcon_wheelrail_get_resultant": [
@@ -633,6 +658,13 @@ ARGUMENTS = {
         ("i", ""), ("capacity", ""), ("text", ""), ("needed", "")
     ],
     "rollcon_wheelrail_get_contact": [("wheelrail", ""), ("patch", ""), ("contact", "")],
+    "rollcon_wheelrail_find_contact_points": [
+        ("left", ""), ("right", ""), ("n", ""), ("shift", ""), ("points", "")
+    ],
+    "rollcon_wheelrail_find_conicity": [
+        ("left", ""), ("right", ""), ("n", ""), ("amplitude", ""), ("conicity", ""),
+        ("wavelength", "")
+    ],
     "rollcon_id_of": [("handle", "")],
     "rollcon_context_from_id": [("id", "")],
     "rollcon_body_from_id": [("id", "")],

@@ -637,11 +637,37 @@ class WheelrailPlain:
     def solve(self):
         """Finds the patches and solves each as a steady rolling contact, from the last solution
         where there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED,
-        RIM_CONTACT (a patch ends at the end of a profile, or is not within its frame), COARSE,
-        NO_CONTACT, OK. ERR_STATE names the call that is missing. ERR_LOAD: with this y no height
-        brings the wheel on the rail.
+        DERAILED, TOO_DEEP, RIM_CONTACT (a patch ends at the end of a profile, or is not within
+        its frame), COARSE, NO_CONTACT (the wheel is lifted), OK; the log has the numbers.
+        ERR_STATE names the call that is missing. ERR_ARGUMENT: with this z wheel and rail overlap
+        by more than a tenth of the wheel's radius. ERR_LOAD: with this y no height brings the
+        wheel on the rail, or no overlap up to a tenth of the radius carries the vertical force.
         """
         return self._call("solve")
+
+    def request_cancel(self):
+        """Asks a running solve() or solve_many() to stop (an atomic store) before its next patch,
+        height or position. It returns CANCELLED; the wheel stays usable.
+        """
+        self._call("request_cancel")
+
+    def save(self, place):
+        """Keeps what is set and the last solution at a place within the wheel, for restore():
+        integrators step back. Nothing is allocated where as much was kept before.
+
+        place: 0 to 15.
+        """
+        self._call("save", place)
+
+    def restore(self, place):
+        """Goes back to what was kept: inputs, results, and later solves are as if nothing had
+        been done since, to the last bit. ERR_STATE: nothing was kept at this place, or track or
+        wheelset have been set since. What was kept stays. Contacts of patches that were new since
+        then are no longer those of this wheel.
+
+        place: 0 to 15.
+        """
+        self._call("restore", place)
 
     def reset(self):
         """Forgets the solution and the warm starts; keeps what was set and all that was computed

@@ -32,6 +32,18 @@ class Event:
         lambda self: self._read(lib.rollcon_event_get_real, _api.EVENT_SECONDS, c_double))
 
 
+def progress_function(callback, raised):
+    """What the library calls; what the callback raises is kept in `raised` and cancels."""
+
+    def call(address, _):
+        try:
+            return int(bool(callback(Event(address))))
+        except BaseException as error:
+            raised.append(error)
+            return 1
+    return _api.progress_fn() if callback is None else _api.progress_fn(call)
+
+
 class Cases:
     """Results of Contact.solve_many, one row per case; NaN where a case has none.
 
@@ -113,15 +125,7 @@ class Contact(Settings, ContactPlain, Handle):
 
         What the callback raises cancels the solve, which then raises it.
         """
-        raised = self._raised
-
-        def call(address, _):
-            try:
-                return int(bool(callback(Event(address))))
-            except BaseException as error:
-                raised.append(error)
-                return 1
-        wrapped = _api.progress_fn() if callback is None else _api.progress_fn(call)
+        wrapped = progress_function(callback, self._raised)
         self._call("set_progress", wrapped, None)
         self._callbacks["progress"] = wrapped
 

@@ -6,8 +6,9 @@ from ctypes import byref, c_int64
 import numpy as np
 
 from ._arrays import reals, room
-from ._library import Handle, c_path, check, lib
+from ._library import Handle, c_path, call, check, lib
 from ._plain import TablePlain
+from .contact import progress_function
 
 
 class Table(TablePlain, Handle):
@@ -24,6 +25,7 @@ class Table(TablePlain, Handle):
             _made = ctypes.c_void_p()
             check(lib.rollcon_table_create(context.handle, byref(_made)))
         super().__init__(_made.value, context)
+        self._raised = []  # what a progress callback raised
 
     @classmethod
     def standard(cls, context):
@@ -39,9 +41,20 @@ class Table(TablePlain, Handle):
         check(lib.rollcon_table_load(context.handle, c_path(path), byref(made)))
         return cls(context, made)
 
+    def set_progress(self, callback):
+        """callback(event) is called about ten times a second while make() works; a true result cancels, and so does
+        what it raises, which make() then raises. None removes it."""
+        wrapped = progress_function(callback, self._raised)
+        self._call("set_progress", wrapped, None)
+        self._callbacks["progress"] = wrapped
+
     def make(self, part=0, parts=1):
         """Solves a part of the samples; the status: OK or CANCELLED."""
-        return self._call("make", part, parts)
+        self._raised.clear()
+        status = call(lib.rollcon_table_make, self._handle, part, parts)
+        if self._raised:
+            raise self._raised.pop()
+        return check(status)
 
     @property
     def samples(self):

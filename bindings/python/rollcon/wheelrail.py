@@ -3,9 +3,59 @@
 import ctypes
 from ctypes import byref
 
+import numpy as np
+
+from ._arrays import reals, room
 from ._library import Handle, call, check, lib
 from ._plain import WheelrailPlain
 from .contact import Contact
+
+
+class Touch:
+    """Where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's
+    profile, rolling_radius; [n] each."""
+
+    def __init__(self, table):
+        self.y, self.z, self.angle, self.wheel_y, self.rolling_radius = table.T.copy()
+
+
+class Positions:
+    """Results of WheelRail.solve_many: worst, the call's status; status[n]; force[n, 3] and
+    moment[n, 3] on the wheel in the track, z, vertical_force, friction_power, [n] each; NaN where
+    there are none."""
+
+    def __init__(self, worst, status, totals):
+        self.worst, self.status = worst, status
+        self.force, self.moment = totals[:, :3].copy(), totals[:, 3:6].copy()
+        self.z, self.vertical_force, self.friction_power = totals[:, 6:].T.copy()
+
+
+class ContactPoints:
+    """Results of contact_points: shift, z and roll of the wheelset, its rolling-radius difference
+    (right less left), [n] each; left and right, a Touch each."""
+
+    def __init__(self, shift, table):
+        self.shift = shift
+        self.z, self.roll, self.difference = table[:, :3].T.copy()
+        self.left, self.right = Touch(table[:, 3:8]), Touch(table[:, 8:])
+
+
+def contact_points(left, right, shift):
+    """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n], without
+    yaw: a ContactPoints. left, right: the WheelRail of each side, with track and wheelset set."""
+    shift, shift_at = reals(shift)
+    table, table_at = room(len(shift), 13)
+    left._call("find_contact_points", right.handle, len(shift), shift_at, table_at)
+    return ContactPoints(shift, table)
+
+
+def conicity(left, right, amplitude):
+    """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion."""
+    amplitude, amplitude_at = reals(amplitude)
+    found, found_at = room(len(amplitude))
+    wavelength, wavelength_at = room(len(amplitude))
+    left._call("find_conicity", right.handle, len(amplitude), amplitude_at, found_at, wavelength_at)
+    return found, wavelength
 
 
 class WheelRail(WheelrailPlain, Handle):
@@ -21,6 +71,30 @@ class WheelRail(WheelrailPlain, Handle):
         check(call(lib.rollcon_wheelrail_create, context.handle, wheel.handle, rail.handle, side,
                    byref(made)))
         super().__init__(made.value, context)
+
+    @classmethod
+    def _of_handle(cls, handle, context):
+        wheelrail = cls.__new__(cls)
+        Handle.__init__(wheelrail, handle, context)
+        return wheelrail
+
+    def copy(self):
+        """Another WheelRail with the same bodies, inputs and last solution: both go on alike."""
+        made = ctypes.c_void_p()
+        self._call("copy", byref(made))
+        return WheelRail._of_handle(made.value, self._context)
+
+    def solve_many(self, positions, velocities):
+        """Solves positions[n, 6] with velocities[n, 6] on the threads of the context, each by
+        itself from nothing; a Positions."""
+        positions, positions_at = reals(positions, 6)
+        velocities, velocities_at = reals(velocities, 6)
+        if len(positions) != len(velocities):
+            raise ValueError(f"{len(positions)} positions, but {len(velocities)} velocities")
+        totals, totals_at = room(len(positions), 9)
+        status, status_at = room(len(positions), dtype=np.int32)
+        worst = self._call("solve_many", len(positions), positions_at, velocities_at, totals_at, status_at)
+        return Positions(worst, status, totals)
 
     def contact(self, patch):
         """The Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""

@@ -165,6 +165,13 @@ void LinearSolver::forget() {
   kept_.forget();
 }
 
+void LinearSolver::forget_all() {
+  forget();
+  for (double& d : decades_) d = 0;
+  fresh_decades_ = usual_decades;
+  excess_ = 0;
+}
+
 std::size_t LinearSolver::bytes() const {
   std::size_t sum = lu_.bytes() + normal_lu_.bytes() + gmres_.bytes() + kept_.bytes() + free_.bytes();
   if (field_blocks_) sum += field_blocks_->bytes();

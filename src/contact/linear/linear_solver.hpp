@@ -36,6 +36,8 @@ class LinearSolver {
   void forget_exact();
   /// Forgets the kept factors, for instance when the operators change.
   void forget();
+  /// And how well they served.
+  void forget_all();
 
   std::int64_t iterations = 0;      ///< Krylov, since construction
   std::int64_t factorizations = 0;  ///< dense, since construction
@@ -64,9 +66,10 @@ class LinearSolver {
   std::unique_ptr<FieldPreconditioner> field_blocks_;
   RecyclingGcr gcr_[3];  ///< of solve_exactly(), one per part
   std::vector<double> reduced_, found_, check_;
-  double decades_[3] = {};    ///< of the residual per Krylov iteration, in the part's last system
-  double fresh_decades_ = 7;  ///< likewise with factors just made
-  int excess_ = 0;            ///< Krylov iterations beyond those of fresh factors
+  double decades_[3] = {};  ///< of the residual per Krylov iteration, in the part's last system
+  static constexpr double usual_decades = 7;
+  double fresh_decades_ = usual_decades;  ///< likewise with factors just made
+  int excess_ = 0;                        ///< Krylov iterations beyond those of fresh factors
 };
 
 }  // namespace rollcon

@@ -29,6 +29,11 @@ void Newton::operators_changed() {
   iteration_.prediction.forget();
 }
 
+void Newton::forget_all() {
+  operators_changed();
+  iteration_.linear.forget_all();
+}
+
 std::size_t Newton::bytes() const {
   return iteration_.bytes() + sizeof(double) * judged_.capacity();
 }

@@ -32,6 +32,8 @@ class Newton {
   void move_datum(double change) { iteration_.prediction.move_datum(change); }
   /// To be called when the operators or scales were assembled anew.
   void operators_changed();
+  /// The next solve depends on the iterate that it is given alone.
+  void forget_all();
   std::size_t bytes() const;
 
  private:

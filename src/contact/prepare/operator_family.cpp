@@ -38,6 +38,14 @@ double row_factor(std::size_t r, double width) {
   return r == 2 ? width : 1;
 }
 
+/// Without the rounding of where it was computed.
+double rounded(double value) {
+  constexpr int bits = 40;
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits)), exponent - bits);
+}
+
 }  // namespace
 
 void OperatorFamily::belong_to(std::int64_t version, bool tangential) {
@@ -96,8 +104,13 @@ const OperatorFamily::Entry& OperatorFamily::on_grid(std::int64_t step, const As
   return add(std::exp(spacing * static_cast<double>(step)), 0, step, assemble);
 }
 
-std::int64_t OperatorFamily::fill(const FramePlace& place, const Assemble& assemble, DenseOperators& op) {
-  const double length = place.length / place.width, shear = place.shear / place.width;
+std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, const Assemble& assemble,
+                                  DenseOperators& op) {
+  double length = place.length / place.width, shear = place.shear / place.width;
+  if (in_steps) {
+    length = rounded(length);
+    shear = rounded(shear);
+  }
   const double before = last_length_;
   assemblies_ = 0;
   last_length_ = length;
@@ -107,7 +120,8 @@ std::int64_t OperatorFamily::fill(const FramePlace& place, const Assemble& assem
   part[0] = beside_grid(length, shear);
   if (!part[0]) {
     // A shape that changes little by little will come back; others are assembled as they are, one at a time.
-    const bool following = before > 0 && std::abs(std::log(length / before)) < 2 * spacing && std::abs(shear) < same;
+    const bool following =
+        !in_steps && before > 0 && std::abs(std::log(length / before)) < 2 * spacing && std::abs(shear) < same;
     if (following) {
       const double place_on_grid = std::log(length) / spacing, floor = std::floor(place_on_grid);
       share = cubic(place_on_grid - floor);

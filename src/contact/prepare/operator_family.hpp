@@ -20,7 +20,8 @@ class OperatorFamily {
   /// Whose operators they are; another number forgets all.
   void belong_to(std::int64_t version, bool tangential);
   /// The operators at a place, into blocks that are there or are made at the first call. How many were assembled.
-  std::int64_t fill(const FramePlace& place, const Assemble& assemble, DenseOperators& op);
+  /// in_steps: of this shape itself, whatever came before.
+  std::int64_t fill(const FramePlace& place, bool in_steps, const Assemble& assemble, DenseOperators& op);
   std::size_t bytes() const;
 
  private:

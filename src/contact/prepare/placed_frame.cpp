@@ -5,19 +5,14 @@
 
 namespace rollcon {
 
-void UnitFrame::take_frame(const Frame& frame, const Problem& problem, const FramePlace& place) {
-  const std::size_t n = frame.x.size();
-  const double stretch = place.length * place.width;
-  for (auto* v : {&x_, &y_, &weight_, &cell_area_, &moment_x_, &moment_y_}) v->resize(n);
-  area_ = frame.area / stretch;
-  for (std::size_t k = 0; k < n; ++k) {
-    y_[k] = frame.y[k] / place.width;
-    x_[k] = (frame.x[k] - place.shear * y_[k]) / place.length;
-    weight_[k] = frame.weight[k] / stretch;
-    cell_area_[k] = frame.cell_area[k] / stretch;
-    moment_y_[k] = problem.moment_y[k] / (stretch * place.width);
-    moment_x_[k] = (problem.moment_x[k] / stretch - place.shear * moment_y_[k]) / place.length;
-  }
+void UnitFrame::take_frame(const Frame& frame, const Problem& problem) {
+  area_ = frame.area;
+  x_ = frame.x;
+  y_ = frame.y;
+  weight_ = frame.weight;
+  cell_area_ = frame.cell_area;
+  moment_x_ = problem.moment_x;
+  moment_y_ = problem.moment_y;
   find_mirror();
 }
 
@@ -36,13 +31,10 @@ void UnitFrame::find_mirror() {
   }
 }
 
-void UnitFrame::take_convection(const Frame& frame, const Convection& convection, const FramePlace& place) {
-  ahead_.resize(frame.x.size());
-  slip_.resize(frame.x.size());
-  for (std::size_t k = 0; k < ahead_.size(); ++k) {
-    ahead_[k] = convection.ahead[k] / place.length;
-    slip_[k] = (convection.slip_x[k] - frame.x[k]) / place.length;
-  }
+void UnitFrame::take_convection(const Frame& frame, const Convection& convection) {
+  ahead_ = convection.ahead;
+  slip_ = convection.slip_x;
+  for (std::size_t k = 0; k < slip_.size(); ++k) slip_[k] -= frame.x[k];
 }
 
 void UnitFrame::put_frame(const FramePlace& place, const std::vector<Vec3>& node, Frame& frame) const {

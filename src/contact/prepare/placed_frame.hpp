@@ -14,9 +14,9 @@ namespace rollcon {
 /// A flat frame and its characteristic scheme as they would be on the mesh before it was placed (FramePlace).
 class UnitFrame {
  public:
-  /// From the frame at `place`.
-  void take_frame(const Frame& frame, const Problem& problem, const FramePlace& place);
-  void take_convection(const Frame& frame, const Convection& convection, const FramePlace& place);
+  /// From the frame on that mesh itself, at length 1 and width 1, and the scheme there.
+  void take_frame(const Frame& frame, const Problem& problem);
+  void take_convection(const Frame& frame, const Convection& convection);
 
   /// Node at (X, -Y) for each; empty: there is none for some, or nodes of Y < 0 do not come first.
   std::span<const std::int32_t> mirror() const { return mirror_; }

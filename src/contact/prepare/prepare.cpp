@@ -106,6 +106,18 @@ void put_in_place(SolverState& state, const Scene& scene) {
   if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;
 }
 
+// The unit frame does not depend on where the first one lies, nor does what is made from it.
+void take_unit_frame(Preparation& preparation, const Scene& scene) {
+  Prepared& on = *preparation.made;
+  Frame unit = build_frame(scene.mesh_at({}), scene.axes());
+  unit.used = on.frame.used;
+  Problem of_unit;
+  take_frame(of_unit, unit);
+  preparation.unit.take_frame(unit, of_unit);
+  preparation.unit.put_frame(on.place, scene.mesh().node, on.frame);
+  preparation.unit.put_problem(on.place, on.problem);
+}
+
 void build_frame_part(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
@@ -133,7 +145,8 @@ void build_frame_part(SolverState& state, const Scene& scene) {
     take_frame(on.problem, on.frame);
     preparation.place.enter(preparation.frame.version(), scene.revision.place);
     on.placed = scene.placed();
-    if (on.placed && !on.frame.curved()) preparation.unit.take_frame(on.frame, on.problem, on.place);
+    on.in_steps = scene.placed_in_steps();
+    if (on.placed && !on.frame.curved()) take_unit_frame(preparation, scene);
     if (!same_size) {
       state.iterate.resize(on.problem.nodes);
       state.warm_usable = false;
@@ -173,8 +186,13 @@ void build_stencils(SolverState& state, const Scene& scene) {
   else
     forget_operators(preparation);
   on.problem.convection = make_convection(on.frame, scheme, on.ends_at_edge);
-  if (scheme == Scheme::characteristic && on.placed && !on.frame.curved())
-    preparation.unit.take_convection(on.frame, on.problem.convection, on.place);
+  if (scheme == Scheme::characteristic && on.placed && !on.frame.curved()) {
+    Frame unit = on.frame;
+    preparation.unit.put_frame({}, scene.mesh_at({}).node, unit);
+    on.problem.convection = make_convection(unit, scheme, on.ends_at_edge);
+    preparation.unit.take_convection(unit, on.problem.convection);
+    preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
+  }
   ++state.work.stencils;
   on.scheme = scheme;
   preparation.field_rows = {};

@@ -54,7 +54,8 @@ bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
     assemble_operators(frame, *compliance, convection, tangential, op,
                        mirrors ? preparation.unit.mirror() : std::span<const std::int32_t>{});
   };
-  assemblies = preparation.family.fill(on.place, std::cref(assemble), *preparation.dense);  // copies nothing
+  assemblies =
+      preparation.family.fill(on.place, on.in_steps, std::cref(assemble), *preparation.dense);  // copies nothing
   return true;
 }
 

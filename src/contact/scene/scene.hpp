@@ -73,11 +73,16 @@ class Scene {
   void set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given);
   /// A frame of the library's choice that ends at the contact's edge: a mesh with nodes (X, Y, 0), to be placed anew
   /// where contacts change.
-  void set_placed_frame(SurfaceMesh mesh, const FramePlace& place);
+  /// in_steps: its shapes are a few that come again, so operators of each are made, and none between them: they do not
+  /// depend on which came before.
+  void set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps = false);
   /// Of such a frame; follows the axes, too.
   void place_frame(const FramePlace& place);
   bool placed() const { return !unplaced_.empty(); }
   const FramePlace& place() const { return place_; }
+  bool placed_in_steps() const { return in_steps_; }
+  /// Of a placed frame, elsewhere.
+  SurfaceMesh mesh_at(const FramePlace& place) const;
   /// From now on the library makes the frame, as in a new scene.
   void forget_frame();
   /// Takes over what was set in another scene, apart from the frame and what is given node by node.
@@ -136,12 +141,14 @@ class Scene {
  private:
   void require_frame_size(std::int64_t n, const char* what) const;
   void replace_frame(SurfaceMesh mesh, FrameSource source);
+  void put_nodes(const FramePlace& place, std::vector<Vec3>& node) const;
 
   SurfaceMesh mesh_;
   FrameSource frame_source_;
   bool frame_given_ = false, ends_at_edge_ = false;
   std::vector<Vec3> unplaced_;  ///< nodes of a placed frame; empty: it is none
   FramePlace place_;
+  bool in_steps_ = false;
   std::array<Pose, 2> pose_{};
   Axes axes_;
   enum class GapKind { none, nodes, quadratic, grid } gap_kind_ = GapKind::none;

@@ -41,19 +41,30 @@ void Scene::set_made_frame(SurfaceMesh mesh, bool ends_at_edge, bool given) {
   frame_given_ = given;
 }
 
-void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place) {
+void Scene::set_placed_frame(SurfaceMesh mesh, const FramePlace& place, bool in_steps) {
   set_made_frame(std::move(mesh), true, false);
   unplaced_ = mesh_.node;
+  in_steps_ = in_steps;
   place_frame(place);
+}
+
+void Scene::put_nodes(const FramePlace& place, std::vector<Vec3>& node) const {
+  for (std::size_t k = 0; k < unplaced_.size(); ++k) {
+    const double x = place.length * unplaced_[k][0] + place.shear * unplaced_[k][1], y = place.width * unplaced_[k][1];
+    node[k] = axes_.origin + x * axes_.t1 + y * axes_.t2;
+  }
 }
 
 void Scene::place_frame(const FramePlace& place) {
   place_ = place;
   ++revision.place;
-  for (std::size_t k = 0; k < unplaced_.size(); ++k) {
-    const double x = place.length * unplaced_[k][0] + place.shear * unplaced_[k][1], y = place.width * unplaced_[k][1];
-    mesh_.node[k] = axes_.origin + x * axes_.t1 + y * axes_.t2;
-  }
+  put_nodes(place, mesh_.node);
+}
+
+SurfaceMesh Scene::mesh_at(const FramePlace& place) const {
+  SurfaceMesh mesh = mesh_;
+  put_nodes(place, mesh.node);
+  return mesh;
 }
 
 void Scene::forget_frame() {
@@ -92,6 +103,7 @@ void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {
   ends_at_edge_ = false;
   unplaced_.clear();
   place_ = {};
+  in_steps_ = false;
   std::swap(mesh_, mesh);
   std::swap(frame_source_, source);
   ++revision.mesh;

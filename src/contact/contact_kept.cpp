@@ -1,0 +1,51 @@
+/// Going back to a solution.
+
+#include "contact/contact.hpp"
+#include "contact/kept_solution.hpp"
+#include "contact/solution.hpp"
+#include "linalg/blas_threads.hpp"
+
+namespace rollcon {
+
+void Contact::forget_all_but_tractions() {
+  state_->newton.forget_all();
+  state_->iterate.invalidate();
+}
+
+void Contact::keep(KeptSolution& kept) const {
+  const SolverState& s = *state_;
+  kept.solved = s.solved;
+  kept.warm_usable = s.warm_usable;
+  kept.iterate = s.iterate;
+  kept.images_known = s.images_known;
+  kept.report = s.report;
+}
+
+void Contact::return_to(const KeptSolution& kept) {
+  if (!kept.solved && !kept.warm_usable) return reset();
+  SolverState& s = *state_;
+  s.solved = s.derived = s.laws_checked = s.settled = false;
+  s.sensitivities.forget();
+  s.error_estimate = {};
+  s.extrapolated.reset();
+  s.history.clear();
+  s.merit.clear();
+  try {
+    const BlasThreads blas(context_->threads());
+    prepare(s, scene, *body1_, *body2_, context_->threads());
+  } catch (...) {
+    clear_state();
+    throw;
+  }
+  s.iterate = kept.iterate;
+  s.images_known = kept.images_known;
+  s.report = kept.report;
+  s.outcome = kept.report.outcome;
+  s.revision_solved = scene.revision;
+  s.options_solved = scene.options.revision;
+  s.settled = true;
+  s.solved = kept.solved;
+  s.warm_usable = kept.warm_usable;
+}
+
+}  // namespace rollcon

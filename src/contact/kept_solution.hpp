@@ -1,0 +1,15 @@
+#pragma once
+/// A solution of a contact, to go back to.
+
+#include "contact/newton/report.hpp"
+#include "contact/problem/problem.hpp"
+
+namespace rollcon {
+
+struct KeptSolution {
+  Iterate iterate;
+  bool solved = false, warm_usable = false, images_known = false;
+  NewtonReport report;
+};
+
+}  // namespace rollcon

@@ -1,0 +1,123 @@
+/// States of a wheel on its rail: kept, gone back to, copied.
+
+#include <algorithm>
+#include <utility>
+
+#include "support/error.hpp"
+#include "wheelrail/wheel_rail.hpp"
+
+namespace rollcon {
+
+struct WheelRail::Kept {
+  bool used = false;
+  std::int64_t dimensions = 0;
+  Inputs in;
+  struct OfSlot {
+    PatchContact::Kept contact;
+    double wheel_y = 0, give_way = 0;
+  };
+  std::vector<OfSlot> slot;  ///< those beyond `slots` are storage
+  std::size_t slots = 0;
+  std::vector<std::size_t> active;
+  double z = 0, sink = 0;
+  std::int64_t solves = 0, grown = 0;
+  std::optional<Solved> solved;
+};
+
+void WheelRail::keep(Kept& kept) const {
+  kept.used = true;
+  kept.dimensions = dimensions_;
+  kept.in = in_;
+  kept.slots = search_ ? slot_.size() : 0;
+  kept.slot.resize(std::max(kept.slot.size(), kept.slots));
+  for (std::size_t i = 0; i < kept.slots; ++i) {
+    slot_[i]->contact.keep(kept.slot[i].contact);
+    kept.slot[i].wheel_y = slot_[i]->wheel_y;
+    kept.slot[i].give_way = slot_[i]->give_way;
+  }
+  kept.active.clear();
+  if (solved_)
+    for (const Slot* slot : active_) {
+      const auto is = [slot](const std::unique_ptr<Slot>& other) { return other.get() == slot; };
+      kept.active.push_back(static_cast<std::size_t>(std::find_if(slot_.begin(), slot_.end(), is) - slot_.begin()));
+    }
+  kept.z = z_;
+  kept.sink = sink_;
+  kept.solves = solves_;
+  kept.grown = grown_;
+  kept.solved = solved_;
+}
+
+void WheelRail::return_to(const Kept& kept) {
+  in_ = kept.in;
+  solved_.reset();
+  active_.clear();
+  if (kept.slots > 0) prepare_search();
+  while (slot_.size() > kept.slots) {
+    spare_.push_back(std::move(slot_.back()));
+    slot_.pop_back();
+  }
+  while (slot_.size() < kept.slots) add_slot();
+  for (std::size_t i = 0; i < kept.slots; ++i) {
+    slot_[i]->contact.return_to(kept.slot[i].contact);
+    slot_[i]->wheel_y = kept.slot[i].wheel_y;
+    slot_[i]->give_way = kept.slot[i].give_way;
+  }
+  for (const std::size_t i : kept.active) active_.push_back(slot_[i].get());
+  z_ = kept.z;
+  sink_ = kept.sink;
+  solves_ = kept.solves;
+  grown_ = kept.grown;
+  solved_ = kept.solved;
+}
+
+namespace {
+
+void require_place(std::int32_t place) {
+  if (place < 0 || place >= WheelRail::places)
+    fail(Status::err_argument, "place is %d; allowed: 0 to %d", place, WheelRail::places - 1);
+}
+
+}  // namespace
+
+void WheelRail::save(std::int32_t place) {
+  require_place(place);
+  const auto k = static_cast<std::size_t>(place);
+  if (kept_.size() <= k) kept_.resize(k + 1);
+  if (!kept_[k]) kept_[k] = std::make_shared<Kept>();
+  kept_[k]->used = false;
+  keep(*kept_[k]);
+}
+
+void WheelRail::restore(std::int32_t place) {
+  require_place(place);
+  const auto k = static_cast<std::size_t>(place);
+  if (kept_.size() <= k || !kept_[k] || !kept_[k]->used)
+    fail(Status::err_state, "nothing was saved at place %d: call rollcon_wheelrail_save first", place);
+  if (kept_[k]->dimensions != dimensions_)
+    fail(Status::err_state, "what was saved at place %d was with other dimensions of track or wheelset", place);
+  return_to(*kept_[k]);
+}
+
+std::unique_ptr<WheelRail> WheelRail::copy(std::shared_ptr<Context> context) const {
+  auto other = std::make_unique<WheelRail>(context ? std::move(context) : context_, given_wheel_, given_rail_,
+                                           static_cast<std::int32_t>(side_));
+  other->track_ = track_;
+  other->rail_shape_ = rail_shape_;
+  other->back_to_back_ = back_to_back_;
+  other->flange_back_ = flange_back_;
+  other->radius_ = radius_;
+  other->wheelset_given_ = wheelset_given_;
+  other->dimensions_ = dimensions_;
+  if (search_) {
+    other->wheel_ = wheel_;
+    other->rail_ = rail_;
+    other->search_.emplace(*search_);
+  }
+  Kept kept;
+  keep(kept);
+  other->return_to(kept);
+  return other;
+}
+
+}  // namespace rollcon

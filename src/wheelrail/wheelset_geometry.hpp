@@ -1,0 +1,41 @@
+#pragma once
+/// How a rigid wheelset stands on rigid rails: for each lateral shift the roll at which both wheels touch, and where.
+
+#include <array>
+#include <cstdint>
+
+#include "wheelrail/kinematic_motion.hpp"
+#include "wheelrail/wheel_rail.hpp"
+
+namespace rollcon {
+
+class WheelsetGeometry {
+ public:
+  struct Standing {
+    double y = 0, z = 0, roll = 0;          ///< of the wheelset's centre
+    std::array<WheelRail::Touch, 2> touch;  ///< left, right; in the track
+
+    /// Rolling radius on the right less that on the left.
+    double difference() const { return touch[1].rolling_radius - touch[0].rolling_radius; }
+  };
+
+  /// A left and a right wheel, with track and wheelset set. Both outlive this object.
+  WheelsetGeometry(WheelRail& left, WheelRail& right);
+
+  /// Of which point of the wheelset's middle a shift is: that on the axle, or at the height of the rails, where wheels
+  /// that roll without slip move as they head.
+  enum class Height { axle, rails };
+  /// Without yaw. err_argument: no roll within a quarter brings both wheels on their rails.
+  Standing at(double shift, Height height);
+  /// At the height of the rails. err_argument: no such motion. wavelength: with the rolling radius and the distance of
+  /// the points of contact where the wheelset runs straight on.
+  KinematicMotion motion(double amplitude, double& wavelength);
+
+ private:
+  double rise(double shift, Height height, double roll, Standing& standing);
+
+  std::array<WheelRail*, 2> wheel_;
+  double radius_, roll_ = 0;
+};
+
+}  // namespace rollcon

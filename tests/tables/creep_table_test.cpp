@@ -1,0 +1,212 @@
+/// A small table: what must hold whatever its size.
+
+#include "tables/creep_table.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "support/error.hpp"
+#include "support/frames.hpp"
+#include "support/testing.hpp"
+#include "tables/rolling_sampler.hpp"
+#include "tables/spline_basis.hpp"
+#include "tables/table_samples.hpp"
+
+namespace rollcon {
+namespace {
+
+TableGrid small_grid() {
+  TableGrid grid;
+  grid.ratios = 4;
+  grid.magnitudes = 8;
+  grid.angles = 6;
+  grid.directions = 6;
+  grid.least_ratio = 0.5;
+  grid.greatest_ratio = 2;
+  grid.along = 6;
+  grid.across = 4;
+  return grid;
+}
+
+std::vector<double> solve(const TableGrid& grid, int parts, int threads) {
+  std::vector<double> sample(static_cast<std::size_t>(SampleLayout(grid).size()),
+                             std::numeric_limits<double>::quiet_NaN());
+  for (int part = 0; part < parts; ++part) solve_samples(grid, part, parts, threads, sample);
+  return sample;
+}
+
+const std::vector<double>& samples() {
+  static const std::vector<double> all = solve(small_grid(), 1, 2);
+  return all;
+}
+
+const CreepTable& table() {
+  static const CreepTable made = CreepTable::fit(small_grid(), samples());
+  return made;
+}
+
+/// Creepages over friction times load / (shear a b), of any size and direction.
+TableInput draw(frames::Random& random) {
+  const double size = std::pow(10, random.between(-3, 2));
+  const double scale = 0.3 * 5e4 / (8e4 * 6 * 5), length = std::sqrt(30.0);
+  TableInput in{8e4, random.between(0.28, 0.3), 0.3, 6, 5, 5e4, 0, 0, 0};
+  in.longitudinal = size * scale * random.between(-1, 1);
+  in.lateral = size * scale * random.between(-1, 1);
+  in.spin = size * scale / length * random.between(-1, 1);
+  return in;
+}
+
+struct Answer {
+  double force[3], by[3][9];
+};
+
+Answer ask(const TableInput& in) {
+  Answer a;
+  table().evaluate(in, 0, a.force, &a.by[0][0]);
+  return a;
+}
+
+TEST(creep_table, derivatives_are_those_of_its_forces) {
+  frames::Random random(7);
+  double worst = 0;
+  for (int n = 0; n < 300; ++n) {
+    TableInput in = draw(random);
+    const Answer a = ask(in);
+    double* const input = &in.shear;
+    const double bound = in.friction * in.load;
+    for (int j = 0; j < 9; ++j) {
+      const double keep = input[j], step = (j == 1 ? 2e-3 : 2e-3 * std::abs(keep)) / 2;
+      if (j == 1 && (keep - step < 0.28 || keep + step > 0.3)) continue;
+      input[j] = keep + step;
+      const Answer more = ask(in);
+      input[j] = keep - step;
+      const Answer less = ask(in);
+      input[j] = keep;
+      for (int i = 0; i < 3; ++i) {
+        const double unit = bound * (i == 2 ? std::sqrt(in.a * in.b) : 1);
+        worst = std::max(worst, std::abs((more.force[i] - less.force[i]) - 2 * step * a.by[i][j]) / unit);
+      }
+    }
+  }
+  // Steps of 2e-3 of the input: curvature, and single precision.
+  expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
+}
+
+TEST(creep_table, friction_bounds_forces_and_symmetries_are_exact) {
+  frames::Random random(11);
+  for (int n = 0; n < 20000; ++n) {
+    const TableInput in = draw(random);
+    double f[3], g[3];
+    table().evaluate(in, 0, f, nullptr);
+    ASSERT_LE(std::hypot(f[0], f[1]), in.friction * in.load * (1 + 1e-12));
+    TableInput other = in;  // mirrored across the rolling direction
+    other.lateral = -in.lateral;
+    other.spin = -in.spin;
+    table().evaluate(other, 0, g, nullptr);
+    ASSERT_EQ(f[0], g[0]);
+    ASSERT_EQ(f[1], -g[1]);
+    ASSERT_EQ(f[2], -g[2]);
+    other = in;  // mirrored along it, slip and forces turned round
+    other.longitudinal = -in.longitudinal;
+    table().evaluate(other, 0, g, nullptr);
+    const double bound = in.friction * in.load;
+    ASSERT_NEAR(f[0], -g[0], 1e-6 * bound);
+    ASSERT_NEAR(f[1], g[1], 1e-6 * bound);
+    ASSERT_NEAR(f[2], g[2], 1e-6 * bound * std::sqrt(in.a * in.b));
+  }
+}
+
+TEST(creep_table, small_creepages_are_linear_and_vast_ones_slide) {
+  TableInput in{8e4, 0.28, 0.3, 5, 5, 5e4, 0, 0, 0};
+  const Answer rest = ask(in);
+  EXPECT_EQ(rest.force[0], 0);
+  RollingSampler sampler(1, 0.28, 6, 4);
+  const double unit = in.friction * in.load / (in.shear * in.a * in.b);
+  const auto small = sampler.solve({1e-6, 0, 0});
+  expect_error("C11", rest.by[0][6] * unit / (in.friction * in.load) / (small[0] / 1e-6) - 1, 2e-6);
+  in.longitudinal = 1e-5 * unit;
+  expect_error("force by C11", ask(in).force[0] / (rest.by[0][6] * in.longitudinal) - 1, 1e-4);
+  in.longitudinal = 1e3;
+  in.lateral = -1e3;
+  expect_error("sliding, along", ask(in).force[0] / (in.friction * in.load) + std::sqrt(0.5), 2e-3);
+  expect_error("sliding, across", ask(in).force[1] / (in.friction * in.load) - std::sqrt(0.5), 2e-3);
+}
+
+TEST(creep_table, random_cases_are_those_of_the_solver) {
+  frames::Random random(5);
+  double sum = 0, worst = 0;
+  constexpr int count = 60;
+  for (int n = 0; n < count; ++n) {
+    const double ratio = std::exp(random.between(-0.65, 0.65)), a = std::sqrt(ratio);
+    const std::array<double, 3> creepage{random.between(-0.8, 0.8), random.between(-0.8, 0.8),
+                                         random.between(-0.8, 0.8)};
+    RollingSampler sampler(ratio, 0.29, 12, 8);
+    const auto exact = sampler.solve(creepage);
+    double f[3];
+    table().evaluate({1, 0.29, 1, a, 1 / a, 1, creepage[0], creepage[1], creepage[2]}, 0, f, nullptr);
+    const double error = std::max(std::hypot(f[0] - exact[0], f[1] - exact[1]), std::abs(f[2] - exact[2]));
+    sum += error * error;
+    worst = std::max(worst, error);
+  }
+  expect_error("root mean square over mu Fn, beside finer frames", std::sqrt(sum / count), 0.012);
+  expect_error("worst", worst, 0.035);
+}
+
+TEST(creep_table, neither_parts_nor_threads_change_samples) {
+  TableGrid grid = small_grid();
+  grid.poisson = {0.3};
+  const std::vector<double> one = solve(grid, 1, 1), many = solve(grid, 3, 2);
+  for (std::size_t i = 0; i < one.size(); ++i) ASSERT_EQ(one[i], many[i]) << i;
+}
+
+TEST(creep_table, comes_back_from_its_file) {
+  const std::string path = ::testing::TempDir() + "creep_table_test.rct";
+  table().save(path);
+  const CreepTable again = CreepTable::load(path);
+  frames::Random random(3);
+  for (int n = 0; n < 100; ++n) {
+    const TableInput in = draw(random);
+    double f[3], g[3];
+    table().evaluate(in, 0, f, nullptr);
+    again.evaluate(in, 0, g, nullptr);
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(f[i], g[i]);
+  }
+  std::FILE* file = std::fopen(path.c_str(), "r+b");
+  ASSERT_NE(file, nullptr);
+  std::fseek(file, 5000, SEEK_SET);
+  std::fputc(0x55, file);
+  std::fputc(0xaa, file);
+  std::fclose(file);
+  EXPECT_THROW(CreepTable::load(path), Error);
+  std::remove(path.c_str());
+}
+
+TEST(creep_table, missing_samples_make_none) {
+  std::vector<double> sample = samples();
+  sample[100] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(CreepTable::fit(small_grid(), sample), Error);
+}
+
+TEST(spline_basis, cubics_come_back_and_ends_are_what_they_are_said_to_be) {
+  constexpr std::int64_t n = 7;
+  const auto cubic = [](double x) { return 1 + x * (0.5 + x * (-0.3 + 0.02 * x)); };
+  std::vector<double> value, c(n + 3);
+  for (int i = 0; i <= n; ++i) value.push_back(cubic(i));
+  SplineFit(n, SplineEnd::open, SplineEnd::open).apply(value, c);
+  double worst = 0;
+  for (double t = 0; t <= n; t += 0.13) {
+    const SplineWeights w = spline_weights(t, n);
+    double sum = 0;
+    for (std::size_t i = 0; i < 4; ++i) sum += w.value[i] * c[static_cast<std::size_t>(w.first) + i];
+    worst = std::max(worst, std::abs(sum - cubic(t)));
+  }
+  expect_error("a cubic", worst, 1e-12);
+  SplineFit(n, SplineEnd::flat, SplineEnd::straight).apply(value, c);
+  expect_error("slope at a flat end", (c[2] - c[0]) / 2, 1e-12);
+  expect_error("bend at a straight end", c[n] - 2 * c[n + 1] + c[n + 2], 1e-12);
+}
+
+}  // namespace
+}  // namespace rollcon

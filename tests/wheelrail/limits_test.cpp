@@ -1,0 +1,91 @@
+/// What is beyond sense or beyond the profiles has a status or a text of its own.
+
+#include "wheel_rail_fixture.hpp"
+
+using namespace rollcon;
+
+namespace {
+
+class limits : public wheels {
+ protected:
+  void SetUp() override {
+    wheels::SetUp();
+    context->set_log(
+        2, [](std::int32_t, const char* text, void* user) { *static_cast<std::string*>(user) += text; }, &told);
+  }
+  void expect_told(std::initializer_list<const char*> words) const {
+    for (const char* w : words) EXPECT_NE(told.find(w), std::string::npos) << told;
+  }
+
+  std::string told;
+};
+
+}  // namespace
+
+TEST_F(limits, overlaps_that_no_metal_bears_are_too_deep) {
+  const auto w = make();
+  w->prescribe_vertical(2, 10000);
+  ASSERT_EQ(w->solve(), Status::ok);
+  const double z = w->stat("z"), overlap = w->patch_stat(0, "overlap");
+  w->prescribe_vertical(1, 0);
+  place(*w, 2, z + 0.43 - overlap);
+  EXPECT_EQ(w->solve(), Status::ok) << "under a thousandth of the radius";
+  EXPECT_EQ(told, "");
+  place(*w, 2, z + 0.8);
+  EXPECT_EQ(w->solve(), Status::too_deep);
+  report("overlap over the radius, 0.8 mm too deep", w->patch_stat(0, "overlap") / 460);
+  expect_told({"overlap by 0.82", "(460)", "check z and all units"});
+  place(*w, 2, z);
+  EXPECT_EQ(w->solve(), Status::ok) << "the wheel stays usable";
+}
+
+TEST_F(limits, a_wheel_within_the_rail_is_refused) {
+  const auto w = make();
+  place(*w, 2, 60);
+  refused([&] { w->solve(); }, Status::err_argument, {"z is 60 (y is 2)", "a tenth of the wheel's radius (460)"});
+  refused([&] { w->patches(); }, Status::err_state, {"no solution"});
+}
+
+TEST_F(limits, forces_that_nothing_carries) {
+  const auto w = make();
+  w->prescribe_vertical(2, 2e6);
+  EXPECT_EQ(w->solve(), Status::too_deep);
+  expect_error("two meganewton are met nevertheless", w->stat("vertical_force") / 2e6 - 1, 2e-6);
+  expect_told({"check the vertical force and all units"});
+  w->prescribe_vertical(2, 1e13);
+  refused([&] { w->solve(); }, Status::err_load, {"the vertical force 1e+13", "a tenth of its radius"});
+  w->prescribe_vertical(2, 10000);
+  EXPECT_EQ(w->solve(), Status::ok) << "the wheel stays usable";
+}
+
+TEST_F(limits, beside_the_rail_is_not_above_it) {
+  const auto w = make();
+  place(*w, 2, -5);
+  EXPECT_EQ(w->solve(), Status::no_contact);
+  EXPECT_EQ(told, "");
+  const double beside[6] = {0, 150, 0, 0, 0, 0};
+  w->set_position(beside);
+  EXPECT_EQ(w->solve(), Status::derailed);
+  expect_told({"beside its rail (y is 150)"});
+}
+
+// A cylinder whose end stands in the middle of a round rail.
+TEST_F(limits, ends_of_profiles_are_told) {
+  const double line[2] = {20, 0}, arc[2] = {-80, 79};
+  wheel->set_profile_shape("line", 2, line);
+  rail->set_profile_shape("arc", 2, arc);
+  WheelRail w(context, wheel, rail, 1);
+  const double from_gauge = std::sqrt(80 * 80 - 66 * 66), velocity[6] = {1000, 0, 0, 0, 0, -1000 / 300.0};
+  w.set_track(1500, 14, 0);
+  w.set_wheelset(1300, -100 - from_gauge, 300);
+  w.set_friction(mu);
+  w.set_velocity(velocity);
+  w.prescribe_vertical(2, 50000);
+  for (const double y : {0.0, -19.0}) {
+    const double position[6] = {0, y, 0, 0, 0, 0};
+    w.set_position(position);
+    EXPECT_EQ(w.solve(), y < 0 ? Status::rim_contact : Status::ok);
+    EXPECT_EQ(w.patch_stat(0, "cut"), y < 0 ? 1 : 0);
+  }
+  expect_told({"patch 0", "ends where a profile does"});
+}

@@ -1,0 +1,125 @@
+/// States kept, gone back to and copied: to the last bit as if nothing had been done in between.
+
+#include <random>
+
+#include "wheel_rail_fixture.hpp"
+
+using namespace rollcon;
+
+namespace {
+
+struct Result {
+  Status status;
+  std::vector<double> numbers;
+  bool operator==(const Result&) const = default;
+};
+
+Result result_of(const WheelRail& w, Status status) {
+  Result r{status, {}};
+  std::array<double, 6> f{};
+  w.resultant(false, f.data(), f.data() + 3);
+  r.numbers.assign(f.begin(), f.end());
+  for (std::int64_t i = 0; i < WheelRail::stat_count(); ++i) r.numbers.push_back(w.stat(WheelRail::stat_name(i)));
+  for (std::int64_t p = 0; p < w.patches(); ++p)
+    for (std::int64_t i = 0; i < WheelRail::patch_stat_count(); ++i)
+      r.numbers.push_back(w.patch_stat(p, WheelRail::patch_stat_name(i)));
+  return r;
+}
+
+/// Which number differs, too.
+void expect_same(const Result& a, const Result& b, const std::string& where) {
+  EXPECT_EQ(a.status, b.status) << where;
+  ASSERT_EQ(a.numbers.size(), b.numbers.size()) << where;
+  for (std::size_t i = 0; i < a.numbers.size(); ++i)
+    EXPECT_EQ(a.numbers[i], b.numbers[i]) << where << ", number " << i << " off by " << b.numbers[i] - a.numbers[i];
+}
+
+class state : public wheels {
+ protected:
+  /// Coarse, which is quick.
+  std::unique_ptr<WheelRail> make(std::int32_t side = 1) const {
+    auto w = wheels::make(side);
+    w->set_accuracy(1);
+    return w;
+  }
+  /// A step of a path that goes from one patch to two.
+  static Result step(WheelRail& w, double y) {
+    place(w, y);
+    const Status status = w.solve();
+    return result_of(w, status);
+  }
+};
+
+}  // namespace
+
+TEST_F(state, a_rejected_step_leaves_no_trace) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(-1, 6.5);
+  const auto never = make(), tried = make();
+  for (WheelRail* w : {never.get(), tried.get()}) w->prescribe_vertical(2, 10000);
+  int same = 0, steps = 0, several = 0;
+  for (const double y : {4.5, 4.8, 5.0, 5.02, 5.02, 5.2, 4.9, 2.0, 2.1, 6.4, 0.3, 5.1}) {
+    tried->save(3);
+    const std::int64_t patches = steps > 0 ? tried->patches() : 0;
+    const Result before = steps > 0 ? result_of(*tried, Status::ok) : Result{};
+    for (int k = 0; k < 1 + steps % 3; ++k) step(*tried, anywhere(random));
+    const double velocity[6] = {1000, 5, 0, 0, 1e-3, -2.2};
+    tried->set_velocity(velocity);
+    tried->set_friction(0);
+    tried->prescribe_vertical(1, 0);
+    tried->set_accuracy(steps % 6 == 0 ? 0.01 : 1);
+    step(*tried, 1);
+    tried->restore(3);
+    if (steps > 0) {
+      EXPECT_EQ(tried->patches(), patches);
+      expect_same(result_of(*tried, Status::ok), before, "results of the state, step " + std::to_string(steps));
+    }
+    const Result a = step(*never, y), b = step(*tried, y);
+    several += never->patches() > 1;
+    expect_same(a, b, "y " + std::to_string(y));
+    same += a == b;
+    ++steps;
+  }
+  std::printf("%d of %d steps are the same to the last bit, %d with several patches\n", same, steps, several);
+  EXPECT_GT(several, 2);
+}
+
+TEST_F(state, copies_go_on_alike) {
+  const auto w = make(-1);
+  w->prescribe_vertical(2, 10000);
+  for (const double y : {-4.6, -5.0}) step(*w, y);
+  const auto other = w->copy();
+  expect_same(result_of(*w, Status::ok), result_of(*other, Status::ok), "the copy");
+  for (const double y : {-5.1, -5.3, -2.0, 1.0}) expect_same(step(*w, y), step(*other, y), "y " + std::to_string(y));
+  const auto unused = make()->copy();
+  EXPECT_EQ(unused->solve(), Status::no_contact) << "z of the position is 0 there";
+}
+
+TEST_F(state, after_a_reset_nothing_is_left_of_what_was) {
+  const auto used = make();
+  used->prescribe_vertical(2, 10000);
+  for (const double y : {0.5, 5.0, 6.4, 5.1}) step(*used, y);
+  used->set_accuracy(0.01);
+  step(*used, 1);
+  used->set_accuracy(1);
+  for (const double y : {2.0, 5.0, 6.3}) {
+    const auto fresh = make();
+    fresh->prescribe_vertical(2, 10000);
+    used->reset();
+    Result a = step(*fresh, y), b = step(*used, y);
+    // Counters go on.
+    for (Result* r : {&a, &b}) r->numbers[9] = r->numbers[10] = 0;
+    expect_same(a, b, "y " + std::to_string(y));
+  }
+}
+
+TEST_F(state, what_cannot_be_restored_is_told) {
+  const auto w = make();
+  refused([&] { w->restore(0); }, Status::err_state, {"nothing was saved at place 0"});
+  refused([&] { w->save(16); }, Status::err_argument, {"place is 16", "0 to 15"});
+  refused([&] { w->restore(-1); }, Status::err_argument, {"place is -1"});
+  w->save(15);
+  w->restore(15);
+  w->set_track(1436, 14, 0.025);
+  refused([&] { w->restore(15); }, Status::err_state, {"other dimensions"});
+}
