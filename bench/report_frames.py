@@ -15,8 +15,8 @@ whose dgemm does {speed:.0f} Gflop/s. Times are of the processor for everything 
 other work ran on the machine.
 
 Errors are |(ΔFx, ΔFy)| over μFn and |ΔMz| over μFn √(ab), beside the same scene on the library's finest frames. These
-are 0.16 % and 0.28 % of the force off the limits that CONTACT extrapolates to in cases (a) and (b) of
-[accuracy.md](accuracy.md), the standard ones 0.005 % and 0.42 %; rings of triangles say the same. Where the tables show
+are 0.16 % and 0.20 % of the force off the limits that CONTACT extrapolates to in cases (a) and (b) of
+[accuracy.md](accuracy.md), the standard ones 0.01 % and 0.24 %. Where the tables show
 less than 0.2 %, they show how well frames agree, not how well they are known to be right. Where the friction force is far below μFn,
 its error relative to itself is larger.
 

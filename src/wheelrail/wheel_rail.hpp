@@ -52,7 +52,7 @@ class WheelRail {
   /// set since.
   void restore(std::int32_t place);
   /// A wheel of its own with the same inputs and the same last solution; context: null: the same.
-  std::unique_ptr<WheelRail> copy(std::shared_ptr<Context> context = nullptr) const;
+  std::unique_ptr<WheelRail> copy(const std::shared_ptr<Context>& context = nullptr) const;
   /// Stops the solve that is running, if one is, before its next patch or height. Any thread.
   void request_cancel() noexcept { cancel_.store(true); }
   void forget_cancel() noexcept { cancel_.store(false); }

@@ -99,8 +99,8 @@ void WheelRail::restore(std::int32_t place) {
   return_to(*kept_[k]);
 }
 
-std::unique_ptr<WheelRail> WheelRail::copy(std::shared_ptr<Context> context) const {
-  auto other = std::make_unique<WheelRail>(context ? std::move(context) : context_, given_wheel_, given_rail_,
+std::unique_ptr<WheelRail> WheelRail::copy(const std::shared_ptr<Context>& context) const {
+  auto other = std::make_unique<WheelRail>(context ? context : context_, given_wheel_, given_rail_,
                                            static_cast<std::int32_t>(side_));
   other->track_ = track_;
   other->rail_shape_ = rail_shape_;

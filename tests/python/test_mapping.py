@@ -338,7 +338,8 @@ class Mapping(unittest.TestCase):
 
     def test_z_every_function_is_called(self):
         """But those that are for layers over C."""
-        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id wheelrail_from_id")
+        self.assertEqual(lib.recorder_missing().decode(), "report context_from_id body_from_id contact_from_id wheelrail_from_id "
+                         "table_from_id")
 
 
 if __name__ == "__main__":

@@ -234,8 +234,9 @@ void InteriorGrid::near_influence(const InteriorSlice& slice, Table& table) cons
   for (std::int64_t k = 0; k < table.nx * table.ny; ++k) {
     if (table.near[at(k)] == 0) continue;
     offset.push_back(k);
-    xyz.insert(xyz.end(), {(static_cast<double>(table.low_x + k % table.nx) + slice.shift_x) * lattice_.dx,
-                           (static_cast<double>(table.low_y + k / table.nx) + slice.shift_y) * lattice_.dy, slice.z});
+    const std::int64_t column = table.low_x + k % table.nx, line = table.low_y + k / table.nx;
+    xyz.insert(xyz.end(), {(static_cast<double>(column) + slice.shift_x) * lattice_.dx,
+                           (static_cast<double>(line) + slice.shift_y) * lattice_.dy, slice.z});
   }
   if (offset.empty()) return;
   SurfaceMesh mesh;

@@ -61,9 +61,9 @@ std::vector<double> characteristic_steps(const Frame& frame, double part);
 
 /// Differences of the characteristic scheme are the slip half a step upstream of the node, whose traction it turns:
 /// errors of first order where the direction of slip changes, as under spin. Carries them to the node by the next
-/// node's upstream on the same line: s + part (s - s of the next one). Both vanish where both nodes stick, so that stick
-/// is what it was. Needs contact at the next node, for without it slip there is any: rows of nodes near the upstream
-/// end of their line stay, as do those without a next node.
+/// node's upstream on the same line: s + part (s - s of the next one). Both vanish where both nodes stick, so that
+/// stick is what it was. Needs contact at the next node, for without it slip there is any: rows of nodes near the
+/// upstream end of their line stay, as do those without a next node.
 void take_slip_at_nodes(const Frame& frame, Convection& convection);
 
 }  // namespace rollcon
