@@ -32,7 +32,7 @@ class ManyPositions {
       // Without a log, and one thread for each.
       auto context = std::make_shared<Context>();
       context->set_threads(1);
-      own.push_back(wheel_.copy(std::move(context)));
+      own.push_back(wheel_.copy(context));
     }
     std::vector<std::thread> helper;
     helper.reserve(own.size());
