@@ -2,7 +2,6 @@
 /// Creep-force tables: forces and spin moment of Hertzian steady rolling of bodies with equal elastic constants, from
 /// splines through solved cases (docs/tables.md).
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -25,7 +24,7 @@ struct TableInput {
   double shear, poisson, friction, a, b, load;
   double longitudinal, lateral, spin;  ///< creepages, spin in 1/length
 };
-constexpr std::size_t table_inputs = 9, table_outputs = 3;
+constexpr std::size_t table_inputs = 9;
 
 class CreepTable {
  public:

@@ -1,7 +1,7 @@
 /// Tables to and from files. Sections: "grid", how fine the table is; "linear" and "spline", its coefficients.
 
 #include <cmath>
-#include <cstring>
+#include <filesystem>
 
 #include "build_info.hpp"
 #include "io/section_file.hpp"
@@ -32,6 +32,12 @@ bool sound(const GridRecord& g) {
          within(g.directions, 4, 32) && g.directions % 2 == 0 && within(g.along, 2, 1000) &&
          within(g.across, 2, 1000) && within(g.planes, 1, 16) && g.least_ratio > 0 &&
          g.least_ratio < g.greatest_ratio && std::isfinite(g.greatest_ratio);
+}
+
+/// Of its splines alone; nothing is allocated for a file that is smaller.
+std::uint64_t bytes_of(const GridRecord& g) {
+  const std::int64_t numbers = g.planes * (g.ratios + 3) * (g.magnitudes + 3) * (g.angles + 3) * 3 * g.directions;
+  return static_cast<std::uint64_t>(numbers) * sizeof(float);
 }
 
 template <class T>
@@ -73,6 +79,7 @@ CreepTable CreepTable::load(const std::string& path) {
   GridRecord record{};
   file.read(&record, sizeof record);
   if (!sound(record)) file.fail_here("the table's size is out of range");
+  if (std::filesystem::file_size(path) < bytes_of(record)) file.fail_here("the file is shorter than its table");
   TableGrid grid;
   grid.ratios = record.ratios;
   grid.magnitudes = record.magnitudes;
