@@ -1499,7 +1499,7 @@ subroutine rctres(itab, magnitudes, iangles, idirections, ierr)
   ierr = rollcon_table_set_resolution(table_of(itab), narrow(magnitudes), narrow(iangles), narrow(idirections))
 end subroutine
 
-!> Sets the coarser of the two frames of strips on which samples are solved.
+!> Sets the coarser of the two frames of strips on which samples of circles are solved.
 subroutine rctfrm(itab, ialong, iacross, ierr)
   use rollcon_f77_support
   implicit none

@@ -127,8 +127,8 @@ contains
       self%p, 'rc_table%set_resolution', stat, errmsg)
   end subroutine
 
-  !> Sets the coarser of the two frames of strips on which samples are solved. Before the first sample (else
-  !> ROLLCON_ERR_STATE).
+  !> Sets the coarser of the two frames of strips on which samples of circles are solved; those of longer ellipses have
+  !> more cells along their length and fewer across. Before the first sample (else ROLLCON_ERR_STATE).
   subroutine table_set_frame(self, along, across, stat, errmsg)
     class(rc_table_plain), intent(inout) :: self
     integer, intent(in) :: along

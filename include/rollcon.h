@@ -1936,9 +1936,9 @@ ROLLCON_API rollcon_table *ROLLCON_CALL rollcon_table_from_id(int32_t id);
    there, any number of threads evaluate it. docs/tables.md has its errors. */
 
 /*
- * Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 14 intervals, 20
- * magnitudes, 14 angles, 16 directions, frames of 12 x 8 and 24 x 16 strips, Poisson's ratios
- * 0.28 and 0.3.
+ * Makes a table without samples. Standard: semi-axes' ratios a / b 1/25 to 25 in 12 intervals, 18
+ * magnitudes, 16 angles, 16 directions, frames as rollcon_table_set_frame(12, 10) makes them,
+ * Poisson's ratios 0.28 and 0.3.
  *   table    new handle
  * Ownership: The caller owns the new handle: release it. It keeps the context alive. *table is
  *   NULL after a failure.
@@ -2006,8 +2006,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_table_set_resolution(rollcon_tab
     int32_t magnitudes, int32_t angles, int32_t directions);
 
 /*
- * Sets the coarser of the two frames of strips on which samples are solved. Before the first
- * sample (else ROLLCON_ERR_STATE).
+ * Sets the coarser of the two frames of strips on which samples of circles are solved; those of
+ * longer ellipses have more cells along their length and fewer across. Before the first sample
+ * (else ROLLCON_ERR_STATE).
  *   along   elements along each strip, 6 to 100; the finer frame has twice as many
  *   across  strips, 4 to 100; likewise
  * Also returns: ROLLCON_ERR_STATE.

@@ -16,8 +16,12 @@ constexpr double bent = 0.002;
 
 }  // namespace
 
-double spin_scale(double log_ratio) {
-  return std::sqrt(std::cosh(log_ratio));
+double TableGrid::stretch(double log_ratio) const {
+  return std::exp(stretched * log_ratio);
+}
+
+double TableGrid::spin_scale(double log_ratio) const {
+  return std::pow(std::cosh(log_ratio), 0.5 - stretched);
 }
 
 // x up to 1 - d, from there a parabola that ends with slope 0 at x = 1 + d.
@@ -39,7 +43,7 @@ struct CreepTable::Point {
   // Of linear theory: C23 over the scale of spin, C33 likewise, C32 / C22, and derivatives by the logarithm of the
   // ratio; scales of the creepages and derivatives of their logarithms.
   double c23, c33, c32, c23_rate, c33_rate, c32_rate;
-  double scale[3], scale_rate[3];
+  double stretch, scale[3], scale_rate[3];
   double side;     ///< -1: of spin < 0, whose mirror image is looked up
   double v[3];     ///< the mirror image's creepages times their scales
   double t, r, w;  ///< of v: translation, length; r that counts as magnitude 1/2
@@ -159,8 +163,11 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
   point.c23 = c[2], point.c33 = c[3], point.c32 = c[4];
   point.c23_rate = d[2], point.c33_rate = d[3], point.c32_rate = d[4];
   const double c22 = std::exp(c[1]);
-  const double scale[3] = {std::exp(c[0]), c22, c22 * spin_scale(log_ratio) * std::sqrt(in.a * in.b)};
-  const double scale_rate[3] = {d[0], d[1], d[1] + 0.5 * std::tanh(log_ratio)};
+  point.stretch = grid_.stretch(log_ratio);
+  const double stretched = grid_.stretched;
+  const double scale[3] = {std::exp(c[0]) * point.stretch, c22 / point.stretch,
+                           c22 * grid_.spin_scale(log_ratio) * std::sqrt(in.a * in.b)};
+  const double scale_rate[3] = {d[0] + stretched, d[1] - stretched, d[1] + (0.5 - stretched) * std::tanh(log_ratio)};
   std::copy_n(scale, 3, point.scale);
   std::copy_n(scale_rate, 3, point.scale_rate);
   point.side = in.spin < 0 ? -1 : 1;
@@ -209,7 +216,8 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
   }
   // f = 3 s (1 - s) l + s^2 q, l the forces of linear theory by a unit of creepage.
   const double x = point.v[0] / point.r, y = point.v[1] / point.r, z = point.v[2] / point.r, s = point.s;
-  const double l[3] = {-x, -y - point.c23 * z, point.c32 * y - point.c33 * z};
+  const double along = x / point.stretch, across = y * point.stretch;
+  const double l[3] = {-along, -across - point.c23 * z, point.c32 * across - point.c33 * z};
   for (std::size_t i = 0; i < 3; ++i)
     point.f[i] += share * (i == 0 ? 1 : point.side) * (half_magnitude * s * (1 - s) * l[i] + s * s * sums.q[i]);
   if (rates) add_rates(share, sums, point);
@@ -217,10 +225,10 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
 
 void CreepTable::add_rates_at_rest(double share, Point& point) const {
   const double unit = share * half_magnitude / point.w;
-  point.by_creepage[0][0] -= unit * point.scale[0];
-  point.by_creepage[1][1] -= unit * point.scale[1];
+  point.by_creepage[0][0] -= unit * point.scale[0] / point.stretch;
+  point.by_creepage[1][1] -= unit * point.stretch * point.scale[1];
   point.by_creepage[1][2] -= unit * point.c23 * point.scale[2];
-  point.by_creepage[2][1] += unit * point.c32 * point.scale[1];
+  point.by_creepage[2][1] += unit * point.c32 * point.stretch * point.scale[1];
   point.by_creepage[2][2] -= unit * point.c33 * point.scale[2];
 }
 
@@ -229,8 +237,12 @@ void CreepTable::add_rates(double share, const Sums& q, Point& point) const {
   const double e_r[3] = {point.v[0] / point.r, point.v[1] / point.r, cosine};
   const double e_angle[3] = {cosine * point.cos_psi, cosine * point.sin_psi, -sine};
   const double e_direction[3] = {-point.sin_psi, point.cos_psi, 0};
-  const double l_by[3][3] = {{-1, 0, 0}, {0, -1, -point.c23}, {0, point.c32, -point.c33}};
-  const double l_ratio[3] = {0, -point.c23_rate * e_r[2], point.c32_rate * e_r[1] - point.c33_rate * e_r[2]};
+  const double along_unit = 1 / point.stretch, across_unit = point.stretch, stretched = grid_.stretched;
+  const double l_by[3][3] = {
+      {-along_unit, 0, 0}, {0, -across_unit, -point.c23}, {0, point.c32 * across_unit, -point.c33}};
+  const double l_ratio[3] = {stretched * along_unit * e_r[0],
+                             -stretched * across_unit * e_r[1] - point.c23_rate * e_r[2],
+                             (point.c32_rate + stretched * point.c32) * across_unit * e_r[1] - point.c33_rate * e_r[2]};
   const double first = half_magnitude * s * (1 - s), first_s = half_magnitude * (1 - 2 * s);
   for (std::size_t i = 0; i < 3; ++i) {
     const double sign = share * (i == 0 ? 1 : point.side);

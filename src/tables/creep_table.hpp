@@ -12,11 +12,19 @@ namespace rollcon {
 /// r being the force over mu Fn of linear theory, nearly; angle from pure spin (0) to no spin; direction of the
 /// translational creepage.
 struct TableGrid {
-  std::int64_t ratios = 14, magnitudes = 20, angles = 14;  ///< intervals
+  std::int64_t ratios = 12, magnitudes = 18, angles = 16;  ///< intervals
   std::int64_t directions = 16;                            ///< even: samples of half a turn, harmonics + 1
   double least_ratio = 1.0 / 25, greatest_ratio = 25;
-  std::int64_t along = 12, across = 8;     ///< of the coarser of two frames of strips
+  /// Of the coarser of two frames of strips under a circle (frame_of).
+  std::int64_t along = 12, across = 10;
   std::vector<double> poisson{0.28, 0.3};  ///< ascending
+  /// Creepages count as C11 stretch, C22 / stretch, and C22 spin_scale sqrt(a b) of spin; this is the logarithm of
+  /// stretch over that of the ratio. Under long ellipses forces turn where the pole of sliding moves by the shorter
+  /// semi-axis: directions are spread there.
+  double stretched = 0.15;
+
+  double stretch(double log_ratio) const;
+  double spin_scale(double log_ratio) const;
 };
 
 /// What a table is asked, in one consistent set of units.
@@ -68,8 +76,6 @@ class CreepTable {
 
 constexpr std::size_t linear_numbers = 5;
 
-/// Creepages of linear theory's unit: spin counts as this times C22 sqrt(a b).
-double spin_scale(double log_ratio);
 /// Magnitude s of creepages.
 constexpr double half_magnitude = 3;  ///< r of s = 1/2
 /// Forces are bent so that they end at mu Fn; `unbend` is the inverse. Both change what is within 0.2 % of it alone.

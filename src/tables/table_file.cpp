@@ -13,7 +13,7 @@ namespace rollcon {
 namespace {
 
 /// To be raised whenever sections or coordinates change.
-constexpr std::uint32_t table_format = 1;
+constexpr std::uint32_t table_format = 2;
 
 constexpr FileKind table_file{{0x89, 'R', 'C', 'T', '\r', '\n', 0x1a, '\n'},
                               "a creep-force table of rollcon",
@@ -23,7 +23,7 @@ constexpr FileKind table_file{{0x89, 'R', 'C', 'T', '\r', '\n', 0x1a, '\n'},
 
 struct GridRecord {
   std::int64_t ratios, magnitudes, angles, directions, along, across, planes;
-  double least_ratio, greatest_ratio;
+  double least_ratio, greatest_ratio, stretched;
 };
 
 bool sound(const GridRecord& g) {
@@ -31,7 +31,7 @@ bool sound(const GridRecord& g) {
   return within(g.ratios, 4, 200) && within(g.magnitudes, 4, 200) && within(g.angles, 4, 200) &&
          within(g.directions, 4, 32) && g.directions % 2 == 0 && within(g.along, 2, 1000) &&
          within(g.across, 2, 1000) && within(g.planes, 1, 16) && g.least_ratio > 0 &&
-         g.least_ratio < g.greatest_ratio && std::isfinite(g.greatest_ratio);
+         g.least_ratio < g.greatest_ratio && std::isfinite(g.greatest_ratio) && g.stretched >= 0 && g.stretched <= 0.5;
 }
 
 /// Of its splines alone; nothing is allocated for a file that is smaller.
@@ -62,7 +62,8 @@ void CreepTable::save(const std::string& path) const {
                           grid_.across,
                           static_cast<std::int64_t>(grid_.poisson.size()),
                           grid_.least_ratio,
-                          grid_.greatest_ratio};
+                          grid_.greatest_ratio,
+                          grid_.stretched};
   file.begin("grid");
   file.write(&record, sizeof record);
   file.write(grid_.poisson.data(), grid_.poisson.size() * sizeof(double));
@@ -89,6 +90,7 @@ CreepTable CreepTable::load(const std::string& path) {
   grid.across = record.across;
   grid.least_ratio = record.least_ratio;
   grid.greatest_ratio = record.greatest_ratio;
+  grid.stretched = record.stretched;
   grid.poisson.resize(at(record.planes));
   if (file.left() != grid.poisson.size() * sizeof(double)) file.fail_here("the section has another length");
   file.read(grid.poisson.data(), grid.poisson.size() * sizeof(double));

@@ -53,7 +53,7 @@ class TableFit {
     std::vector<double> v;
     for (std::int64_t i = 0; i <= grid_.ratios; ++i) {
       const double* c = plane(p, i);
-      const double spin = c[1] * spin_scale(log_ratio_of(grid_, i));
+      const double spin = c[1] * grid_.spin_scale(log_ratio_of(grid_, i));
       v.insert(v.end(), {std::log(c[0]), std::log(c[1]), c[2] / spin, c[4] / spin, c[3] / c[1]});
     }
     return v;
@@ -65,8 +65,11 @@ class TableFit {
     const double* c = plane(p, ratio);
     const double theta = angle_of(grid_, angle), psi = angle == 0 ? 0 : direction_of(grid_, direction);
     const double x = std::sin(theta) * std::cos(psi), y = std::sin(theta) * std::sin(psi), z = std::cos(theta);
-    const double spin = c[1] * spin_scale(log_ratio_of(grid_, ratio));
-    const double linear[3] = {-x, -y - c[2] / spin * z, c[3] / c[1] * y - c[4] / spin * z};
+    const double spin = c[1] * grid_.spin_scale(log_ratio_of(grid_, ratio)),
+                 turn = grid_.stretch(log_ratio_of(grid_, ratio));
+    const double creepage[3] = {x / (c[0] * turn), y * turn / c[1], z / spin};
+    const double linear[3] = {-c[0] * creepage[0], -c[1] * creepage[1] - c[2] * creepage[2],
+                              c[3] * creepage[1] - c[4] * creepage[2]};
     const std::int64_t chain = angle == 0 ? 0 : 1 + (angle - 1) * grid_.directions + direction;
     const double* f = c + linear_numbers + chain * layout_.chain;
     q.resize(at(3 * nodes_s_));
@@ -75,7 +78,7 @@ class TableFit {
       if (i < grid_.magnitudes)
         std::copy_n(f + 3 * (i - 1), 3, force.begin());
       else
-        sliding_limit(std::exp(log_ratio_of(grid_, ratio)), x / c[0], y / c[1], z / spin, force.data());
+        sliding_limit(std::exp(log_ratio_of(grid_, ratio)), creepage, force.data());
       const double size = std::hypot(force[0], force[1]), scale = size > 0 ? unbend(size) / size : 1;
       force[0] *= scale;
       force[1] *= scale;

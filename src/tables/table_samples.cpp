@@ -1,5 +1,6 @@
 #include "tables/table_samples.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -32,31 +33,27 @@ void stand(const TableGrid& grid, std::int64_t plane, Worker& worker) {
   const double ratio = std::exp(log_ratio_of(grid, plane % (grid.ratios + 1)));
   const double poisson = grid.poisson[at(plane / (grid.ratios + 1))];
   worker.plane = -1;
-  worker.sampler = std::make_unique<RollingSampler>(ratio, poisson, grid.along, grid.across);
+  const StripsSize size = frame_of(grid, ratio);
+  worker.sampler = std::make_unique<RollingSampler>(ratio, poisson, size.along, size.across);
   worker.linear = linear_theory(*worker.sampler);
   worker.plane = plane;
 }
 
 void solve_chain(const TableGrid& grid, std::int64_t chain, Worker& worker, double* to) {
   const double log_ratio = log_ratio_of(grid, worker.plane % (grid.ratios + 1));
-  const double spin = worker.linear[1] * spin_scale(log_ratio);
+  const double spin = worker.linear[1] * grid.spin_scale(log_ratio);
   const std::int64_t angle = chain == 0 ? 0 : 1 + (chain - 1) / grid.directions;
   const double theta = angle_of(grid, angle);
   const double psi = chain == 0 ? 0 : direction_of(grid, (chain - 1) % grid.directions);
   worker.sampler->reset();
-  const double unit[3] = {std::sin(theta) * std::cos(psi) / worker.linear[0],
-                          std::sin(theta) * std::sin(psi) / worker.linear[1], std::cos(theta) / spin};
-  // What bodies that slide everywhere show of the frames' errors, counted the more the more they slide.
-  constexpr double vast = 1e4;
-  const auto sliding = worker.sampler->solve({vast * unit[0], vast * unit[1], vast * unit[2]});
-  double exact[3];
-  sliding_limit(std::exp(log_ratio), unit[0], unit[1], unit[2], exact);
-  worker.sampler->reset();
+  const double turn = grid.stretch(log_ratio);
+  const double unit[3] = {std::sin(theta) * std::cos(psi) / (worker.linear[0] * turn),
+                          std::sin(theta) * std::sin(psi) * turn / worker.linear[1], std::cos(theta) / spin};
   for (std::int64_t i = 1; i < grid.magnitudes; ++i) {
     const double s = static_cast<double>(i) / static_cast<double>(grid.magnitudes);
     const double r = half_magnitude * s / (1 - s);
     const auto f = worker.sampler->solve({r * unit[0], r * unit[1], r * unit[2]});
-    for (std::size_t k = 0; k < 3; ++k) to[3 * at(i - 1) + k] = f[k] + s * s * (exact[k] - sliding[k]);
+    std::copy(f.begin(), f.end(), to + 3 * (i - 1));
   }
 }
 
@@ -111,7 +108,14 @@ void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts,
     mirror(grid, layout, sample.data() + plane * layout.plane());
 }
 
-void sliding_limit(double ratio, double longitudinal, double lateral, double spin, double* force) {
+StripsSize frame_of(const TableGrid& grid, double ratio) {
+  const auto part = [](std::int64_t n, double factor, double least, double most) {
+    return static_cast<std::int64_t>(std::lround(static_cast<double>(n) * std::clamp(factor, least, most)));
+  };
+  return {part(grid.along, std::pow(ratio, 0.2), 0.5, 1.35), part(grid.across, std::pow(ratio, -0.35), 0.8, 2.2)};
+}
+
+void sliding_limit(double ratio, const double (&creepage)[3], double* force) {
   // Depth z = sqrt(1 - r^2) makes the pressure of Hertz smooth in both coordinates.
   constexpr int depths = 160, around = 240;
   const double a = std::sqrt(ratio);
@@ -121,7 +125,7 @@ void sliding_limit(double ratio, double longitudinal, double lateral, double spi
     for (int j = 0; j < around; ++j) {
       const double angle = 2 * std::numbers::pi * (j + 0.5) / around;
       const double x = a * r * std::cos(angle), y = r * std::sin(angle) / a;
-      const double sx = longitudinal - spin * y, sy = lateral + spin * x, speed = std::hypot(sx, sy);
+      const double sx = creepage[0] - creepage[2] * y, sy = creepage[1] + creepage[2] * x, speed = std::hypot(sx, sy);
       if (speed == 0) continue;
       force[0] -= part * sx / speed;
       force[1] -= part * sy / speed;

@@ -28,7 +28,14 @@ double direction_of(const TableGrid& grid, std::int64_t direction);
 void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts, int threads,
                    std::vector<double>& sample);
 
+/// The coarser frame under an ellipse of this ratio. Long ones want more cells along their length than across it: where
+/// the pole of sliding lies on it, forces depend on how many cells lie between the pole and the ends.
+struct StripsSize {
+  std::int64_t along, across;
+};
+StripsSize frame_of(const TableGrid& grid, double ratio);
+
 /// Forces and moment over mu Fn, lengths over sqrt(a b), of bodies that slide and spin as rigid ones.
-void sliding_limit(double ratio, double longitudinal, double lateral, double spin, double* force);
+void sliding_limit(double ratio, const double (&creepage)[3], double* force);
 
 }  // namespace rollcon

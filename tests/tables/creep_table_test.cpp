@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <vector>
 
@@ -154,6 +155,31 @@ TEST(creep_table, random_cases_are_those_of_the_solver) {
   expect_error("worst", worst, 0.035);
 }
 
+/// Bodies that slide everywhere, the pole of sliding inside the contact, on its long axis or off it.
+TEST(creep_table, frames_suit_the_shape) {
+  const TableGrid grid;
+  for (const double ratio : {0.04, 0.1, 0.3, 1.0, 4.0, 25.0}) {
+    const StripsSize size = frame_of(grid, ratio);
+    EXPECT_LE(size.along * size.across, 2 * grid.along * grid.across);
+    RollingSampler sampler(ratio, 0.28, size.along, size.across);
+    const double a = std::sqrt(ratio), b = 1 / a;
+    double worst = 0;
+    for (const double place : {-0.57, -0.23, 0.11, 0.37, 0.61})
+      for (const double off : {0.0, 0.3}) {
+        const double x = a * (ratio < 1 ? off : place), y = b * (ratio < 1 ? place : off);
+        constexpr double vast = 100;
+        const double creepage[3] = {vast * y, -vast * x, vast};
+        sampler.reset();
+        const auto found = sampler.solve({creepage[0], creepage[1], creepage[2]});
+        double exact[3];
+        sliding_limit(ratio, creepage, exact);
+        worst = std::max(worst, std::hypot(found[0] - exact[0], found[1] - exact[1], found[2] - exact[2]));
+      }
+    const double bound = std::abs(std::log(ratio)) > 3 ? 0.05 : 0.02;
+    expect_error("a/b = " + std::to_string(ratio) + ", force and moment over mu Fn", worst, bound);
+  }
+}
+
 TEST(creep_table, neither_parts_nor_threads_change_samples) {
   TableGrid grid = small_grid();
   grid.poisson = {0.3};
@@ -179,6 +205,9 @@ TEST(creep_table, comes_back_from_its_file) {
   std::fputc(0x55, file);
   std::fputc(0xaa, file);
   std::fclose(file);
+  EXPECT_THROW(CreepTable::load(path), Error);
+  // A size beyond the file's own is refused before anything of that size is allocated.
+  std::filesystem::resize_file(path, 2000);
   EXPECT_THROW(CreepTable::load(path), Error);
   std::remove(path.c_str());
 }

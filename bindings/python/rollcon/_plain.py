@@ -735,7 +735,8 @@ class TablePlain:
         self._call("set_resolution", magnitudes, angles, directions)
 
     def set_frame(self, along, across):
-        """Sets the coarser of the two frames of strips on which samples are solved. Before the
+        """Sets the coarser of the two frames of strips on which samples of circles are solved;
+        those of longer ellipses have more cells along their length and fewer across. Before the
         first sample (else ERR_STATE).
 
         along: elements along each strip, 6 to 100; the finer frame has twice as many.
