@@ -81,3 +81,13 @@ class Body(Settings, BodyPlain, Handle):
         u, address = room(self.size[0], 3)
         self._call("get_displacements", len(u), address)
         return u
+
+    def _about(self):
+        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid"}.get(self.kind, "body")
+        nodes, elements = self.size
+        return f"{kind}, {nodes} nodes, {elements} elements" if nodes else kind
+
+    def plot_profile(self, ax=None, **options):
+        """Draws the body's profile; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.profile(self, ax, **options)

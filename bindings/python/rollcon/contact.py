@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _api
 from ._arrays import elements, integers, nodes, reals, room, vector
-from ._library import Handle, c_text, call, check, enumerator, lib
+from ._library import Handle, RollconError, c_text, call, check, enumerator, lib
 from ._plain import ContactPlain
 from ._settings import Settings
 
@@ -235,3 +235,37 @@ class Contact(Settings, ContactPlain, Handle):
             seconds = columns[1].ctypes.data_as(type(psi))
             self._call("get_error_function", need.value, psi, seconds, byref(need))
         return columns.T
+
+    # -------------------------------------------------------------------------------- pictures
+
+    def _about(self):
+        nodes, elements = self.size
+        if not nodes:
+            return "not solved, no frame"
+        words = f"{nodes} nodes, {elements} elements"
+        try:
+            force, _ = self.resultant()
+            return f"{words}; force on body 1 {force[0]:.6g} {force[1]:.6g} {force[2]:.6g}"
+        except RollconError:
+            return f"{words}; not solved"
+
+    def plot_pressure(self, ax=None, **options):
+        """Draws the pressure over the contact; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.pressure(self, ax, **options)
+
+    def plot_tractions(self, ax=None, **options):
+        """Draws tangential tractions on body 1 as arrows over where nodes stick and slip."""
+        from . import plots
+        return plots.tractions(self, ax, **options)
+
+    def plot_section(self, y=None, ax=None):
+        """Draws pressure, tractions and the limit of friction along the rolling direction, at y or through the largest
+        pressure."""
+        from . import plots
+        return plots.section(self, y, ax)
+
+    def plot_creep_curve(self, creepages, direction="longitudinal", ax=None):
+        """Solves a list of creepages in a direction, or of spins, and draws the forces over them."""
+        from . import plots
+        return plots.creep_curve(self, creepages, direction, ax)

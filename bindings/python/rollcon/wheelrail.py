@@ -6,7 +6,7 @@ from ctypes import byref
 import numpy as np
 
 from ._arrays import reals, room
-from ._library import Handle, call, check, lib
+from ._library import Handle, RollconError, call, check, lib
 from ._plain import WheelrailPlain
 from .contact import Contact
 
@@ -106,3 +106,16 @@ class WheelRail(WheelrailPlain, Handle):
     def contacts(self):
         """Those of all patches of the last solve."""
         return [self.contact(patch) for patch in range(self.patch_count)]
+
+    def _about(self):
+        try:
+            force, _ = self.resultant()
+        except RollconError:
+            return "not solved"
+        count = self.patch_count
+        return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {force[0]:.6g} {force[1]:.6g} {force[2]:.6g}"
+
+    def plot_patches(self, ax=None):
+        """Draws where the wheel touches, and how hard; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.patches(self, ax)
