@@ -131,6 +131,12 @@ def call(function, *arguments):
     return function(*checked)
 
 
+def shown(vector):
+    """Components for a repr; what is zero up to rounding is 0."""
+    largest = max(abs(v) for v in vector)
+    return " ".join(f"{v if abs(v) > 1e-9 * largest else 0:.5g}" for v in vector)
+
+
 class Handle:
     """One reference to an object of the library. A copy (copy.copy) is another one to the same
     object; there are no deep copies."""

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _api
 from ._arrays import elements, integers, nodes, reals, room, vector
-from ._library import Handle, RollconError, c_text, call, check, enumerator, lib
+from ._library import Handle, RollconError, c_text, call, check, enumerator, lib, shown
 from ._plain import ContactPlain
 from ._settings import Settings
 
@@ -245,7 +245,7 @@ class Contact(Settings, ContactPlain, Handle):
         words = f"{nodes} nodes, {elements} elements"
         try:
             force, _ = self.resultant()
-            return f"{words}; force on body 1 {force[0]:.6g} {force[1]:.6g} {force[2]:.6g}"
+            return f"{words}; force on body 1 {shown(force)}"
         except RollconError:
             return f"{words}; not solved"
 

@@ -46,6 +46,15 @@ def _triangles(x, y, touching):
     return mesh
 
 
+def _label(ax, x, y):
+    """Both axes in one scale, unless the contact is so slender that nothing would be seen."""
+    if 0.1 < np.ptp(x) / max(np.ptp(y), 1e-300) < 10:
+        ax.set_aspect("equal")
+    ax.set_xlabel("x, rolling direction")
+    ax.set_ylabel("y")
+    return ax
+
+
 def _over_plane(contact, values, touching, x, y, ax, label, cmap):
     ax = _axes(ax)
     mesh = _triangles(x, y, touching)
@@ -53,10 +62,7 @@ def _over_plane(contact, values, touching, x, y, ax, label, cmap):
         raise ValueError("the nodes lie on one line: plot_section draws those")
     drawn = ax.tripcolor(mesh, values, shading="gouraud", cmap=cmap)
     ax.figure.colorbar(drawn, ax=ax, label=label)
-    ax.set_aspect("equal")
-    ax.set_xlabel("x, rolling direction")
-    ax.set_ylabel("y")
-    return ax
+    return _label(ax, x[touching], y[touching])
 
 
 def pressure(contact, ax=None, cmap="viridis"):
@@ -76,11 +82,8 @@ def tractions(contact, ax=None, arrows=400):
     chosen = np.flatnonzero(touching)
     chosen = chosen[::max(1, len(chosen) // arrows)]
     ax.quiver(x[chosen], y[chosen], t[chosen, 0], t[chosen, 1], angles="xy", width=0.002, pivot="tail")
-    ax.set_aspect("equal")
-    ax.set_xlabel("x, rolling direction")
-    ax.set_ylabel("y")
     ax.legend(loc="upper right", fontsize="small")
-    return ax
+    return _label(ax, x[touching], y[touching])
 
 
 def section(contact, y=None, ax=None):

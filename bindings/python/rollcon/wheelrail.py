@@ -6,7 +6,7 @@ from ctypes import byref
 import numpy as np
 
 from ._arrays import reals, room
-from ._library import Handle, RollconError, call, check, lib
+from ._library import Handle, RollconError, call, check, lib, shown
 from ._plain import WheelrailPlain
 from .contact import Contact
 
@@ -113,7 +113,7 @@ class WheelRail(WheelrailPlain, Handle):
         except RollconError:
             return "not solved"
         count = self.patch_count
-        return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {force[0]:.6g} {force[1]:.6g} {force[2]:.6g}"
+        return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {shown(force)}"
 
     def plot_patches(self, ax=None):
         """Draws where the wheel touches, and how hard; the axes of matplotlib. See rollcon.plots."""
