@@ -32,8 +32,12 @@ if(ROLLCON_DOCS)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents
     PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
-  install(FILES "${PROJECT_SOURCE_DIR}/README.md" "${PROJECT_SOURCE_DIR}/CHANGELOG.md"
-    DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents)
+  # In their places, so that links between them lead there.
+  foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md AUTHORS.md CITATION.cff
+      fortran/README.md bindings/python/README.md)
+    get_filename_component(_folder "${_page}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/${_page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${_folder}" COMPONENT documents)
+  endforeach()
 endif()
 install(FILES "${PROJECT_SOURCE_DIR}/src/tables/steel.rct" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon"
   COMPONENT library)

@@ -80,8 +80,3 @@ class Table(TablePlain, Handle):
         by, by_at = room(n, 3, 9)
         self._call("evaluate_derivatives", n, given_at, results_at, by_at)
         return (results[0], by[0]) if one else (results, by)
-
-    def _about(self):
-        count = c_int64()
-        self._call("get_samples", 0, None, byref(count))
-        return f"{count.value} samples"
