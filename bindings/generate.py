@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "scripts")]
 
-from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_module,  # noqa: E402
+from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_77_include, fortran_module,  # noqa: E402
                        fortran_plain, fortran_tests, python_module, python_plain, python_tests,
                        recorder, reference, reference_fortran, reference_python, symbol_map, table)
 from wrap_docs import wrapped  # noqa: E402
@@ -52,6 +52,8 @@ def outputs(api):
         "tests/python/mapping_rows.py": python_tests.write(api),
         "docs/api.md": wrapped(reference.write(api, contract)),
     }
+
+    made["fortran/rollcon.inc"] = fortran_77_include.write(api, made["fortran/rollcon_f77.f90"])
 
     def read(name):
         return made.get(name) or (ROOT / name).read_text(encoding="utf-8")

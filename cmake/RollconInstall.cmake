@@ -22,7 +22,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_
   COMPONENT development FILES_MATCHING PATTERN "*.h")
 list(TRANSFORM ROLLCON_FORTRAN_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/fortran/"
   OUTPUT_VARIABLE _fortran_sources)
-install(FILES ${_fortran_sources} DESTINATION "${_fortran_dir}" COMPONENT development)
+install(FILES ${_fortran_sources} "${PROJECT_SOURCE_DIR}/fortran/rollcon.inc" DESTINATION "${_fortran_dir}" COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)
 if(ROLLCON_PYTHON AND ROLLCON_SHARED)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/python/rollcon" DESTINATION lib/python3/dist-packages
