@@ -32,6 +32,7 @@ def with_list(name, text):
 
 def outputs(api):
     contract = (ROOT / "bindings/api_contract.md").read_text(encoding="utf-8")
+    programs = [(path.name, path.read_text(encoding="utf-8")) for path in sorted((ROOT / "examples").glob("*.c"))]
     made = {
         "include/rollcon.h": c_header.write(api),
         "src/capi/api_tables.hpp": cpp_tables.write(api),
@@ -50,7 +51,7 @@ def outputs(api):
         "tests/fortran/mapping_test.f90": fortran_tests.write_2008(api),
         "tests/fortran/mapping_77_test.f90": fortran_tests.write_77(api),
         "tests/python/mapping_rows.py": python_tests.write(api),
-        "docs/api.md": wrapped(reference.write(api, contract)),
+        "docs/api.md": wrapped(reference.write(api, contract, programs)),
     }
 
     made["fortran/rollcon.inc"] = fortran_77_include.write(api, made["fortran/rollcon_f77.f90"])
