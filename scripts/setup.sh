@@ -18,8 +18,8 @@ declare -A sets=(
   # runs on several processes; pictures of the Python package, readers of the output files.
   [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
     abigail-tools valgrind mpich libmpich-dev python3-matplotlib python3-meshio"
-  [docs]="mkdocs mkdocs-material python3-matplotlib"
-  [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv codespell"
+  [docs]="mkdocs mkdocs-material codespell python3-matplotlib"
+  [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"
 )
 [ $# -gt 0 ] || set -- build demo test
 
