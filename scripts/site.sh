@@ -9,7 +9,7 @@ cd "$root"
 "$python" scripts/documents.py check
 # Words of the field, of Fortran and of journals.
 codespell --quiet-level 3 --ignore-words-list tread,cant,statics,fro,numer,mater,stat,inout --skip '*.png,*.svg,*.pyc' \
-  ./*.md CITATION.cff docs fortran bindings packaging scripts include examples
+  ./*.md CITATION.cff docs fortran bindings packaging scripts include
 "$python" scripts/documents.py stage build/site/pages
 /usr/bin/mkdocs build --quiet --strict --config-file docs/mkdocs.yml
 "$python" scripts/documents.py links build/site/html
