@@ -1,16 +1,18 @@
 #!/usr/bin/env python3
-"""run_documents.py PREFIX [FILE...]: runs the programs in the documents from their text, over the library installed in
+"""run_documents.py [--pictures] PREFIX [FILE...]: runs the programs in the documents from their text, over the library installed in
 PREFIX.
 
 Of each page, blocks with a title are files (blocks of one title are one file), blocks of sh run in their order, and a
 block of text after one is what it must print: numbers within 1 %, everything else to the letter. Lines of sh with a #
 at their beginning are comments. Each page runs in a folder of its own. Without files: README.md and all pages that have
-such blocks.
+such blocks. A picture of docs/images that a page shows must come out under its name where the page saves it; --pictures
+puts the new ones there.
 """
 
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -66,17 +68,27 @@ def run(page, env, folder):
             if wrong:
                 return f"prints {wrong}\n--- all of it\n{last}"
             last = None
-    return "" if runs else "runs nothing"
+    missing = [name for name in saved(page) if not (pathlib.Path(folder) / name).exists()]
+    return f"draws no {missing[0]}" if missing else "" if runs else "runs nothing"
+
+
+def saved(page):
+    """Pictures that a page both shows and saves."""
+    text = page.read_text(encoding="utf-8")
+    return [name for name in re.findall(r"images/(\w+\.png)", text) if f'savefig("{name}")' in text]
 
 
 def main():
-    if len(sys.argv) < 2:
+    arguments = [argument for argument in sys.argv[1:] if argument != "--pictures"]
+    if not arguments:
         sys.exit(__doc__)
-    prefix, failed = pathlib.Path(sys.argv[1]).resolve(), 0
-    chosen = [pathlib.Path(name).resolve() for name in sys.argv[2:]] or pages()
+    prefix, failed = pathlib.Path(arguments[0]).resolve(), 0
+    chosen = [pathlib.Path(name).resolve() for name in arguments[1:]] or pages()
     for page in chosen:
         with tempfile.TemporaryDirectory() as folder:
             wrong = run(page, environment(prefix), folder)
+            for name in saved(page) if "--pictures" in sys.argv and not wrong else ():
+                shutil.copy(pathlib.Path(folder) / name, ROOT / "docs/images" / name)
         failed += bool(wrong)
         print(f"{page.relative_to(ROOT)}: {'FAILED: ' + wrong if wrong else 'runs as it says'}", flush=True)
     return 1 if failed else 0

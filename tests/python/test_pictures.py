@@ -98,6 +98,18 @@ class Words(Scene):
         contact.close()
         self.assertEqual(repr(contact), "<rollcon.Contact, closed>")
 
+    def test_properties(self):
+        contact = self.contact()
+        contact.prescribe("longitudinal", "force", 0.5 * MU * LOAD)
+        contact.solve()
+        for given, methods in (((contact.force, contact.moment), contact.resultant()),
+                               ((contact.approach, contact.creepages), contact.motion())):
+            for one, two in zip(given, methods):
+                np.testing.assert_array_equal(one, two)
+        self.assertLess(contact.creepages[0], 0)
+        self.assertGreater(contact.approach, 0)
+        np.testing.assert_array_equal(contact.pressure, contact.field(rc.FIELD_PRESSURE))
+
     def test_names(self):
         body = rc.Body(self.context, "rigid")
         with self.assertRaisesRegex(ValueError, "allowed: x, y, z"):

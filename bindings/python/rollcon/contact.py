@@ -236,6 +236,31 @@ class Contact(Settings, ContactPlain, Handle):
             self._call("get_error_function", need.value, psi, seconds, byref(need))
         return columns.T
 
+    @property
+    def force(self) -> np.ndarray:
+        """Force [3] on body 1 in the contact's axes: resultant()[0]."""
+        return self.resultant()[0]
+
+    @property
+    def moment(self) -> np.ndarray:
+        """Moment [3] on body 1 about the origin of the contact's axes: resultant()[1]."""
+        return self.resultant()[1]
+
+    @property
+    def approach(self) -> float:
+        """How far the bodies are moved together, given or found: motion()[0]."""
+        return self.motion()[0]
+
+    @property
+    def creepages(self) -> np.ndarray:
+        """Longitudinal and lateral creepage and spin [3], given or found: motion()[1]."""
+        return self.motion()[1]
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """Pressure at the nodes [n]: field("pressure")."""
+        return self.field("pressure")
+
     # -------------------------------------------------------------------------------- pictures
 
     def _about(self):
