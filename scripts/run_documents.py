@@ -58,7 +58,7 @@ def run(page, env, folder):
     for language, title, text in blocks:
         if language == "sh":
             # What installs is done already.
-            lines = [line for line in text.splitlines() if not re.match(r"#|cmake |export PKG_CONFIG", line)]
+            lines = [line for line in text.splitlines() if not re.match(r"#|PREFIX=|cmake |export PKG_CONFIG", line)]
             done = subprocess.run(["bash", "-euc", "\n".join(lines)], cwd=folder, env=env, text=True, capture_output=True)
             if done.returncode:
                 return f"status {done.returncode} of\n{text}{done.stdout}{done.stderr}"
