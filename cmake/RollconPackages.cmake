@@ -1,5 +1,7 @@
 # Debian packages by CPack, one for each component of the installation: scripts/package.sh calls it, and checks them.
-if(NOT PROJECT_IS_TOP_LEVEL OR NOT ROLLCON_SHARED OR NOT ROLLCON_STATIC OR NOT ROLLCON_PYTHON OR NOT ROLLCON_DOCS)
+find_program(ROLLCON_GZIP gzip)
+mark_as_advanced(ROLLCON_GZIP)
+if(NOT ROLLCON_GZIP OR NOT PROJECT_IS_TOP_LEVEL OR NOT ROLLCON_SHARED OR NOT ROLLCON_STATIC OR NOT ROLLCON_PYTHON OR NOT ROLLCON_DOCS)
   return()
 endif()
 
@@ -35,9 +37,9 @@ macro(rollcon_package component name section summary text)
   configure_file("${PROJECT_SOURCE_DIR}/packaging/debian/copyright" "${_folder}/copyright" COPYONLY)
   set(ROLLCON_PACKAGE ${name})
   configure_file("${PROJECT_SOURCE_DIR}/packaging/debian/changelog.in" "${_folder}/changelog.Debian" @ONLY)
-  execute_process(COMMAND gzip -9nf "${_folder}/changelog.Debian")
+  execute_process(COMMAND "${ROLLCON_GZIP}" -9nf "${_folder}/changelog.Debian")
   install(FILES "${_folder}/copyright" "${_folder}/changelog.Debian.gz" DESTINATION share/doc/${name}
-    COMPONENT ${component})
+    COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro()
 
 set(ROLLCON_MAINTAINER "The rollcon authors <rollcon@example.org>" CACHE STRING "Maintainer of Debian packages")

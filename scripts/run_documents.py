@@ -53,6 +53,7 @@ def run(page, env, folder):
     blocks = BLOCK.findall(page.read_text(encoding="utf-8"))
     for _, title, text in blocks:
         if title:
+            (pathlib.Path(folder) / title).parent.mkdir(exist_ok=True)
             with open(pathlib.Path(folder) / title, "a", encoding="utf-8") as file:
                 file.write(text)
     for language, title, text in blocks:
