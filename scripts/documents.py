@@ -108,6 +108,7 @@ def staged(path):
 def stage(folder):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(ROOT / "docs/images", folder / "images")
+    shutil.copy(ROOT / "docs/site.css", folder)
     for page in pages():
         target = folder / staged(page)
 
