@@ -9,8 +9,8 @@ compile() { "$compiler" -fsyntax-only -I"$root/fortran" "$@"; }
 
 for source in "$root"/examples/*_77.f; do
   # Behind the first statement of each unit, continued lines included.
-  awk '/^ {6}(PROGRAM|SUBROUTINE)/ { print; due = 1; next }
-    due && !/^ {5}[^ ]/ { print "      INCLUDE '\''rollcon.inc'\''"; due = 0 } { print }' "$source" >"$work/good.f"
+  awk '/^      (PROGRAM|SUBROUTINE)/ { print; due = 1; next }
+    due && !/^     [^ ]/ { print "      INCLUDE '\''rollcon.inc'\''"; due = 0 } { print }' "$source" >"$work/good.f"
   grep -q INCLUDE "$work/good.f"
   compile "$work/good.f"
 done
