@@ -8,7 +8,7 @@ bash "$root/scripts/setup.sh" docs
 cd "$root"
 "$python" scripts/documents.py check
 # Words of the field, of Fortran and of journals.
-codespell --quiet-level 3 --ignore-words-list tread,cant,statics,fro,numer,mater,stat,inout --skip '*.png,*.svg,*.pyc' \
+codespell --quiet-level 3 --ignore-words-list tread,cant,statics,fro,numer,mater,stat,inout --skip '*.png,*.svg,*.pyc,.*_cache' \
   ./*.md CITATION.cff docs fortran bindings packaging scripts include
 "$python" scripts/documents.py stage build/site/pages
 /usr/bin/mkdocs build --quiet --strict --config-file docs/mkdocs.yml
