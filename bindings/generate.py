@@ -14,9 +14,9 @@ sys.dont_write_bytecode = True
 ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "scripts")]
 
-from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_module,  # noqa: E402
+from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_77_include, fortran_module,  # noqa: E402
                        fortran_plain, fortran_tests, python_module, python_plain, python_tests,
-                       recorder, reference, symbol_map, table)
+                       recorder, reference, reference_fortran, reference_python, symbol_map, table)
 from wrap_docs import wrapped  # noqa: E402
 
 
@@ -32,7 +32,8 @@ def with_list(name, text):
 
 def outputs(api):
     contract = (ROOT / "bindings/api_contract.md").read_text(encoding="utf-8")
-    return {
+    programs = [(path.name, path.read_text(encoding="utf-8")) for path in sorted((ROOT / "examples").glob("*.c"))]
+    made = {
         "include/rollcon.h": c_header.write(api),
         "src/capi/api_tables.hpp": cpp_tables.write(api),
         "src/capi/plain.cpp": capi_plain.write(api),
@@ -50,8 +51,17 @@ def outputs(api):
         "tests/fortran/mapping_test.f90": fortran_tests.write_2008(api),
         "tests/fortran/mapping_77_test.f90": fortran_tests.write_77(api),
         "tests/python/mapping_rows.py": python_tests.write(api),
-        "docs/api.md": wrapped(reference.write(api, contract)),
+        "docs/api.md": wrapped(reference.write(api, contract, programs)),
     }
+
+    made["fortran/rollcon.inc"] = fortran_77_include.write(api, made["fortran/rollcon_f77.f90"])
+
+    def read(name):
+        return made.get(name) or (ROOT / name).read_text(encoding="utf-8")
+    for language in (reference_fortran, reference_python):
+        name = language.__name__.removeprefix("generator.")
+        made[f"docs/{name}.md"] = wrapped(language.write(read))
+    return made
 
 
 def main():

@@ -11,20 +11,36 @@ foreach(_kind IN ITEMS shared static)
   string(TOUPPER ${_kind} _option)
   if(ROLLCON_${_option})
     install(TARGETS rollcon_${_kind} EXPORT rollcon_${_kind}
-      LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-      ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+      LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library NAMELINK_COMPONENT development
+      ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
     install(EXPORT rollcon_${_kind} NAMESPACE rollcon:: FILE rollcon-${_kind}-targets.cmake
-      DESTINATION "${_package_dir}")
+      DESTINATION "${_package_dir}" COMPONENT development)
   endif()
 endforeach()
 
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
-  FILES_MATCHING PATTERN "*.h")
+  COMPONENT development FILES_MATCHING PATTERN "*.h")
 list(TRANSFORM ROLLCON_FORTRAN_SOURCES PREPEND "${PROJECT_SOURCE_DIR}/fortran/"
   OUTPUT_VARIABLE _fortran_sources)
-install(FILES ${_fortran_sources} DESTINATION "${_fortran_dir}")
-install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-install(FILES "${PROJECT_SOURCE_DIR}/src/tables/steel.rct" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon")
+install(FILES ${_fortran_sources} "${PROJECT_SOURCE_DIR}/fortran/rollcon.inc" DESTINATION "${_fortran_dir}" COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT license)
+if(ROLLCON_PYTHON AND ROLLCON_SHARED)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/python/rollcon" DESTINATION lib/python3/dist-packages
+    COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
+endif()
+if(ROLLCON_DOCS)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents
+    PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
+  # In their places, so that links between them lead there.
+  foreach(_page IN ITEMS README.md CHANGELOG.md CONTRIBUTING.md RELEASING.md SECURITY.md AUTHORS.md CITATION.cff
+      fortran/README.md bindings/python/README.md)
+    get_filename_component(_folder "${_page}" DIRECTORY)
+    install(FILES "${PROJECT_SOURCE_DIR}/${_page}" DESTINATION "${CMAKE_INSTALL_DOCDIR}/${_folder}" COMPONENT documents)
+  endforeach()
+endif()
+install(FILES "${PROJECT_SOURCE_DIR}/src/tables/steel.rct" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon"
+  COMPONENT library)
 
 # The package of a static rollcon looks for libraries of components where this build found them, then
 # anywhere.
@@ -52,7 +68,7 @@ install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   "${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconFortranTarget.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconExternal.cmake"
-  DESTINATION "${_package_dir}")
+  DESTINATION "${_package_dir}" COMPONENT development)
 
 # pkg-config: libraries by name, their folder only where the linker would not look by itself.
 set(_private "")
@@ -81,4 +97,5 @@ list(JOIN ROLLCON_FORTRAN_SOURCES " " ROLLCON_PC_FORTRAN)
 file(RELATIVE_PATH ROLLCON_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" ROLLCON_PC_PREFIX "${ROLLCON_PC_PREFIX}")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/rollcon.pc.in" "${PROJECT_BINARY_DIR}/rollcon.pc" @ONLY)
-install(FILES "${PROJECT_BINARY_DIR}/rollcon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig")
+install(FILES "${PROJECT_BINARY_DIR}/rollcon.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+  COMPONENT development)

@@ -1,4 +1,4 @@
-# Options. What a developer wants is on when rollcon is the top project and off inside another one.
+# Options; docs/build.md lists them all. What only rollcon's own developers want is off unless asked for.
 
 include(CheckLanguage)
 
@@ -22,10 +22,12 @@ endif()
 option(ROLLCON_SHARED "Build the shared library" ${_shared})
 option(ROLLCON_STATIC "Build the static library" ${_static})
 option(ROLLCON_FORTRAN "Build the Fortran module and the FORTRAN 77 layer" ${_fortran})
-option(ROLLCON_EXAMPLES "Build the examples" ${PROJECT_IS_TOP_LEVEL})
-option(ROLLCON_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+option(ROLLCON_EXAMPLES "Build the examples" OFF)
+option(ROLLCON_TESTS "Build the tests" OFF)
 option(ROLLCON_BENCH "Build rollcon-bench" OFF)
 option(ROLLCON_INSTALL "Install rollcon" ${PROJECT_IS_TOP_LEVEL})
+option(ROLLCON_PYTHON "Install the Python package" ON)
+option(ROLLCON_DOCS "Install documents and examples" ON)
 option(ROLLCON_WERROR "Treat warnings as errors" OFF)
 option(ROLLCON_COVERAGE "Instrument for coverage" OFF)
 set(ROLLCON_PRECOMPILE OFF CACHE STRING "Precompiled headers: OFF, TESTS or ALL")

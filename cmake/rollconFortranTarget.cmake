@@ -17,6 +17,6 @@ function(rollcon_add_fortran directory)
   add_library(rollcon::fortran ALIAS rollcon_fortran)
   set_target_properties(rollcon_fortran PROPERTIES
     POSITION_INDEPENDENT_CODE ON Fortran_MODULE_DIRECTORY "${modules}")
-  target_include_directories(rollcon_fortran PUBLIC "${modules}")
+  target_include_directories(rollcon_fortran PUBLIC "${modules}" "${directory}")
   target_link_libraries(rollcon_fortran PUBLIC rollcon::rollcon)
 endfunction()

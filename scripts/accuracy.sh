@@ -39,8 +39,8 @@ procedures=(procedures_example3 procedures_density procedures_example4 procedure
 speed=(lattice stresses resolve table many time_loop loop curve saved_body)
 
 mkdir -p "$build/records"
-cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON -DROLLCON_TESTS=OFF \
-  -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=ON > "$build/configure.log" 2>&1 \
+cmake -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DROLLCON_BENCH=ON \
+  -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=ON > "$build/configure.log" 2>&1 \
   || { cat "$build/configure.log"; exit 1; }
 cmake --build "$build" --target rollcon-bench -j "$(nproc)"
 bench=$(find "$build" -name rollcon-bench -type f -perm -u+x | head -n 1)

@@ -8,11 +8,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 build=$root/build/demo
 out=$root/out/demo
 
-bash "$root/scripts/setup.sh"
+bash "$root/scripts/setup.sh" build demo
 say "configure and build (Release)"
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DROLLCON_TESTS=OFF \
-  -DROLLCON_FORTRAN=OFF | grep -A6 -E '^-- rollcon [0-9]'
-cmake --build "$build" -j "$jobs"
+cmake --preset examples -S "$root" -B "$build" -DROLLCON_FORTRAN=OFF -DROLLCON_STATIC=OFF | grep -A6 -E '^-- rollcon [0-9]'
+cmake --build "$build" -j "$jobs" --target sphere_on_plane_c ring_on_halfspace_c wheel_on_rail_c manchester_c
 
 mkdir -p "$out"
 cd "$out"
@@ -30,8 +29,8 @@ run() {
   [ -s "$picture" ] || fail "no picture was drawn: $picture"
 }
 
+run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
 run sphere_on_plane sphere_on_plane.png plot_contact.gp
 run ring_on_halfspace ring_on_halfspace.png plot_ring_on_halfspace.gp
-run wheel_on_rail wheel_on_rail.png plot_wheel.gp plot_wheel_fields.gp
 run manchester manchester.png plot_manchester.gp
 say "pictures: $out/wheel_on_rail.png (and manchester.png, wheel_on_rail_fields.png, ring_on_halfspace.png, sphere_on_plane.png)"

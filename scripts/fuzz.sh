@@ -17,7 +17,7 @@ mkdir -p "$folder"
 cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_C_COMPILER=clang \
   -DCMAKE_CXX_COMPILER=clang++ "-DROLLCON_SANITIZE=address;undefined" -DROLLCON_FUZZ=ON -DROLLCON_PRECOMPILE=ALL \
-  -DROLLCON_UNITY=ALL -DROLLCON_FORTRAN=OFF -DROLLCON_EXAMPLES=OFF >"$folder.log" 2>&1 || {
+  -DROLLCON_UNITY=ALL -DROLLCON_FORTRAN=OFF -DROLLCON_TESTS=ON >"$folder.log" 2>&1 || {
   cat "$folder.log"
   fail "configure"
 }

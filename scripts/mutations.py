@@ -92,7 +92,7 @@ def prepare(work, jobs):
     os.environ.pop("CCACHE_DISABLE", None)
     subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
                     "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -D_GLIBCXX_ASSERTIONS", "-DROLLCON_SHARED=OFF",
-                    "-DROLLCON_STATIC=ON", "-DROLLCON_EXAMPLES=OFF", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
+                    "-DROLLCON_STATIC=ON", "-DROLLCON_TESTS=ON", "-DROLLCON_FORTRAN=OFF", "-DROLLCON_INSTALL=OFF",
                     f"-DCMAKE_CXX_COMPILER_LAUNCHER={launcher}", "-DCMAKE_LINK_DEPENDS_NO_SHARED=ON",
                     f"-DCMAKE_EXE_LINKER_FLAGS={linker}",
                     f"-DCMAKE_SHARED_LINKER_FLAGS={linker} -Wl,-Bsymbolic-functions"],

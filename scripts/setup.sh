@@ -1,19 +1,34 @@
 #!/usr/bin/env bash
-# Installs what building, testing and drawing need on Debian 12; the only place that names packages.
-# Does nothing, and uses no network, when all are there. Needs root or sudo otherwise.
+# Installs what is needed on Debian 12; the only place that names packages. Does nothing, and uses no network, when all
+# are there. Needs root or sudo otherwise.
+#   setup.sh [set...]      default: build demo test
+#     build      compilers, CMake, libraries: what the library needs
+#     demo       what draws the pictures of scripts/demo.sh
+#     test       what tests and checks of every change need beside those (.ci/run)
+#     docs       what scripts/site.sh makes the documents' site with
+#     package    what scripts/package.sh makes and checks packages with
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-packages=(
-  # compilers and build
-  g++ gcc gfortran make cmake ninja-build pkg-config git
-  # libraries
-  libopenblas-dev libsuitesparse-dev libfftw3-dev libboost-dev libgtest-dev libbenchmark-dev
-  # checks: a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory
-  clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils abigail-tools valgrind
-  # examples, one of which runs on several processes; plots, readers of the output files
-  mpich libmpich-dev python3 python3-numpy python3-meshio gnuplot-nox
+declare -A sets=(
+  [build]="g++ gcc gfortran make cmake ninja-build pkg-config
+    libopenblas-dev libsuitesparse-dev libfftw3-dev libboost-dev python3 python3-numpy"
+  [demo]="gnuplot-nox"
+  # Test libraries; a second compiler with its OpenMP and sanitizer runtimes, format, lint, ABI, memory; an example that
+  # runs on several processes; pictures of the Python package, readers of the output files.
+  [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
+    abigail-tools valgrind mpich libmpich-dev python3-matplotlib python3-meshio"
+  [docs]="mkdocs mkdocs-material codespell python3-matplotlib"
+  [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"
 )
+[ $# -gt 0 ] || set -- build demo test
+
+packages=()
+for name in "$@"; do
+  [ -n "${sets[$name]:-}" ] || fail "no set '$name' of packages: ${!sets[*]}"
+  read -r -d '' -a more <<<"${sets[$name]}" || true
+  packages+=("${more[@]}")
+done
 
 missing=()
 for package in "${packages[@]}"; do
@@ -23,7 +38,7 @@ for package in "${packages[@]}"; do
   fi
 done
 if [ ${#missing[@]} -eq 0 ]; then
-  say "setup: all ${#packages[@]} packages are installed"
+  say "setup ($*): all ${#packages[@]} packages are installed"
   exit 0
 fi
 
@@ -32,7 +47,7 @@ if [ "$(id -u)" -ne 0 ]; then
   command -v sudo >/dev/null || fail "root or sudo is needed to install: ${missing[*]}"
   as_root=(sudo)
 fi
-say "setup: installing ${missing[*]}"
+say "setup ($*): installing ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
 "${as_root[@]}" apt-get update -q
 "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \

@@ -25,7 +25,7 @@ if [ -z "$build" ]; then
   build=${ROLLCON_VALGRIND_BUILD:-$root/build/valgrind}
   # Line numbers in the reports, otherwise the code that users run.
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-g1 \
-    -DROLLCON_EXAMPLES=OFF -DROLLCON_FORTRAN=OFF >/dev/null
+    -DROLLCON_TESTS=ON -DROLLCON_FORTRAN=OFF >/dev/null
   targets=()
   for room in "${rooms[@]}"; do targets+=("test_$room"); done
   cmake --build "$build" -j "$jobs" --target "${targets[@]}"

@@ -68,7 +68,8 @@ def main():
     options = parser.parse_args()
     files = options.files or [ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "docs").glob("*.md")),
                               ROOT / "fortran/README.md", ROOT / "bindings/api_contract.md",
-                              ROOT / "bindings/python/README.md"]
+                              ROOT / "bindings/python/README.md", *sorted((ROOT / "docs").glob("*/*.md")),
+                              *(ROOT / f"{name}.md" for name in ("CONTRIBUTING", "RELEASING", "SECURITY", "AUTHORS"))]
     stale = 0
     for file in files:
         old = file.read_text(encoding="utf-8")

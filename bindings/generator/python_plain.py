@@ -9,13 +9,23 @@ OPENING = '''\
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
 """The plain methods of the classes: one call of the library each."""
 
+from __future__ import annotations
+
 from ctypes import byref, c_double, c_int32, c_int64
+from typing import TYPE_CHECKING
 
 from . import _api
 from ._arrays import integer_list, reals, room, vector
 from ._library import c_path, c_text, check, lib, read_text
+
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from numpy import ndarray
+    from numpy.typing import ArrayLike
 '''
 
+HINTS = {"real": "float", "text": "str", "path": "str | PathLike"}
 C_TYPES = {"int32": "c_int32", "int64": "c_int64", "real": "c_double"}
 
 
@@ -26,6 +36,7 @@ class Method:
         self.function = function
         self.options = function.python
         self.given, self.before, self.call, self.results = [], [], [], []
+        self.hints, self.made = {}, []  # types of parameters, by name; of results
         self.text = False
 
     def name(self):
@@ -57,11 +68,13 @@ class Method:
             self.call.append(f"len({name})")
         elif arg.name != "capacity":
             self.parameter(arg.name)
+            self.hints[arg.name] = "int | str" if arg.enum else HINTS.get(arg.base, "int")
             self.call.append({"text": f"c_text({arg.name}, \"{arg.name}\")",
                               "path": f"c_path({arg.name})"}.get(arg.base, arg.name))
 
     def take_array(self, arg):
         self.parameter(arg.name)
+        self.hints[arg.name] = "ArrayLike | None" if arg.optional and arg.base == "real" else "ArrayLike"
         at = f"{arg.name}_at"
         parts = re.findall(r"\[(.+?)\]", arg.shape)
         if parts == ["3"]:
@@ -85,10 +98,19 @@ class Method:
             self.before.append(f"{arg.name}, {arg.name}_at = room({extents})")
             self.call.append(f"{arg.name}_at")
             self.results.append(arg.name)
+            self.made.append("ndarray")
         else:
             self.before.append(f"{arg.name} = {C_TYPES[arg.base]}()")
             self.call.append(f"byref({arg.name})")
             self.results.append(f"{arg.name}.value")
+            self.made.append("float" if arg.base == "real" else "int")
+
+    def heading(self, parameters):
+        made = self.made or (["int"] if "NOT_CONVERGED" in self.function.errors else ["None"])
+        result = "str" if self.text else made[0] if len(made) == 1 else f"tuple[{', '.join(made)}]"
+        start = f"    def {self.name()}("
+        return textwrap.wrap(start + ", ".join(["self"] + parameters) + f") -> {result}:", 100,
+                             subsequent_indent=" " * len(start), break_on_hyphens=False)
 
     def doc(self):
         """The documentation in Python's words: names of Python, None for NULL."""
@@ -109,7 +131,7 @@ class Method:
             self.take(arg)
         given = sorted(self.given, key=lambda pair: pair[1] != "")
         lines = ["    @property"] if self.options.get("property") else []
-        lines.append(f"    def {self.name()}({', '.join(['self'] + [n + d for n, d in given])}):")
+        lines += self.heading([f"{n}: {self.hints[n]}" + d.replace("=", " = ") for n, d in given])
         body = self.doc() + self.before
         if self.text:
             inner = ", ".join(["self._handle"] + self.call + ["*a"])

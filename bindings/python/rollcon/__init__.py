@@ -12,6 +12,7 @@ from ._library import (RollconError, build_info, has_feature, last_error, librar
 from .body import Body
 from .contact import Contact
 from .context import Context
+from .status import Status
 from .options import (body_option_table, body_stat_names, option_table, stat_names,
                       wheelrail_patch_stat_names, wheelrail_stat_names)
 from .stresses import stress_invariants
@@ -20,7 +21,7 @@ from .wheelrail import WheelRail, conicity, contact_points
 
 __version__ = ".".join(str(part) for part in _api.VERSION)
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
-__all__ += ["Body", "Contact", "Context", "RollconError", "Table", "WheelRail", "body_option_table", "body_stat_names",
+__all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
             "build_info", "conicity", "contact_points", "has_feature", "last_error", "library_path", "option_table", "stat_names",
             "status_string", "stress_invariants", "version", "version_string", "wheelrail_patch_stat_names",
             "wheelrail_stat_names"]

@@ -1,71 +1,38 @@
 """The loaded library, the rule for failures, and the life of a handle."""
 
+from __future__ import annotations
+
 import ctypes
-import ctypes.util
 import operator
 import os
-import pathlib
 
 from . import _api
+from ._find import load
+from .status import Status
+
+library_path, lib = load()
 
 
-def _find():
-    """ROLLCON_LIBRARY, else a library next to the package, else what the system's loader knows."""
-    named = os.environ.get("ROLLCON_LIBRARY")
-    if named:
-        return named
-    beside = pathlib.Path(__file__).resolve().parent
-    for pattern in ("librollcon.so*", "librollcon*.dylib", "rollcon*.dll"):
-        for path in sorted(beside.glob(pattern)):
-            return str(path)
-    found = ctypes.util.find_library("rollcon")
-    if not found:
-        raise ImportError("librollcon not found: set ROLLCON_LIBRARY to its path")
-    return found
-
-
-def _load(path):
-    """The library with its functions' types; ImportError says what is wrong with it."""
-    where = "named by ROLLCON_LIBRARY" if os.environ.get("ROLLCON_LIBRARY") else "found"
-    try:
-        library = ctypes.CDLL(path)
-    except OSError as error:
-        raise ImportError(f"cannot load librollcon, {where} as '{path}': {error}") from error
-    if not hasattr(library, "rollcon_abi"):
-        raise ImportError(f"'{path}', {where}, is not librollcon")
-    if library.rollcon_abi() != _api.ABI:
-        raise ImportError(f"'{path}', {where}, has ABI {library.rollcon_abi()}, this package needs "
-                          f"{_api.ABI}: take both from one version of rollcon")
-    try:
-        return _api.declare(library)
-    except AttributeError as error:
-        raise ImportError(f"'{path}', {where}, is older than this package: {error}") from error
-
-
-library_path = _find()
-lib = _load(library_path)
-
-
-def version():
+def version() -> int:
     """10000 major + 100 minor + patch of the library that runs."""
     return lib.rollcon_version()
 
 
-def version_string():
+def version_string() -> str:
     return lib.rollcon_version_string().decode()
 
 
-def build_info():
+def build_info() -> str:
     """Licences and options of the library that runs."""
     return lib.rollcon_build_info().decode()
 
 
-def has_feature(name):
+def has_feature(name: str) -> bool:
     return bool(lib.rollcon_has_feature(c_text(name, "name")))
 
 
-def status_string(status):
-    return lib.rollcon_status_string(status).decode()
+def status_string(status: int | str) -> str:
+    return lib.rollcon_status_string(enumerator(status, "status", "status")).decode()
 
 
 class RollconError(Exception):
@@ -88,7 +55,7 @@ def read_text(get):
     return status, buffer.value.decode(errors="replace") if status >= 0 else ""
 
 
-def last_error():
+def last_error() -> str:
     """Text of the last call that failed in this thread; empty if there was none."""
     return lib.rollcon_last_error().decode(errors="replace")
 
@@ -96,7 +63,7 @@ def last_error():
 def check(status):
     """Returns a status >= 0; raises RollconError with its text for the rest."""
     if status >= 0:
-        return status
+        return Status(status)
     raise RollconError(status, last_error())
 
 
@@ -121,10 +88,13 @@ def c_path(path):
 
 
 def enumerator(value, enumeration, what):
-    """The number that a name of an enumeration stands for, "quad4" or "normal"; numbers as they
-    are."""
+    """The number that a name of an enumeration stands for, "quad4" or "normal"; of "dof" a sum, "x z";
+    numbers as they are."""
     if not isinstance(value, str):
         return value
+    words = value.replace("+", " ").replace("|", " ").split()
+    if enumeration == "dof" and len(words) > 1:
+        return operator.or_(enumerator(words[0], "dof", what), enumerator(" ".join(words[1:]), "dof", what))
     names = {}
     for one in enumeration.split(" or ") if enumeration else ():
         names.update(_api.ENUMERATORS[one])
@@ -161,6 +131,12 @@ def call(function, *arguments):
     return function(*checked)
 
 
+def shown(vector):
+    """Components for a repr; what is zero up to rounding is 0."""
+    largest = max(abs(v) for v in vector)
+    return " ".join(f"{v if abs(v) > 1e-9 * largest else 0:.5g}" for v in vector)
+
+
 class Handle:
     """One reference to an object of the library. A copy (copy.copy) is another one to the same
     object; there are no deep copies."""
@@ -171,6 +147,19 @@ class Handle:
         self._handle = value
         self._context = context  # its log sink must live as long as what was made from it
         self._callbacks = {}  # what C keeps addresses of; shared by copies
+
+    def _about(self):
+        """Words for repr, of what the object is now."""
+        return ""
+
+    def __repr__(self):
+        if not getattr(self, "_handle", None):
+            return f"<rollcon.{type(self).__name__}, closed>"
+        try:
+            about = self._about()
+        except Exception as error:  # busy, latched, ...: a repr must not fail
+            about = str(error)
+        return f"<rollcon.{type(self).__name__}{': ' if about else ''}{about}>"
 
     @property
     def handle(self):

@@ -1,16 +1,25 @@
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
 """The plain methods of the classes: one call of the library each."""
 
+from __future__ import annotations
+
 from ctypes import byref, c_double, c_int32, c_int64
+from typing import TYPE_CHECKING
 
 from . import _api
 from ._arrays import integer_list, reals, room, vector
 from ._library import c_path, c_text, check, lib, read_text
 
+if TYPE_CHECKING:
+    from os import PathLike
+
+    from numpy import ndarray
+    from numpy.typing import ArrayLike
+
 
 class ContextPlain:
 
-    def set_threads(self, n):
+    def set_threads(self, n: int) -> None:
         """Sets the number of threads that each solve, and each preparation of a body, in this
         context may use.
 
@@ -18,7 +27,7 @@ class ContextPlain:
         """
         self._call("set_threads", n)
 
-    def set_latch(self, on=1):
+    def set_latch(self, on: int = 1) -> None:
         """For programs that check once, at the end. While the latch is on, the first call that
         fails on the context or on what was made from it is remembered, and every later one does
         nothing and returns the same status, with the same last error. Release, retain,
@@ -30,7 +39,7 @@ class ContextPlain:
         """
         self._call("set_latch", on)
 
-    def check(self):
+    def check(self) -> int:
         """The first failure since the latch was set, whose text becomes the last error; without
         one the first status > 0 (a solve that did not converge, ...); without either, or with the
         latch off, OK. Any negative status may come.
@@ -40,7 +49,7 @@ class ContextPlain:
 
 class BodyPlain:
 
-    def set_elastic(self, young, poisson, tag=0):
+    def set_elastic(self, young: float, poisson: float, tag: int = 0) -> None:
         """Sets an isotropic linear elastic material.
 
         tag: finite elements: tag of the volume elements that get the material; half-spaces and
@@ -51,7 +60,7 @@ class BodyPlain:
         """
         self._call("set_elastic", tag, young, poisson)
 
-    def prepare(self):
+    def prepare(self) -> None:
         """Checks that the body is complete and its mesh and supports sound, assembles and
         factorises its equations, and freezes it. Optional: the first solve does it. Calling it
         again does nothing. (Finite elements with many contact faces and no loads of their own are
@@ -68,13 +77,13 @@ class BodyPlain:
         self._call("prepare")
 
     @property
-    def kind(self):
+    def kind(self) -> int:
         """The model given to create()."""
         kind = c_int32()
         self._call("get_kind", byref(kind))
         return kind.value
 
-    def save(self, path):
+    def save(self, path: str | PathLike) -> None:
         """Writes the body, prepared if it was not, to a file: all that was given, the factors,
         and the responses to frames that it keeps (option cache_bytes). The file appears whole or
         not at all; an older one is replaced. Poses are the contacts'. Every library of the same
@@ -84,7 +93,7 @@ class BodyPlain:
         """
         self._call("save", c_path(path))
 
-    def set_traction(self, tag, traction):
+    def set_traction(self, tag: int, traction: ArrayLike) -> None:
         """Prescribes the traction on the faces with a tag; replaces an earlier one. A pressure on
         the same tag is added to it. Faces without load or support are free.
 
@@ -94,7 +103,7 @@ class BodyPlain:
         traction, traction_at = vector(traction)
         self._call("set_traction", tag, traction_at)
 
-    def set_pressure(self, tag, pressure):
+    def set_pressure(self, tag: int, pressure: float) -> None:
         """Prescribes a pressure on the faces with a tag, against their outward normals; replaces
         an earlier one and adds to a traction on the same tag.
 
@@ -103,7 +112,7 @@ class BodyPlain:
         """
         self._call("set_pressure", tag, pressure)
 
-    def set_contact_faces(self, tags):
+    def set_contact_faces(self, tags: ArrayLike) -> None:
         """Says which faces may come into contact: on them gaps are computed and frames laid.
         Standard: all faces that are neither held nor loaded.
 
@@ -112,7 +121,7 @@ class BodyPlain:
         tags, tags_at = integer_list(tags, "tags")
         self._call("set_contact_faces", len(tags), tags_at)
 
-    def set_profile(self, points, filter_length=0):
+    def set_profile(self, points: ArrayLike, filter_length: float = 0) -> None:
         """Sets a profile through points, in either order: a cubic spline in arc length with two
         derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much
         as beside them). Points nearer to each other than a thousandth of the usual distance are
@@ -128,7 +137,7 @@ class BodyPlain:
         points, points_at = reals(points, 2)
         self._call("set_profile", len(points), points_at, filter_length)
 
-    def set_profile_shape(self, shape, parameters):
+    def set_profile_shape(self, shape: str, parameters: ArrayLike) -> None:
         """Sets a profile in closed form: "line" half_width, slope; "arc" radius, half_width: the
         circle through (0, 0) about z = -radius, up to half of it; "arcs" y, z and angle of the
         start, then length and curvature (0: a line; positive: from y to z) of each arc, each
@@ -143,7 +152,8 @@ class BodyPlain:
         parameters, parameters_at = reals(parameters)
         self._call("set_profile_shape", c_text(shape, "shape"), len(parameters), parameters_at)
 
-    def read_profile(self, path, unit, mirror=0, filter_length=0):
+    def read_profile(self, path: str | PathLike, unit: float, mirror: int = 0, filter_length: float
+                     = 0) -> None:
         """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
         the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
         it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are
@@ -158,7 +168,7 @@ class BodyPlain:
         """
         self._call("read_profile", c_path(path), unit, mirror, filter_length)
 
-    def write_profile(self, path, unit):
+    def write_profile(self, path: str | PathLike, unit: float) -> None:
         """Writes points of the profile to a file: of Simpack, where the name ends in .prr or
         .prw, else two columns. Read again, a profile through points is the same, one in closed
         form within 1e-9 of its size where its curvature is continuous. The file appears whole or
@@ -169,7 +179,7 @@ class BodyPlain:
         """
         self._call("write_profile", c_path(path), unit)
 
-    def extrude_profile(self, origin, along, z_axis):
+    def extrude_profile(self, origin: ArrayLike, along: ArrayLike, z_axis: ArrayLike) -> None:
         """The profile, moved along a straight line without end, is the surface of the body: x of
         the profile points along, z along z_axis, y along z_axis x along.
 
@@ -182,7 +192,7 @@ class BodyPlain:
         z_axis, z_axis_at = vector(z_axis)
         self._call("extrude_profile", origin_at, along_at, z_axis_at)
 
-    def revolve_profile(self, origin, axis, radius):
+    def revolve_profile(self, origin: ArrayLike, axis: ArrayLike, radius: float) -> None:
         """The profile, turned about an axis, is the surface of the body: its points lie at y
         along the axis and at radius + z away from it. An axis of the opposite direction mirrors
         it in y.
@@ -195,13 +205,13 @@ class BodyPlain:
         axis, axis_at = vector(axis)
         self._call("revolve_profile", origin_at, axis_at, radius)
 
-    def profile_length(self):
+    def profile_length(self) -> float:
         """Arc length of the profile. Works before prepare()."""
         length = c_double()
         self._call("get_profile_length", byref(length))
         return length.value
 
-    def profile_point(self, s):
+    def profile_point(self, s: float) -> tuple[ndarray, ndarray, float]:
         """Point, tangent and curvature of the profile at an arc length, counted from the end
         where y is less. Works before prepare().
 
@@ -216,7 +226,7 @@ class BodyPlain:
         return point, tangent, curvature.value
 
     @property
-    def size(self):
+    def size(self) -> tuple[int, int]:
         """Nodes and elements given so far; 0 for bodies without a mesh. Works before prepare().
         """
         nodes = c_int64()
@@ -224,7 +234,7 @@ class BodyPlain:
         self._call("get_size", byref(nodes), byref(elements))
         return nodes.value, elements.value
 
-    def reaction(self):
+    def reaction(self) -> tuple[ndarray, ndarray]:
         """Resultant of the forces that the supports exert on the body under its own loads and
         given displacements, and its moment about the origin of the body's axes. It balances the
         loads up to the error of the discretisation: a measure of it.
@@ -237,7 +247,7 @@ class BodyPlain:
         self._call("get_reaction", force_at, moment_at)
         return force, moment
 
-    def stat(self, name):
+    def stat(self, name: str) -> float:
         """One number about a prepared body: unknowns, assemblies, factorisations, condition,
         seconds, bytes; 0 for bodies without equations. Names: stat_name(). Counts are those of
         the equations, which equal bodies of a context share: "shared" is 1 for a body for which
@@ -251,7 +261,7 @@ class BodyPlain:
 
 class ContactPlain:
 
-    def frame_from_body(self, which, tag):
+    def frame_from_body(self, which: int, tag: int) -> None:
         """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of
         the frame and forgets the gap array and the creep and friction fields. Its nodes are those
         of the faces, in the order of their ids in the body, and follow the body's pose. Of
@@ -264,7 +274,8 @@ class ContactPlain:
         """
         self._call("frame_from_body", which, tag)
 
-    def frame_rectangle(self, type, nx, ny, x_least, x_greatest, y_least, y_greatest):
+    def frame_rectangle(self, type: int | str, nx: int, ny: int, x_least: float, x_greatest: float,
+                        y_least: float, y_greatest: float) -> None:
         """Makes a rectangle in the plane of the axes, as they are now, the frame: nx by ny
         elements of one size. Replaces nodes and elements of the frame and forgets the gap array
         and the creep and friction fields. Nodes come line by line along t1, from the least y.
@@ -281,7 +292,7 @@ class ContactPlain:
         """
         self._call("frame_rectangle", type, nx, ny, x_least, x_greatest, y_least, y_greatest)
 
-    def frame_ellipse(self, along, across, a, b, angle=0):
+    def frame_ellipse(self, along: int, across: int, a: float, b: float, angle: float = 0) -> None:
         """Makes an ellipse in the plane of the axes, as they are now, the frame: strips along the
         rolling direction, as frame_strips() makes them, on lines that lie closer towards the
         sides. It is meant to be the contact itself.
@@ -294,7 +305,7 @@ class ContactPlain:
         """
         self._call("frame_ellipse", along, across, a, b, angle)
 
-    def frame_strips(self, along, lines):
+    def frame_strips(self, along: int, lines: ArrayLike) -> None:
         """Makes strips along the rolling direction the frame: what the contact covers of lines at
         ascending y. Each has along + 1 nodes from end to end, close together near the ends, where
         tractions grow like the square root of the distance. Nodes come line by line. Replaces the
@@ -309,7 +320,7 @@ class ContactPlain:
         lines, lines_at = reals(lines, 3)
         self._call("frame_strips", along, len(lines), lines_at)
 
-    def frame_automatic(self):
+    def frame_automatic(self) -> None:
         """Leaves the frame to the library, as in a new contact: solves then find the contact from
         the gap (set_gap_quadratic(), set_gap_grid()) and from load or approach, fit two frames of
         strips to the edge of each patch, one twice as fine as the other, extrapolate their
@@ -320,7 +331,7 @@ class ContactPlain:
         """
         self._call("frame_automatic")
 
-    def set_axes(self, origin, rolling, normal):
+    def set_axes(self, origin: ArrayLike, rolling: ArrayLike, normal: ArrayLike) -> None:
         """Sets the axes: n along `normal`, t1 along the projection of `rolling` on the tangent
         plane, t2 = n x t1. Vectors need not have unit length. Creepages, spin and moments belong
         to the origin.
@@ -334,7 +345,7 @@ class ContactPlain:
         normal, normal_at = vector(normal)
         self._call("set_axes", origin_at, rolling_at, normal_at)
 
-    def set_gap(self, gap):
+    def set_gap(self, gap: ArrayLike) -> None:
         """Sets the gap of the undeformed bodies at approach 0, node by node; replaces a quadratic
         gap. Where a body has a mesh or a profile and no gap is given, it is measured along the
         frame's normals between the surfaces; a body without either is then the plane through the
@@ -346,7 +357,7 @@ class ContactPlain:
         gap, gap_at = reals(gap)
         self._call("set_gap", len(gap), gap_at)
 
-    def set_gap_quadratic(self, a, b, c=0.0):
+    def set_gap_quadratic(self, a: float, b: float, c: float = 0.0) -> None:
         """Sets the gap of the undeformed bodies at approach 0 to h = a x^2 + b y^2 + c x y in the
         axes (t1, t2); replaces a gap array.
 
@@ -356,7 +367,8 @@ class ContactPlain:
         """
         self._call("set_gap_quadratic", a, b, c)
 
-    def set_gap_grid(self, nx, x_least, x_greatest, y_least, y_greatest, gap):
+    def set_gap_grid(self, nx: int, x_least: float, x_greatest: float, y_least: float, y_greatest:
+                     float, gap: ArrayLike) -> None:
         """Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in
         the axes (t1, t2): between the points it is bicubic, with continuous slopes. Values that
         are +infinity say that a body is not there: the contact ends at the cells beside them, and
@@ -373,7 +385,7 @@ class ContactPlain:
         gap, gap_at = reals(gap)
         self._call("set_gap_grid", nx, x_least, x_greatest, y_least, y_greatest, len(gap), gap_at)
 
-    def set_rolling(self, speed):
+    def set_rolling(self, speed: float) -> None:
         """Sets the speed V at which the contact travels over both surfaces along +t1 (omega R for
         a wheel). Forgets the velocity of the contact (set_velocity()).
 
@@ -381,7 +393,7 @@ class ContactPlain:
         """
         self._call("set_rolling", speed)
 
-    def set_creep(self, longitudinal=0.0, lateral=0.0, spin=0.0):
+    def set_creep(self, longitudinal: float = 0.0, lateral: float = 0.0, spin: float = 0.0) -> None:
         """Prescribes creepages and spin by motion: rigid slip c = V (longitudinal - spin y,
         lateral + spin x) of body 1 relative to body 2. The same as three calls of prescribe(),
         and forgets the velocities of set_velocity().
@@ -392,7 +404,8 @@ class ContactPlain:
         """
         self._call("set_creep", longitudinal, lateral, spin)
 
-    def set_velocity(self, which, velocity, angular_velocity, point):
+    def set_velocity(self, which: int, velocity: ArrayLike, angular_velocity: ArrayLike, point:
+                     ArrayLike) -> None:
         """Says how a body or the contact itself moves: its point at x has the velocity v + omega
         x (x - point). Creepages and spin then follow from the velocities of both bodies; motion()
         returns them after a solve. Where bodies have profiles or meshes the relative velocity is
@@ -412,7 +425,7 @@ class ContactPlain:
         point, point_at = vector(point)
         self._call("set_velocity", which, velocity_at, angular_velocity_at, point_at)
 
-    def set_creep_field(self, slip):
+    def set_creep_field(self, slip: ArrayLike | None) -> None:
         """Adds a rigid slip velocity given node by node to that of creepages and spin. On a
         curved frame its components are along the local axes of each node.
 
@@ -425,7 +438,7 @@ class ContactPlain:
             slip, slip_at = reals(slip, 2)
         self._call("set_creep_field", len(slip), slip_at)
 
-    def prescribe(self, direction, how, value):
+    def prescribe(self, direction: int | str, how: int | str, value: float) -> None:
         """Prescribes one direction by motion or by force; the other quantity is found by the
         solve. Forces act on body 1. Standard: all by motion, 0.
 
@@ -436,7 +449,7 @@ class ContactPlain:
         """
         self._call("prescribe", direction, how, value)
 
-    def set_friction_field(self, mu):
+    def set_friction_field(self, mu: ArrayLike | None) -> None:
         """Sets the friction coefficient node by node, in place of that of set_friction().
 
         mu: >= 0.
@@ -448,7 +461,7 @@ class ContactPlain:
             mu, mu_at = reals(mu)
         self._call("set_friction_field", len(mu), mu_at)
 
-    def request_cancel(self):
+    def request_cancel(self) -> None:
         """Asks a running solve to stop (an atomic store): at its next iteration, or, while bodies
         and operators are prepared, within moments; only a factorisation runs to its end. The
         solve returns CANCELLED; the contact stays usable. What was cancelled during its
@@ -456,21 +469,21 @@ class ContactPlain:
         """
         self._call("request_cancel")
 
-    def reset(self):
+    def reset(self) -> None:
         """Forgets the solution, the warm start and the history; keeps the scene and all that was
         computed for the frame.
         """
         self._call("reset")
 
     @property
-    def size(self):
+    def size(self) -> tuple[int, int]:
         """Nodes and elements of the frame. Works before a solve."""
         nodes = c_int64()
         elements = c_int64()
         self._call("get_size", byref(nodes), byref(elements))
         return nodes.value, elements.value
 
-    def resultant(self, axes=_api.LOCAL):
+    def resultant(self, axes: int | str = _api.LOCAL) -> tuple[ndarray, ndarray]:
         """Resultant force on body 1 and its moment about the origin of the axes.
 
         axes: LOCAL or GLOBAL.
@@ -482,7 +495,7 @@ class ContactPlain:
         self._call("get_resultant", axes, force_at, moment_at)
         return force, moment
 
-    def motion(self):
+    def motion(self) -> tuple[float, ndarray]:
         """Approach, creepages and spin, as given or as found for prescribed forces.
 
         creep: longitudinal, lateral (dimensionless), spin (1/length).
@@ -492,7 +505,7 @@ class ContactPlain:
         self._call("get_motion", byref(approach), creep_at)
         return approach.value, creep
 
-    def sensitivity(self, parameter):
+    def sensitivity(self, parameter: int | str) -> tuple[ndarray, ndarray, float, ndarray]:
         """Derivatives of what resultant() (local axes) and motion() give, by one parameter. A
         direction stands for the value last solved with there: creepage, spin or approach where
         the motion was prescribed; force, spin moment or compressive load where the force was;
@@ -516,7 +529,7 @@ class ContactPlain:
         self._call("get_sensitivity", parameter, force_at, moment_at, byref(approach), creep_at)
         return force, moment, approach.value, creep
 
-    def fatigue_index(self, shear_yield):
+    def fatigue_index(self, shear_yield: float) -> float:
         """Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A
         k/(3 Fn), with the area A in contact (statistic contact_area; pi a b of an ellipse) and
         the yield stress k in shear; positive where fatigue is to be expected. ERR_STATE: no
@@ -529,7 +542,7 @@ class ContactPlain:
         self._call("get_fatigue_index", shear_yield, byref(index))
         return index.value
 
-    def stat(self, name):
+    def stat(self, name: str) -> float:
         """One number about the last solve: residuals, error estimates, iterations, areas, power,
         seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error
         estimate is computed when one of its numbers is asked for, at about the price of a solve.
@@ -538,7 +551,7 @@ class ContactPlain:
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
-    def plan(self):
+    def plan(self) -> str:
         """How the last solve was done (sizes, schemes, linear solver and why), as text for
         people.
         """
@@ -546,7 +559,7 @@ class ContactPlain:
         check(status)
         return text
 
-    def write(self, path):
+    def write(self, path: str | PathLike) -> None:
         """Writes frame and fields, in global axes, as a VTU file for ParaView and meshio. A field
         beyond the range of double precision is ERR_NONFINITE; nothing is written.
 
@@ -557,7 +570,7 @@ class ContactPlain:
 
 class WheelrailPlain:
 
-    def set_track(self, gauge, gauge_height, cant):
+    def set_track(self, gauge: float, gauge_height: float, cant: float) -> None:
         """Says where the rails lie: each is canted, its top is at z = 0, and its gauge side is
         half the gauge from the middle of the track.
 
@@ -568,7 +581,7 @@ class WheelrailPlain:
         """
         self._call("set_track", gauge, gauge_height, cant)
 
-    def set_wheelset(self, back_to_back, flange_back, radius):
+    def set_wheelset(self, back_to_back: float, flange_back: float, radius: float) -> None:
         """Sets the dimensions of the wheelset.
 
         back_to_back: between the backs of the flanges, > 0, length.
@@ -577,7 +590,7 @@ class WheelrailPlain:
         """
         self._call("set_wheelset", back_to_back, flange_back, radius)
 
-    def set_rail_deviation(self, deviation, rate):
+    def set_rail_deviation(self, deviation: ArrayLike, rate: ArrayLike) -> None:
         """Sets the deviation of the rail from its place in the track and how it changes:
         irregularities, and rails that give way. Standard: 0.
 
@@ -589,7 +602,7 @@ class WheelrailPlain:
         rate, rate_at = vector(rate)
         self._call("set_rail_deviation", deviation_at, rate_at)
 
-    def set_position(self, position):
+    def set_position(self, position: ArrayLike) -> None:
         """Sets the position of the wheelset. z = 0 is where the tread's datum of a centred
         wheelset is at the height of the rails' top; z is not used where a vertical force is
         prescribed (statistic "z" is what was found), but as the start of the search.
@@ -600,7 +613,7 @@ class WheelrailPlain:
         position, position_at = vector(position, 6)
         self._call("set_position", position_at)
 
-    def set_velocity(self, velocity):
+    def set_velocity(self, velocity: ArrayLike) -> None:
         """Sets the velocity of the wheelset.
 
         velocity: rates of the position, length/time and 1/time; the forward speed, the first, is
@@ -609,7 +622,7 @@ class WheelrailPlain:
         velocity, velocity_at = vector(velocity, 6)
         self._call("set_velocity", velocity_at)
 
-    def prescribe_vertical(self, how, force=0):
+    def prescribe_vertical(self, how: int | str, force: float = 0) -> None:
         """Prescribes the height of the wheelset by motion, as its position has it (standard), or
         by the vertical force; z is then found by the solve.
 
@@ -618,14 +631,14 @@ class WheelrailPlain:
         """
         self._call("prescribe_vertical", how, force)
 
-    def set_friction(self, mu):
+    def set_friction(self, mu: float) -> None:
         """Sets the coefficient of Coulomb's friction.
 
         mu: 0 to 10.
         """
         self._call("set_friction", mu)
 
-    def set_accuracy(self, accuracy):
+    def set_accuracy(self, accuracy: float) -> None:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that
         takes.
 
@@ -634,7 +647,7 @@ class WheelrailPlain:
         """
         self._call("set_accuracy", accuracy)
 
-    def solve(self):
+    def solve(self) -> int:
         """Finds the patches and solves each as a steady rolling contact, from the last solution
         where there is one. The status is the first that fits of CANCELLED, NOT_CONVERGED,
         DERAILED, TOO_DEEP, RIM_CONTACT (a patch ends at the end of a profile, or is not within
@@ -645,13 +658,13 @@ class WheelrailPlain:
         """
         return self._call("solve")
 
-    def request_cancel(self):
+    def request_cancel(self) -> None:
         """Asks a running solve() or solve_many() to stop (an atomic store) before its next patch,
         height or position. It returns CANCELLED; the wheel stays usable.
         """
         self._call("request_cancel")
 
-    def save(self, place):
+    def save(self, place: int) -> None:
         """Keeps what is set and the last solution at a place within the wheel, for restore():
         integrators step back. Nothing is allocated where as much was kept before.
 
@@ -659,7 +672,7 @@ class WheelrailPlain:
         """
         self._call("save", place)
 
-    def restore(self, place):
+    def restore(self, place: int) -> None:
         """Goes back to what was kept: inputs, results, and later solves are as if nothing had
         been done since, to the last bit. ERR_STATE: nothing was kept at this place, or track or
         wheelset have been set since. What was kept stays. Contacts of patches that were new since
@@ -669,20 +682,20 @@ class WheelrailPlain:
         """
         self._call("restore", place)
 
-    def reset(self):
+    def reset(self) -> None:
         """Forgets the solution and the warm starts; keeps what was set and all that was computed
         for the frames.
         """
         self._call("reset")
 
     @property
-    def patch_count(self):
+    def patch_count(self) -> int:
         """Number of patches, from 0."""
         patches = c_int64()
         self._call("get_patch_count", byref(patches))
         return patches.value
 
-    def resultant(self, axes=_api.IN_TRACK):
+    def resultant(self, axes: int | str = _api.IN_TRACK) -> tuple[ndarray, ndarray]:
         """Force of all patches on the wheel and its moment about the wheelset's centre.
 
         axes: IN_TRACK or IN_WHEELSET.
@@ -694,7 +707,7 @@ class WheelrailPlain:
         self._call("get_resultant", axes, force_at, moment_at)
         return force, moment
 
-    def stat(self, name):
+    def stat(self, name: str) -> float:
         """One number about the last solve: height, vertical force, frictional power, counts.
         Names: stat_name(); meanings: docs/wheelrail.md.
         """
@@ -702,7 +715,7 @@ class WheelrailPlain:
         self._call("get_stat", c_text(name, "name"), byref(value))
         return value.value
 
-    def patch_stat(self, patch, name):
+    def patch_stat(self, patch: int, name: str) -> float:
         """One number about a patch: position, angle, rolling radius, creepages, forces, status.
         Names: patch_stat_name(); meanings: docs/wheelrail.md.
 
@@ -715,7 +728,7 @@ class WheelrailPlain:
 
 class TablePlain:
 
-    def set_ratios(self, intervals, least, greatest):
+    def set_ratios(self, intervals: int, least: float, greatest: float) -> None:
         """Sets which ratios a / b of semi-axes the table has. Before the first sample (else
         ERR_STATE).
 
@@ -725,7 +738,7 @@ class TablePlain:
         """
         self._call("set_ratios", intervals, least, greatest)
 
-    def set_resolution(self, magnitudes, angles, directions):
+    def set_resolution(self, magnitudes: int, angles: int, directions: int) -> None:
         """Sets how fine the table is in the creepages. Before the first sample (else ERR_STATE).
 
         magnitudes: intervals from none to vast creepages, 4 to 100.
@@ -734,7 +747,7 @@ class TablePlain:
         """
         self._call("set_resolution", magnitudes, angles, directions)
 
-    def set_frame(self, along, across):
+    def set_frame(self, along: int, across: int) -> None:
         """Sets the coarser of the two frames of strips on which samples of circles are solved;
         those of longer ellipses have more cells along their length and fewer across. Before the
         first sample (else ERR_STATE).
@@ -744,7 +757,7 @@ class TablePlain:
         """
         self._call("set_frame", along, across)
 
-    def set_poissons(self, poissons):
+    def set_poissons(self, poissons: ArrayLike) -> None:
         """Sets the Poisson's ratios of the table; it is linear between them, and has none beyond.
         Before the first sample (else ERR_STATE).
 
@@ -753,20 +766,20 @@ class TablePlain:
         poissons, poissons_at = reals(poissons)
         self._call("set_poissons", len(poissons), poissons_at)
 
-    def request_cancel(self):
+    def request_cancel(self) -> None:
         """Asks a running make() to stop: it returns CANCELLED within a few solves. What was
         solved stays, and the next call goes on.
         """
         self._call("request_cancel")
 
-    def add_samples(self, samples):
+    def add_samples(self, samples: ArrayLike) -> None:
         """Adds the samples that another table of the same settings has (samples()); NaN adds
         none. With the last sample the table is made.
         """
         samples, samples_at = reals(samples)
         self._call("add_samples", len(samples), samples_at)
 
-    def save(self, path):
+    def save(self, path: str | PathLike) -> None:
         """Writes the table to a file, whole or not at all; an older one is replaced. ERR_STATE:
         the table is not made yet.
 

@@ -1,5 +1,7 @@
 """Settings by name, of contacts and of bodies."""
 
+from __future__ import annotations
+
 from ctypes import byref, c_double, c_int64
 
 import numpy as np
@@ -22,7 +24,7 @@ def _type_of(kind, name):
 class Settings:
     """Gives a Handle the methods set and get."""
 
-    def set(self, name, value):
+    def set(self, name: str, value: bool | float | str) -> None:
         """A setting by name (option_table() and body_option_table() list them): int, float or str
         by its type."""
         text = c_text(name, "name")
@@ -35,7 +37,7 @@ class Settings:
         else:
             self._call("set_real", text, value)
 
-    def get(self, name):
+    def get(self, name: str) -> int | float | str:
         """Value of a setting."""
         text, kind = c_text(name, "name"), _type_of(self._kind, name)
         if kind == _api.TYPE_STR:

@@ -1,13 +1,24 @@
 """Bodies."""
 
+from __future__ import annotations
+
 import ctypes
 from ctypes import byref
+from typing import TYPE_CHECKING
 
 from . import _api
 from ._arrays import VOLUME_TYPES, elements, integer_list, nodes, reals, room
 from ._library import Handle, c_path, call, check, lib
 from ._plain import BodyPlain
 from ._settings import Settings
+
+if TYPE_CHECKING:
+    import os
+
+    import numpy as np
+    from numpy.typing import ArrayLike
+
+    from .context import Context
 
 
 class Body(Settings, BodyPlain, Handle):
@@ -21,7 +32,7 @@ class Body(Settings, BodyPlain, Handle):
         super().__init__(made.value, context)
 
     @classmethod
-    def load(cls, context, path):
+    def load(cls, context: Context, path: str | os.PathLike) -> Body:
         """A prepared body from a file that save() wrote: nothing is assembled or factorised."""
         made = ctypes.c_void_p()
         check(call(lib.rollcon_body_load, context.handle, c_path(path), byref(made)))
@@ -31,13 +42,14 @@ class Body(Settings, BodyPlain, Handle):
 
     # -------------------------------------------------------------- mesh, supports and loads
 
-    def set_nodes(self, x):
+    def set_nodes(self, x: ArrayLike) -> None:
         """Nodes x[n, 3] of the surface or, of finite elements, of the volume; forgets elements,
         tags, supports, loads and contact faces."""
         x, layout = nodes(x)
         self._call("set_nodes", *layout)
 
-    def add_elements(self, element_type, connectivity, tag=None, index_base=0):
+    def add_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int | None = None,
+                     index_base: int = 0) -> None:
         """Elements of one type, connectivity[n, nodes per element]. Surface elements (TRI3 or
         "tri3", ...), normals outwards: tag 1 if None. Finite elements take volume elements (TET4,
         ...), whose tag (0 if None) names their material, and surface elements, which give their
@@ -47,7 +59,7 @@ class Body(Settings, BodyPlain, Handle):
             tag = 0 if element_type in VOLUME_TYPES else 1
         self._call("add_elements", element_type, len(ids), address, index_base, tag)
 
-    def tag_faces(self, element_numbers, faces, tag, index_base=0):
+    def tag_faces(self, element_numbers: ArrayLike, faces: ArrayLike, tag: int, index_base: int = 0) -> None:
         """Tags boundary faces of finite elements: faces[i] of volume element element_numbers[i],
         in the order in which they were added. Faces that no call names have tag 0; later calls
         win."""
@@ -57,13 +69,14 @@ class Body(Settings, BodyPlain, Handle):
             raise ValueError(f"{len(faces)} faces for {len(numbers)} elements")
         self._call("tag_faces", len(numbers), at, address, index_base, tag)
 
-    def tag_faces_of_nodes(self, ids, tag, index_base=0):
+    def tag_faces_of_nodes(self, ids: ArrayLike, tag: int, index_base: int = 0) -> None:
         """Tags the faces all of whose nodes are given: boundary faces of finite elements, or the
         surface elements added so far."""
         ids, address = integer_list(ids, "node ids")
         self._call("tag_faces_of_nodes", len(ids), address, index_base, tag)
 
-    def set_support(self, ids, dof_mask=_api.DOF_XYZ, values=None, index_base=0):
+    def set_support(self, ids: ArrayLike, dof_mask: int | str = _api.DOF_XYZ, values: ArrayLike | None = None,
+                    index_base: int = 0) -> None:
         """Holds displacement components (a sum of DOF_X, DOF_Y, DOF_Z) of nodes, at zero or at
         values[n, 3]."""
         ids, address = integer_list(ids, "node ids")
@@ -76,8 +89,18 @@ class Body(Settings, BodyPlain, Handle):
 
     # ------------------------------------------------------------------------------- results
 
-    def displacements(self):
+    def displacements(self) -> np.ndarray:
         """Displacements [n, 3] of a prepared body under its own loads, no contact acting."""
         u, address = room(self.size[0], 3)
         self._call("get_displacements", len(u), address)
         return u
+
+    def _about(self):
+        kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid"}.get(self.kind, "body")
+        nodes, elements = self.size
+        return f"{kind}, {nodes} nodes, {elements} elements" if nodes else kind
+
+    def plot_profile(self, ax=None, **options):
+        """Draws the body's profile; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.profile(self, ax, **options)

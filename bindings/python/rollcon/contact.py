@@ -1,15 +1,25 @@
 """A pair of bodies in rolling contact."""
 
+from __future__ import annotations
+
 import ctypes
 from ctypes import byref, c_double, c_int64
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from . import _api
 from ._arrays import elements, integers, nodes, reals, room, vector
-from ._library import Handle, c_text, call, check, enumerator, lib
+from ._library import Handle, RollconError, c_text, call, check, enumerator, lib, shown
 from ._plain import ContactPlain
 from ._settings import Settings
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from numpy.typing import ArrayLike
+
+    from .status import Status
 
 
 class Event:
@@ -94,17 +104,19 @@ class Contact(Settings, ContactPlain, Handle):
 
     # ------------------------------------------------------------------ frame, gap and axes
 
-    def set_frame_nodes(self, x):
+    def set_frame_nodes(self, x: ArrayLike) -> None:
         """Nodes x[n, 3] (or x[n, 2]: z = 0); any strides of float64 pass without a copy."""
         x, layout = nodes(x)
         self._call("set_frame_nodes", *layout)
 
-    def add_frame_elements(self, element_type, connectivity, tag=1, index_base=0):
+    def add_frame_elements(self, element_type: int | str, connectivity: ArrayLike, tag: int = 1,
+                           index_base: int = 0) -> None:
         """Elements of one type: connectivity[n, nodes per element]."""
         element_type, ids, address = elements(element_type, connectivity)
         self._call("add_frame_elements", element_type, len(ids), address, index_base, tag)
 
-    def set_pose(self, which, rotation=((1, 0, 0), (0, 1, 0), (0, 0, 1)), translation=(0, 0, 0)):
+    def set_pose(self, which: int, rotation: ArrayLike = ((1, 0, 0), (0, 1, 0), (0, 0, 1)),
+                 translation: ArrayLike = (0, 0, 0)) -> None:
         """Where body 1 or 2 stands: x = rotation @ x_body + translation."""
         (r, pr), (t, pt) = reals(rotation, 3), vector(translation)
         if len(r) != 3:
@@ -113,14 +125,14 @@ class Contact(Settings, ContactPlain, Handle):
 
     # ------------------------------------------------------------ motion, loads and friction
 
-    def set_friction(self, mu, law="coulomb"):
+    def set_friction(self, mu: ArrayLike, law: str = "coulomb") -> None:
         """Law of friction and its parameters; for Coulomb's, the coefficient."""
         parameters, address = reals(np.atleast_1d(mu))
         self._call("set_friction", c_text(law, "law"), parameters.size, address)
 
     # ---------------------------------------------------------------------------------- solve
 
-    def set_progress(self, callback):
+    def set_progress(self, callback: Callable | None) -> None:
         """callback(event) is called in every iteration; a true result cancels. None removes it.
 
         What the callback raises cancels the solve, which then raises it.
@@ -129,7 +141,7 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("set_progress", wrapped, None)
         self._callbacks["progress"] = wrapped
 
-    def solve(self):
+    def solve(self) -> Status:
         """Solves and returns the status: OK, NOT_CONVERGED, NO_CONTACT, CANCELLED, RIM_CONTACT, COARSE."""
         self._raised.clear()
         status = call(lib.rollcon_contact_solve, self._handle)
@@ -137,7 +149,8 @@ class Contact(Settings, ContactPlain, Handle):
             raise self._raised.pop()
         return check(status)
 
-    def solve_many(self, parameters, values, names=(), derivatives=False, tractions=False):
+    def solve_many(self, parameters: str | Sequence[int | str], values: ArrayLike, names: str | Sequence[str] = (),
+                   derivatives: bool = False, tractions: bool = False) -> Cases:
         """Solves many load cases on the threads of the context; a Cases object.
 
         values[n, p] replaces what is prescribed in the direction parameters[p], LONGITUDINAL,
@@ -179,13 +192,13 @@ class Contact(Settings, ContactPlain, Handle):
 
     # -------------------------------------------------------------------------------- results
 
-    def tractions(self, axes=_api.LOCAL):
+    def tractions(self, axes: int | str = _api.LOCAL) -> np.ndarray:
         """Tractions on body 1, [n, 3]."""
         t, address = room(self.size[0], 3)
         self._call("get_tractions", axes, len(t), address)
         return t
 
-    def field(self, field, axes=_api.LOCAL):
+    def field(self, field: int | str, axes: int | str = _api.LOCAL) -> np.ndarray:
         """A nodal field, FIELD_...: [n, 3], [n, 2] or [n]."""
         count = self.size[0]
         need = c_int64()
@@ -194,20 +207,20 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_field", field, axes, v.size, address, byref(need))
         return v if v.size == count else v.reshape(count, -1)
 
-    def node_status(self):
+    def node_status(self) -> np.ndarray:
         """OPEN, STICK, SLIP or EXCLUDED at each node."""
         status, address = room(self.size[0], dtype=np.int32)
         self._call("get_status", status.size, address)
         return status
 
-    def displacements_at(self, body, xy):
+    def displacements_at(self, body: int, xy: ArrayLike) -> np.ndarray:
         """Displacements [n, 3] of body 1 or 2 at points xy[n, 2] of the contact surface."""
         xy, points = reals(xy, 2)
         u, address = room(len(xy), 3)
         self._call("get_displacements_at", body, len(xy), points, address)
         return u
 
-    def stresses_at(self, body, xyz):
+    def stresses_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Stresses [n, 6] (s11, s22, snn, s12, s1n, s2n) and displacements [n, 3] at points xyz[n, 3]
         inside body 1 (n <= 0) or body 2 (n >= 0), a half-space, in the contact's axes."""
         xyz, points = reals(xyz, 3)
@@ -216,7 +229,7 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_stresses_at", body, len(xyz), points, first, second)
         return stress, u
 
-    def history(self):
+    def history(self) -> np.ndarray:
         """One row per iteration: phase, iteration, normal residual, tangential residual, step
         length, nodes in contact, nodes in slip, seconds."""
         need = c_int64()
@@ -225,7 +238,7 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_history", len(rows), address, byref(need))
         return rows
 
-    def error_function(self):
+    def error_function(self) -> np.ndarray:
         """Error function of every row of history(), and seconds since the solve began: one row
         (psi, seconds) per iteration."""
         need = c_int64()
@@ -235,3 +248,62 @@ class Contact(Settings, ContactPlain, Handle):
             seconds = columns[1].ctypes.data_as(type(psi))
             self._call("get_error_function", need.value, psi, seconds, byref(need))
         return columns.T
+
+    @property
+    def force(self) -> np.ndarray:
+        """Force [3] on body 1 in the contact's axes: resultant()[0]."""
+        return self.resultant()[0]
+
+    @property
+    def moment(self) -> np.ndarray:
+        """Moment [3] on body 1 about the origin of the contact's axes: resultant()[1]."""
+        return self.resultant()[1]
+
+    @property
+    def approach(self) -> float:
+        """How far the bodies are moved together, given or found: motion()[0]."""
+        return self.motion()[0]
+
+    @property
+    def creepages(self) -> np.ndarray:
+        """Longitudinal and lateral creepage and spin [3], given or found: motion()[1]."""
+        return self.motion()[1]
+
+    @property
+    def pressure(self) -> np.ndarray:
+        """Pressure at the nodes [n]: field("pressure")."""
+        return self.field("pressure")
+
+    # -------------------------------------------------------------------------------- pictures
+
+    def _about(self):
+        nodes, elements = self.size
+        if not nodes:
+            return "not solved, no frame"
+        words = f"{nodes} nodes, {elements} elements"
+        try:
+            force, _ = self.resultant()
+            return f"{words}; force on body 1 {shown(force)}"
+        except RollconError:
+            return f"{words}; not solved"
+
+    def plot_pressure(self, ax=None, **options):
+        """Draws the pressure over the contact; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.pressure(self, ax, **options)
+
+    def plot_tractions(self, ax=None, **options):
+        """Draws tangential tractions on body 1 as arrows over where nodes stick and slip."""
+        from . import plots
+        return plots.tractions(self, ax, **options)
+
+    def plot_section(self, y=None, ax=None):
+        """Draws pressure, tractions and the limit of friction along the rolling direction, at y or through the largest
+        pressure."""
+        from . import plots
+        return plots.section(self, y, ax)
+
+    def plot_creep_curve(self, creepages, direction="longitudinal", ax=None):
+        """Solves a list of creepages in a direction, or of spins, and draws the forces over them."""
+        from . import plots
+        return plots.creep_curve(self, creepages, direction, ax)

@@ -1,10 +1,16 @@
 """Context: log, thread budget, latch."""
 
+from __future__ import annotations
+
 import ctypes
+from typing import TYPE_CHECKING
 
 from . import _api
 from ._library import Handle, check, lib
 from ._plain import ContextPlain
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 
 class Context(ContextPlain, Handle):
@@ -19,7 +25,7 @@ class Context(ContextPlain, Handle):
         if threads is not None:
             self.set_threads(threads)
 
-    def set_log(self, level, sink=None):
+    def set_log(self, level: int | str, sink: Callable[[int, str], None] | None = None) -> None:
         """Messages up to `level` go to sink(level, text); no sink: to nobody.
 
         What the sink raises is printed by ctypes and otherwise ignored.

@@ -1,5 +1,7 @@
 """The tables of settings and of statistics."""
 
+from __future__ import annotations
+
 import ctypes
 from collections import namedtuple
 
@@ -32,32 +34,32 @@ def _names(count, name_of):
     return names
 
 
-def option_table():
+def option_table() -> list[Option]:
     """Every solver setting: name, type (TYPE_INT, TYPE_REAL, TYPE_STR), range, standard, doc."""
     return _options(lib.rollcon_option_count, lib.rollcon_option_info, lib.rollcon_option_doc)
 
 
-def body_option_table():
+def body_option_table() -> list[Option]:
     """Every setting of a body, in the manner of option_table()."""
     return _options(lib.rollcon_body_option_count, lib.rollcon_body_option_info,
                     lib.rollcon_body_option_doc)
 
 
-def stat_names():
+def stat_names() -> list[str]:
     """Names that Contact.stat knows."""
     return _names(lib.rollcon_stat_count, lib.rollcon_stat_name)
 
 
-def body_stat_names():
+def body_stat_names() -> list[str]:
     """Names that Body.stat knows."""
     return _names(lib.rollcon_body_stat_count, lib.rollcon_body_stat_name)
 
 
-def wheelrail_stat_names():
+def wheelrail_stat_names() -> list[str]:
     """Names that WheelRail.stat knows."""
     return _names(lib.rollcon_wheelrail_stat_count, lib.rollcon_wheelrail_stat_name)
 
 
-def wheelrail_patch_stat_names():
+def wheelrail_patch_stat_names() -> list[str]:
     """Names that WheelRail.patch_stat knows."""
     return _names(lib.rollcon_wheelrail_patch_stat_count, lib.rollcon_wheelrail_patch_stat_name)

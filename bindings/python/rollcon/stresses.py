@@ -1,10 +1,17 @@
 """What yield criteria want of stresses."""
 
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
 from ._arrays import reals, room
 from ._library import check, lib
 
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike
 
-def stress_invariants(stress):
+
+def stress_invariants(stress: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Principal stresses [n, 3], the largest first, von Mises's stress [n] and the largest shear
     stress [n] of stresses [n, 6]: s11, s22, s33, s12, s13, s23."""
     stress, given = reals(stress, 6)

@@ -1,7 +1,10 @@
 """Creep-force tables."""
 
+from __future__ import annotations
+
 import ctypes
 from ctypes import byref, c_int64
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -9,6 +12,15 @@ from ._arrays import reals, room
 from ._library import Handle, c_path, call, check, lib
 from ._plain import TablePlain
 from .contact import progress_function
+
+if TYPE_CHECKING:
+    import os
+    from collections.abc import Callable
+
+    from numpy.typing import ArrayLike
+
+    from .context import Context
+    from .status import Status
 
 
 class Table(TablePlain, Handle):
@@ -28,27 +40,27 @@ class Table(TablePlain, Handle):
         self._raised = []  # what a progress callback raised
 
     @classmethod
-    def standard(cls, context):
+    def standard(cls, context: Context) -> Table:
         """Steel on steel, Poisson's ratios 0.28 to 0.3, ratios of semi-axes 1/25 to 25."""
         made = ctypes.c_void_p()
         check(lib.rollcon_table_standard(context.handle, byref(made)))
         return cls(context, made)
 
     @classmethod
-    def load(cls, context, path):
+    def load(cls, context: Context, path: str | os.PathLike) -> Table:
         """A table that save() wrote."""
         made = ctypes.c_void_p()
         check(lib.rollcon_table_load(context.handle, c_path(path), byref(made)))
         return cls(context, made)
 
-    def set_progress(self, callback):
+    def set_progress(self, callback: Callable | None) -> None:
         """callback(event) is called about ten times a second while make() works; a true result cancels, and so does
         what it raises, which make() then raises. None removes it."""
         wrapped = progress_function(callback, self._raised)
         self._call("set_progress", wrapped, None)
         self._callbacks["progress"] = wrapped
 
-    def make(self, part=0, parts=1):
+    def make(self, part: int = 0, parts: int = 1) -> Status:
         """Solves a part of the samples; the status: OK or CANCELLED."""
         self._raised.clear()
         status = call(lib.rollcon_table_make, self._handle, part, parts)
@@ -57,7 +69,7 @@ class Table(TablePlain, Handle):
         return check(status)
 
     @property
-    def samples(self):
+    def samples(self) -> np.ndarray:
         """All samples; NaN where one is not solved yet."""
         count = c_int64()
         self._call("get_samples", 0, None, byref(count))
@@ -66,7 +78,7 @@ class Table(TablePlain, Handle):
             self._call("get_samples", count.value, at, byref(count))
         return samples
 
-    def evaluate(self, inputs, derivatives=False):
+    def evaluate(self, inputs: ArrayLike, derivatives: bool = False) -> np.ndarray | tuple[np.ndarray, np.ndarray]:
         """Forces and moment [3], or [n, 3], of inputs [9] or [n, 9]: shear, poisson, friction, a, b, load,
         longitudinal and lateral creepage, spin. With derivatives also those [3, 9] or [n, 3, 9] by the inputs."""
         given = np.asarray(inputs, dtype=float)

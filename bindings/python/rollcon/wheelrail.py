@@ -1,14 +1,20 @@
 """A wheel of a wheelset on its rail."""
 
+from __future__ import annotations
+
 import ctypes
 from ctypes import byref
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ._arrays import reals, room
-from ._library import Handle, call, check, lib
+from ._library import Handle, RollconError, call, check, lib, shown
 from ._plain import WheelrailPlain
 from .contact import Contact
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 class Touch:
@@ -40,7 +46,7 @@ class ContactPoints:
         self.left, self.right = Touch(table[:, 3:8]), Touch(table[:, 8:])
 
 
-def contact_points(left, right, shift):
+def contact_points(left: WheelRail, right: WheelRail, shift: ArrayLike) -> ContactPoints:
     """Where both wheels of a rigid wheelset touch rigid rails over its lateral shift[n], without
     yaw: a ContactPoints. left, right: the WheelRail of each side, with track and wheelset set."""
     shift, shift_at = reals(shift)
@@ -49,7 +55,7 @@ def contact_points(left, right, shift):
     return ContactPoints(shift, table)
 
 
-def conicity(left, right, amplitude):
+def conicity(left: WheelRail, right: WheelRail, amplitude: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
     """Equivalent conicity of EN 15302 for each amplitude[n], and the wavelength of the motion."""
     amplitude, amplitude_at = reals(amplitude)
     found, found_at = room(len(amplitude))
@@ -78,13 +84,13 @@ class WheelRail(WheelrailPlain, Handle):
         Handle.__init__(wheelrail, handle, context)
         return wheelrail
 
-    def copy(self):
+    def copy(self) -> WheelRail:
         """Another WheelRail with the same bodies, inputs and last solution: both go on alike."""
         made = ctypes.c_void_p()
         self._call("copy", byref(made))
         return WheelRail._of_handle(made.value, self._context)
 
-    def solve_many(self, positions, velocities):
+    def solve_many(self, positions: ArrayLike, velocities: ArrayLike) -> Positions:
         """Solves positions[n, 6] with velocities[n, 6] on the threads of the context, each by
         itself from nothing; a Positions."""
         positions, positions_at = reals(positions, 6)
@@ -96,13 +102,26 @@ class WheelRail(WheelrailPlain, Handle):
         worst = self._call("solve_many", len(positions), positions_at, velocities_at, totals_at, status_at)
         return Positions(worst, status, totals)
 
-    def contact(self, patch):
+    def contact(self, patch: int) -> Contact:
         """The Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""
         made = ctypes.c_void_p()
         self._call("get_contact", patch, byref(made))
         return Contact._of_handle(made.value, self._context)
 
     @property
-    def contacts(self):
+    def contacts(self) -> list[Contact]:
         """Those of all patches of the last solve."""
         return [self.contact(patch) for patch in range(self.patch_count)]
+
+    def _about(self):
+        try:
+            force, _ = self.resultant()
+        except RollconError:
+            return "not solved"
+        count = self.patch_count
+        return f"{count} patch{'es' if count != 1 else ''}, force on the wheel {shown(force)}"
+
+    def plot_patches(self, ax=None):
+        """Draws where the wheel touches, and how hard; the axes of matplotlib. See rollcon.plots."""
+        from . import plots
+        return plots.patches(self, ax)

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""documents.py check               links, spelling of names and sizes of the documents as plain files
+   documents.py stage FOLDER        pages for MkDocs: links to files outside docs/ lead to copies
+   documents.py links FOLDER        links of a built site
+
+Of links to the web only the form is looked at.
+"""
+
+import html
+import pathlib
+import re
+import shutil
+import sys
+import urllib.parse
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LINK = re.compile(r"(!?\[(?:[^\[\]]|\[[^\]]*\])*\]\()([^)\s]+)(\))")
+FENCE = re.compile(r"^```.*?^```$", re.M | re.S)
+OUTSIDE = ["README.md", "CHANGELOG.md", "CONTRIBUTING.md", "RELEASING.md", "SECURITY.md", "AUTHORS.md",
+           "fortran/README.md", "bindings/python/README.md"]
+README_LINES = 120
+
+
+def pages():
+    return [ROOT / name for name in OUTSIDE if (ROOT / name).exists()] + sorted((ROOT / "docs").rglob("*.md"))
+
+
+def prose(text):
+    """Without code, in which brackets are no links."""
+    return re.sub(r"`[^`\n]*`", "``", re.sub(r"^    .*$", "", FENCE.sub("", text), flags=re.M))
+
+
+def slug(title):
+    """The anchor of a heading, as GitHub and MkDocs make it."""
+    title = re.sub(r"[`*]|\[([^\]]*)\]\([^)]*\)", r"\1", title)
+    return re.sub(r"\s+", "-", re.sub(r"[^\w\s-]", "", title.strip().lower()))
+
+
+def anchors(page):
+    found, seen = set(), {}
+    for title in re.findall(r"^#+ (.+)$", FENCE.sub("", page.read_text(encoding="utf-8")), re.M):
+        name = slug(title)
+        seen[name] = seen.get(name, -1) + 1
+        found.add(name + (f"-{seen[name]}" if seen[name] else ""))
+    return found
+
+
+def dead_links():
+    for page in pages():
+        for _, target, _ in LINK.findall(prose(page.read_text(encoding="utf-8"))):
+            if re.match(r"\w+:", target):
+                continue
+            path, _, anchor = target.partition("#")
+            file = (page.parent / path).resolve() if path else page
+            where = f"{page.relative_to(ROOT)}: {target}"
+            if not file.exists():
+                yield f"{where}: there is no such file"
+            elif anchor and file.suffix == ".md" and anchor not in anchors(file):
+                yield f"{where}: there is no such heading"
+
+
+def undocumented_options():
+    described = (ROOT / "docs/build.md").read_text(encoding="utf-8")
+    sources = [*sorted((ROOT / "cmake").glob("*.cmake")), *sorted((ROOT / "tests").glob("CMakeLists.txt")),
+               ROOT / "examples/mpi/CMakeLists.txt"]
+    for source in sources:
+        text = source.read_text(encoding="utf-8")
+        names = re.findall(r"^\s*option\((ROLLCON_\w+)", text, re.M) + re.findall(r"set\((ROLLCON_\w+) [^)]*\bCACHE", text)
+        names += ["ROLLCON_WITH_" + name for name in re.findall(r"^rollcon_wish\((\w+)", text, re.M)]
+        for name in names:
+            if not name.endswith("_") and f"`{name}`" not in described:
+                yield f"docs/build.md does not describe the option {name}"
+
+
+def check():
+    wrong = list(dead_links()) + list(undocumented_options())
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    if readme.count("\n") > README_LINES:
+        wrong.append(f"README.md has {readme.count(chr(10))} lines; allowed: {README_LINES}")
+    if (ROOT / "examples/first_contact.c").read_text(encoding="utf-8") not in readme:
+        wrong.append("README.md: its first program is not examples/first_contact.c")
+    for page in sorted((ROOT / "docs").rglob("*.md")):
+        name = page.relative_to(ROOT / "docs").as_posix()
+        if name != "README.md" and f": {name}\n" not in (ROOT / "docs/mkdocs.yml").read_text(encoding="utf-8"):
+            wrong.append(f"docs/mkdocs.yml does not name docs/{name}")
+    for page in pages():
+        # Lines of api.md are wrapped where its generator can.
+        for number, line in enumerate(page.read_text(encoding="utf-8").splitlines(), 1):
+            if len(line.rstrip()) > 120 and page.name != "api.md" and not re.match(r"\s*(\||#|!\[|<!--)|    |- `", line) and "](" not in line:
+                wrong.append(f"{page.relative_to(ROOT)}:{number}: {len(line)} characters")
+    print("\n".join(wrong) or f"documents: {len(pages())} pages, no dead link")
+    return 1 if wrong else 0
+
+
+def staged(path):
+    """Where a file of the repository goes in the site: documents to its top, pages outside as they are, others to
+    source/."""
+    inside = path.relative_to(ROOT).as_posix()
+    if inside == "README.md":
+        return "index.md"
+    if inside == "docs/README.md":
+        return "contents.md"
+    if inside.startswith("docs/"):
+        return inside.removeprefix("docs/")
+    return inside if inside in OUTSIDE else f"source/{inside}.txt"
+
+
+def stage(folder):
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(ROOT / "docs/images", folder / "images")
+    shutil.copy(ROOT / "docs/site.css", folder)
+    for page in pages():
+        target = folder / staged(page)
+
+        def moved(match, page=page, target=target):
+            path, hash_sign, anchor = match.group(2).partition("#")
+            if re.match(r"\w+:", match.group(2)) or not path:
+                return match.group(0)
+            file = (page.parent / path).resolve()
+            goal = folder / staged(file)
+            if goal.is_relative_to(folder / "source"):
+                goal.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(file, goal)
+            up = "../" * (len(target.relative_to(folder).parts) - 1)
+            return match.group(1) + up + goal.relative_to(folder).as_posix() + hash_sign + anchor + match.group(3)
+        parts, last, text = [], 0, page.read_text(encoding="utf-8")
+        for fence in FENCE.finditer(text):
+            parts += [LINK.sub(moved, text[last:fence.start()]), fence.group(0)]
+            last = fence.end()
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text("".join(parts) + LINK.sub(moved, text[last:]), encoding="utf-8")
+
+
+def site_links(folder):
+    """Every href and src of every page leads to a file of the site, and to an anchor that it has."""
+    ids, dead, count = {}, [], 0
+    files = sorted(folder.rglob("*.html"))
+    texts = {file: file.read_text(encoding="utf-8") for file in files}
+    for file, text in texts.items():
+        ids[file] = set(re.findall(r"\bid=\"([^\"]+)\"", text))
+    for file, text in texts.items():
+        if file.name == "404.html":
+            continue
+        for target in set(re.findall(r"\b(?:href|src)=\"([^\"]+)\"", text)):
+            target = urllib.parse.unquote(html.unescape(target))
+            if re.match(r"\w+:|//", target):
+                continue
+            count += 1
+            path, _, anchor = target.partition("#")
+            goal = (file.parent / path).resolve() if path else file
+            goal = goal / "index.html" if goal.is_dir() else goal
+            if not goal.exists() or (anchor and goal in ids and anchor not in ids[goal] | {"__comments"}):
+                dead.append(f"{file.relative_to(folder)}: {target}")
+    print("\n".join(sorted(dead)) or f"site: {len(files)} pages, {count} links, none dead")
+    return 1 if dead else 0
+
+
+def main():
+    command, *rest = sys.argv[1:] or [""]
+    if command == "check" and not rest:
+        return check()
+    if command in ("stage", "links") and len(rest) == 1:
+        return {"stage": stage, "links": site_links}[command](pathlib.Path(rest[0]).resolve())
+    sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

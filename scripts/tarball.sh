@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# tarball.sh [FOLDER]: packs the sources, out/rollcon-VERSION.tar.xz by default, which build without git: what git tracks
+# here, or all of an unpacked tarball.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+folder=${1:-$root/out}
+version=$(awk '/^#define ROLLCON_VERSION_(MAJOR|MINOR|PATCH) / { printf "%s%s", dot, $3; dot = "." }' "$root/include/rollcon.h")
+mkdir -p "$folder"
+packed=$(realpath "$folder")/rollcon-$version.tar.xz
+cd "$root"
+{
+  if [ -e .git ]; then
+    git ls-files -z
+  else
+    find . -type f -not -path './build*' -not -path './out/*' -not -name '*.pyc' -printf '%P\0'
+  fi
+} | while IFS= read -r -d '' file; do if [ -e "$file" ]; then printf '%s\0' "$file"; fi; done |
+  tar --null --files-from=- --sort=name --owner=0 --group=0 --numeric-owner --mtime='2026-01-01 00:00:00Z' \
+    --transform "s,^,rollcon-$version/," --create | xz -T0 -6 >"$packed"
+say "$packed: $(stat -c %s "$packed") bytes"

@@ -1,0 +1,152 @@
+"""Pictures show what the contact has, reprs tell it, names stand for enumerators, and a library that is not found is
+missed in words that help."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+import rollcon as rc
+from scene import LOAD, MU, Scene
+
+import matplotlib
+matplotlib.use("Agg")
+from matplotlib import pyplot  # noqa: E402
+
+PACKAGE = pathlib.Path(rc.__file__).parent
+
+
+class Pictures(Scene):
+
+    def setUp(self):
+        super().setUp()
+        self.drawn = self.contact()
+        self.drawn.set_creep(-1e-3, 5e-4, 0.0)
+        self.drawn.solve()
+
+    def tearDown(self):
+        pyplot.close("all")
+        super().tearDown()
+
+    def test_pressure_and_tractions(self):
+        values = self.drawn.plot_pressure().collections[0].get_array()
+        self.assertAlmostEqual(values.max(), self.drawn.field("pressure").max())
+        lines = self.drawn.plot_tractions().lines
+        state = self.drawn.node_status()
+        self.assertEqual([len(line.get_xdata()) for line in lines], [(state == s).sum() for s in (rc.STICK, rc.SLIP)])
+
+    def test_section(self):
+        ax = self.drawn.plot_section()
+        lines = {line.get_label(): line for line in ax.lines}
+        pressure, traction = (lines[name].get_ydata() for name in ("pressure", "longitudinal traction"))
+        self.assertAlmostEqual(pressure.max(), self.drawn.field("pressure").max())
+        self.assertTrue((np.abs(traction) <= MU * np.maximum(pressure, 0) * (1 + 1e-9) + 1e-9).all())
+        self.assertGreater(np.abs(traction).max(), 0)
+
+    def test_creep_curve(self):
+        before = self.drawn.resultant()[0]
+        ax = self.drawn.plot_creep_curve([-1e-3, 0, 1e-3])
+        force = ax.lines[0].get_ydata()
+        self.assertAlmostEqual(force[0], before[0] / LOAD, places=7)
+        self.assertGreater(force[0], force[1])
+        self.assertGreater(force[1], force[2])
+        np.testing.assert_allclose(self.drawn.resultant()[0], before, atol=1e-7 * LOAD)
+        with self.assertRaisesRegex(ValueError, "allowed: longitudinal, lateral, spin"):
+            self.drawn.plot_creep_curve([0], "normal")
+
+    def test_profiles_and_patches(self):
+        bodies = [rc.Body(self.context, "halfspace") for _ in range(2)]
+        for body, shape in zip(bodies, ("s1002", "60e1")):
+            body.set_elastic(2.1e5, 0.28)
+            body.set_profile_shape(shape, [1])
+            line = body.plot_profile().lines[0]
+            np.testing.assert_allclose(line.get_xydata()[0], body.profile_point(0)[0])
+        wheel = rc.WheelRail(self.context, *bodies, "right")
+        wheel.set_track(1435, 14, 1 / 40)
+        wheel.set_wheelset(1360, -70, 460)
+        wheel.set_friction(0.3)
+        wheel.prescribe_vertical("force", 1e4)
+        wheel.set_position([0, 5, 0, 0, 0, 0])
+        wheel.set_velocity([2000, 0, 0, 0, 0, -2000 / 460])
+        self.assertIn("not solved", repr(wheel))
+        self.assertIn(wheel.solve(), (rc.OK, rc.COARSE))
+        self.assertEqual(len(wheel.plot_patches().lines), wheel.patch_count)
+        self.assertIn("-10000", repr(wheel))
+
+    def test_nothing_solved(self):
+        with self.assertRaises((rc.RollconError, ValueError)):
+            rc.Contact(self.context, self.drawn_body(), self.drawn_body()).plot_pressure()
+
+    def drawn_body(self):
+        return rc.Body(self.context, "halfspace")
+
+
+class Words(Scene):
+
+    def test_reprs(self):
+        contact = self.contact()
+        self.assertIn("not solved", repr(contact))
+        status = contact.solve()
+        self.assertEqual((repr(status), status, f"{status}", f"{status:3d}"), ("OK (0)", 0, "OK (0)", "  0"))
+        self.assertIn(f"{contact.size[0]} nodes", repr(contact))
+        self.assertIn("force on body 1", repr(contact))
+        self.assertIn("half-space", repr(rc.Body(self.context, "halfspace")))
+        contact.close()
+        self.assertEqual(repr(contact), "<rollcon.Contact, closed>")
+
+    def test_properties(self):
+        contact = self.contact()
+        contact.prescribe("longitudinal", "force", 0.5 * MU * LOAD)
+        contact.solve()
+        for given, methods in (((contact.force, contact.moment), contact.resultant()),
+                               ((contact.approach, contact.creepages), contact.motion())):
+            for one, two in zip(given, methods):
+                np.testing.assert_array_equal(one, two)
+        self.assertLess(contact.creepages[0], 0)
+        self.assertGreater(contact.approach, 0)
+        np.testing.assert_array_equal(contact.pressure, contact.field(rc.FIELD_PRESSURE))
+
+    def test_names(self):
+        body = rc.Body(self.context, "rigid")
+        with self.assertRaisesRegex(ValueError, "allowed: x, y, z"):
+            body.set_support([0], "x w")
+        from rollcon._library import enumerator
+        self.assertEqual(enumerator("x z", "dof", ""), rc.DOF_X | rc.DOF_Z)
+        self.assertEqual(rc.status_string("err_busy"), rc.status_string(rc.ERR_BUSY))
+
+    def imported(self, folder, **environment):
+        kept = {k: v for k, v in os.environ.items() if k not in ("ROLLCON_LIBRARY", "LD_LIBRARY_PATH")}
+        return subprocess.run([sys.executable, "-c", "import rollcon; print(rollcon.library_path)"], text=True,
+                              capture_output=True, env={**kept, "PYTHONPATH": str(folder), **environment})
+
+    def test_where_the_library_is(self):
+        with tempfile.TemporaryDirectory() as place:
+            packages = pathlib.Path(place).resolve() / "lib/python3/dist-packages"
+            shutil.copytree(PACKAGE, packages / "rollcon")
+            run = self.imported(packages)
+            if run.returncode:  # none is installed in this system
+                for word in ("finds no library librollcon.so", "ROLLCON_LIBRARY=", "pip install"):
+                    self.assertIn(word, run.stderr)
+            lib = packages.parents[1] / f"librollcon.so.{rc._api.ABI}"
+            beside = packages / "rollcon" / lib.name
+            for path in (lib, beside):
+                shutil.copy(rc.library_path, path)
+                self.assertEqual(self.imported(packages).stdout.strip(), str(path))
+            beside.write_bytes(b"no library")
+            self.assertEqual(self.imported(packages).stdout.strip(), str(lib))
+            lib.unlink()
+            run = self.imported(packages)
+            if run.returncode:
+                self.assertIn("could not use", run.stderr)
+
+    def test_no_picture_is_needed(self):
+        code = "import sys, rollcon; sys.exit(any(m.split('.')[0] == 'matplotlib' for m in sys.modules))"
+        self.assertEqual(subprocess.run([sys.executable, "-c", code]).returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main()
