@@ -468,7 +468,12 @@ contains
     call finish(rollcon_contact_prescribe(self%p, direction, how, value), self%p, 'rc_contact%prescribe', stat, errmsg)
   end subroutine
 
-  !> Sets the law of friction for the whole frame.
+  !> Sets the law of friction for the whole frame. "coulomb": mu. "orthotropic": mu1 and mu2 along axes that are turned
+  !> by an angle (radian) from t1 towards t2 (on curved frames those of each node), slip normal to the ellipse of the
+  !> tractions; "orthotropic_collinear": the same ellipse, slip against the traction. Where
+  !> rollcon_contact_set_friction_field gives coefficients, each is the greater of its node and the law keeps its
+  !> ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at
+  !> the solve).
   subroutine contact_set_friction(self, law, parameters, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     character(len=*), intent(in) :: law

@@ -1120,12 +1120,18 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
     int32_t direction, int32_t how, double value);
 
 /*
- * Sets the law of friction for the whole frame.
- *   law         "coulomb"
- *   n           parameters: 1
- *   parameters  [n]; mu >= 0
+ * Sets the law of friction for the whole frame. "coulomb": mu. "orthotropic": mu1 and mu2 along
+ * axes that are turned by an angle (radian) from t1 towards t2 (on curved frames those of each
+ * node), slip normal to the ellipse of the tractions; "orthotropic_collinear": the same ellipse,
+ * slip against the traction. Where rollcon_contact_set_friction_field gives coefficients, each is
+ * the greater of its node and the law keeps its ratios. The published procedures (options
+ * "system" and "jacobian") take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at the solve).
+ *   law         a name of a law
+ *   n           parameters of the law: 1, or 3 for the orthotropic ones
+ *   parameters  [n]; in the order above; coefficients >= 0, of an ellipse at most 1000 times
+ *               apart
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
- * Source: docs/theory.md, contact laws; Coulomb: equation (16) of the paper.
+ * Source: docs/friction.md; Coulomb: equation (16) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
     const char *law, int32_t n, const double *parameters);

@@ -211,7 +211,8 @@ void read_friction(SolverState& state, const Scene& scene) {
   if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction)) return;
   ++state.work.frictions;
   Problem& p = preparation.made->problem;
-  p.law = &scene.law();
+  p.own_law = scene.law();
+  p.law = p.own_law ? p.own_law.get() : &coulomb();
   p.mu.resize(at(p.nodes));
   bool frictionless = true;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
@@ -368,6 +369,10 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.has_surface() || body2.has_surface());
+  if (!state.procedure.standard() && scene.law())
+    fail(Status::err_unsupported,
+         "the published procedures solve Coulomb's law alone; allowed with this law: system = condensed and "
+         "jacobian = exact");
   prepare_bodies(state, body1, body2);
   Prepared& on = begin_preparation(state);
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};

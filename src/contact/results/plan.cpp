@@ -183,6 +183,8 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
+  if (const std::string law = s.frictionless ? "" : s.prepared->problem.law->description(); !law.empty())
+    line(text, "%s", law.c_str());
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
