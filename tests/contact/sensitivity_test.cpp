@@ -143,6 +143,17 @@ TEST(sensitivity, under_orthotropic_friction) {
       }
 }
 
+TEST(sensitivity, under_friction_that_falls_with_slip) {
+  for (const char* law : {"linear", "rational", "exponential"})
+    for (const bool coupled : {false, true})
+      for (const auto& way : {ways[0], ways[2], ways[5]}) {
+        Drive drive = with(way);
+        drive.law = [law](RollingPair& pair, double mu) { give(pair, law, {0.5 * mu, 0.5 * mu, 4e-3}); };
+        check(std::string(law) + (coupled ? ", on rigid" : ", identical"),
+              half_spaces(coupled ? std::optional<Elastic>{} : steel), drive);
+      }
+}
+
 using Matrix = std::array<std::array<double, 4>, 4>;
 
 // Rates of (F1, F2, -F3, M3) and of (xi1, xi2, approach, spin), by what is prescribed.

@@ -18,8 +18,8 @@ struct Tried {
   std::vector<double> parameter;
 };
 const Tried tried[] = {
-    {"orthotropic", {0.3, 0.2, 0.6}},
-    {"orthotropic_collinear", {0.3, 0.2, 0.6}},
+    {"orthotropic", {0.3, 0.2, 0.6}},    {"orthotropic_collinear", {0.3, 0.2, 0.6}}, {"exponential", {0.15, 0.15, 3}},
+    {"linear", {0.15, 0.1, 3, 0.05, 8}}, {"rational", {0.15, 0.1, 3, 0.05, 8}},
 };
 
 void give(RollingPair& pair, const Tried& t) {

@@ -17,6 +17,20 @@ void draw_orthotropic(Draw& d, Scene& scene, double mu) {
   if (d.chance(0.5)) std::swap(scene.given.law.parameter[0], scene.given.law.parameter[1]);
 }
 
+// Speeds from where the least slip feels the fall to where hardly any does. Steeper ones have many solutions.
+void draw_falling(Draw& d, Scene& scene, double mu) {
+  const laws::Given& g = scene.given;
+  double creep =
+      std::max({std::abs(g.by_force[0] ? 0 : g.value[0]), std::abs(g.by_force[1] ? 0 : g.value[1]), 0.1 * mu, 1e-9});
+  const double kept = d.between(0.2, 0.95), first = d.between(0.3, 1);
+  const auto speed = [&] { return g.speed * creep * d.log_between(0.5, 100); };
+  scene.given.law.parameter = {kept * mu, (1 - kept) * first * mu, speed()};
+  if (first < 0.9)
+    scene.given.law.parameter.insert(scene.given.law.parameter.end(), {(1 - kept) * (1 - first) * mu, speed()});
+  else
+    scene.given.law.parameter[1] = (1 - kept) * mu;
+}
+
 }  // namespace
 
 Scene law_scene(const std::string& law, std::uint32_t seed) {
@@ -25,7 +39,7 @@ Scene law_scene(const std::string& law, std::uint32_t seed) {
   laws::Given& g = scene.given;
   const double mu = *std::max_element(g.friction.begin(), g.friction.end());
   g.law.name = law;
-  draw_orthotropic(d, scene, mu);
+  g.law.orthotropic() ? draw_orthotropic(d, scene, mu) : draw_falling(d, scene, mu);
   scene.group = law + ": " + scene.group;
   return scene;
 }

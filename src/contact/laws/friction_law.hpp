@@ -35,6 +35,7 @@ struct FrictionPoint {
   double t1, t2;          ///< tangential traction
   double s1 = 0, s2 = 0;  ///< slip over rolling speed
   double rt = 0;          ///< scale of the slip
+  double falling = 1;     ///< factor on the slip speed that friction falls with; 0: as at rest
 };
 
 /// The tangential traction that belongs to a point.
@@ -70,6 +71,12 @@ class FrictionLaw {
   virtual std::array<double, 2> against(const FrictionPoint& point) const = 0;
   /// Friction is the same in all directions.
   virtual bool isotropic() const { return true; }
+  /// Friction depends on the slip speed: there may be several solutions.
+  virtual bool falls() const { return false; }
+  /// Friction coefficient at the point.
+  virtual double coefficient(const FrictionPoint& point) const { return point.mu; }
+  /// The law where slip speeds count by this rolling speed; null: it does not matter.
+  virtual std::shared_ptr<const FrictionLaw> at_speed(double /*speed*/) const { return nullptr; }
   /// One line for the plan, of a law that is not Coulomb's.
   virtual std::string description() const { return {}; }
 };
@@ -94,7 +101,10 @@ struct LawName {
 std::span<const LawName> law_names();
 
 GivenFriction make_coulomb(std::span<const double> parameters);
+GivenFriction make_exponential(std::span<const double> parameters);
+GivenFriction make_linear(std::span<const double> parameters);
 GivenFriction make_orthotropic(std::span<const double> parameters);
 GivenFriction make_orthotropic_collinear(std::span<const double> parameters);
+GivenFriction make_rational(std::span<const double> parameters);
 
 }  // namespace rollcon

@@ -229,6 +229,16 @@ void read_friction(SolverState& state, const Scene& scene) {
     if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
 }
 
+// Speeds of the law count by the rolling speed.
+void bind_law(SolverState& state, const Scene& scene) {
+  if (!scene.law()) return;
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  if (!preparation.law.enter(preparation.friction.version(), on.speed)) return;
+  if (auto bound = scene.law()->at_speed(on.speed)) on.problem.own_law = std::move(bound);
+  on.problem.law = on.problem.own_law.get();
+}
+
 // What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
 void find_offset(SolverState& state) {
   Preparation& preparation = *state.preparation;
@@ -383,6 +393,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   read_friction(state, scene);
   read_gap(state, scene);
   read_slip(state, scene, poses_of_surfaces(scene, on.pair));
+  bind_law(state, scene);
   read_prescribed(state, scene);
   build_operators(state, scene);
 }
