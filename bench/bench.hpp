@@ -69,6 +69,7 @@ std::vector<Case> example3_cases();
 std::vector<Case> kernel_cases();
 std::vector<Case> bem_kernel_cases();  ///< where the static library is built
 std::vector<Case> linear_solver_cases();
+std::vector<Case> friction_law_cases();
 std::vector<Case> body_cases();
 std::vector<Case> ring_load_cases();
 std::vector<Case> fem_cases();

@@ -468,7 +468,16 @@ contains
     call finish(rollcon_contact_prescribe(self%p, direction, how, value), self%p, 'rc_contact%prescribe', stat, errmsg)
   end subroutine
 
-  !> Sets the law of friction for the whole frame.
+  !> Sets the law of friction for the whole frame. "coulomb": mu. "orthotropic": mu1 and mu2 along axes that are turned
+  !> by an angle (radian) from t1 towards t2 (on curved frames those of each node), slip normal to the ellipse of the
+  !> tractions; "orthotropic_collinear": the same ellipse, slip against the traction. "linear", "rational",
+  !> "exponential": friction that falls with the slip speed s, muk + mu1 f(s/s1) and, with 5 parameters, + mu2 f(s/s2),
+  !> each half as great or less at its speed: f(x) = max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or
+  !> 2^-x. Several solutions may exist then: a solve from nothing begins with friction as at rest, a warm one continues
+  !> the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip. Where
+  !> rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at rest) and the law keeps
+  !> its ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone
+  !> (ROLLCON_ERR_UNSUPPORTED at the solve).
   subroutine contact_set_friction(self, law, parameters, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     character(len=*), intent(in) :: law

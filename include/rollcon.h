@@ -176,7 +176,7 @@ enum {
   ROLLCON_FIELD_DISPLACEMENT1  = 5,    /* [3] elastic displacement of body 1 */
   ROLLCON_FIELD_DISPLACEMENT2  = 6,    /* [3] elastic displacement of body 2 */
   ROLLCON_FIELD_AREA           = 7,    /* [1] area of the node's median-dual cell */
-  ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient */
+  ROLLCON_FIELD_FRICTION       = 8,    /* [1] friction coefficient: the greatest of the law, or that at the slip speed found */
   ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0, along levelled normals */
   ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
   ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
@@ -1120,12 +1120,24 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
     int32_t direction, int32_t how, double value);
 
 /*
- * Sets the law of friction for the whole frame.
- *   law         "coulomb"
- *   n           parameters: 1
- *   parameters  [n]; mu >= 0
+ * Sets the law of friction for the whole frame. "coulomb": mu. "orthotropic": mu1 and mu2 along
+ * axes that are turned by an angle (radian) from t1 towards t2 (on curved frames those of each
+ * node), slip normal to the ellipse of the tractions; "orthotropic_collinear": the same ellipse,
+ * slip against the traction. "linear", "rational", "exponential": friction that falls with the
+ * slip speed s, muk + mu1 f(s/s1) and, with 5 parameters, + mu2 f(s/s2), each half as great or
+ * less at its speed: f(x) = max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or 2^-x.
+ * Several solutions may exist then: a solve from nothing begins with friction as at rest, a warm
+ * one continues the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the
+ * coefficient at the node's slip. Where rollcon_contact_set_friction_field gives coefficients,
+ * each is the greatest of its node (at rest) and the law keeps its ratios. The published
+ * procedures (options "system" and "jacobian") take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at
+ * the solve).
+ *   law         a name of a law
+ *   n           parameters of the law: 1; 3 for the orthotropic ones; 3 or 5 for those that fall
+ *   parameters  [n]; mu; mu1, mu2, angle; muk, mu1, s1, mu2, s2. Coefficients >= 0, of an ellipse
+ *               at most 1000 times apart; speeds > 0, length/time
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
- * Source: docs/theory.md, contact laws; Coulomb: equation (16) of the paper.
+ * Source: docs/friction.md; Coulomb: equation (16) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
     const char *law, int32_t n, const double *parameters);

@@ -101,7 +101,9 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
       *out = p.weight[k];
       return;
     case Field::friction:
-      *out = p.mu[k];
+      *out = s.frictionless || !p.law->falls() ? p.mu[k]
+                                               : p.law->coefficient({p.mu[k], 0, 0, 0, s.slip[0][k] / s.prepared->speed,
+                                                                     s.slip[1][k] / s.prepared->speed});
       return;
     case Field::pressure:
       *out = it.lambda[2][k] < 0 ? -it.lambda[2][k] : 0.0;
@@ -134,7 +136,8 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   const std::int64_t needed = components * s.prepared->problem.nodes;
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
-  if (field == Field::gap || field == Field::slip || field == Field::friction_power) derive_fields(s);
+  const bool at_slip = field == Field::friction && s.prepared->problem.law->falls();
+  if (at_slip || field == Field::gap || field == Field::slip || field == Field::friction_power) derive_fields(s);
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(2 * n);
     for (std::size_t k = 0; k < n; ++k) xy[2 * k] = frame.x[k], xy[2 * k + 1] = frame.y[k];

@@ -36,6 +36,8 @@ FrictionShare HertzFriction::share(const Scene& scene, const FramePlace& place, 
     given.by_force[m] = scene.load(d).how == How::by_force;
     given.value[m] = scene.load(d).value;
   }
+  problem_.own_law = scene.law();
+  problem_.law = problem_.own_law ? problem_.own_law.get() : &coulomb();
   problem_.length = std::sqrt(place.length * place.width);
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const double x = place.length * x_[k] + place.shear * y_[k], y = place.width * y_[k];

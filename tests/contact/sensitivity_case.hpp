@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -48,6 +49,8 @@ inline std::vector<std::int32_t> states(const RollingPair& pair) {
 struct Drive {
   double approach, along, across, spin, mu;
   std::array<bool, 4> by_force{};  ///< longitudinal, lateral, normal, spin
+  /// A law other than Coulomb's, given by a function of mu.
+  std::function<void(RollingPair&, double)> law{};
 };
 
 struct Setting {
@@ -61,6 +64,13 @@ struct Setting {
     EXPECT_TRUE(status == ROLLCON_OK || status == ROLLCON_COARSE) << status;
   }
 
+  void friction(double mu) {
+    if (drive.law)
+      drive.law(*pair, mu);
+    else
+      pair->friction(mu);
+  }
+
   void prescribe(std::size_t direction, double v) {
     const std::int32_t how = drive.by_force[direction] ? ROLLCON_BY_FORCE : ROLLCON_BY_MOTION;
     must(rollcon_contact_prescribe(pair->handle(), static_cast<std::int32_t>(direction) + 1, how, v));
@@ -69,7 +79,8 @@ struct Setting {
   /// Solves, and prescribes the loads found where wanted.
   Setting(std::unique_ptr<RollingPair> made, const Drive& wanted) : pair(std::move(made)), drive(wanted) {
     pair->option("tolerance", 1e-13);
-    pair->friction(drive.mu).approach(drive.approach).creep(drive.along, drive.across, drive.spin);
+    friction(drive.mu);
+    pair->approach(drive.approach).creep(drive.along, drive.across, drive.spin);
     solve();
     const Values v = observe(*pair);
     value = {drive.along, drive.across, drive.approach, drive.spin};
@@ -93,14 +104,14 @@ struct Setting {
     const std::vector<std::int32_t> before = states(*pair);
     const auto d = static_cast<std::size_t>(parameter) - 1;
     if (parameter == ROLLCON_FRICTION)
-      pair->friction(drive.mu * (1 + by));
+      friction(drive.mu * (1 + by));
     else
       prescribe(d, value[d] + by);
     solve();
     EXPECT_EQ(states(*pair), before) << "choose a state away from changes of stick and slip";
     const Values v = observe(*pair);
     if (parameter == ROLLCON_FRICTION)
-      pair->friction(drive.mu);
+      friction(drive.mu);
     else
       prescribe(d, value[d]);
     return v;
@@ -127,7 +138,7 @@ inline std::unique_ptr<RollingPair> half_spaces(const std::optional<Elastic>& ot
   return pair;
 }
 
-inline constexpr Drive rolling{0.02, -9e-4, 5e-4, 6e-4, 0.3};
+inline const Drive rolling{0.02, -9e-4, 5e-4, 6e-4, 0.3};
 
 inline Drive with(std::array<bool, 4> by_force, Drive drive = rolling) {
   drive.by_force = by_force;

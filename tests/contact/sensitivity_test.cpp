@@ -109,7 +109,7 @@ std::unique_ptr<RollingPair> block(bool finite_elements, double bulge) {
   return pair;
 }
 
-constexpr Drive on_block{0.06, -1e-2, 6e-3, 8e-3, 0.3};
+const Drive on_block{0.06, -1e-2, 6e-3, 8e-3, 0.3};
 
 TEST(sensitivity, of_boundary_and_finite_elements) {
   if (rollcon_has_feature("bem"))
@@ -125,6 +125,33 @@ TEST(sensitivity, where_everything_slides_or_little_is_prescribed) {
   check("full sliding", half_spaces(std::nullopt), {0.02, -8e-2, 3e-2, 2e-2, 0.3, {}});
   check("full sliding under a load", half_spaces(steel), {0.02, 5e-2, 4e-2, 1e-2, 0.2, ways[1]});
   check("lateral creepage alone", half_spaces(std::nullopt), {0.02, 0, 7e-4, 0, 0.3, ways[1]});
+}
+
+void give(RollingPair& pair, const char* law, const std::vector<double>& parameters) {
+  must(rollcon_contact_set_friction(pair.handle(), law, static_cast<std::int32_t>(parameters.size()),
+                                    parameters.data()));
+}
+
+TEST(sensitivity, under_orthotropic_friction) {
+  for (const char* law : {"orthotropic", "orthotropic_collinear"})
+    for (const bool coupled : {false, true})
+      for (const auto& way : {ways[0], ways[2], ways[5]}) {
+        Drive drive = with(way);
+        drive.law = [law](RollingPair& pair, double mu) { give(pair, law, {mu, 0.5 * mu, 0.6}); };
+        check(std::string(law) + (coupled ? ", on rigid" : ", identical"),
+              half_spaces(coupled ? std::optional<Elastic>{} : steel), drive);
+      }
+}
+
+TEST(sensitivity, under_friction_that_falls_with_slip) {
+  for (const char* law : {"linear", "rational", "exponential"})
+    for (const bool coupled : {false, true})
+      for (const auto& way : {ways[0], ways[2], ways[5]}) {
+        Drive drive = with(way);
+        drive.law = [law](RollingPair& pair, double mu) { give(pair, law, {0.5 * mu, 0.5 * mu, 4e-3}); };
+        check(std::string(law) + (coupled ? ", on rigid" : ", identical"),
+              half_spaces(coupled ? std::optional<Elastic>{} : steel), drive);
+      }
 }
 
 using Matrix = std::array<std::array<double, 4>, 4>;

@@ -71,7 +71,12 @@ void give_loads(scenes::RollingPair& pair, const Scene& scene) {
   }
   pair.creep_field(g.creep_field);
   const bool field = g.friction.size() != 1;
-  if (!field) pair.friction(g.friction[0]);
+  if (!g.law.coulomb())
+    must(rollcon_contact_set_friction(pair.handle(), g.law.name.c_str(),
+                                      static_cast<std::int32_t>(g.law.parameter.size()), g.law.parameter.data()),
+         "set_friction");
+  else if (!field)
+    pair.friction(g.friction[0]);
   must(rollcon_contact_set_friction_field(pair.handle(), field ? static_cast<std::int64_t>(g.friction.size()) : 0,
                                           g.friction.data()),
        "set_friction_field");

@@ -92,6 +92,10 @@ Scene random_scene(std::uint32_t seed);
 /// friction carries; half of them of equal half-spaces.
 Scene forces_scene(std::uint32_t seed);
 
+/// A random scene, or one with several loads given, under a law of friction other than Coulomb's whose parameters are
+/// drawn.
+Scene law_scene(const std::string& law, std::uint32_t seed);
+
 /// A single-line description: materials, frame, loads.
 std::string describe(const Scene& scene);
 

@@ -212,8 +212,9 @@ class Checker {
       s0 = std::max({s0, std::hypot(s.rigid[0], s.rigid[1]), std::hypot(s.elastic[0], s.elastic[1])});
     }
     for (std::size_t k = 0; k < nodes_; ++k) {
-      const double q = std::hypot(result_.traction[3 * k], result_.traction[3 * k + 1]);
-      const double limit = in_contact(k) ? mu(k) * pressure(k) : 0;
+      const double q = given_.law.measure(result_.traction[3 * k], result_.traction[3 * k + 1]);
+      const double fast = std::hypot(result_.slip[2 * k], result_.slip[2 * k + 1]);
+      const double limit = in_contact(k) ? mu(k) * given_.law.coefficient(fast) * pressure(k) : 0;
       const double excess = result_.state[k] == ROLLCON_SLIP ? std::abs(q - limit) : q - limit;
       if (q0 > 0)
         laws_.bound = std::max(laws_.bound, excess / q0);
@@ -233,17 +234,20 @@ class Checker {
       const double q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
       const double q = std::hypot(q1, q2), speed = std::hypot(s1, s2);
       // Off the law by what slip would have to change, or what traction would: the lesser.
-      const double limit = mu(k) * pressure(k);
-      const double by_traction = speed > 0 ? std::hypot(q1 + limit * s1 / speed, q2 + limit * s2 / speed) / q0 : 0;
+      const double limit = mu(k) * given_.law.coefficient(given_.speed * speed) * pressure(k);
+      std::array<double, 2> slides{};
+      if (speed > 0) slides = given_.law.sliding(s1, s2);
+      const double by_traction = speed > 0 ? std::hypot(q1 - limit * slides[0], q2 - limit * slides[1]) / q0 : 0;
       const auto relative = [&](double part) { return std::min(by_traction, std::max(0.0, part - s.uncertain) / s0); };
       if (result_.state[k] == ROLLCON_STICK)
         laws_.stick = std::max(laws_.stick, relative(speed));
       else if (result_.state[k] != ROLLCON_SLIP)
         laws_.stick = 1;  // in contact, and said to be open
-      else if (q > 0)
+      else if (q > 0) {
+        const auto [n1, n2] = given_.law.against(q1, q2);
         laws_.direction =
-            std::max({laws_.direction, relative(std::abs(s1 * q2 - s2 * q1) / q), relative((s1 * q1 + s2 * q2) / q)});
-      else
+            std::max({laws_.direction, relative(std::abs(s1 * n2 - s2 * n1)), relative(s1 * n1 + s2 * n2)});
+      } else
         laws_.direction = std::max(laws_.direction, relative(speed));
     }
   }

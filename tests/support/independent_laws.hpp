@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "rollcon.h"
+#include "support/independent_friction.hpp"
 #include "support/independent_schemes.hpp"
 
 namespace rollcon::laws {
@@ -24,6 +25,7 @@ struct Given {
   std::array<bool, 4> by_force{};
   std::array<double, 4> value{};
   std::vector<double> friction{0.3};  ///< one coefficient, or one for each node
+  Friction law;                       ///< of which these are the greatest coefficients
   std::vector<double> creep_field;    ///< empty, or pairs for each node
   Scheme scheme = Scheme::characteristic;
   double step = 0.6;     ///< of the characteristic scheme, over the spacing

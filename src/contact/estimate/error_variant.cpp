@@ -61,6 +61,7 @@ void Variant::take_problem(const SolverState& s) {
   p.length = from.length;
   p.stiffness = from.stiffness;
   p.law = from.law;
+  p.own_law = from.own_law;
   p.weight = gather(*space_, from.weight);
   p.moment_x = gather(*space_, from.moment_x);
   p.moment_y = gather(*space_, from.moment_y);

@@ -3,7 +3,9 @@
 /// this folder.
 
 #include <array>
+#include <memory>
 #include <span>
+#include <string>
 
 namespace rollcon {
 
@@ -28,16 +30,19 @@ inline TangentialLaw stick_law() {
 
 /// A node as friction sees it.
 struct FrictionPoint {
-  double mu;        ///< its coefficient
-  double pressure;  ///< augmented: -(ln + rn gap)
-  double a1, a2;    ///< augmented tangential traction, lt - rt s
+  double mu;              ///< its coefficient: the greatest that its law can reach there
+  double pressure;        ///< augmented: -(ln + rn gap)
+  double t1, t2;          ///< tangential traction
+  double s1 = 0, s2 = 0;  ///< slip over rolling speed
+  double rt = 0;          ///< scale of the slip
+  double falling = 1;     ///< factor on the slip speed that friction falls with; 0: as at rest
 };
 
 /// The tangential traction that belongs to a point.
 struct FrictionTraction {
   double t1, t2;
   double bound;   ///< greatest traction there
-  double length;  ///< of the augmented traction
+  double length;  ///< of the augmented traction, as the law measures it against the bound
   bool sliding;   ///< it is at the bound
 };
 
@@ -46,10 +51,12 @@ struct NodeResponse {
   double b[2][2];
 };
 
+/// Coefficients of a law are those of the nodes times functions that are the law's own: none exceeds 1, so a node's
+/// coefficient is the greatest there.
 class FrictionLaw {
  public:
   virtual ~FrictionLaw() = default;
-  /// The law as a projection: its residual is lt minus this.
+  /// The law as a projection of the augmented traction lt - rt s: its residual is lt minus this.
   virtual FrictionTraction traction(const FrictionPoint& point) const = 0;
   /// Its derivative. The bound follows the normal traction of the new iterate if `bound_follows` (full problem), else
   /// it is a given number.
@@ -57,20 +64,47 @@ class FrictionLaw {
   /// Tractions that are admitted under a pressure: the unit disk times this matrix. A motion of the node then takes at
   /// most the power |M^T s|.
   virtual std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const = 0;
-  /// Tractions that keep the law at one node under the pressure, the slip being linear in them; slip: with the
-  /// tractions `old`.
-  virtual std::array<double, 2> solve(const NodeResponse& response, std::array<double, 2> slip,
-                                      std::array<double, 2> old, double mu, double pressure) const = 0;
+  /// Tractions that keep the law at one node under the pressure, the slip being linear in them; the point has the
+  /// tractions and the slip so far, and needs no scale.
+  virtual std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& point) const = 0;
+  /// Against which direction (of unit length) a node slides under the point's traction, which is not zero.
+  virtual std::array<double, 2> against(const FrictionPoint& point) const = 0;
+  /// Friction is the same in all directions.
+  virtual bool isotropic() const { return true; }
+  /// Friction depends on the slip speed: there may be several solutions.
+  virtual bool falls() const { return false; }
+  /// Friction coefficient at the point.
+  virtual double coefficient(const FrictionPoint& point) const { return point.mu; }
+  /// The law where slip speeds count by this rolling speed; null: it does not matter.
+  virtual std::shared_ptr<const FrictionLaw> at_speed(double /*speed*/) const { return nullptr; }
+  /// One line for the plan, of a law that is not Coulomb's.
+  virtual std::string description() const { return {}; }
 };
 
 /// Coulomb's: no slip, or a traction of mu times the pressure against it.
 const FrictionLaw& coulomb();
 
+/// A law with its parameters, and the coefficient of every node where no field gives it.
+struct GivenFriction {
+  std::shared_ptr<const FrictionLaw> law;
+  double mu = 0;
+};
+
 /// What callers may name (law_names.cpp).
 struct LawName {
   const char* name;
-  const FrictionLaw& (*law)();
+  const char* parameters;  ///< in words
+  int least, greatest;     ///< number of parameters
+  /// Throws Error naming the parameter and what is allowed. The parameters are finite.
+  GivenFriction (*make)(std::span<const double> parameters);
 };
 std::span<const LawName> law_names();
+
+GivenFriction make_coulomb(std::span<const double> parameters);
+GivenFriction make_exponential(std::span<const double> parameters);
+GivenFriction make_linear(std::span<const double> parameters);
+GivenFriction make_orthotropic(std::span<const double> parameters);
+GivenFriction make_orthotropic_collinear(std::span<const double> parameters);
+GivenFriction make_rational(std::span<const double> parameters);
 
 }  // namespace rollcon

@@ -3,7 +3,15 @@
 namespace rollcon {
 
 std::span<const LawName> law_names() {
-  static constexpr LawName names[] = {{"coulomb", &coulomb}};
+  static constexpr const char* falling = "3 or 5 parameters: muk, mu1, s1, and mu2, s2";
+  static constexpr LawName names[] = {
+      {"coulomb", "1 parameter: mu", 1, 1, make_coulomb},
+      {"orthotropic", "3 parameters: mu1, mu2, angle", 3, 3, make_orthotropic},
+      {"orthotropic_collinear", "3 parameters: mu1, mu2, angle", 3, 3, make_orthotropic_collinear},
+      {"linear", falling, 3, 5, make_linear},
+      {"rational", falling, 3, 5, make_rational},
+      {"exponential", falling, 3, 5, make_exponential},
+  };
   return names;
 }
 

@@ -28,7 +28,8 @@ bool takes_away(const Problem& p, std::size_t k) {
   return p.weight[k] < -1e-9 * std::abs(p.cell_area[k]);
 }
 
-/// A loaded node: mu p times its load rows of both components, and its slip by unit motions.
+/// A loaded node: its load rows of both components and its slip by unit motions, where what it carries is the unit
+/// disk.
 struct Node {
   Three row[2];
   Three slip[2];
@@ -89,7 +90,7 @@ class Limit {
       const auto column = problem_.slip_column(motions[i], k);
       for (std::size_t c = 0; c < 2; ++c) {
         n.row[c][i] = (most[0][c] * row[0] + most[1][c] * row[1]) * unit_[i];
-        n.slip[c][i] = column[c] * unit_[i];
+        n.slip[c][i] = (most[0][c] * column[0] + most[1][c] * column[1]) * unit_[i];
       }
     }
     // Where shape functions are negative on the whole (corners of quad8) a node's pressure takes away from the load:
@@ -227,11 +228,11 @@ FrictionShare share_of_friction(const Problem& p, const Prescribed& given, const
   return share;
 }
 
-// On a flat frame every node's share acts in the direction of the force.
+// On a flat frame every node's share acts in the direction of the force, if friction is the same in all of them.
 double share_of_forces(const Problem& p, const Prescribed& given, const std::vector<double> (&lambda)[3]) {
   const bool f1 = given.by_force[xi1], f2 = given.by_force[xi2];
   if (!f1 && !f2) return 0;
-  if (!p.turn.empty()) {
+  if (!p.turn.empty() || !p.law->isotropic()) {
     const Limit limit(p, given, lambda);
     return share_of(limit, limit.loads(), {f1, f2, false});
   }

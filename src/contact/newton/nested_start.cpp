@@ -73,6 +73,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   sample(p.slip2, q.slip2);
   q.stiffness = p.stiffness;
   q.law = p.law;
+  q.own_law = p.own_law;
   return q;
 }
 

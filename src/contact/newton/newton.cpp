@@ -88,6 +88,11 @@ Outcome Newton::attempt(bool cold) {
   if (outcome != Outcome::converged || s.goal == Part::normal) return outcome;
   // With creepages still unknown there is no slip direction to start from: full stick finds both (15 to 9 iterations on
   // the linear quadrilaterals of the sphere example).
+  if (cold && s.problem->law->falls()) {
+    outcome = run_as_at_rest(iteration_);
+    if (outcome != Outcome::converged && outcome != Outcome::not_converged) return outcome;
+    return iteration_.run(s.goal, s.given);
+  }
   return iteration_.run(s.goal, s.given,
                         {.free_steps = cold ? 0 : 2, .stick_first = cold && s.given.tangential_load()});
 }
@@ -120,7 +125,8 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
     s.report.outcome = Outcome::no_contact;
     return s.report;
   }
-  const bool cold = std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(), [](double l) { return l != 0; });
+  const bool cold = s.report.from_nothing =
+      std::none_of(iterate.lambda[2].begin(), iterate.lambda[2].end(), [](double l) { return l != 0; });
   if (cold) {
     iteration_.prediction.forget();
     iteration_.prediction_ratio = 0;
@@ -131,6 +137,7 @@ NewtonReport Newton::solve(const Problem& problem, const Prescribed& given, Iter
   if (outcome == Outcome::not_converged && beyond_sliding(clearly)) outcome = Outcome::no_solution;
   if (outcome == Outcome::not_converged && !cold && s.iterations_left > 0) {
     ++s.report.fallbacks;
+    s.report.from_nothing = true;
     begin_cold();
     outcome = guarded(attempt(true));
     s.report.saved[static_cast<std::size_t>(Rung::cold)] += outcome == Outcome::converged;
@@ -158,6 +165,7 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
+  if (solve_.problem->law->falls()) next(Rung::fall_from_rest, fall_from_rest);
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);
@@ -185,6 +193,8 @@ bool Newton::beyond_sliding(double by) {
     return share.sliding >= 1 + by;
   }
   if (by > 0 && !(share_of_friction(p, s.given, iteration_.best_tractions()).together >= suspicious)) return false;
+  // Beyond what friction carries at great speed there may be solutions at a lesser one.
+  if (p.law->falls()) return false;
   if (!compared_) {
     compared_ = true;
     slides_ = slide_against_loads(iteration_);

@@ -41,8 +41,9 @@ enum class Rung {
   friction_from_above,
   alternate,
   friction_from_below,
+  fall_from_rest,  ///< friction that falls with slip, by degrees
 };
-inline constexpr std::size_t rungs = 9;
+inline constexpr std::size_t rungs = 10;
 
 struct NewtonReport {
   Outcome outcome = Outcome::not_converged;
@@ -51,6 +52,7 @@ struct NewtonReport {
   double residual_load = 0;  ///< greatest relative error of a prescribed load
   FrictionShare share;       ///< where the loads were found to be beyond friction
   std::int64_t fallbacks = 0;
+  bool from_nothing = false;                ///< no solution was there to start from, or it was left
   std::array<std::int64_t, rungs> saved{};  ///< solves (parts) that a rung brought to its end
   std::int64_t refuted = 0;                 ///< successes of a part that the last guard did not let pass
   std::int64_t predictions = 0;             ///< parts that began from a predicted iterate

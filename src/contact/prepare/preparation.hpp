@@ -54,6 +54,7 @@ struct Preparation {
   Stage<Revision, Scheme> convection;  ///< compliance, scheme
   Stage<Revision> offset;              ///< convection
   Stage<Revision, Revision> friction;  ///< convection, revision
+  Stage<Revision, double> law;         ///< friction, rolling speed
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
   Stage<Revision, Revision, Poses> between;            ///< convection, gap, poses; where there are velocities

@@ -211,7 +211,8 @@ void read_friction(SolverState& state, const Scene& scene) {
   if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction)) return;
   ++state.work.frictions;
   Problem& p = preparation.made->problem;
-  p.law = &scene.law();
+  p.own_law = scene.law();
+  p.law = p.own_law ? p.own_law.get() : &coulomb();
   p.mu.resize(at(p.nodes));
   bool frictionless = true;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
@@ -226,6 +227,16 @@ void read_friction(SolverState& state, const Scene& scene) {
   const SparseRows& d = p.convection.rows;
   for (std::size_t i = 0; i < p.mu.size(); ++i)
     if (preparation.made->frame.used[i] && d.start[i] == d.start[i + 1]) p.mu[i] = 0;
+}
+
+// Speeds of the law count by the rolling speed.
+void bind_law(SolverState& state, const Scene& scene) {
+  if (!scene.law()) return;
+  Preparation& preparation = *state.preparation;
+  Prepared& on = *preparation.made;
+  if (!preparation.law.enter(preparation.friction.version(), on.speed)) return;
+  if (auto bound = scene.law()->at_speed(on.speed)) on.problem.own_law = std::move(bound);
+  on.problem.law = on.problem.own_law.get();
 }
 
 // What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
@@ -368,6 +379,10 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   state.assemblies_before = state.assemblies;
   state.procedure = choose_procedure(scene.options);
   scene.require_complete(body1.has_surface() || body2.has_surface());
+  if (!state.procedure.standard() && scene.law())
+    fail(Status::err_unsupported,
+         "the published procedures solve Coulomb's law alone; allowed with this law: system = condensed and "
+         "jacobian = exact");
   prepare_bodies(state, body1, body2);
   Prepared& on = begin_preparation(state);
   on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
@@ -378,6 +393,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   read_friction(state, scene);
   read_gap(state, scene);
   read_slip(state, scene, poses_of_surfaces(scene, on.pair));
+  bind_law(state, scene);
   read_prescribed(state, scene);
   build_operators(state, scene);
 }

@@ -83,7 +83,7 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
       if (touching && at.slip_known(k)) {
         const double rt = given.slip_scale * p.rt[k], mu = given.friction * p.mu[k];
         const SummedSlip s = at.slip(k);
-        t = friction.traction({mu, -augmented, l1 - rt * s.s1, l2 - rt * s.s2});
+        t = friction.traction({mu, -augmented, l1, l2, s.s1, s.s2, rt, given.falling});
         sliding = t.sliding;
         if constexpr (!trial) {
           // Where nodes slide only the share across the traction counts, which shrinks with the bound.

@@ -30,6 +30,7 @@ struct Prescribed {
   std::array<double, 4> value{};   ///< load (on body 1) where by force, else motion
   double full_approach = 0;        ///< one that is prescribed, from no approach on, as it was given
   double friction = 1;             ///< factor on the nodes' coefficients
+  double falling = 1;              ///< factor on the slip speed that friction falls with; 0: as at rest
   double slip_scale = 1;           ///< factor on the nodes' scales of slip: another path, same solution
 
   bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }

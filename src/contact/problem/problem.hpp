@@ -38,6 +38,7 @@ struct Problem {
   std::vector<double> gap;
   double datum = 0;
   const FrictionLaw* law = &coulomb();
+  std::shared_ptr<const FrictionLaw> own_law;  ///< `law`, where it has parameters
   /// Friction coefficient; 0 at nodes without an upstream neighbour (the inflow rim), whose slip does not depend on any
   /// traction: material enters the frame unstressed.
   std::vector<double> mu;

@@ -83,8 +83,13 @@ void derive_fields(SolverState& s) {
     s.slip[0][k] = s.prepared->speed * s1;
     s.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
-    const FrictionPoint point{s.given.friction * p.mu[k], -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
-                              it.lambda[0][k] - p.rt[k] * s1, it.lambda[1][k] - p.rt[k] * s2};
+    const FrictionPoint point{s.given.friction * p.mu[k],
+                              -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
+                              it.lambda[0][k],
+                              it.lambda[1][k],
+                              s1,
+                              s2,
+                              p.rt[k]};
     const bool sliding = s.frictionless || p.law->traction(point).sliding;
     s.status[k] = static_cast<std::int32_t>(sliding ? NodeStatus::slip : NodeStatus::stick);
   }
@@ -105,7 +110,7 @@ void check_laws(SolverState& s) {
   for (std::size_t k = 0; k < n; ++k) {
     pressure = std::max(pressure, std::abs(it.lambda[2][k]));
     depth = std::max(depth, std::abs(un[k]));
-    bound_max = std::max(bound_max, p.mu[k] * std::abs(it.lambda[2][k]));
+    bound_max = std::max(bound_max, s.given.friction * p.mu[k] * std::abs(it.lambda[2][k]));
   }
   std::vector<double> s1(n), s2(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -128,8 +133,10 @@ void check_laws(SolverState& s) {
     const double kn = p.rigid_gap(k, it.motion[approach]) - un[k];
     if (pressure > 0) normal = std::max(normal, ln / pressure);
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
-    const double tangential = std::hypot(it.lambda[0][k], it.lambda[1][k]);
-    const double bound = p.mu[k] * std::max(-ln, 0.0);
+    const FrictionPoint point{
+        s.given.friction * p.mu[k], std::max(-ln, 0.0), it.lambda[0][k], it.lambda[1][k], s1[k], s2[k]};
+    const FrictionTraction t = p.law->traction(point);
+    const double tangential = t.length, bound = t.bound;
     const bool sliding = s.status[k] == static_cast<std::int32_t>(NodeStatus::slip);
     if (bound_max > 0) {
       // A sliding node is at the bound, no other one is beyond it.
@@ -141,7 +148,7 @@ void check_laws(SolverState& s) {
     if (!sliding) {
       slip = std::max(slip, relative(speed, k));
     } else if (tangential > 0) {  // slip component across and along the traction
-      const double e1 = it.lambda[0][k] / tangential, e2 = it.lambda[1][k] / tangential;
+      const auto [e1, e2] = p.law->against(point);
       slip = std::max(slip, relative(std::abs(s1[k] * e2 - s2[k] * e1), k));
       slip = std::max(slip, relative(s1[k] * e1 + s2[k] * e2, k));
     }

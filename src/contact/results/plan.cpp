@@ -101,6 +101,14 @@ void describe_procedure(std::string& text, const SolverState& s, const Options& 
        o.linear_solver.c_str());
 }
 
+// Fallbacks after the first look wherever they can.
+const char* branch_of(const NewtonReport& report) {
+  const bool by_degrees = report.saved[static_cast<std::size_t>(Rung::fall_from_rest)] > 0;
+  const bool others = report.fallbacks > (report.saved[static_cast<std::size_t>(Rung::cold)] > 0);
+  if (!by_degrees && others) return "was found by a fallback, from stick or not";
+  return by_degrees || report.from_nothing ? "begins with stick" : "continues the last solution";
+}
+
 // How far the solution is that of the bodies: nodes that carry it, and the estimate once known.
 void describe_contact(std::string& text, const SolverState& s) {
   if (s.outcome != Outcome::converged) return;
@@ -183,6 +191,10 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   } else {
     line(text, "normal and tangential problems coupled: solved together");
   }
+  if (const std::string law = s.frictionless ? "" : s.prepared->problem.law->description(); !law.empty())
+    line(text, "%s", law.c_str());
+  if (!s.frictionless && s.prepared->problem.law->falls() && s.outcome == Outcome::converged)
+    line(text, "several solutions may exist: this one %s", branch_of(s.report));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {

@@ -52,9 +52,10 @@ double near_change(SolverState& s) {
     const double augmented = it.lambda[2][k] + p.rn[k] * s.gap[k];
     bool near = std::abs(augmented) < 1e-6 * pressure;
     if (!near && augmented < 0 && !s.frictionless) {
-      const double a1 = it.lambda[0][k] - p.rt[k] * s.slip[0][k] / s.prepared->speed;
-      const double a2 = it.lambda[1][k] - p.rt[k] * s.slip[1][k] / s.prepared->speed;
-      near = std::abs(std::hypot(a1, a2) + p.mu[k] * augmented) < 1e-6 * bound;
+      const double s1 = s.slip[0][k] / s.prepared->speed, s2 = s.slip[1][k] / s.prepared->speed;
+      const FrictionTraction t =
+          p.law->traction({p.mu[k], -augmented, it.lambda[0][k], it.lambda[1][k], s1, s2, p.rt[k]});
+      near = std::abs(t.length - t.bound) < 1e-6 * bound;
     }
     count += near;
   }

@@ -161,14 +161,22 @@ void Scene::set_friction(const char* law, std::int32_t n, const double* paramete
     for (const LawName& l : names) allowed += std::string(allowed.empty() ? "'" : ", '") + l.name + "'";
     fail(Status::err_argument, "law is '%.64s'; allowed: %s", law, allowed.c_str());
   }
-  if (n != 1) fail(Status::err_argument, "n is %d; '%s' has 1 parameter: mu", n, named->name);
+  if (n < named->least || n > named->greatest)
+    fail(Status::err_argument, "n is %d; '%s' has %s", n, named->name, named->parameters);
   require_pointer(parameters, "parameters");
-  const double mu = parameters[0];
-  require_finite(mu, "mu");
-  if (mu < 0) fail(Status::err_argument, "mu is %g; allowed: 0 or more", mu);
-  const bool another = std::exchange(law_, &named->law()) != &named->law();
-  if (!replace(friction_, mu) && friction_given_ && !another) return;
-  friction_given_ = true;
+  const auto count = static_cast<std::size_t>(n);
+  if (count == 1)
+    require_finite(parameters[0], "mu");
+  else
+    require_finite(n, 1, parameters, "parameters", mesh_.index_base);
+  const bool same_law = law_name_ == &*named;
+  if (same_law && std::equal(parameters, parameters + n, law_parameters_.begin(), law_parameters_.end())) return;
+  GivenFriction made = named->make({parameters, count});
+  law_parameters_.reserve(count);
+  law_parameters_.assign(parameters, parameters + n);
+  law_name_ = &*named;
+  law_ = std::move(made.law);
+  friction_ = made.mu;
   ++revision.friction;
 }
 
@@ -199,7 +207,7 @@ void Scene::require_complete(bool has_surface) const {
     fail(Status::err_state,
          "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
-  if (!friction_given_ && friction_field_.empty())
+  if (law_name_ == nullptr && friction_field_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
   if (velocities_given_ && !travel_given_ && !speed_given_)
     fail(

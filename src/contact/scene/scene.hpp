@@ -129,7 +129,8 @@ class Scene {
   double friction(std::int64_t k) const {
     return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
   }
-  const FrictionLaw& law() const { return *law_; }
+  /// Null: Coulomb's.
+  const std::shared_ptr<const FrictionLaw>& law() const { return law_; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
   /// (where there are velocities). (Arrays always fit the frame: their length is checked when they are set, and new
   /// nodes forget them.)
@@ -152,7 +153,6 @@ class Scene {
   std::array<Pose, 2> pose_{};
   Axes axes_;
   enum class GapKind { none, nodes, quadratic, grid } gap_kind_ = GapKind::none;
-  bool friction_given_ = false;
   std::vector<double> gap_;
   std::array<double, 3> quadratic_{0, 0, 0};
   std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
@@ -162,7 +162,9 @@ class Scene {
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;
-  const FrictionLaw* law_ = &coulomb();
+  std::shared_ptr<const FrictionLaw> law_;
+  const LawName* law_name_ = nullptr;  ///< none was given yet
+  std::vector<double> law_parameters_;
   std::vector<double> friction_field_;
 };
 

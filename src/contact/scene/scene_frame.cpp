@@ -93,7 +93,8 @@ void Scene::follow(const Scene& lead) {
   travel_given_ = lead.travel_given_;
   velocity_ = lead.velocity_;
   load_ = lead.load_;
-  friction_given_ = lead.friction_given_;
+  law_name_ = lead.law_name_;
+  law_parameters_ = lead.law_parameters_;
   friction_ = lead.friction_;
   law_ = lead.law_;
 }

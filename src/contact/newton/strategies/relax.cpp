@@ -48,7 +48,7 @@ void sweep_along_flow(const Solve& s, const DenseOperators& op) {
       if (mu * normal < 0) {
         const std::array<double, 2> slip{p.rigid_slip1(i, it.motion) + op.product(0, k, it.lambda),
                                          p.rigid_slip2(i, it.motion) + op.product(1, k, it.lambda)};
-        next = p.law->solve(b, slip, old, mu, -normal);
+        next = p.law->solve(b, {mu, -normal, old[0], old[1], slip[0], slip[1], 0, s.given.falling});
       }
       for (int c = 0; c < 2; ++c) {
         const auto at = static_cast<std::size_t>(c);

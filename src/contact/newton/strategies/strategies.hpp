@@ -27,6 +27,11 @@ Outcome alternate(NewtonIteration& newton);
 /// that pressures alone cause in unlike bodies.
 Outcome continue_in_friction(NewtonIteration& newton, bool from_above);
 
+/// The problem with friction as at rest, roughly: where solutions under friction that falls with slip begin.
+Outcome run_as_at_rest(NewtonIteration& newton);
+/// From there on by degrees: the branch of solutions that begins with stick.
+Outcome fall_from_rest(NewtonIteration& newton);
+
 /// Of pressures under sliding.
 inline constexpr double sliding_tolerance = 1e-6;
 /// The share of the loads in friction when every node slides in the direction in which that falls short of them most,
