@@ -59,6 +59,7 @@ void Variant::take_problem(const SolverState& s) {
   p.nodes = space_->frame.nodes();
   p.used.assign(at(p.nodes), 1);
   p.length = from.length;
+  p.motion_scale = from.motion_scale;
   p.stiffness = from.stiffness;
   p.law = from.law;
   p.weight = gather(*space_, from.weight);

@@ -13,6 +13,7 @@
 #include "contact/prepare/operator_family.hpp"
 #include "contact/prepare/placed_frame.hpp"
 #include "contact/solution.hpp"
+#include "contact/time/carried_rows.hpp"
 
 namespace rollcon {
 
@@ -56,14 +57,18 @@ struct Preparation {
   Stage<Revision, Revision> friction;  ///< convection, revision
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
-  Stage<Revision, Revision, Poses> between;            ///< convection, gap, poses; where there are velocities
-  Stage<Revision, Revision, Revision, Revision> slip;  ///< convection, between, offset, revision
+  /// convection, gap, place of the points, poses; where there are velocities
+  Stage<Revision, Revision, Revision, Poses> between;
+  /// convection, between, place of the points, offset, revision
+  Stage<Revision, Revision, Revision, Revision, Revision> slip;
+  Stage<Revision, Revision, double> points;            ///< convection, place, distance of a time step
   Stage<Revision> lattice;                             ///< frame
   Stage<Revision, Revision, bool> scales;              ///< frame, rows, estimated
   Revision offset_change = 0;                          ///< one is there, or there was one before
   Revision rows = 0;                                   ///< of the operators were assembled
   UnitFrame unit;                                      ///< of a frame that is placed
   OperatorFamily family;                               ///< likewise
+  CarriedRows carried;                                 ///< of time steps
   int threads = 1;
   SparseRows field_rows;            ///< carries a creep field to where the characteristic scheme takes slip
   std::vector<double> field_given;  ///< workspace for that

@@ -82,7 +82,7 @@ double power_put_in(const SolverState& s) {
     const double t1 = it.lambda[0][k], t2 = it.lambda[1][k];
     for (const int m : {xi1, xi2, spin}) {
       const auto row = p.load_row(m, k);
-      work += it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
+      work += p.motion_scale * it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
     }
     if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
   }
