@@ -8,6 +8,7 @@
 #include "linalg/blas_threads.hpp"
 #include "support/checksum.hpp"
 #include "support/error.hpp"
+#include "support/input_checks.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -82,6 +83,9 @@ std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
 
 void Contact::restore_past(std::int64_t count, const double* from) {
   require_own_frame(scene);
+  require_count(count, "n");
+  require_pointer(from, "past");
+  require_finite(count, 1, from, "past", 0);
   const auto given = static_cast<std::size_t>(count);
   if (given < numbers_for(0) || from[0] != magic)
     fail(Status::err_argument, "past does not begin as what rollcon_contact_save_past gives");
