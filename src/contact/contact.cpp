@@ -185,7 +185,8 @@ void refuse_tangential_loads(const Prescribed& given) {
 Status status_of(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::no_solution:
-      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(s.report.share).c_str());
+      fail(Status::err_load, "%s: there is no %ssolution", describe_beyond_friction(s.report.share).c_str(),
+           s.prepared->step == StepKind::steady ? "steady " : "");
     case Outcome::cancelled:
       return Status::cancelled;
     case Outcome::not_converged:

@@ -431,5 +431,48 @@ TEST(TimeStep, sensitivities) {
   EXPECT_NEAR(creep[1], by_creep, 1e-4 * std::abs(by_creep) + 1e-6);
 }
 
+#if ROLLCON_BUILD_PROCEDURES
+// The published procedures solve the same steps.
+TEST(TimeStep, published_procedures) {
+  const auto walk = [](const char* system, const char* jacobian) {
+    KalkerSpheres s(10, "dense");
+    s.scene().options.set_text("system", system);
+    s.scene().options.set_text("jacobian", jacobian);
+    s.scene().options.set_real("accuracy", 1e-8);
+    s.scene().set_creep(-1e-3, 3e-4, 1e-4);
+    s.scene().set_step(rolling_step, 0.5);
+    for (int k = 0; k < 4; ++k) EXPECT_GE(static_cast<int>(s.contact().solve()), 0) << system << jacobian;
+    return s.pair.tractions();
+  };
+  const std::vector<double> own = walk("condensed", "exact");
+  for (const auto& [system, jacobian] : {std::pair{"condensed", "b_derivative"}, std::pair{"condensed", "simplified"},
+                                         std::pair{"monolithic", "b_derivative"}}) {
+    const double off = largest_difference(own, walk(system, jacobian));
+    std::printf("%s, %s: tractions off by %.1e (bound 1e-6)\n", system, jacobian, off);
+    EXPECT_LT(off, 1e-6);
+  }
+}
+#endif
+
+// Of a step: what the frame makes of the forces, the past being what it is.
+TEST(TimeStep, error_estimate) {
+  for (const char* operators : {"dense", "fft"}) {
+    Spheres s(32, operators);
+    s.scene().set_step(shift_step, 1);
+    s.scene().set_creep(0.5 * s.shift(7.0 / 8), 0, 0);
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    const double exact = [&] {
+      double low = 0, high = 1;
+      for (int i = 0; i < 60; ++i) (s.shift((low + high) / 2) < 0.5 * s.shift(7.0 / 8) ? low : high) = (low + high) / 2;
+      return low * s.mu * s.load;
+    }();
+    const double off = std::abs(std::abs(s.force()) / exact - 1), estimate = s.contact().stat("error_estimate");
+    std::printf("%s: force off by %.2e of the closed form, estimate %.2e (bounds 0.2 and 20 times)\n", operators, off,
+                estimate);
+    EXPECT_GT(estimate, 0.2 * off);
+    EXPECT_LT(estimate, std::max(20 * off, 0.01));
+  }
+}
+
 }  // namespace
 }  // namespace rollcon::contact_test

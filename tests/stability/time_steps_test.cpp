@@ -64,6 +64,8 @@ void walk(const extremes::Scene& base, std::uint32_t seed, int steps, Walk& to) 
     EXPECT_TRUE(e.solved() || e.status == ROLLCON_NOT_CONVERGED || e.status == ROLLCON_ERR_LOAD ||
                 std::count(base.right.begin(), base.right.end(), e.status) > 0)
         << "seed " << seed << ", step " << k << ": status " << e.status << " " << e.message;
+    if (e.status == ROLLCON_NOT_CONVERGED)
+      std::printf("seed %u, step %d: not converged; %s\n", seed, k, extremes::describe(base).c_str());
     if (!e.solved()) return;  // what it leaves is looked at in another test
     any = true;
     ++to.solved;
@@ -81,7 +83,7 @@ void expect_right_steps(std::uint32_t first, std::uint32_t scenes, bool bodies, 
               scenes, all.solved, all.worst, all.iterations / std::max(all.solved, 1),
               all.fallbacks / std::max(all.solved, 1));
   for (const auto& [status, n] : all.count) std::printf("%5d %s\n", n, rollcon_status_string(status));
-  EXPECT_LE(all.count[ROLLCON_NOT_CONVERGED], most_failures * (all.solved + 1));
+  EXPECT_LE(all.count[ROLLCON_NOT_CONVERGED], std::max(1.0, most_failures * all.solved));
 }
 
 TEST(stability, random_scenes_in_time_steps) {
@@ -90,6 +92,10 @@ TEST(stability, random_scenes_in_time_steps) {
 
 TEST(stability, random_bodies_in_time_steps) {
   expect_right_steps(extremes::first_seed(), 8, true, 0.02);
+}
+
+TEST(stability_long, random_bodies_in_time_steps) {
+  expect_right_steps(extremes::first_seed() + 8, 60, true, 0.02);
 }
 
 TEST(stability_long, random_scenes_in_time_steps) {

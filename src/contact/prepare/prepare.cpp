@@ -100,7 +100,7 @@ void put_in_place(SolverState& state, const Scene& scene) {
   if (!on.compliance->follow_frame()) return preparation.compliance.forget();
   if (on.scheme == Scheme::characteristic)
     preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
-  else
+  else if (on.scheme != Scheme::time_step)
     preparation.convection.forget();
   // The blocks stay, to be filled again.
   if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;

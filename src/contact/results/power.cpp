@@ -74,6 +74,7 @@ double work_of_pressures(const SolverState& s) {
 // rigid gap.
 double power_put_in(const SolverState& s) {
   if (s.frictionless) return 0;
+  if (s.prepared->step != StepKind::steady) return NAN;  // elastic energy comes and goes
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   double work = work_of_pressures(s);
