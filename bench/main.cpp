@@ -41,6 +41,7 @@ std::vector<Case> all_cases() {
                       automatic_frame_cases,
                       thrift_cases,
                       time_loop_cases,
+                      time_step_cases,
                       wheel_rail_cases,
                       creep_table_cases,
                       many_cases,

@@ -60,12 +60,20 @@ void CarriedRows::make(const Prepared& on) {
     rows_ = std::make_shared<LatticeOperator>(*on.lattice, on.compliance->translation(), on.distance,
                                               on.problem.convection.rows);
   } else if (on.table) {
-    differences_ = true;
     dense_ = std::make_shared<DenseOperators>();
     Convection ahead = on.problem.convection;
     ahead.ahead.assign(on.frame.x.size(), on.distance);
     fill_lattice_operators(*on.lattice, *on.compliance->translation(), ahead, true, *dense_);
     for (auto& block : dense_->block[2]) block.release();
+    // Of what displacements lose upstream, over the distance, is left what they are there.
+    for (int r = 0; r < 2; ++r)
+      for (int c = 0; c < 3; ++c) {
+        auto& block = dense_->block[r][c];
+        if (block.empty()) continue;
+        const double* here = on.problem.op->dense()->block[r][c].data();
+        for (std::int64_t i = 0; i < block.rows() * block.columns(); ++i)
+          block.data()[i] = here[i] - on.distance * block.data()[i];
+      }
     rows_ = dense_;
   } else {
     make_dense(on);
