@@ -8,6 +8,7 @@
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
@@ -267,8 +268,7 @@ void Contact::reset() {
 
 void Contact::end_step(Status status) {
   if (scene.step_kind() == StepKind::steady) return;
-  for (const Status usable :
-       {Status::ok, Status::rim_contact, Status::coarse, Status::no_contact, Status::inaccurate})
+  for (const Status usable : {Status::ok, Status::rim_contact, Status::coarse, Status::no_contact, Status::inaccurate})
     if (status == usable) return rollcon::end_step(*state_, scene);
 }
 

@@ -111,7 +111,8 @@ class Contact {
   void keep(KeptSolution& kept) const;
   /// Back to it, the scene being again what it was of; counters and history are not brought back.
   void return_to(const KeptSolution& kept);
-  /// Forgets warm start, solution, history and what was before a time step; keeps the scene and the caches that still fit.
+  /// Forgets warm start, solution, history and what was before a time step; keeps the scene and the caches that still
+  /// fit.
   void reset();
 
   // Results of the last solve; err_state before one, err_capacity (naming the need) when too small.

@@ -11,11 +11,11 @@
 #include "bodies/pair.hpp"
 #include "contact/newton/frictionless_share.hpp"
 #include "contact/newton/newton.hpp"
+#include "contact/problem/past.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
-#include "contact/time/step_history.hpp"
 #include "mesh/lattice.hpp"
 #include "mesh/vec3.hpp"
 

@@ -79,9 +79,9 @@ void expect_right_steps(std::uint32_t first, std::uint32_t scenes, bool bodies, 
   Walk all;
   for (std::uint32_t seed = first; seed < first + scenes; ++seed)
     walk(bodies ? extremes::random_body_scene(seed) : extremes::random_scene(seed), seed, 5, all);
-  std::printf("%u scenes, %d steps solved, worst law residual %.1e (bound 1e-8), %.1f iterations a step, %.3f fallbacks\n",
-              scenes, all.solved, all.worst, all.iterations / std::max(all.solved, 1),
-              all.fallbacks / std::max(all.solved, 1));
+  std::printf(
+      "%u scenes, %d steps solved, worst law residual %.1e (bound 1e-8), %.1f iterations a step, %.3f fallbacks\n",
+      scenes, all.solved, all.worst, all.iterations / std::max(all.solved, 1), all.fallbacks / std::max(all.solved, 1));
   for (const auto& [status, n] : all.count) std::printf("%5d %s\n", n, rollcon_status_string(status));
   EXPECT_LE(all.count[ROLLCON_NOT_CONVERGED], std::max(1.0, most_failures * all.solved));
 }

@@ -171,8 +171,7 @@ class Checker {
     if (given_.in_time) {
       const TimeStep& t = *given_.in_time;
       for (double& r : s.rigid) r *= t.distance > 0 ? t.distance : 1;
-      for (std::size_t c = 0; c < 2; ++c)
-        s.elastic[c] = u(place_[k], c) - (t.before.empty() ? 0 : t.before[3 * k + c]);
+      for (std::size_t c = 0; c < 2; ++c) s.elastic[c] = u(place_[k], c) - (t.before.empty() ? 0 : t.before[3 * k + c]);
       size = 1;
     } else if (!upstream_.empty()) {
       const double path = upstream_[k] / cosine;
@@ -247,9 +246,10 @@ class Checker {
       const Slip& s = slips[i];
       const double s1 = s.rigid[0] + s.elastic[0], s2 = s.rigid[1] + s.elastic[1];
       if (s0 > 0)
-        laws_.slip_field = std::max(laws_.slip_field, (std::hypot(velocity() * s1 - result_.slip[2 * k],
-                                                                  velocity() * s2 - result_.slip[2 * k + 1])) /
-                                                          (velocity() * s0));
+        laws_.slip_field =
+            std::max(laws_.slip_field,
+                     (std::hypot(velocity() * s1 - result_.slip[2 * k], velocity() * s2 - result_.slip[2 * k + 1])) /
+                         (velocity() * s0));
       if (!(mu(k) > 0) || !(s0 > 0)) continue;
       const double q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
       const double q = std::hypot(q1, q2), speed = std::hypot(s1, s2);

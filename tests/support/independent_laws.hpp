@@ -66,8 +66,8 @@ struct Laws {
   const char* worst_name() const;
 };
 
-/// u1 - u2 under the tractions of the last solve at the points of the surface from which the particles at the nodes will
-/// have come after so long a way: three for each node.
+/// u1 - u2 under the tractions of the last solve at the points of the surface from which the particles at the nodes
+/// will have come after so long a way: three for each node.
 std::vector<double> displacements_before(const rollcon_contact* contact, const Given& given, double distance);
 
 /// Of the last solve, whose status is not negative. Frames of more nodes than most_nodes are sampled: so many nodes in

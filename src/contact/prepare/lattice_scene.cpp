@@ -106,7 +106,8 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
   const bool steady = s.prepared->scheme != Scheme::time_step;
-  const LatticeScene scene = scene_of(s, steady ? Scheme::characteristic : Scheme::time_step, [&] { return monitor.cancelled(); });
+  const LatticeScene scene =
+      scene_of(s, steady ? Scheme::characteristic : Scheme::time_step, [&] { return monitor.cancelled(); });
   start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
 }
 

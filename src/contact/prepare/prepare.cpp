@@ -7,6 +7,7 @@
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
 #include "contact/prepare/rigid_slip.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"

@@ -75,8 +75,7 @@ void assemble_missing(SolverState& state) {
     assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op);
   if (!stretched) {  // by bodies without supports
     refuse_held_nodes(on.frame, op);
-    op.loosen_held_tangents(on.frame.used,
-                            !on.problem.convection.ahead.empty() || on.scheme == Scheme::time_step);
+    op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty() || on.scheme == Scheme::time_step);
   }
   state.assemblies += assemblies;
   state.iterate.invalidate();

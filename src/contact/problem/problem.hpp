@@ -9,8 +9,8 @@
 /// is then the cosine between both normals (1 on a flat frame), the creepages are projected on the local tangent plane,
 /// and the load rows are the same columns transposed times the nodes' weights.
 ///
-/// In a time step slip is the shift of a particle over that step, motions count by the distance rolled (shifts: by 1), D
-/// leaves displacements as they are, and the given field takes away those of the step before (docs/time.md).
+/// In a time step slip is the shift of a particle over that step, motions count by the distance rolled (shifts: by 1),
+/// D leaves displacements as they are, and the given field takes away those of the step before (docs/time.md).
 
 #include <algorithm>
 #include <array>

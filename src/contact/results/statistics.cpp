@@ -6,10 +6,10 @@
 
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "contact/results/condition.hpp"
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
-#include "contact/prepare/preparation.hpp"
 #include "contact/solution.hpp"
 
 namespace rollcon {

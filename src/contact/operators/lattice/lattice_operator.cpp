@@ -134,7 +134,8 @@ LatticeOperator::LatticeOperator(Lattice lattice, std::shared_ptr<const Translat
   nodes = lattice.frame_nodes();
   coupled = kernel->couples();
   normal = tangential = true;
-  shared_ = std::make_unique<Shared>(std::move(lattice), std::move(kernel), delta, std::move(convection), displacements);
+  shared_ =
+      std::make_unique<Shared>(std::move(lattice), std::move(kernel), delta, std::move(convection), displacements);
   idle_.push_back(std::make_unique<Workspace>(*shared_));
 }
 

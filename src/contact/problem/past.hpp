@@ -12,8 +12,6 @@
 namespace rollcon {
 
 struct Iterate;
-struct SolverState;
-class Scene;
 
 /// A frame and the pair's compliance there.
 struct FrameOfPast {
@@ -38,27 +36,14 @@ struct StepHistory {
   PastStep last;    ///< what the next step starts from
   PastStep before;  ///< what the last one started from
   bool can_repeat = false;
-  bool of_steps = false;         ///< the last solve was a step: `last` is what it left
-  bool failed = false;           ///< the last solve, a steady one, found nothing
-  bool iterate_is_last = false;  ///< the iterate is that of `last`
-  std::vector<double> rigid[2];  ///< slip of the scene that neither motions nor tractions change
+  bool of_steps = false;           ///< the last solve was a step: `last` is what it left
+  bool failed = false;             ///< the last solve, a steady one, found nothing
+  bool iterate_is_last = false;    ///< the iterate is that of `last`
+  std::vector<double> rigid[2];    ///< slip of the scene that neither motions nor tractions change
   std::vector<double> carried[3];  ///< displacements of the step before at the particles that are at the nodes now
   std::vector<double> traction, displacement;  ///< workspace, three a node
 
   std::size_t bytes() const;
 };
-
-/// Before the scene is prepared. err_state: a steady solve failed just before.
-void begin_step(SolverState& state, const Scene& scene);
-/// After it was prepared: slip that the scene and the step before give, in the problem.
-void carry_past(SolverState& state, const Scene& scene);
-/// The iterate from which a step is solved.
-void start_step(SolverState& state);
-/// The solution becomes what the next step starts from.
-void end_step(SolverState& state, const Scene& scene);
-/// The next step starts from where the last one did. err_state: there is none, or that was done already.
-void repeat_step(SolverState& state);
-/// At rest.
-void forget_past(SolverState& state);
 
 }  // namespace rollcon

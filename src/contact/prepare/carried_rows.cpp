@@ -1,4 +1,4 @@
-#include "contact/time/carried_rows.hpp"
+#include "contact/prepare/carried_rows.hpp"
 
 #include <algorithm>
 

@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "contact/contact.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/checksum.hpp"
 #include "support/error.hpp"
-#include "support/input_checks.hpp"
 #include "support/index.hpp"
+#include "support/input_checks.hpp"
 
 namespace rollcon {
 namespace {
 
-// Layout: magic, version, numbers in all, nodes, checksum of the frame, loaded, time, steps, four motions, tractions t1,
-// t2, n of all nodes, checksum of all before it.
+// Layout: magic, version, numbers in all, nodes, checksum of the frame, loaded, time, steps, four motions, tractions
+// t1, t2, n of all nodes, checksum of all before it.
 constexpr double magic = 7274830.5, version = 1;
 constexpr std::size_t header = 12;
 

@@ -1,4 +1,4 @@
-#include "contact/time/step_history.hpp"
+#include "contact/prepare/time_step.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -51,9 +51,10 @@ bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
 // Half-spaces answer tractions on any frame exactly.
 void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
   if (meshed(on))
-    fail(Status::err_state,
-         "the frame is not that of the step before, and a body has a mesh: its displacements cannot be carried from one "
-         "frame to another; keep the frame, or start from rest (rollcon_contact_reset)");
+    fail(
+        Status::err_state,
+        "the frame is not that of the step before, and a body has a mesh: its displacements cannot be carried from one "
+        "frame to another; keep the frame, or start from rest (rollcon_contact_reset)");
   FrameOfPast& past = *h.last.on;
   if (!past.compliance) past.compliance = make_pair_compliance(past.frame, on.pair, on.accuracy, threads);
   const std::size_t n = on.frame.x.size(), sources = h.last.lambda[0].size();

@@ -28,7 +28,7 @@ class CarriedRows {
 
   std::int64_t version_ = -1, made_ = 0;
   double distance_ = 0;
-  bool differences_ = false;              ///< the rows give what displacements lose upstream, over the distance
+  bool differences_ = false;  ///< the rows give what displacements lose upstream, over the distance
   std::shared_ptr<DenseOperators> dense_;
   std::shared_ptr<const Operators> rows_;  ///< null: none are made
   std::vector<std::int32_t> node_;         ///< used
