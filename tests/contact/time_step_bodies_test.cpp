@@ -58,7 +58,7 @@ TEST(time_steps_of_bodies, shift_then_roll_to_the_steady_state) {
       expect_error(name + ": laws", worst, 1e-8);
       const auto a = steady->solution().force, b = steps->solution().force;
       expect_error(name + ": force against the steady one",
-                   std::hypot(a[0] - b[0], a[1] - b[1]) / std::hypot(a[0], a[1]), 0.05);
+                   std::hypot(a[0] - b[0], a[1] - b[1]) / std::hypot(a[0], a[1]), 1e-4);
     }
 }
 
