@@ -87,6 +87,7 @@ std::vector<Case> guard_cases();
 std::vector<Case> automatic_frame_cases();
 std::vector<Case> thrift_cases();
 std::vector<Case> time_loop_cases();
+std::vector<Case> time_step_cases();
 std::vector<Case> many_cases();
 std::vector<Case> wheel_rail_cases();
 std::vector<Case> creep_table_cases();

@@ -107,6 +107,11 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_slip = 2_c_int32_t
   integer(c_int32_t), parameter :: rollcon_excluded = 3_c_int32_t
 
+  ! step
+  integer(c_int32_t), parameter :: rollcon_steady = 0_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_rolling_step = 1_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_shift_step = 2_c_int32_t
+
   ! log level
   integer(c_int32_t), parameter :: rollcon_log_error = 1_c_int32_t
   integer(c_int32_t), parameter :: rollcon_log_warning = 2_c_int32_t
@@ -819,6 +824,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_creep
 
+    function rollcon_contact_set_step(contact, kind, dt) &
+        result(rc) bind(C, name="rollcon_contact_set_step")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: kind
+      real(c_double), value :: dt
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_step
+
     function rollcon_contact_set_velocity(contact, which, velocity, angular_velocity, point) &
         result(rc) bind(C, name="rollcon_contact_set_velocity")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1026,6 +1041,35 @@ module rollcon_c
       integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_solve_many
+
+    function rollcon_contact_repeat_step(contact) &
+        result(rc) bind(C, name="rollcon_contact_repeat_step")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_repeat_step
+
+    function rollcon_contact_save_past(contact, capacity, past, n_values) &
+        result(rc) bind(C, name="rollcon_contact_save_past")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: past(*)
+      integer(c_int64_t), intent(inout) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_save_past
+
+    function rollcon_contact_restore_past(contact, n, past) &
+        result(rc) bind(C, name="rollcon_contact_restore_past")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: past(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_restore_past
 
     function rollcon_contact_reset(contact) result(rc) bind(C, name="rollcon_contact_reset")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

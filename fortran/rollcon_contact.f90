@@ -24,6 +24,7 @@ module rollcon_contact
     procedure, private :: get_field_vectors
     procedure, private :: get_field_scalars
     generic :: get_field => get_field_vectors, get_field_scalars
+    procedure :: save_past
     procedure :: get_status
     procedure :: get_displacements_at
     procedure :: get_stresses_at
@@ -281,6 +282,25 @@ contains
     integer(rc_int) :: status
     call read_field(self, field, axes_or_local(axes), v, n, status)
     call finish(status, self%handle(), 'rc_contact%get_field', stat, errmsg)
+  end subroutine
+
+  !> What the next step in time starts from, for restore_past: of another run, or of another contact of such bodies on
+  !> the same frame.
+  subroutine save_past(self, past, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: past(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    status = rollcon_contact_save_past(self%handle(), 0_rc_long, none, n)
+    if (status == ROLLCON_ERR_CAPACITY) status = ROLLCON_OK
+    if (status < 0) n = 0
+    allocate (past(n))
+    if (status == ROLLCON_OK) status = rollcon_contact_save_past(self%handle(), n, past, n)
+    call finish(status, self%handle(), 'rc_contact%save_past', stat, errmsg)
   end subroutine
 
   !> ROLLCON_OPEN, ROLLCON_STICK, ROLLCON_SLIP or ROLLCON_EXCLUDED at each node.

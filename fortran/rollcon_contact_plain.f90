@@ -32,6 +32,7 @@ module rollcon_contact_plain
     procedure :: set_gap_grid => contact_set_gap_grid
     procedure :: set_rolling => contact_set_rolling
     procedure :: set_creep => contact_set_creep
+    procedure :: set_step => contact_set_step
     procedure :: set_velocity => contact_set_velocity
     procedure :: set_creep_field => contact_set_creep_field
     procedure :: prescribe => contact_prescribe
@@ -39,6 +40,8 @@ module rollcon_contact_plain
     procedure :: set_friction_field => contact_set_friction_field
     procedure :: request_cancel => contact_request_cancel
     procedure :: solve => contact_solve
+    procedure :: repeat_step => contact_repeat_step
+    procedure :: restore_past => contact_restore_past
     procedure :: reset => contact_reset
     procedure :: get_size => contact_get_size
     procedure :: get_resultant => contact_get_resultant
@@ -421,6 +424,23 @@ contains
       errmsg)
   end subroutine
 
+  !> Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady state again.
+  !> ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in steady rolling.
+  !> ROLLCON_SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of body 1 against body 2 in this step
+  !> (longitudinal and lateral, length) and its turn (spin, radians), and so it is in what rollcon_contact_get_motion
+  !> returns; velocities and creep fields count by dt. Loads, motions, approach, friction and gap may change from step
+  !> to step. The first step starts from the steady state solved last, or from rest where there is none
+  !> (rollcon_contact_reset); a step that fails leaves the one before as it was. A frame that follows its contact takes
+  !> the past along (half-spaces and rigid bodies; meshed bodies: ROLLCON_ERR_STATE from the solve).
+  subroutine contact_set_step(self, kind, dt, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer(rc_int), intent(in) :: kind
+    real(rc_real), intent(in) :: dt
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_step(self%p, kind, dt), self%p, 'rc_contact%set_step', stat, errmsg)
+  end subroutine
+
   !> Says how a body or the contact itself moves: its point at x has the velocity v + omega x (x - point). Creepages and
   !> spin then follow from the velocities of both bodies; rollcon_contact_get_motion returns them after a solve. Where
   !> bodies have profiles or meshes the relative velocity is taken between their surfaces, node by node: rolling radius
@@ -525,7 +545,29 @@ contains
     call finish(rollcon_contact_solve(self%p), self%p, 'rc_contact%solve', stat, errmsg)
   end subroutine
 
-  !> Forgets the solution, the warm start and the history; keeps the scene and all that was computed for the frame.
+  !> The next solve starts from where the last step did, as if that had not been: for a host that tries loads or motions
+  !> again before it goes on. Once after each step.
+  subroutine contact_repeat_step(self, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_repeat_step(self%p), self%p, 'rc_contact%repeat_step', stat, errmsg)
+  end subroutine
+
+  !> The next step starts from what rollcon_contact_save_past gave. Prepares bodies and frame where nothing was solved
+  !> yet. Numbers of another frame, or that were changed, are refused, and the past stays as it was; results of the last
+  !> solve are gone.
+  subroutine contact_restore_past(self, past, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: past(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_restore_past(self%p, size(past, 1, rc_long), past), self%p, 'rc_contact%restore_past', &
+      stat, errmsg)
+  end subroutine
+
+  !> Forgets the solution, the warm start, the history and what was before a time step (bodies are at rest); keeps the
+  !> scene and all that was computed for the frame.
   subroutine contact_reset(self, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
     integer, intent(out), optional :: stat

@@ -730,6 +730,15 @@ subroutine rccrp(icon, xlongitudinal, xlateral, spin, ierr)
   ierr = rollcon_contact_set_creep(contact_of(icon), xlongitudinal, xlateral, spin)
 end subroutine
 
+!> Makes every solve from now on a step in time of length dt.
+subroutine rcstep(icon, kind, dt, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, kind, ierr
+  double precision :: dt
+  ierr = rollcon_contact_set_step(contact_of(icon), narrow(kind), dt)
+end subroutine
+
 !> Says how a body or the contact itself moves.
 subroutine rcvel(icon, iwhich, velocity, angular_velocity, point, ierr)
   use rollcon_f77_support
@@ -951,7 +960,36 @@ subroutine rccase(icon, par, nc, values, columns, maxn, results, nres, istatus, 
   call give_integers(whole, istatus)
 end subroutine
 
-!> Forgets the solution, the warm start and the history.
+!> The next solve starts from where the last step did, as if that had not been.
+subroutine rcrept(icon, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  ierr = rollcon_contact_repeat_step(contact_of(icon))
+end subroutine
+
+!> What the next step starts from, as numbers.
+subroutine rcspst(icon, maxn, past, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, maxn, nv, ierr
+  double precision :: past(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_contact_save_past(contact_of(icon), int(maxn, c_int64_t), past, n_values_c)
+  nv = int(n_values_c)
+end subroutine
+
+!> The next step starts from what rollcon_contact_save_past gave.
+subroutine rcrpst(icon, n, past, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, n, ierr
+  double precision :: past(*)
+  ierr = rollcon_contact_restore_past(contact_of(icon), int(n, c_int64_t), past)
+end subroutine
+
+!> Forgets the solution, the warm start, the history and what was before a time step (bodies are at rest).
 subroutine rcrset(icon, ierr)
   use rollcon_f77_support
   implicit none

@@ -203,6 +203,13 @@ enum {
   ROLLCON_EXCLUDED = 3     /* belongs to no element: carries no traction */
 };
 
+/* What a solve is in time. */
+enum {
+  ROLLCON_STEADY       = 0,    /* steady rolling, without a past */
+  ROLLCON_ROLLING_STEP = 1,    /* one step of rolling: material comes with the displacements of the step before */
+  ROLLCON_SHIFT_STEP   = 2     /* one step of bodies that are shifted against each other and do not roll */
+};
+
 /* Levels of messages; a sink gets those up to its own level. 0 turns the log off. */
 enum {
   ROLLCON_LOG_ERROR   = 1,    /* failures of calls */
@@ -1077,6 +1084,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_creep(rollcon_contac
     double longitudinal, double lateral, double spin);
 
 /*
+ * Makes every solve from now on a step in time of length dt; ROLLCON_STEADY makes it a steady
+ * state again. ROLLCON_ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in
+ * steady rolling. ROLLCON_SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of
+ * body 1 against body 2 in this step (longitudinal and lateral, length) and its turn (spin,
+ * radians), and so it is in what rollcon_contact_get_motion returns; velocities and creep fields
+ * count by dt. Loads, motions, approach, friction and gap may change from step to step. The first
+ * step starts from the steady state solved last, or from rest where there is none
+ * (rollcon_contact_reset); a step that fails leaves the one before as it was. A frame that
+ * follows its contact takes the past along (half-spaces and rigid bodies; meshed bodies:
+ * ROLLCON_ERR_STATE from the solve).
+ *   kind     ROLLCON_STEADY, ROLLCON_ROLLING_STEP or ROLLCON_SHIFT_STEP
+ *   dt       > 0, time; counts for nothing where the kind is ROLLCON_STEADY
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/time.md; Kalker 1990.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_step(rollcon_contact *contact,
+    int32_t kind, double dt);
+
+/*
  * Says how a body or the contact itself moves: its point at x has the velocity v + omega x (x -
  * point). Creepages and spin then follow from the velocities of both bodies;
  * rollcon_contact_get_motion returns them after a solve. Where bodies have profiles or meshes the
@@ -1230,7 +1256,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_option_doc(int32_t i, int64_t ca
     char *text, int64_t *needed);
 
 /* ------------------------------------------------------------------------ Solve, watch, stop */
-/* One steady state per solve, started from the last one. */
+/* One steady state, or one step in time (rollcon_contact_set_step), per solve, started from the
+   last one. */
 
 /*
  * Sets the callback that is called once per iteration, and about every tenth of a second while
@@ -1336,8 +1363,38 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_conta
     int64_t capacity, double *results, int64_t *n_results, int32_t *status);
 
 /*
- * Forgets the solution, the warm start and the history; keeps the scene and all that was computed
- * for the frame.
+ * The next solve starts from where the last step did, as if that had not been: for a host that
+ * tries loads or motions again before it goes on. Once after each step.
+ * Also returns: ROLLCON_ERR_STATE.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_repeat_step(rollcon_contact *contact);
+
+/*
+ * What the next step starts from, as numbers: a header with a version, time, tractions, a
+ * checksum. For another run, or another contact of such bodies on the same frame.
+ *   capacity  doubles at past; 0 only asks for the need
+ *   past      [capacity], out; NULL only with capacity 0
+ *   n_values  out, may be NULL; doubles of the past; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_CAPACITY.
+ * Source: docs/time.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_save_past(const rollcon_contact *contact,
+    int64_t capacity, double *past, int64_t *n_values);
+
+/*
+ * The next step starts from what rollcon_contact_save_past gave. Prepares bodies and frame where
+ * nothing was solved yet. Numbers of another frame, or that were changed, are refused, and the
+ * past stays as it was; results of the last solve are gone.
+ *   past     [n]; as saved
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH.
+ * Source: docs/time.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_restore_past(rollcon_contact *contact,
+    int64_t n, const double *past);
+
+/*
+ * Forgets the solution, the warm start, the history and what was before a time step (bodies are
+ * at rest); keeps the scene and all that was computed for the frame.
  * Also returns: ROLLCON_ERR_STATE.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_reset(rollcon_contact *contact);

@@ -215,6 +215,12 @@ rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longit
   });
 }
 
+rollcon_status rollcon_contact_set_step(rollcon_contact *contact, int32_t kind, double dt) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_step(kind, dt);
+  });
+}
+
 rollcon_status rollcon_contact_set_velocity(rollcon_contact *contact, int32_t which,
     const double *velocity, const double *angular_velocity, const double *point) {
   return with_contact(__func__, contact, [&](Contact& self) {
@@ -295,6 +301,19 @@ rollcon_status rollcon_contact_get_str(const rollcon_contact *contact, const cha
 rollcon_status rollcon_contact_solve(rollcon_contact *contact) {
   return with_contact(__func__, contact, [&](Contact& self) {
     return self.solve();
+  });
+}
+
+rollcon_status rollcon_contact_repeat_step(rollcon_contact *contact) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.repeat_step();
+  });
+}
+
+rollcon_status rollcon_contact_restore_past(rollcon_contact *contact, int64_t n,
+    const double *past) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.restore_past(n, past);
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include "capi/guard.hpp"
 #include "capi/progress.hpp"
+#include "capi/results.hpp"
 #include "support/input_checks.hpp"
 #include "support/last_error.hpp"
 
@@ -87,4 +88,11 @@ rollcon_status rollcon_event_get_real(const rollcon_event* event, int32_t key, d
 
 rollcon_status rollcon_contact_request_cancel(rollcon_contact* contact) {
   return with_shared(__func__, Kind::contact, contact, [](Object& object) { object.contact->request_cancel(); });
+}
+
+rollcon_status rollcon_contact_save_past(const rollcon_contact* contact, int64_t capacity, double* past,
+                                         int64_t* n_values) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    if (wants_copy(c.save_past(0, nullptr), capacity, past, "past", n_values, "doubles")) c.save_past(capacity, past);
+  });
 }

@@ -8,6 +8,7 @@
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
@@ -185,7 +186,8 @@ void refuse_tangential_loads(const Prescribed& given) {
 Status status_of(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::no_solution:
-      fail(Status::err_load, "%s: there is no steady solution", describe_beyond_friction(s.report.share).c_str());
+      fail(Status::err_load, "%s: there is no %ssolution", describe_beyond_friction(s.report.share).c_str(),
+           s.prepared->step == StepKind::steady ? "steady " : "");
     case Outcome::cancelled:
       return Status::cancelled;
     case Outcome::not_converged:
@@ -217,8 +219,11 @@ Contact::~Contact() = default;
 void Contact::clear_state() {
   // Where memory ran out, nothing may be allocated.
   const MakePublished published = state_->make_published;
+  StepHistory steps = std::move(state_->steps);
+  steps.iterate_is_last = false;
   *state_ = SolverState{};
   state_->make_published = published;
+  state_->steps = std::move(steps);
 }
 
 void Contact::set_progress(ProgressFunction function, void* user) {
@@ -257,7 +262,14 @@ void Contact::reset() {
   s.history.clear();
   s.merit.clear();
   s.timings = {};
+  forget_past(s);
   if (frames_) frames_->reset();
+}
+
+void Contact::end_step(Status status) {
+  if (scene.step_kind() == StepKind::steady) return;
+  for (const Status usable : {Status::ok, Status::rim_contact, Status::coarse, Status::no_contact, Status::inaccurate})
+    if (status == usable) return rollcon::end_step(*state_, scene);
 }
 
 std::unique_ptr<Contact> Contact::make_follower() const {
@@ -286,10 +298,17 @@ Status Contact::solve() {
   // A request belongs to the solve during which it was made.
   cancel_->store(false);
   coarser_ = nullptr;
-  if (scene.frame_given() || !make_frames_) return solve_on_frame();
+  if (scene.frame_given() || !make_frames_) {
+    const Status status = solve_on_frame();
+    end_step(status);
+    return status;
+  }
   if (!frames_) frames_ = make_frames_();
   try {
-    return frames_->solve(*this);
+    const Status status = frames_->solve(*this);
+    end_step(status);
+    frames_->end_step(status);
+    return status;
   } catch (const Cancelled&) {  // while patches were searched for
     state_->solved = false;
     return Status::cancelled;
@@ -362,10 +381,16 @@ Status Contact::solve_scene() {
   s.merit.reserve(history_rows);
   const BlasThreads blas(context_->threads());
   Watch watch(s, *context_, progress_, progress_user_, *cancel_, start);
+  begin_step(s, scene);
   {
     const HostInterrupt interrupt(progress_, progress_user_, *cancel_);
     prepare(s, scene, *body1_, *body2_, context_->threads());
   }
+  if (scene.step_kind() != StepKind::steady)
+    start_step(s);
+  else
+    s.steps.of_steps = false, s.steps.failed = true;
+  s.steps.iterate_is_last = false;
   double ahead = 0;
   if (s.ahead.known) {
     s.work_before = s.ahead.work_before;
@@ -408,6 +433,7 @@ Status Contact::solve_scene() {
   const Status status = status_of(s);
   s.solved = true;
   s.warm_usable = s.outcome == Outcome::converged;
+  s.steps.failed = s.outcome != Outcome::converged && s.outcome != Outcome::no_contact;
   if (!quiet_) tell_caveats(s, status, *context_);
   return status;
 }

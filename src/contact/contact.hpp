@@ -33,8 +33,11 @@ class FrameMaker {
   virtual ~FrameMaker() = default;
   /// As Contact::solve.
   virtual Status solve(Contact& contact) = 0;
-  /// Forgets warm starts.
+  /// Forgets warm starts, and what was before a time step.
   virtual void reset() = 0;
+  /// As Contact's.
+  virtual void end_step(Status status) = 0;
+  virtual void repeat_step() = 0;
 };
 using MakeFrameMaker = std::unique_ptr<FrameMaker> (*)();
 
@@ -61,6 +64,16 @@ class Contact {
   Status solve();
   /// The same on the scene's frame, whoever made it; for frame makers.
   Status solve_on_frame();
+  /// After a solve, whose status is given: what a time step starts from moves on if it was one and succeeded. solve()
+  /// does this itself, solve_on_frame does not.
+  void end_step(Status status);
+  /// The next time step starts from where the last one did. err_state: there was none.
+  void repeat_step();
+  /// What the next time step starts from, as numbers with a header and a checksum; returns how many. Copies if capacity
+  /// >= that, else err_capacity; none are wanted where capacity is 0. err_state: the library makes the frame.
+  std::int64_t save_past(std::int64_t capacity, double* past) const;
+  /// Back to that, on the same frame. err_argument: these are not such numbers, or of another frame; all stays then.
+  void restore_past(std::int64_t n, const double* past);
   /// Of the same bodies, for solve_on_frame() as part of a solve of this contact, which outlives it.
   std::unique_ptr<Contact> make_follower() const;
   /// Likewise, of an elastic half-space with this E* and a rigid body; it logs no warning.
@@ -98,7 +111,8 @@ class Contact {
   void keep(KeptSolution& kept) const;
   /// Back to it, the scene being again what it was of; counters and history are not brought back.
   void return_to(const KeptSolution& kept);
-  /// Forgets warm start, solution and history; keeps the scene and the caches that still fit.
+  /// Forgets warm start, solution, history and what was before a time step; keeps the scene and the caches that still
+  /// fit.
   void reset();
 
   // Results of the last solve; err_state before one, err_capacity (naming the need) when too small.

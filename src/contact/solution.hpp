@@ -11,6 +11,7 @@
 #include "bodies/pair.hpp"
 #include "contact/newton/frictionless_share.hpp"
 #include "contact/newton/newton.hpp"
+#include "contact/problem/past.hpp"
 #include "contact/problem/problem.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
@@ -109,7 +110,9 @@ struct Prepared {
   std::string no_lattice;  ///< why there is none: a clause
   bool table = false;      ///< dense rows are copied from a table of one node's influence
   Problem problem;
-  double speed = 1;
+  double speed = 1;     ///< slip velocity per unit of slip: V, or 1 / dt in a time step
+  double distance = 0;  ///< that material travels in a time step
+  StepKind step = StepKind::steady;
 };
 
 /// What was prepared before a solve, in the same call of the caller.
@@ -133,6 +136,7 @@ struct SolverState {
 
   Prescribed given;
   Iterate iterate;
+  StepHistory steps;
   Newton newton;
   MakePublished make_published = nullptr;                 ///< null: they are not part of this build
   std::unique_ptr<FrictionlessShare> frictionless_share;  ///< made when it is asked for

@@ -85,6 +85,13 @@ class AutomaticFrames final : public FrameMaker {
     return Status::rim_contact;
   }
 
+  void end_step(Status status) override {
+    if (coarse_) coarse_->end_step(status);
+  }
+  void repeat_step() override {
+    if (coarse_) coarse_->repeat_step();
+  }
+
   void reset() override {
     level_ = levels.size();
     if (coarse_) coarse_->reset();

@@ -74,6 +74,7 @@ const char* const recorded_names[] = {
   "contact_set_gap_grid",
   "contact_set_rolling",
   "contact_set_creep",
+  "contact_set_step",
   "contact_set_velocity",
   "contact_set_creep_field",
   "contact_prescribe",
@@ -94,6 +95,9 @@ const char* const recorded_names[] = {
   "contact_request_cancel",
   "contact_solve",
   "contact_solve_many",
+  "contact_repeat_step",
+  "contact_save_past",
+  "contact_restore_past",
   "contact_reset",
   "contact_get_size",
   "contact_get_tractions",
@@ -167,7 +171,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 160;
+const int recorded_number = 164;
 
 enum {
   recorded_rollcon_version,
@@ -239,6 +243,7 @@ enum {
   recorded_rollcon_contact_set_gap_grid,
   recorded_rollcon_contact_set_rolling,
   recorded_rollcon_contact_set_creep,
+  recorded_rollcon_contact_set_step,
   recorded_rollcon_contact_set_velocity,
   recorded_rollcon_contact_set_creep_field,
   recorded_rollcon_contact_prescribe,
@@ -259,6 +264,9 @@ enum {
   recorded_rollcon_contact_request_cancel,
   recorded_rollcon_contact_solve,
   recorded_rollcon_contact_solve_many,
+  recorded_rollcon_contact_repeat_step,
+  recorded_rollcon_contact_save_past,
+  recorded_rollcon_contact_restore_past,
   recorded_rollcon_contact_reset,
   recorded_rollcon_contact_get_size,
   recorded_rollcon_contact_get_tractions,
@@ -933,6 +941,14 @@ rollcon_status rollcon_contact_set_creep(rollcon_contact *contact, double longit
   return record_end();
 }
 
+rollcon_status rollcon_contact_set_step(rollcon_contact *contact, int32_t kind, double dt) {
+  record_begin(recorded_rollcon_contact_set_step);
+  record_handle(contact);
+  record_integer(kind);
+  record_real(dt);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_set_velocity(rollcon_contact *contact, int32_t which,
     const double *velocity, const double *angular_velocity, const double *point) {
   record_begin(recorded_rollcon_contact_set_velocity);
@@ -1127,6 +1143,33 @@ rollcon_status rollcon_contact_solve_many(rollcon_contact *contact, const char *
   give_reals(results, n_cases * capacity, 6);
   give_count(n_results, capacity);
   give_integer32(status, n_cases, 8);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_repeat_step(rollcon_contact *contact) {
+  record_begin(recorded_rollcon_contact_repeat_step);
+  record_handle(contact);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_save_past(const rollcon_contact *contact, int64_t capacity,
+    double *past, int64_t *n_values) {
+  record_begin(recorded_rollcon_contact_save_past);
+  record_handle(contact);
+  record_integer(capacity);
+  record_room(past);
+  record_room(n_values);
+  give_reals(past, capacity, 2);
+  give_count(n_values, RECORD_VALUES);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_restore_past(rollcon_contact *contact, int64_t n,
+    const double *past) {
+  record_begin(recorded_rollcon_contact_restore_past);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(past, n);
   return record_end();
 }
 

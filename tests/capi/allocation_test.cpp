@@ -131,6 +131,39 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
   }
 }
 
+// Loads, motions, friction and gap change from step to step.
+TEST_F(allocation, steps_in_time_allocate_nothing) {
+  set_frame();
+  ASSERT_OK(rollcon_context_set_threads(context, 1));
+  for (const char* operators : {"table", "dense", "fft"}) {
+    ASSERT_OK(rollcon_contact_set_str(contact, "operators", operators));
+    for (const std::int32_t kind : {ROLLCON_ROLLING_STEP, ROLLCON_SHIFT_STEP}) {
+      ASSERT_OK(rollcon_contact_reset(contact));
+      std::int64_t counted = 0, last = 0;
+      constexpr int steps = 400;
+      int failed_solves = 0;
+      for (int step = 0; step <= steps; ++step) {
+        const double phase = 0.1 * step, friction = 0.3 + 0.05 * std::sin(phase);
+        allocations = 0;
+        std::int32_t status = rollcon_contact_set_gap_quadratic(contact, 0.01 + 0.001 * std::sin(phase), 0.01, 0);
+        status += rollcon_contact_set_friction(contact, "coulomb", 1, &friction);
+        status += rollcon_contact_set_step(contact, kind, 0.1);
+        status += rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 0.02 + 0.003 * std::cos(phase));
+        status += rollcon_contact_set_creep(contact, 1e-3 * std::cos(phase), 3e-4 * std::sin(phase), 0);
+        failed_solves += rollcon_contact_solve(contact) < 0;
+        ASSERT_OK(status);
+        // A period is past.
+        if (step > 70 && allocations > 0) last = step, counted += allocations;
+      }
+      std::printf("%s, %s: allocations in %d steps: %lld (bound 0), the last in step %lld\n", operators,
+                  kind == ROLLCON_SHIFT_STEP ? "shift" : "rolling", steps - 70, static_cast<long long>(counted),
+                  static_cast<long long>(last));
+      EXPECT_EQ(counted, 0);
+      EXPECT_EQ(failed_solves, 0);
+    }
+  }
+}
+
 // A crowned roller on a plane: slip varies from node to node.
 TEST_F(allocation, solves_with_new_velocities_allocate_nothing) {
   const double friction = 0.3, crown[2] = {200, 5}, centre[3] = {0, 0, -50}, axis[3] = {0, 1, 0},

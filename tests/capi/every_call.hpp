@@ -149,6 +149,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_set_rolling(object, 1));
   check("rollcon_contact_set_creep", false,
         rollcon_contact_set_creep(object, 1, 1, 1));
+  check("rollcon_contact_set_step", false,
+        rollcon_contact_set_step(object, 1, 1));
   check("rollcon_contact_set_velocity", false,
         rollcon_contact_set_velocity(object, 1, a.reals, a.reals, a.reals));
   check("rollcon_contact_set_creep_field", false,
@@ -179,6 +181,12 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_solve(object));
   check("rollcon_contact_solve_many", false,
         rollcon_contact_solve_many(object, "never_written", 1, a.reals, "never_written", 1, a.out, &a.n, a.states));
+  check("rollcon_contact_repeat_step", false,
+        rollcon_contact_repeat_step(object));
+  check("rollcon_contact_save_past", false,
+        rollcon_contact_save_past(object, 1, a.out, &a.n));
+  check("rollcon_contact_restore_past", false,
+        rollcon_contact_restore_past(object, 1, a.reals));
   check("rollcon_contact_reset", false,
         rollcon_contact_reset(object));
   check("rollcon_contact_get_size", false,

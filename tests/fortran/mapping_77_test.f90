@@ -60,6 +60,7 @@ program mapping_77_test
   call test_rcgapg()
   call test_rcroll()
   call test_rccrp()
+  call test_rcstep()
   call test_rcvel()
   call test_rccrpf()
   call test_rcpres()
@@ -75,6 +76,9 @@ program mapping_77_test
   call test_rcoptd()
   call test_rcstop()
   call test_rcsolv()
+  call test_rcrept()
+  call test_rcspst()
+  call test_rcrpst()
   call test_rcrset()
   call test_rcsize()
   call test_rctrac()
@@ -932,6 +936,19 @@ contains
     call failed('contact_set_creep', stat, message)
   end subroutine
 
+  subroutine test_rcstep()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcstep(icon, 11, 2.5d0, stat)
+    call told('contact_set_step', 'contact1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcstep(icon, 11, 2.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_step', stat, message)
+  end subroutine
+
   subroutine test_rcvel()
     integer :: stat
     character(len=80) :: message
@@ -1143,6 +1160,49 @@ contains
     call rcsolv(icon, stat)
     call rclerr(message)
     call failed('contact_solve', stat, message)
+  end subroutine
+
+  subroutine test_rcrept()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcrept(icon, stat)
+    call told('contact_repeat_step', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcrept(icon, stat)
+    call rclerr(message)
+    call failed('contact_repeat_step', stat, message)
+  end subroutine
+
+  subroutine test_rcspst()
+    double precision :: past(6)
+    integer :: nv
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcspst(icon, 6, past, nv, stat)
+    call told('contact_save_past', 'contact1 6 room room', stat)
+    call gave_reals('past', past, 200.5_rc_real)
+    call gave_integers('nv', int([nv]), 6)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcspst(icon, 6, past, nv, stat)
+    call rclerr(message)
+    call failed('contact_save_past', stat, message)
+  end subroutine
+
+  subroutine test_rcrpst()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcrpst(icon, 2, [2.125d0, 2.25d0], stat)
+    call told('contact_restore_past', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcrpst(icon, 2, [2.125d0, 2.25d0], stat)
+    call rclerr(message)
+    call failed('contact_restore_past', stat, message)
   end subroutine
 
   subroutine test_rcrset()

@@ -371,6 +371,8 @@ contains
     call contact%get_field(ROLLCON_FIELD_GAP, s, stat=stat)
     call told('contact_get_field', 'contact1 3 0 9 room room', stat)
     call gave_reals('a field', s, 400.5_rc_real)
+    call contact%save_past(s, stat)
+    call told('contact_save_past', 'contact1 6 room room', stat)
     call contact%get_status(states, stat)
     call told('contact_get_status', 'contact1 3 room', stat)
     call gave_integers('states', int(states), 200)

@@ -36,6 +36,7 @@ program mapping_test
   call contact_set_gap_grid()
   call contact_set_rolling()
   call contact_set_creep()
+  call contact_set_step()
   call contact_set_velocity()
   call contact_set_creep_field()
   call contact_prescribe()
@@ -43,6 +44,8 @@ program mapping_test
   call contact_set_friction_field()
   call contact_request_cancel()
   call contact_solve()
+  call contact_repeat_step()
+  call contact_restore_past()
   call contact_reset()
   call contact_get_size()
   call contact_get_resultant()
@@ -493,6 +496,18 @@ contains
     call failed('contact_set_creep', stat, message)
   end subroutine
 
+  subroutine contact_set_step()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_step(11_rc_int, 2.5_rc_real, stat, message)
+    call told('contact_set_step', 'contact1 11 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_step(11_rc_int, 2.5_rc_real, stat, message)
+    call failed('contact_set_step', stat, message)
+  end subroutine
+
   subroutine contact_set_velocity()
     integer :: stat
     character(len=80) :: message
@@ -579,6 +594,30 @@ contains
     message = ''
     call contact%solve(stat, message)
     call failed('contact_solve', stat, message)
+  end subroutine
+
+  subroutine contact_repeat_step()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%repeat_step(stat, message)
+    call told('contact_repeat_step', 'contact1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%repeat_step(stat, message)
+    call failed('contact_repeat_step', stat, message)
+  end subroutine
+
+  subroutine contact_restore_past()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%restore_past([2.125_rc_real, 2.25_rc_real], stat, message)
+    call told('contact_restore_past', 'contact1 2 [2.125 2.25]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%restore_past([2.125_rc_real, 2.25_rc_real], stat, message)
+    call failed('contact_restore_past', stat, message)
   end subroutine
 
   subroutine contact_reset()

@@ -229,6 +229,8 @@ class Mapping(unittest.TestCase):
         check(contact.tractions(), (3, 3), 300.5, "contact_get_tractions", "contact1 0 3 room")
         check(contact.field("slip", rc.GLOBAL), (3, 2), 400.5, "contact_get_field", "contact1 4 1 6 room room")
         check(contact.field(rc.FIELD_SLIP), (3, 2), 400.5, "contact_get_field", "contact1 4 0 6 room room")
+        past = contact.save_past()
+        self.told("contact_save_past", f"contact1 {past.size} room room")
         check(contact.node_status(), (3,), 200, "contact_get_status", "contact1 3 room")
         self.assertEqual(contact.node_status().dtype, np.int32)
         check(contact.displacements_at(2, X[:, :2]), (2, 3), 400.5, "contact_get_displacements_at",

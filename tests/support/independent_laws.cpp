@@ -9,6 +9,13 @@
 namespace rollcon::laws {
 namespace {
 
+/// In the projection.
+std::vector<double> ways(const Given& given, std::size_t nodes, double distance) {
+  std::vector<double> way(nodes, distance);
+  for (std::size_t k = 0; k < given.triad.size(); ++k) way[k] *= given.triad[k][0][0];
+  return way;
+}
+
 class Checker {
  public:
   Checker(const rollcon_contact* contact, const Given& given, std::size_t most_nodes)
@@ -19,7 +26,9 @@ class Checker {
         nodes_(given.frame.node.size()),
         used_(nodes_, 0) {
     for (const std::int32_t k : given.frame.connectivity) used_[static_cast<std::size_t>(k)] = 1;
-    if (given.scheme == Scheme::characteristic) {
+    if (given.in_time) {
+      upstream_ = ways(given, nodes_, given.in_time->distance);
+    } else if (given.scheme == Scheme::characteristic) {
       upstream_ = steps(given.frame, at_, given.step, given.regular);
     } else {
       rows_ = given.scheme == Scheme::godunov ? godunov_rows(given.frame, at_) : least_squares_rows(given.frame, at_);
@@ -85,7 +94,7 @@ class Checker {
     };
     for (const std::size_t k : looked_at_) {
       want(k);
-      if (!in_contact(k)) continue;
+      if (!in_contact(k) || given_.in_time) continue;
       if (!upstream_.empty()) {
         ahead_[k] = static_cast<std::int64_t>(xy.size() / 2);
         xy.insert(xy.end(), {at_.x[k] + upstream_[k], at_.y[k]});
@@ -105,6 +114,8 @@ class Checker {
     }
   }
 
+  /// Of slip: over V, or a shift.
+  double velocity() const { return given_.in_time ? 1 / given_.in_time->dt : given_.speed; }
   double u(std::int64_t place, std::size_t c) const { return u_[3 * static_cast<std::size_t>(place) + c]; }
 
   void normal_laws() {
@@ -157,7 +168,12 @@ class Checker {
       cosine = t[0][0];
     }
     double size = 0;
-    if (!upstream_.empty()) {
+    if (given_.in_time) {
+      const TimeStep& t = *given_.in_time;
+      for (double& r : s.rigid) r *= t.distance > 0 ? t.distance : 1;
+      for (std::size_t c = 0; c < 2; ++c) s.elastic[c] = u(place_[k], c) - (t.before.empty() ? 0 : t.before[3 * k + c]);
+      size = 1;
+    } else if (!upstream_.empty()) {
       const double path = upstream_[k] / cosine;
       for (std::size_t c = 0; c < 2; ++c) s.elastic[c] = (u(place_[k], c) - u(ahead_[k], c)) / path;
       size = 1 / path;
@@ -182,7 +198,7 @@ class Checker {
         for (const Difference& d : field_rows_[k])
           derivative += d.c * (given_.creep_field[2 * static_cast<std::size_t>(d.node) + c] - value);
       if (!upstream_.empty()) value -= 0.5 * upstream_[k] * derivative;
-      s.rigid[c] += value / given_.speed;
+      s.rigid[c] += value / velocity();
     }
   }
 
@@ -195,7 +211,11 @@ class Checker {
       q = std::max(q, std::hypot(result_.traction[3 * k], result_.traction[3 * k + 1]));
       area += std::abs(result_.weight[k]);
     }
-    return area > 0 ? u0_ / p0_ * q / std::sqrt(area / 3.14) : 0;
+    const double radius = std::sqrt(area / 3.14);
+    if (!(area > 0)) return 0;
+    if (!given_.in_time) return u0_ / p0_ * q / radius;
+    const double distance = given_.in_time->distance;
+    return u0_ / p0_ * q * (distance > 0 ? std::min(1.0, distance / radius) : 1);
   }
 
   void friction_laws() {
@@ -227,9 +247,10 @@ class Checker {
       const Slip& s = slips[i];
       const double s1 = s.rigid[0] + s.elastic[0], s2 = s.rigid[1] + s.elastic[1];
       if (s0 > 0)
-        laws_.slip_field = std::max(laws_.slip_field, (std::hypot(given_.speed * s1 - result_.slip[2 * k],
-                                                                  given_.speed * s2 - result_.slip[2 * k + 1])) /
-                                                          (given_.speed * s0));
+        laws_.slip_field =
+            std::max(laws_.slip_field,
+                     (std::hypot(velocity() * s1 - result_.slip[2 * k], velocity() * s2 - result_.slip[2 * k + 1])) /
+                         (velocity() * s0));
       if (!(mu(k) > 0) || !(s0 > 0)) continue;
       const double q1 = result_.traction[3 * k], q2 = result_.traction[3 * k + 1];
       const double q = std::hypot(q1, q2), speed = std::hypot(s1, s2);
@@ -324,6 +345,19 @@ const char* Laws::worst_name() const {
   if (w == stick) return "stick";
   if (w == direction) return "direction";
   return w == equilibrium ? "equilibrium" : "motion";
+}
+
+std::vector<double> displacements_before(const rollcon_contact* contact, const Given& given, double distance) {
+  const Plane at = project(given);
+  const std::size_t n = at.x.size();
+  const std::vector<double> way = ways(given, n, distance);
+  std::vector<double> xy, u(3 * n), u2(3 * n);
+  for (std::size_t k = 0; k < n; ++k) xy.insert(xy.end(), {at.x[k] + way[k], at.y[k]});
+  const auto points = static_cast<std::int64_t>(n);
+  must(rollcon_contact_get_displacements_at(contact, 1, points, xy.data(), u.data()), "get_displacements_at");
+  must(rollcon_contact_get_displacements_at(contact, 2, points, xy.data(), u2.data()), "get_displacements_at");
+  for (std::size_t k = 0; k < u.size(); ++k) u[k] -= u2[k];
+  return u;
 }
 
 Laws check(const rollcon_contact* contact, const Given& given, std::size_t most_nodes) {

@@ -15,6 +15,13 @@
 
 namespace rollcon::laws {
 
+/// A step in time: material comes from `distance` upstream; 0: the bodies are shifted, what is prescribed as creepages
+/// is the shift.
+struct TimeStep {
+  double distance = 0, dt = 1;
+  std::vector<double> before;  ///< displacements_before(); empty: the bodies were at rest
+};
+
 /// All that defines a contact but its bodies. Directions in the order of ROLLCON_LONGITUDINAL, ...
 struct Given {
   SurfaceMesh frame;
@@ -28,6 +35,7 @@ struct Given {
   Friction law;                       ///< of which these are the greatest coefficients
   std::vector<double> creep_field;    ///< empty, or pairs for each node
   Scheme scheme = Scheme::characteristic;
+  std::optional<TimeStep> in_time;
   double step = 0.6;     ///< of the characteristic scheme, over the spacing
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of
@@ -59,6 +67,10 @@ struct Laws {
   double worst() const;
   const char* worst_name() const;
 };
+
+/// u1 - u2 under the tractions of the last solve at the points of the surface from which the particles at the nodes
+/// will have come after so long a way: three for each node.
+std::vector<double> displacements_before(const rollcon_contact* contact, const Given& given, double distance);
 
 /// Of the last solve, whose status is not negative. Frames of more nodes than most_nodes are sampled: so many nodes in
 /// contact and around. Throws std::runtime_error if a call fails. Rounding is allowed for, see Given::rounding.

@@ -104,6 +104,11 @@ STICK = 1
 SLIP = 2
 EXCLUDED = 3
 
+# step
+STEADY = 0
+ROLLING_STEP = 1
+SHIFT_STEP = 2
+
 # log level
 LOG_ERROR = 1
 LOG_WARNING = 2
@@ -257,6 +262,7 @@ FUNCTIONS = {
         c_double, c_double, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_rolling": (c_int32, [c_void_p, c_double]),
     "rollcon_contact_set_creep": (c_int32, [c_void_p, c_double, c_double, c_double]),
+    "rollcon_contact_set_step": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_contact_set_velocity": (c_int32, [
         c_void_p, c_int32, POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
@@ -283,6 +289,11 @@ FUNCTIONS = {
     "rollcon_contact_solve_many": (c_int32, [
         c_void_p, c_char_p, c_int64, POINTER(c_double), c_char_p,
         c_int64, POINTER(c_double), POINTER(c_int64), POINTER(c_int32)]),
+    "rollcon_contact_repeat_step": (c_int32, [c_void_p]),
+    "rollcon_contact_save_past": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_restore_past": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_reset": (c_int32, [c_void_p]),
     "rollcon_contact_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_contact_get_tractions": (c_int32, [c_void_p, c_int32, c_int64, POINTER(c_double)]),
@@ -421,6 +432,7 @@ ENUMERATORS = {
     "side": {"left": -1, "right": 1},
     "axes of the track": {"track": 0, "wheelset": 1, "in_track": 0, "in_wheelset": 1},
     "node status": {"open": 0, "stick": 1, "slip": 2, "excluded": 3},
+    "step": {"steady": 0, "rolling_step": 1, "shift_step": 2},
     "log level": {
         "error": 1, "warning": 2, "info": 3, "debug": 4, "log_error": 1, "log_warning": 2,
         "log_info": 3, "log_debug": 4
@@ -545,6 +557,7 @@ ARGUMENTS = {
     "rollcon_contact_set_creep": [
         ("contact", ""), ("longitudinal", ""), ("lateral", ""), ("spin", "")
     ],
+    "rollcon_contact_set_step": [("contact", ""), ("kind", "step"), ("dt", "")],
     "rollcon_contact_set_velocity": [
         ("contact", ""), ("which", ""), ("velocity", ""), ("angular_velocity", ""), ("point", "")
     ],
@@ -577,6 +590,11 @@ ARGUMENTS = {
         ("contact", ""), ("parameters", ""), ("n_cases", ""), ("values", ""), ("columns", ""),
         ("capacity", ""), ("results", ""), ("n_results", ""), ("status", "")
     ],
+    "rollcon_contact_repeat_step": [("contact", "")],
+    "rollcon_contact_save_past": [
+        ("contact", ""), ("capacity", ""), ("past", ""), ("n_values", "")
+    ],
+    "rollcon_contact_restore_past": [("contact", ""), ("n", ""), ("past", "")],
     "rollcon_contact_reset": [("contact", "")],
     "rollcon_contact_get_size": [("contact", ""), ("nodes", ""), ("elements", "")],
     "rollcon_contact_get_tractions": [

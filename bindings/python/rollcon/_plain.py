@@ -404,6 +404,22 @@ class ContactPlain:
         """
         self._call("set_creep", longitudinal, lateral, spin)
 
+    def set_step(self, kind: int | str, dt: float = 0.0) -> None:
+        """Makes every solve from now on a step in time of length dt; STEADY makes it a steady
+        state again. ROLLING_STEP: the contact rolls on by V dt, creepages and spin are as in
+        steady rolling. SHIFT_STEP: no rolling; what is prescribed as creepages is the shift of
+        body 1 against body 2 in this step (longitudinal and lateral, length) and its turn (spin,
+        radians), and so it is in what motion() returns; velocities and creep fields count by dt.
+        Loads, motions, approach, friction and gap may change from step to step. The first step
+        starts from the steady state solved last, or from rest where there is none (reset()); a
+        step that fails leaves the one before as it was. A frame that follows its contact takes
+        the past along (half-spaces and rigid bodies; meshed bodies: ERR_STATE from the solve).
+
+        kind: STEADY, ROLLING_STEP or SHIFT_STEP.
+        dt: > 0, time; counts for nothing where the kind is STEADY.
+        """
+        self._call("set_step", kind, dt)
+
     def set_velocity(self, which: int, velocity: ArrayLike, angular_velocity: ArrayLike, point:
                      ArrayLike) -> None:
         """Says how a body or the contact itself moves: its point at x has the velocity v + omega
@@ -469,9 +485,25 @@ class ContactPlain:
         """
         self._call("request_cancel")
 
+    def repeat_step(self) -> None:
+        """The next solve starts from where the last step did, as if that had not been: for a host
+        that tries loads or motions again before it goes on. Once after each step.
+        """
+        self._call("repeat_step")
+
+    def restore_past(self, past: ArrayLike) -> None:
+        """The next step starts from what save_past() gave. Prepares bodies and frame where
+        nothing was solved yet. Numbers of another frame, or that were changed, are refused, and
+        the past stays as it was; results of the last solve are gone.
+
+        past: as saved.
+        """
+        past, past_at = reals(past)
+        self._call("restore_past", len(past), past_at)
+
     def reset(self) -> None:
-        """Forgets the solution, the warm start and the history; keeps the scene and all that was
-        computed for the frame.
+        """Forgets the solution, the warm start, the history and what was before a time step
+        (bodies are at rest); keeps the scene and all that was computed for the frame.
         """
         self._call("reset")
 

@@ -207,6 +207,14 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_field", field, axes, v.size, address, byref(need))
         return v if v.size == count else v.reshape(count, -1)
 
+    def save_past(self) -> np.ndarray:
+        """What the next step in time starts from, [n], for restore_past of this or another contact."""
+        need = c_int64()
+        self._call("save_past", 0, None, byref(need))
+        past, address = room(need.value)
+        self._call("save_past", past.size, address, byref(need))
+        return past
+
     def node_status(self) -> np.ndarray:
         """OPEN, STICK, SLIP or EXCLUDED at each node."""
         status, address = room(self.size[0], dtype=np.int32)

@@ -59,6 +59,7 @@ void Variant::take_problem(const SolverState& s) {
   p.nodes = space_->frame.nodes();
   p.used.assign(at(p.nodes), 1);
   p.length = from.length;
+  p.motion_scale = from.motion_scale;
   p.stiffness = from.stiffness;
   p.law = from.law;
   p.own_law = from.own_law;
@@ -77,6 +78,14 @@ void Variant::take_problem(const SolverState& s) {
   newton_ = std::make_unique<Newton>();
   iterate_.resize(p.nodes);
   iterate_.motion = s.iterate.motion;
+}
+
+// A step in time on these nodes, from what the step before left on the fine frame.
+void Variant::take_step(const SolverState& s) {
+  const Convection& fine = s.prepared->problem.convection;
+  problem_.convection = make_convection(space_->frame, Scheme::time_step, false);
+  problem_.convection.slip_x = pick(*space_, fine.slip_x);
+  problem_.convection.slip_y = pick(*space_, fine.slip_y);
 }
 
 // Slip that is given at nodes, taken where the characteristic scheme takes slip: half a step upstream.
@@ -105,7 +114,7 @@ void Variant::assemble(const SolverState& s, bool tangential) {
   if (s.prepared->problem.op->normal) take_normal_rows(*s.prepared->problem.op->dense(), *space_, *op);
   assemble_operators(space_->frame, *compliance_, problem_.convection, tangential, *op);
   op->loosen_held_tangents(problem_.used, !problem_.convection.ahead.empty());
-  if (tangential) move_given_slip(s);
+  if (tangential && s.prepared->scheme != Scheme::time_step) move_given_slip(s);
   problem_.op = op;
   set_scales(problem_);
 }
@@ -114,7 +123,9 @@ Variant Variant::same_nodes(const SolverState& s, bool tangential, double step) 
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(loaded_space(s.prepared->frame, s.iterate.lambda[2]));
   v.take_problem(s);
-  if (tangential) {
+  if (s.prepared->scheme == Scheme::time_step) {
+    v.take_step(s);
+  } else if (tangential) {
     v.problem_.convection =
         pick(*v.space_, make_convection(s.prepared->frame, Scheme::characteristic, s.prepared->ends_at_edge, step));
   }
@@ -132,7 +143,9 @@ Variant Variant::coarse(const SolverState& s, double step) {
   Variant v;
   v.space_ = std::make_unique<TractionSpace>(coarse_space(s.prepared->frame));
   v.take_problem(s);
-  if (!s.frictionless)
+  if (s.prepared->scheme == Scheme::time_step)
+    v.take_step(s);
+  else if (!s.frictionless)
     v.problem_.convection = make_convection(v.space_->frame, Scheme::characteristic, s.prepared->ends_at_edge, step);
   v.assemble(s, !s.frictionless);
   return v;

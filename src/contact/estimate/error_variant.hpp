@@ -30,6 +30,7 @@ class Variant {
   const Iterate& iterate() const { return iterate_; }
 
  private:
+  void take_step(const SolverState& state);
   void take_problem(const SolverState& state);
   void assemble(const SolverState& state, bool tangential);
   void move_given_slip(const SolverState& state);

@@ -25,6 +25,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
  public:
   explicit LatticePreconditioner(const LatticeInfluence& influence)
       : lattice_(influence.lattice),
+        displacements_(influence.displacements),
         fft_(lattice_.nx, lattice_.ny, margin(lattice_.nx), margin(lattice_.ny)),
         place_(static_cast<std::size_t>(lattice_.frame_nodes()), -1) {
     for (std::size_t k = 0; k < lattice_.node.size(); ++k)
@@ -50,6 +51,7 @@ class LatticePreconditioner final : public FieldPreconditioner {
   void sum_along_flow(std::vector<float>& s) const;
 
   Lattice lattice_;
+  bool displacements_;  ///< slip rows give them, not their derivatives along the flow
   PlaneFft<float> fft_;
   std::vector<std::int32_t> place_;           ///< frame node -> place on the lattice
   std::array<std::vector<float>, 4> symbol_;  ///< of A^-1: 11, 12, 22 and normal
@@ -213,7 +215,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
   }
   if (largest > 0) {
     for (std::size_t c = 0; c < 2; ++c) {
-      sum_along_flow(grid_[c]);
+      if (!displacements_) sum_along_flow(grid_[c]);
       std::vector<float>& mask = masked_;
       std::fill(mask.begin(), mask.end(), 0.0f);
       for (std::int64_t a = 0; a < na; ++a)
@@ -234,7 +236,7 @@ void LatticePreconditioner::tangential_rows(const double* x, double* y) {
   for (std::int64_t a = 0; a < na; ++a) {
     if (stick_[at(a)]) {
       const std::size_t k = at(place_[at(nodes[at(a)])]);
-      const double scale = largest * lattice_.dx / (softness_ * system_->slip_scale(a));
+      const double scale = largest * (displacements_ ? 1 : lattice_.dx) / (softness_ * system_->slip_scale(a));
       y[a] = scale * static_cast<double>(grid_[0][k]);
       y[na + a] = scale * static_cast<double>(grid_[1][k]);
       continue;

@@ -71,6 +71,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   sample(p.mu, q.mu);
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
+  q.motion_scale = p.motion_scale;
   q.stiffness = p.stiffness;
   q.law = p.law;
   q.own_law = p.own_law;

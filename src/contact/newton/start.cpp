@@ -99,7 +99,7 @@ double creep_scale(const Problem& p, const Prescribed& given, const Iterate& it,
       if (std::isfinite(image)) slip = std::max(slip, std::abs(image));
   }
   if (!(sum > 0)) return 0;
-  return std::max(sum / count, slip) / (m == spin ? p.length : 1);
+  return std::max(sum / count, slip) / (p.motion_scale * (m == spin ? p.length : 1));
 }
 
 void start_cold(const Problem& p, const Prescribed& given, Iterate& it) {

@@ -28,6 +28,7 @@ inline constexpr Components slip_components{0, 1}, normal_component{2, 2};
 struct LatticeInfluence {
   const Lattice& lattice;
   const TranslationKernel& kernel;
+  bool displacements = false;  ///< the slip rows give them as they are
 };
 
 class Operators {

@@ -40,7 +40,8 @@ const char* obstacle_to_fft(const SolverState& s) {
 std::shared_ptr<const Operators> make_operators(const SolverState& s, const Lattice& lattice,
                                                 const Convection& convection) {
   const double delta = convection.ahead.empty() ? 0 : characteristic_step * lattice.spacing_along_flow();
-  auto op = std::make_shared<LatticeOperator>(lattice, s.prepared->compliance->translation(), delta, convection.rows);
+  auto op = std::make_shared<LatticeOperator>(lattice, s.prepared->compliance->translation(), delta, convection.rows,
+                                              s.prepared->scheme == Scheme::time_step);
   op->tangential = !s.frictionless;
   return op;
 }
@@ -104,7 +105,9 @@ void start_on_lattice(SolverState& s, const Monitor& monitor) {
   if (!s.prepared->problem.op->influence()) return;
   const std::vector<double>& pressure = s.iterate.lambda[2];
   if (std::any_of(pressure.begin(), pressure.end(), [](double l) { return l != 0; })) return;
-  const LatticeScene scene = scene_of(s, Scheme::characteristic, [&] { return monitor.cancelled(); });
+  const bool steady = s.prepared->scheme != Scheme::time_step;
+  const LatticeScene scene =
+      scene_of(s, steady ? Scheme::characteristic : Scheme::time_step, [&] { return monitor.cancelled(); });
   start_from_coarser(s.prepared->problem, s.given, scene, s.frictionless, start_tolerance, s.iterate);
 }
 

@@ -34,8 +34,8 @@ void like(const DenseOperators& from, DenseOperators& op) {
 }
 
 // Displacements grow with the size of what is loaded, slip per unit speed does not: rows of width 1, times the width.
-double row_factor(std::size_t r, double width) {
-  return r == 2 ? width : 1;
+double row_factor(std::size_t r, bool displacements, double width) {
+  return r == 2 || displacements ? width : 1;
 }
 
 /// Without the rounding of where it was computed.
@@ -104,7 +104,7 @@ const OperatorFamily::Entry& OperatorFamily::on_grid(std::int64_t step, const As
   return add(std::exp(spacing * static_cast<double>(step)), 0, step, assemble);
 }
 
-std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, const Assemble& assemble,
+std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, bool displacements, const Assemble& assemble,
                                   DenseOperators& op) {
   double length = place.length / place.width, shear = place.shear / place.width;
   if (in_steps) {
@@ -139,7 +139,7 @@ std::int64_t OperatorFamily::fill(const FramePlace& place, bool in_steps, const 
     for (std::size_t c = 0; c < 3; ++c) {
       if (part[0]->op.block[r][c].empty()) continue;
       double* const to = op.block[r][c].data();
-      const double factor = row_factor(r, place.width);
+      const double factor = row_factor(r, displacements, place.width);
       if (parts == 1) {
         const double* const from = part[0]->op.block[r][c].data();
         for (std::int64_t i = 0; i < size; ++i) to[i] = factor * from[i];

@@ -21,7 +21,9 @@ class OperatorFamily {
   void belong_to(std::int64_t version, bool tangential);
   /// The operators at a place, into blocks that are there or are made at the first call. How many were assembled.
   /// in_steps: of this shape itself, whatever came before.
-  std::int64_t fill(const FramePlace& place, bool in_steps, const Assemble& assemble, DenseOperators& op);
+  /// displacements: so are slip rows, which then grow with the size, too.
+  std::int64_t fill(const FramePlace& place, bool in_steps, bool displacements, const Assemble& assemble,
+                    DenseOperators& op);
   std::size_t bytes() const;
 
  private:

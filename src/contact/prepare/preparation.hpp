@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "contact/operators/dense_operators.hpp"
+#include "contact/prepare/carried_rows.hpp"
 #include "contact/prepare/operator_family.hpp"
 #include "contact/prepare/placed_frame.hpp"
 #include "contact/solution.hpp"
@@ -57,14 +58,18 @@ struct Preparation {
   Stage<Revision, double> law;         ///< friction, rolling speed
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
-  Stage<Revision, Revision, Poses> between;            ///< convection, gap, poses; where there are velocities
-  Stage<Revision, Revision, Revision, Revision> slip;  ///< convection, between, offset, revision
-  Stage<Revision> lattice;                             ///< frame
-  Stage<Revision, Revision, bool> scales;              ///< frame, rows, estimated
-  Revision offset_change = 0;                          ///< one is there, or there was one before
-  Revision rows = 0;                                   ///< of the operators were assembled
-  UnitFrame unit;                                      ///< of a frame that is placed
-  OperatorFamily family;                               ///< likewise
+  /// convection, gap, place of the points, poses; where there are velocities
+  Stage<Revision, Revision, Revision, Poses> between;
+  /// convection, between, place of the points, offset, revision
+  Stage<Revision, Revision, Revision, Revision, Revision> slip;
+  Stage<Revision, Revision, double> points;  ///< convection, place, distance of a time step
+  Stage<Revision> lattice;                   ///< frame
+  Stage<Revision, Revision, bool> scales;    ///< frame, rows, estimated
+  Revision offset_change = 0;                ///< one is there, or there was one before
+  Revision rows = 0;                         ///< of the operators were assembled
+  UnitFrame unit;                            ///< of a frame that is placed
+  OperatorFamily family;                     ///< likewise
+  CarriedRows carried;                       ///< of time steps
   int threads = 1;
   SparseRows field_rows;            ///< carries a creep field to where the characteristic scheme takes slip
   std::vector<double> field_given;  ///< workspace for that

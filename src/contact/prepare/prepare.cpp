@@ -7,6 +7,7 @@
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/preparation.hpp"
 #include "contact/prepare/rigid_slip.hpp"
+#include "contact/prepare/time_step.hpp"
 #include "contact/scene/geometry.hpp"
 #include "support/clock.hpp"
 #include "support/error.hpp"
@@ -100,7 +101,7 @@ void put_in_place(SolverState& state, const Scene& scene) {
   if (!on.compliance->follow_frame()) return preparation.compliance.forget();
   if (on.scheme == Scheme::characteristic)
     preparation.unit.put_convection(on.place, on.frame, on.problem.convection);
-  else
+  else if (on.scheme != Scheme::time_step)
     preparation.convection.forget();
   // The blocks stay, to be filled again.
   if (preparation.dense) preparation.dense->normal = preparation.dense->tangential = false;
@@ -178,7 +179,8 @@ void build_compliance(SolverState& state, const Scene& scene, int threads) {
 void build_stencils(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  const Scheme scheme = scheme_of(scene.options.convection);
+  const bool steady = scene.step_kind() == StepKind::steady;
+  const Scheme scheme = steady ? scheme_of(scene.options.convection) : Scheme::time_step;
   if (!preparation.convection.enter(preparation.compliance.version(), scheme)) return;
   const Stopwatch watch(state.timings.convection);
   if (preparation.dense)
@@ -259,7 +261,7 @@ void find_offset(SolverState& state) {
     for (std::size_t k = 0; k < n; ++k) x[k] += convection.ahead[k];
     on.compliance->offset({x, frame.y}, ahead.data());
   }
-  convect(convection, u.data(), ahead.data(), on.offset_slip);
+  if (on.scheme != Scheme::time_step) convect(convection, u.data(), ahead.data(), on.offset_slip);
   on.offset_depth.resize(n);
   for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
 }
@@ -363,7 +365,8 @@ std::size_t SolverState::bytes() const {
   const Compliance* compliance = prepared->compliance.get();
   const std::size_t system = published ? published->bytes() : 0;
   const std::size_t family = preparation ? preparation->family.bytes() : 0;
-  return p.op->bytes() + family + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
+  const std::size_t past = steps.bytes() + (preparation ? preparation->carried.bytes() : 0);
+  return p.op->bytes() + family + past + newton.bytes() + system + (compliance ? compliance->bytes() : 0) +
          at(p.nodes) * sizeof(double) * 30 + history.capacity() * sizeof(double);
 }
 
@@ -396,6 +399,7 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
   bind_law(state, scene);
   read_prescribed(state, scene);
   build_operators(state, scene);
+  carry_past(state, scene);
 }
 
 }  // namespace rollcon

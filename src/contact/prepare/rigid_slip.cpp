@@ -34,7 +34,7 @@ void add_creep_field(Preparation& preparation, const Scene& scene) {
     p.slip1[k] = field[2 * k] / speed;
     p.slip2[k] = field[2 * k + 1] / speed;
   }
-  if (n > 0 && !p.convection.ahead.empty()) shift_field(preparation);
+  if (n > 0 && (!p.convection.ahead.empty() || preparation.made->distance != 0)) shift_field(preparation);
 }
 
 // The relative velocity of the bodies at each point, over the speed: creepages and spin are what it is over the axes'
@@ -45,7 +45,8 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
   const Vec3& turning = of.angular;
   const double speed = preparation.made->speed;
   const Vec3 at_origin = of.at(preparation.origin_between);
-  preparation.creepage = {at_origin[0] / speed, at_origin[1] / speed, 0, turning[2] / speed};
+  const double per_motion = speed * p.motion_scale;
+  preparation.creepage = {at_origin[0] / per_motion, at_origin[1] / per_motion, 0, turning[2] / per_motion};
   const std::size_t n = preparation.point_between.size();
   if (n == 0) return;
   p.slip1.resize(n);
@@ -60,6 +61,43 @@ void add_velocities(Preparation& preparation, const Scene& scene) {
     };
     p.slip1[k] += along(0) / speed;
     p.slip2[k] += along(1) / speed;
+  }
+}
+
+// What a time step makes of speed and motions. The particle that is at a node now came along a path whose middle is
+// half the distance upstream, where the rigid slip of the path is that of its mean.
+void take_step(Preparation& preparation, const Scene& scene) {
+  Prepared& on = *preparation.made;
+  Problem& p = on.problem;
+  on.step = scene.step_kind();
+  on.distance = 0;
+  p.motion_scale = 1;
+  if (on.step == StepKind::steady) {
+    on.speed = scene.speed(preparation.origin_between);
+    return;
+  }
+  on.speed = 1 / scene.step_time();
+  if (on.step == StepKind::rolling)
+    p.motion_scale = on.distance = scene.speed(preparation.origin_between) * scene.step_time();
+  if (!preparation.points.enter(preparation.convection.version(), preparation.place.version(), on.distance)) return;
+  for (std::size_t k = 0; k < on.frame.x.size(); ++k) {
+    p.convection.slip_x[k] = on.frame.x[k] + upstream(on, k) / 2;
+    p.convection.slip_y[k] = on.frame.y[k];
+  }
+}
+
+// Displacements given elsewhere move with the particles, too.
+void add_carried_offset(Preparation& preparation) {
+  Prepared& on = *preparation.made;
+  const std::size_t n = on.offset_depth.size();
+  if (n == 0) return;
+  std::vector<double> x = on.frame.x, here(3 * n), before(3 * n);
+  on.compliance->offset({x, on.frame.y}, here.data());
+  for (std::size_t k = 0; k < n; ++k) x[k] += upstream(on, k);
+  on.compliance->offset({x, on.frame.y}, before.data());
+  for (std::size_t c = 0; c < 2; ++c) {
+    on.offset_slip[c].resize(n);
+    for (std::size_t k = 0; k < n; ++k) on.offset_slip[c][k] = here[3 * k + c] - before[3 * k + c];
   }
 }
 
@@ -79,17 +117,27 @@ void add_offset(Preparation& preparation) {
 
 void read_slip(SolverState& state, const Scene& scene, const Preparation::Poses& poses) {
   Preparation& preparation = *state.preparation;
-  if (scene.velocities_given() &&
-      preparation.between.enter(preparation.convection.version(), preparation.gap.version(), poses))
+  const bool stepping = scene.step_kind() != StepKind::steady;
+  if (scene.step_kind() == StepKind::rolling && scene.velocities_given() && preparation.between.version() == 0)
+    find_points_between(preparation);  // for the speed
+  take_step(preparation, scene);
+  if (scene.velocities_given() && preparation.between.enter(preparation.convection.version(), preparation.gap.version(),
+                                                            preparation.points.version(), poses)) {
     find_points_between(preparation);
+    take_step(preparation, scene);
+  }
   if (!preparation.slip.enter(preparation.convection.version(), preparation.between.version(),
-                              preparation.offset_change, scene.revision.kinematics))
+                              preparation.points.version(), preparation.offset_change, scene.revision.kinematics))
     return;
   ++state.work.slips;
-  preparation.made->speed = scene.speed(preparation.origin_between);
   add_creep_field(preparation, scene);
   if (scene.velocities_given()) add_velocities(preparation, scene);
+  if (stepping) add_carried_offset(preparation);
   add_offset(preparation);
+  Problem& p = preparation.made->problem;
+  if (!stepping) return;
+  state.steps.rigid[0] = p.slip1;
+  state.steps.rigid[1] = p.slip2;
 }
 
 }  // namespace rollcon

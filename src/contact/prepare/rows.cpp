@@ -39,7 +39,8 @@ void refuse_held_nodes(const Frame& frame, const Operators& op) {
 bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
-  if (!on.placed || on.frame.curved() || on.scheme != Scheme::characteristic) return false;
+  const bool step = on.scheme == Scheme::time_step;
+  if (!on.placed || on.frame.curved() || (on.scheme != Scheme::characteristic && !step)) return false;
   const auto kernel = on.compliance->translation();
   if (!kernel || !kernel->scales()) return false;
   const bool tangential = !state.frictionless;
@@ -48,14 +49,14 @@ bool fill_from_family(SolverState& state, std::int64_t& assemblies) {
     Frame frame = on.frame;
     Convection convection = on.problem.convection;
     preparation.unit.put_frame(place, on.frame.mesh.node, frame);
-    preparation.unit.put_convection(place, frame, convection);
+    if (!step) preparation.unit.put_convection(place, frame, convection);
     const auto compliance = make_pair_compliance(frame, on.pair, on.accuracy, preparation.threads);
     const bool mirrors = place.shear == 0;
     assemble_operators(frame, *compliance, convection, tangential, op,
                        mirrors ? preparation.unit.mirror() : std::span<const std::int32_t>{});
   };
-  assemblies =
-      preparation.family.fill(on.place, on.in_steps, std::cref(assemble), *preparation.dense);  // copies nothing
+  // std::cref: copies nothing.
+  assemblies = preparation.family.fill(on.place, on.in_steps, step, std::cref(assemble), *preparation.dense);
   return true;
 }
 
@@ -74,7 +75,7 @@ void assemble_missing(SolverState& state) {
     assemble_operators(on.frame, *on.compliance, on.problem.convection, !state.frictionless, op);
   if (!stretched) {  // by bodies without supports
     refuse_held_nodes(on.frame, op);
-    op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty());
+    op.loosen_held_tangents(on.frame.used, !on.problem.convection.ahead.empty() || on.scheme == Scheme::time_step);
   }
   state.assemblies += assemblies;
   state.iterate.invalidate();

@@ -68,13 +68,13 @@ std::array<double, 2> Problem::slip_column(int m, std::size_t k) const {
   std::array<double, 2> axes{0, 0};
   switch (m) {
     case xi1:
-      axes = {1, 0};
+      axes = {motion_scale, 0};
       break;
     case xi2:
-      axes = {0, 1};
+      axes = {0, motion_scale};
       break;
     case spin:
-      axes = {-convection.slip_y[k], convection.slip_x[k]};
+      axes = {-motion_scale * convection.slip_y[k], motion_scale * convection.slip_x[k]};
       break;
     default:
       return axes;

@@ -8,6 +8,9 @@
 /// On a curved frame tractions, slip and gap belong to the local triads of the nodes, motions and loads to the axes: n
 /// is then the cosine between both normals (1 on a flat frame), the creepages are projected on the local tangent plane,
 /// and the load rows are the same columns transposed times the nodes' weights.
+///
+/// In a time step slip is the shift of a particle over that step, motions count by the distance rolled (shifts: by 1),
+/// D leaves displacements as they are, and the given field takes away those of the step before (docs/time.md).
 
 #include <algorithm>
 #include <array>
@@ -49,6 +52,7 @@ struct Problem {
   std::vector<double> moment_z;            ///< of N_i z; empty on a flat frame
   std::vector<std::uint8_t> used;          ///< nodes that may carry traction
   double length = 1;                       ///< of the frame; scales spin
+  double motion_scale = 1;                 ///< slip per unit of a creepage
   double stiffness = 1;                    ///< E* of the pair, for the first guess of an approach
   std::vector<double> cell_area;
 
@@ -61,7 +65,8 @@ struct Problem {
   /// The part of component c that motions cause.
   double motion_slip(std::size_t c, std::int64_t i, const std::array<double, 4>& m) const {
     const auto k = static_cast<std::size_t>(i);
-    const double along = m[xi1] - m[spin] * convection.slip_y[k], across = m[xi2] + m[spin] * convection.slip_x[k];
+    const double along = motion_scale * (m[xi1] - m[spin] * convection.slip_y[k]);
+    const double across = motion_scale * (m[xi2] + m[spin] * convection.slip_x[k]);
     if (turn.empty()) return c == 0 ? along : across;
     return turn[k][c][0] * along + turn[k][c][1] * across;
   }

@@ -196,6 +196,10 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   if (!s.frictionless && s.prepared->problem.law->falls() && s.outcome == Outcome::converged)
     line(text, "several solutions may exist: this one %s", branch_of(s.report));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));
+  if (s.prepared->step != StepKind::steady)
+    line(text, "time: step %lld of %.6g, %s; %s", static_cast<long long>(s.steps.last.steps), 1 / s.prepared->speed,
+         s.prepared->step == StepKind::shift ? "bodies are shifted" : "material travels",
+         s.steps.before.loaded ? "displacements of the step before were carried along" : "from rest");
   for (int m = 0; m < 4; ++m)
     if (s.given.by_force[static_cast<std::size_t>(m)]) {
       static constexpr const char* names[] = {"longitudinal creepage", "lateral creepage", "approach", "spin"};

@@ -74,6 +74,7 @@ double work_of_pressures(const SolverState& s) {
 // rigid gap.
 double power_put_in(const SolverState& s) {
   if (s.frictionless) return 0;
+  if (s.prepared->step != StepKind::steady) return NAN;  // elastic energy comes and goes
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
   double work = work_of_pressures(s);
@@ -82,7 +83,7 @@ double power_put_in(const SolverState& s) {
     const double t1 = it.lambda[0][k], t2 = it.lambda[1][k];
     for (const int m : {xi1, xi2, spin}) {
       const auto row = p.load_row(m, k);
-      work += it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
+      work += p.motion_scale * it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
     }
     if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
   }

@@ -6,6 +6,7 @@
 
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
+#include "contact/prepare/preparation.hpp"
 #include "contact/results/condition.hpp"
 #include "contact/results/power.hpp"
 #include "contact/scene/geometry.hpp"
@@ -121,7 +122,15 @@ constexpr Statistic table[] = {
     {"friction_power", [](SolverState& s) { return power_at_nodes(s); }, true},
     {"friction_power_balance", [](SolverState& s) { return power_put_in(s); }, true},
     {"t_gamma", t_gamma},
-    {"rolling_speed", [](SolverState& s) { return s.prepared->speed; }},
+    {"rolling_speed",
+     [](SolverState& s) {
+       const Prepared& on = *s.prepared;
+       return on.step == StepKind::steady ? on.speed : on.distance * on.speed;
+     }},
+    {"step_time", [](SolverState& s) { return s.steps.last.time; }},
+    {"steps", [](SolverState& s) { return number(s.steps.last.steps); }},
+    {"step_distance", [](SolverState& s) { return s.prepared->distance; }},
+    {"step_row_builds", [](SolverState& s) { return number(s.preparation ? s.preparation->carried.made() : 0); }},
     {"max_pressure",
      [](SolverState& s) {
        return std::max(0.0, -*std::min_element(s.iterate.lambda[2].begin(), s.iterate.lambda[2].end()));

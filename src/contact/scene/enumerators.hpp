@@ -34,6 +34,9 @@ enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded =
 enum class Parameter : std::int32_t { longitudinal = 1, lateral = 2, normal = 3, spin = 4, friction = 5 };
 enum class InAxes : std::int32_t { local = 0, global = 1 };
 
+/// What a solve is: a steady state, or one step in time of a contact that rolls or whose bodies are shifted.
+enum class StepKind : std::int32_t { steady = 0, rolling = 1, shift = 2 };
+
 using ProgressFunction = std::int32_t (*)(const Event& event, void* user);
 
 }  // namespace rollcon

@@ -111,6 +111,15 @@ void Scene::set_speed(double speed) {
   if (another || travelled) ++revision.kinematics;
 }
 
+void Scene::set_step(std::int32_t kind, double dt) {
+  if (kind < 0 || kind > 2) fail(Status::err_argument, "kind is %d; allowed: 0 (steady), 1 (rolling), 2 (shift)", kind);
+  require_finite(dt, "dt");
+  const auto wanted = static_cast<StepKind>(kind);
+  if (wanted != StepKind::steady && !(dt > 0)) fail(Status::err_argument, "dt is %g; allowed: > 0", dt);
+  const bool another = std::exchange(step_kind_, wanted) != wanted;
+  if (replace(step_time_, wanted == StepKind::steady ? 0 : dt) || another) ++revision.kinematics;
+}
+
 void Scene::set_creep(double longitudinal, double lateral, double spin) {
   require_finite(longitudinal, "longitudinal");
   require_finite(lateral, "lateral");

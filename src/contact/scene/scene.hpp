@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/laws/friction_law.hpp"
+#include "contact/scene/enumerators.hpp"
 #include "contact/scene/options.hpp"
 #include "geometry/height_grid.hpp"
 #include "geometry/pose.hpp"
@@ -94,6 +95,8 @@ class Scene {
   void set_gap_quadratic(double a, double b, double c);
   void set_gap_grid(const GridPlace& place, const double* gap);
   void set_speed(double speed);
+  /// Makes every solve a step of dt (StepKind's numbers); dt counts for nothing where it is steady.
+  void set_step(std::int32_t kind, double dt);
   /// Of body `which` (1 or 2) or of the contact (0), in the axes of space, as Velocity has it; at rest so far.
   /// Creepages and spin follow from the velocities from then on, until they are prescribed, and the speed from that of
   /// the contact, until it is set.
@@ -114,6 +117,8 @@ class Scene {
   const Axes& axes() const { return axes_; }
   /// At a point of the axes: what was set, or the speed of the contact over both bodies.
   double speed(const Vec3& point) const;
+  StepKind step_kind() const { return step_kind_; }
+  double step_time() const { return step_time_; }
   bool velocities_given() const { return velocities_given_; }
   /// Of body 1 relative to body 2, in the directions of the axes; its point is their origin.
   Velocity relative_velocity() const;
@@ -156,6 +161,8 @@ class Scene {
   std::vector<double> gap_;
   std::array<double, 3> quadratic_{0, 0, 0};
   std::shared_ptr<const HeightGrid> gap_grid_;  ///< shared by the scenes that follow this one
+  StepKind step_kind_ = StepKind::steady;
+  double step_time_ = 0;
   double speed_ = 1;
   bool speed_given_ = false, velocities_given_ = false, travel_given_ = false;
   std::array<Velocity, 3> velocity_{};  ///< of the contact and both bodies

@@ -87,6 +87,8 @@ void Scene::follow(const Scene& lead) {
   gap_kind_ = lead.gap_kind_ == GapKind::nodes ? GapKind::none : lead.gap_kind_;
   quadratic_ = lead.quadratic_;
   gap_grid_ = lead.gap_grid_;
+  step_kind_ = lead.step_kind_;
+  step_time_ = lead.step_time_;
   speed_ = lead.speed_;
   speed_given_ = lead.speed_given_;
   velocities_given_ = lead.velocities_given_;

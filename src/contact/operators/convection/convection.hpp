@@ -17,7 +17,8 @@ struct SparseRows {
   std::vector<std::uint8_t> fallback;  ///< 1 where the scheme's own stencil was not usable
 };
 
-enum class Scheme { godunov, least_squares, characteristic };
+/// time_step: slip is a shift, displacements count as they are.
+enum class Scheme { godunov, least_squares, characteristic, time_step };
 
 /// A scheme as the operators take it: slip per unit speed, D w, is a sum of displacements at samples, which are the
 /// nodes and, for some schemes, one point ahead (upstream) of each.

@@ -33,13 +33,23 @@ Convection with_rows(const Frame& frame, SparseRows rows) {
           .slip_y = frame.y};
 }
 
+// Every node's own displacement.
+SparseRows identity(std::size_t nodes) {
+  SparseRows rows;
+  rows.value.assign(nodes, 1.0);
+  for (std::size_t k = 0; k < nodes; ++k) rows.column.push_back(static_cast<std::int32_t>(k));
+  for (std::size_t k = 0; k <= nodes; ++k) rows.start.push_back(static_cast<std::int64_t>(k));
+  return rows;
+}
+
 struct Row {
   Scheme scheme;
   const char* name;
   Convection (*make)(const Frame& frame, double step, bool ends_at_edge);
 };
 
-// A scheme is a row of this table, and an allowed value of the option `convection`.
+// A scheme is a row of this table, and an allowed value of the option `convection`; that of time steps takes their
+// place where a scene has them.
 constexpr Row schemes[] = {
     {Scheme::least_squares, "least_squares",
      [](const Frame& frame, double, bool) { return with_rows(frame, least_squares(frame, 1, 0)); }},
@@ -57,6 +67,8 @@ constexpr Row schemes[] = {
        if (ends_at_edge) take_slip_at_nodes(frame, c);
        return c;
      }},
+    {Scheme::time_step, "none: a step in time, displacements of the step before are carried along",
+     [](const Frame& frame, double, bool) { return with_rows(frame, identity(frame.x.size())); }},
 };
 
 const Row& row_of(Scheme scheme) {
@@ -79,6 +91,7 @@ const char* name_of(Scheme scheme) {
 
 Convection make_convection(const Frame& frame, Scheme scheme, bool ends_at_edge, double step) {
   Convection c = row_of(scheme).make(frame, step, ends_at_edge);
+  if (scheme == Scheme::time_step) return c;
   // Along the surface.
   for (std::size_t i = 0; i < frame.t1.size(); ++i) c.factor[i] *= dot(frame.t1[i], frame.axes.t1);
   return c;

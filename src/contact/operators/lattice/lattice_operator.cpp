@@ -20,14 +20,15 @@ struct LatticeOperator::Shared {
   double entry[3][3] = {}, norm[2] = {};
   LatticeInfluence influence;
 
-  Shared(Lattice&& grid, std::shared_ptr<const TranslationKernel>&& bodies, double step, SparseRows&& rows)
+  Shared(Lattice&& grid, std::shared_ptr<const TranslationKernel>&& bodies, double step, SparseRows&& rows,
+         bool displacements)
       : lattice(std::move(grid)),
         kernel(std::move(bodies)),
         delta(step),
         convection(std::move(rows)),
         convolution(lattice, LatticeEntries(lattice, *kernel, delta), hat_pieces(lattice).front()),
         cut(lattice, *kernel, delta),
-        influence{lattice, *kernel} {
+        influence{lattice, *kernel, displacements} {
     measure();
   }
   void measure();
@@ -126,14 +127,15 @@ void LatticeOperator::Shared::measure() {
 }
 
 LatticeOperator::LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta,
-                                 SparseRows convection) {
+                                 SparseRows convection, bool displacements) {
   if (!lattice.has_inner_node())
     fail(Status::err_internal, "a lattice of %lld x %lld nodes has no inner node", static_cast<long long>(lattice.nx),
          static_cast<long long>(lattice.ny));
   nodes = lattice.frame_nodes();
   coupled = kernel->couples();
   normal = tangential = true;
-  shared_ = std::make_unique<Shared>(std::move(lattice), std::move(kernel), delta, std::move(convection));
+  shared_ =
+      std::make_unique<Shared>(std::move(lattice), std::move(kernel), delta, std::move(convection), displacements);
   idle_.push_back(std::make_unique<Workspace>(*shared_));
 }
 

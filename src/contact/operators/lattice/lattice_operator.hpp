@@ -17,10 +17,10 @@ namespace rollcon {
 class LatticeOperator final : public Operators {
  public:
   /// delta > 0: characteristic scheme, distance to the upstream point (the same at all nodes). delta = 0: `convection`
-  /// holds the rows of an upwind scheme. The lattice needs an inner node. Throws Error(err_unsupported) in a build
-  /// without FFTW.
-  LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta,
-                  SparseRows convection);
+  /// holds the rows of an upwind scheme; displacements: they are no derivatives. The lattice needs an inner node.
+  /// Throws Error(err_unsupported) in a build without FFTW.
+  LatticeOperator(Lattice lattice, std::shared_ptr<const TranslationKernel> kernel, double delta, SparseRows convection,
+                  bool displacements = false);
   ~LatticeOperator() override;
 
   /// image[r] at all nodes, of tractions lambda[c] at all nodes. Null lambda: zero. Null image: not wanted.

@@ -1,0 +1,132 @@
+/// The past of a contact as numbers: saved, copied to another contact, gone back to.
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact.hpp"
+#include "contact/prepare/time_step.hpp"
+#include "contact/solution.hpp"
+#include "linalg/blas_threads.hpp"
+#include "support/checksum.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+#include "support/input_checks.hpp"
+
+namespace rollcon {
+namespace {
+
+// Layout: magic, version, numbers in all, nodes, checksum of the frame, loaded, time, steps, four motions, tractions
+// t1, t2, n of all nodes, checksum of all before it.
+constexpr double magic = 7274830.5, version = 1;
+constexpr std::size_t header = 12;
+
+// Exact in a double.
+double checksum_of(const double* v, std::size_t n, std::uint64_t seed = 0) {
+  Checksum sum(seed);
+  sum.add(v, n * sizeof(double));
+  return static_cast<double>(sum.value() >> 12);
+}
+
+double frame_mark(const Frame& frame) {
+  Checksum sum;
+  sum.add(frame.x.data(), frame.x.size() * sizeof(double));
+  sum.add(frame.y.data(), frame.y.size() * sizeof(double));
+  return static_cast<double>(sum.value() >> 12);
+}
+
+std::size_t numbers_for(std::size_t nodes) {
+  return header + 3 * nodes + 1;
+}
+
+void require_own_frame(const Scene& scene) {
+  if (!scene.frame_given())
+    fail(Status::err_state,
+         "the library makes the frame of this contact anew for every load: what was before a time step is saved on a "
+         "frame that stays; call rollcon_contact_frame_ellipse, rollcon_contact_set_frame_nodes, ...");
+}
+
+}  // namespace
+
+void Contact::repeat_step() {
+  rollcon::repeat_step(*state_);
+  if (frames_ && !scene.frame_given()) frames_->repeat_step();
+}
+
+std::int64_t Contact::save_past(std::int64_t capacity, double* to) const {
+  require_own_frame(scene);
+  const SolverState& s = *state_;
+  const PastStep& last = s.steps.last;
+  if (!s.prepared || !s.steps.of_steps || !last.on)
+    fail(Status::err_state, "no time step was solved yet: rollcon_contact_set_step and rollcon_contact_solve");
+  const std::size_t n = last.lambda[0].size(), needed = numbers_for(n);
+  if (capacity == 0 && !to) return static_cast<std::int64_t>(needed);
+  if (capacity < static_cast<std::int64_t>(needed))
+    fail(Status::err_capacity, "capacity is %lld but %lld doubles are needed", static_cast<long long>(capacity),
+         static_cast<long long>(needed));
+  const double head[header] = {magic,
+                               version,
+                               static_cast<double>(needed),
+                               static_cast<double>(n),
+                               frame_mark(last.on->frame),
+                               last.loaded ? 1.0 : 0.0,
+                               last.time,
+                               static_cast<double>(last.steps),
+                               last.motion[0],
+                               last.motion[1],
+                               last.motion[2] + s.prepared->problem.datum,
+                               last.motion[3]};
+  std::copy_n(head, header, to);
+  for (std::size_t c = 0; c < 3; ++c)
+    for (std::size_t k = 0; k < n; ++k) to[header + c * n + k] = last.loaded ? last.lambda[c][k] : 0;
+  to[needed - 1] = checksum_of(to, needed - 1);
+  return static_cast<std::int64_t>(needed);
+}
+
+void Contact::restore_past(std::int64_t count, const double* from) {
+  require_own_frame(scene);
+  require_count(count, "n");
+  require_pointer(from, "past");
+  require_finite(count, 1, from, "past", 0);
+  const auto given = static_cast<std::size_t>(count);
+  if (given < numbers_for(0) || from[0] != magic)
+    fail(Status::err_argument, "past does not begin as what rollcon_contact_save_past gives");
+  if (from[1] != version)
+    fail(Status::err_argument, "past is of version %g; this library reads version %g", from[1], version);
+  if (from[2] != static_cast<double>(given))
+    fail(Status::err_argument, "n is %lld, but past says it has %.0f numbers", static_cast<long long>(count), from[2]);
+  if (checksum_of(from, given - 1) != from[given - 1])
+    fail(Status::err_argument, "past has changed since it was saved: its checksum does not fit");
+  SolverState& s = *state_;
+  s.solved = s.derived = s.laws_checked = s.settled = false;
+  s.sensitivities.forget();
+  s.error_estimate = {};
+  s.extrapolated.reset();
+  try {
+    const BlasThreads blas(context_->threads());
+    prepare(s, scene, *body1_, *body2_, context_->threads());
+  } catch (...) {
+    clear_state();
+    throw;
+  }
+  s.settled = true;
+  const Frame& frame = s.prepared->frame;
+  const std::size_t n = frame.x.size();
+  if (from[3] != static_cast<double>(n) || from[4] != frame_mark(frame))
+    fail(Status::err_argument, "past is of another frame (%.0f nodes; this one has %zu)", from[3], n);
+  PastStep& last = s.steps.last;
+  last.loaded = from[5] != 0;
+  last.time = from[6];
+  last.steps = static_cast<std::int64_t>(from[7]);
+  std::copy_n(from + 8, 4, last.motion.begin());
+  last.motion[approach] -= s.prepared->problem.datum;
+  for (std::size_t c = 0; c < 3; ++c) last.lambda[c].assign(from + header + c * n, from + header + (c + 1) * n);
+  last.mesh = scene.revision.mesh;
+  if (!last.on || last.on->frame.x != frame.x || last.on->frame.y != frame.y) {
+    last.on = std::make_shared<FrameOfPast>();
+    last.on->frame = frame;
+  }
+  s.steps.of_steps = true;
+  s.steps.failed = s.steps.can_repeat = s.steps.iterate_is_last = false;
+}
+
+}  // namespace rollcon

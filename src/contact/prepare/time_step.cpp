@@ -1,0 +1,178 @@
+#include "contact/prepare/time_step.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "contact/prepare/preparation.hpp"
+#include "contact/solution.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+
+void PastStep::take(const Iterate& it) {
+  for (std::size_t c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
+  motion = it.motion;
+  loaded = std::any_of(lambda[2].begin(), lambda[2].end(), [](double l) { return l < 0; });
+}
+
+std::size_t StepHistory::bytes() const {
+  std::size_t sum = traction.capacity() + displacement.capacity() + rigid[0].capacity() + rigid[1].capacity();
+  for (std::size_t c = 0; c < 3; ++c)
+    sum += last.lambda[c].capacity() + before.lambda[c].capacity() + carried[c].capacity();
+  return sum * sizeof(double);
+}
+
+namespace {
+
+bool same_places(const Frame& a, const Frame& b) {
+  return a.x == b.x && a.y == b.y;
+}
+
+// The frame that the past lies on, as long as it is the scene's.
+void note_frame(PastStep& past, const Prepared& on, const Scene& scene) {
+  past.mesh = scene.revision.mesh;
+  if (past.on && same_places(past.on->frame, on.frame)) return;
+  past.on = std::make_shared<FrameOfPast>();
+  past.on->frame = on.frame;
+}
+
+bool meshed(const Prepared& on) {
+  return on.pair.body[0]->meshed() || on.pair.body[1]->meshed();
+}
+
+// On its own frame: nodes that a body carried along are the same still.
+bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
+  if (past.lambda[0].size() != on.frame.x.size()) return false;
+  if (past.on && same_places(past.on->frame, on.frame)) return true;
+  return past.mesh == scene.revision.mesh && (meshed(on) || !past.on);
+}
+
+// Half-spaces answer tractions on any frame exactly.
+void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
+  if (meshed(on))
+    fail(
+        Status::err_state,
+        "the frame is not that of the step before, and a body has a mesh: its displacements cannot be carried from one "
+        "frame to another; keep the frame, or start from rest (rollcon_contact_reset)");
+  FrameOfPast& past = *h.last.on;
+  if (!past.compliance) past.compliance = make_pair_compliance(past.frame, on.pair, on.accuracy, threads);
+  const std::size_t n = on.frame.x.size(), sources = h.last.lambda[0].size();
+  std::vector<double> x(n);
+  for (std::size_t k = 0; k < n; ++k) x[k] = on.frame.x[k] + upstream(on, k);
+  h.traction.resize(3 * sources);
+  for (std::size_t k = 0; k < sources; ++k)
+    for (std::size_t c = 0; c < 3; ++c) h.traction[3 * k + c] = h.last.lambda[c][k];
+  h.displacement.resize(3 * n);
+  past.compliance->apply({x, on.frame.y}, h.traction.data(), h.displacement.data());
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c) h.carried[c][k] = h.displacement[3 * k + c];
+}
+
+// Rows that are not formed: by integrals at every step.
+void carry_by_integrals(StepHistory& h, const Prepared& on) {
+  const std::size_t n = on.frame.x.size();
+  std::vector<double> x(n);
+  for (std::size_t k = 0; k < n; ++k) x[k] = on.frame.x[k] + upstream(on, k);
+  h.traction.resize(3 * n);
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 3; ++c) h.traction[3 * k + c] = h.last.lambda[c][k];
+  h.displacement.resize(3 * n);
+  on.compliance->apply({x, on.frame.y}, h.traction.data(), h.displacement.data());
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t c = 0; c < 2; ++c) h.carried[c][k] = h.displacement[3 * k + c];
+}
+
+}  // namespace
+
+void begin_step(SolverState& s, const Scene& scene) {
+  StepHistory& h = s.steps;
+  if (scene.step_kind() == StepKind::steady || h.of_steps) return;
+  if (h.failed)
+    fail(Status::err_state,
+         "the steady solve before this step did not converge: there is no state to start from; solve again, or start "
+         "from rest (rollcon_contact_reset)");
+  // From the steady state that was found last, or from rest.
+  if (s.warm_usable) {
+    h.last.take(s.iterate);
+    note_frame(h.last, *s.prepared, scene);
+    h.iterate_is_last = true;
+  } else {
+    h.last.loaded = false;
+  }
+  h.of_steps = true;
+}
+
+void carry_past(SolverState& s, const Scene& scene) {
+  if (scene.step_kind() == StepKind::steady) return;
+  StepHistory& h = s.steps;
+  Prepared& on = *s.preparation->made;
+  Problem& p = on.problem;
+  const std::size_t n = on.frame.x.size();
+  const bool none = !h.last.loaded || s.frictionless;
+  for (auto& v : h.carried) v.resize(n);
+  if (!none) {
+    if (!lies_on(h.last, on, scene))
+      carry_between_frames(h, on, s.preparation->threads);
+    else if (p.op->tangential || p.op->all_at_once())
+      s.preparation->carried.apply(on, s.preparation->rows, h.last.lambda, h.carried);
+    else
+      carry_by_integrals(h, on);
+  }
+  for (const auto& [slip, c] : {std::pair{&p.slip1, std::size_t{0}}, std::pair{&p.slip2, std::size_t{1}}}) {
+    slip->resize(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      const double own = h.rigid[c].empty() ? 0 : h.rigid[c][k];
+      (*slip)[k] = none ? own : own - h.carried[c][k];
+    }
+  }
+}
+
+void start_step(SolverState& s) {
+  StepHistory& h = s.steps;
+  if (h.iterate_is_last || h.last.lambda[0].size() != s.iterate.lambda[0].size()) return;
+  s.warm_usable = h.last.loaded;
+  s.newton.forget_prediction();
+  s.iterate.clear();
+  if (!h.last.loaded) return;
+  for (std::size_t c = 0; c < 3; ++c) s.iterate.lambda[c] = h.last.lambda[c];
+  s.iterate.motion = h.last.motion;
+  s.iterate.invalidate();
+}
+
+void end_step(SolverState& s, const Scene& scene) {
+  StepHistory& h = s.steps;
+  std::swap(h.last, h.before);
+  h.last.time = h.before.time + scene.step_time();
+  h.last.steps = h.before.steps + 1;
+  h.last.take(s.iterate);
+  if (s.outcome == Outcome::no_contact) h.last.loaded = false;
+  if (!h.last.on || !same_places(h.last.on->frame, s.prepared->frame)) h.last.on = h.before.on;
+  note_frame(h.last, *s.prepared, scene);
+  h.can_repeat = true;
+  h.iterate_is_last = true;
+}
+
+void repeat_step(SolverState& s) {
+  StepHistory& h = s.steps;
+  if (!h.can_repeat)
+    fail(Status::err_state,
+         "there is no step to repeat: none was made since the contact was, or since rollcon_contact_reset, "
+         "rollcon_contact_restore_past or rollcon_contact_repeat_step");
+  std::swap(h.last, h.before);
+  h.can_repeat = h.iterate_is_last = false;
+}
+
+void forget_past(SolverState& s) {
+  StepHistory& h = s.steps;
+  for (PastStep* past : {&h.last, &h.before}) {
+    past->loaded = false;
+    past->time = 0;
+    past->steps = 0;
+    past->motion = {};
+    past->on.reset();
+  }
+  h.can_repeat = h.of_steps = h.failed = h.iterate_is_last = false;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,49 @@
+#pragma once
+/// What a contact remembers of its past between steps in time: the tractions at the end of the last one.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bodies/model/compliance.hpp"
+#include "mesh/frame.hpp"
+
+namespace rollcon {
+
+struct Iterate;
+
+/// A frame and the pair's compliance there.
+struct FrameOfPast {
+  Frame frame;
+  std::unique_ptr<Compliance> compliance;  ///< made when tractions are carried to another frame
+};
+
+/// The contact at the end of a step.
+struct PastStep {
+  bool loaded = false;            ///< false: the bodies are at rest, unstressed
+  std::vector<double> lambda[3];  ///< t1, t2, n
+  std::array<double, 4> motion{};
+  double time = 0;
+  std::int64_t steps = 0;
+  std::int64_t mesh = -1;  ///< revision of the frame's nodes and elements
+  std::shared_ptr<FrameOfPast> on;
+
+  void take(const Iterate& iterate);
+};
+
+struct StepHistory {
+  PastStep last;    ///< what the next step starts from
+  PastStep before;  ///< what the last one started from
+  bool can_repeat = false;
+  bool of_steps = false;           ///< the last solve was a step: `last` is what it left
+  bool failed = false;             ///< the last solve, a steady one, found nothing
+  bool iterate_is_last = false;    ///< the iterate is that of `last`
+  std::vector<double> rigid[2];    ///< slip of the scene that neither motions nor tractions change
+  std::vector<double> carried[3];  ///< displacements of the step before at the particles that are at the nodes now
+  std::vector<double> traction, displacement;  ///< workspace, three a node
+
+  std::size_t bytes() const;
+};
+
+}  // namespace rollcon

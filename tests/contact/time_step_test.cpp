@@ -1,0 +1,194 @@
+// Shift and rolling in time steps: closed forms and published numbers (Cattaneo 1938, Mindlin & Deresiewicz 1953,
+// Spence 1975, Kalker 1990).
+
+#include "contact/time_step_case.hpp"
+
+namespace rollcon::contact_test {
+namespace {
+
+TEST(TimeStep, cattaneo_shift) {
+  for (const char* operators : {"dense", "fft", "table"}) {
+    Spheres s(32, operators);
+    s.scene().set_step(shift_step, 1);
+    s.scene().prescribe(1, 2, -7.0 / 8 * s.mu * s.load);
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    const double exact = s.shift(7.0 / 8), found = s.creep();
+    std::printf("%s: shift %.6e, closed form %.6e: off by %.2f %% (bound 1)\n", operators, found, exact,
+                100 * std::abs(found / exact - 1));
+    EXPECT_NEAR(std::abs(found), exact, 0.01 * exact);
+    EXPECT_LT(s.pair.worst_law(), 1e-5);
+    // Stick inside half the radius.
+    const double stick = s.contact().stat("nodes_stick"), all = stick + s.contact().stat("nodes_slip");
+    std::printf("stick %.0f of %.0f nodes: %.3f (0.25)\n", stick, all, stick / all);
+    EXPECT_NEAR(stick / all, 0.25, 0.02);
+  }
+}
+
+// Every branch of the loop follows from the first by Masing's rule, and so does its area, the work lost in a cycle.
+TEST(TimeStep, mindlin_loop) {
+  constexpr int quarter = 12;
+  constexpr double most = 0.75;
+  Spheres s(32);
+  s.scene().set_step(shift_step, 1);
+  const double unit = s.mu * s.load;
+  double shift = 0, before = 0, q = 0, cycle = 0, friction = 0, worst = 0;
+  const double scale = s.shift(most);
+  const auto step_to = [&](double next, bool closed) {
+    s.scene().prescribe(1, 2, -next * unit);
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    before = shift;
+    shift += s.creep();
+    if (closed) {
+      cycle += 0.5 * (q + next) * unit * (shift - before);
+      friction += s.contact().stat("friction_power");
+    }
+    q = next;
+  };
+  const auto off = [&](double exact) { worst = std::max(worst, std::abs(shift - exact) / scale); };
+  for (int k = 1; k <= quarter; ++k) step_to(most * k / quarter, false), off(s.shift(q));
+  for (int k = 1; k <= 2 * quarter; ++k)
+    step_to(most - most * k / quarter, true), off(s.shift(most) - 2 * s.shift((most - q) / 2));
+  for (int k = 1; k <= 2 * quarter; ++k)
+    step_to(-most + most * k / quarter, true), off(-s.shift(most) + 2 * s.shift((q + most) / 2));
+  const double whole = s.shift(1);  // 3 mu P (2 - nu) / (8 G a)
+  const double exact =
+      4 * unit * whole * (1.2 * (1 - std::pow(1 - most, 5.0 / 3)) - most * (1 + std::pow(1 - most, 2.0 / 3)));
+  std::printf(
+      "loop: off by %.2f %% of the largest shift; work of a cycle %.5e, closed form %.5e (%.2f %%), friction %.5e\n",
+      100 * worst, cycle, exact, 100 * (cycle / exact - 1), friction);
+  EXPECT_LT(worst, 0.01);
+  EXPECT_NEAR(cycle, exact, 0.01 * exact);
+  // Friction's own work, at the end of steps: of first order in the step.
+  EXPECT_NEAR(friction, exact, 0.1 * exact);
+}
+
+// An elastic sphere is pressed on a rigid plane; the load grows with the cube of the steps.
+TEST(TimeStep, spence_compression) {
+  constexpr double load = 0.47052, radius = 121.5;
+  const auto press = [&](int steps, double& ratio, double& pressure, double& depth) {
+    Pair pair(1, 0, 1, -2);
+    const std::vector<double> lines = frames::uniform_lines(-4.1, 4.1, 41);
+    pair.frame(frames::rectangle(ElementType::quad4, lines, lines));
+    Scene& scene = pair.contact->scene;
+    scene.set_gap_quadratic(0.5 / radius, 0.5 / radius, 0);
+    pair.friction(0.2986);
+    scene.set_step(shift_step, 1);
+    for (int k = 1; k <= steps; ++k) {
+      scene.prescribe(3, 2, load * std::pow(static_cast<double>(k) / steps, 3));
+      const Status status = pair.contact->solve();
+      ASSERT_TRUE(status == Status::ok || status == Status::coarse);
+    }
+    const double stick = pair.contact->stat("nodes_stick"), slip = pair.contact->stat("nodes_slip");
+    ratio = std::sqrt(stick / (stick + slip));
+    pressure = pair.contact->stat("max_pressure");
+    pair.contact->motion(&depth, nullptr);
+  };
+  double ratio, pressure, depth, ratio1, pressure1, depth1;
+  press(35, ratio, pressure, depth);
+  press(1, ratio1, pressure1, depth1);
+  std::printf("35 steps: c/a %.3f (Spence 0.5, bound 0.015), pmax %.5f (.02392, 1 %%), approach %.5f (.09874, 1 %%)\n",
+              ratio, pressure, depth);
+  std::printf("one step: c/a %.3f, pmax %.5f, approach %.5f\n", ratio1, pressure1, depth1);
+  EXPECT_NEAR(ratio, 0.5, 0.015);
+  EXPECT_NEAR(pressure, 0.02392, 0.01 * 0.02392);
+  EXPECT_NEAR(depth, 0.09874, 0.01 * 0.09874);
+  EXPECT_LT(ratio1, 0.9 * ratio);
+}
+
+// Cattaneo's shift, then rolling under the same force: Kalker's transient.
+TEST(TimeStep, from_cattaneo_to_carter) {
+  constexpr double step = 0.25;
+  KalkerSpheres s(34);
+  s.scene().prescribe(1, 2, -0.657 * s.mu * s.load);
+  s.scene().set_step(shift_step, 1);
+  ASSERT_EQ(s.contact().solve(), Status::ok);
+  s.scene().set_speed(1);
+  s.scene().set_step(rolling_step, step);
+  ASSERT_EQ(s.contact().solve(), Status::ok);
+  const double onset = s.creep();
+  std::int64_t iterations = 0;
+  for (int k = 1; k < 80; ++k) {
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    iterations += static_cast<std::int64_t>(s.contact().stat("tangential_iterations"));
+  }
+  const double last = s.creep();
+  std::printf("onset %.6f (.001824), after 20 mm %.6f (.003101), steps %.0f, %.1f iterations a step\n", onset, last,
+              s.contact().stat("steps"), static_cast<double>(iterations) / 79);
+  EXPECT_NEAR(std::abs(onset), 0.001824, 0.01 * 0.001824);
+  EXPECT_NEAR(std::abs(last), 0.003101, 0.01 * 0.003101);
+  EXPECT_EQ(s.contact().stat("steps"), 81);
+  EXPECT_NEAR(s.contact().stat("step_time"), 1 + 80 * step, 1e-12);
+}
+
+// A step over the distance that the characteristic scheme looks ahead has the steady solution for its limit.
+TEST(TimeStep, steady_limit) {
+  for (const char* operators : {"dense", "fft", "table"})
+    for (const bool by_force : {false, true}) {
+      KalkerSpheres s(16, operators);
+      s.scene().options.set_real("tolerance", 1e-12);
+      s.scene().options.set_real("accuracy", 1e-9);
+      if (by_force)
+        s.scene().prescribe(1, 2, -0.5 * s.mu * s.load), s.scene().prescribe(4, 1, 3e-4);
+      else
+        s.scene().set_creep(-1e-3, 5e-4, 3e-4);
+      ASSERT_EQ(s.contact().solve(), Status::ok);
+      const std::vector<double> steady = s.pair.tractions();
+      s.contact().reset();
+      s.scene().set_step(rolling_step, characteristic_step * 8.5 / 16);
+      for (int k = 0; k < 400; ++k) ASSERT_EQ(s.contact().solve(), Status::ok);
+      const double off = largest_difference(steady, s.pair.tractions());
+      std::printf("%s, %s: off the steady tractions by %.1e (bound 1e-6)\n", operators,
+                  by_force ? "force given" : "creepage given", off);
+      EXPECT_LT(off, 1e-6);
+    }
+}
+
+// From rest, the force over the distance rolled: errors fall with the step, to first order at least.
+TEST(TimeStep, order_in_the_step) {
+  const auto force_after = [](int steps) {
+    KalkerSpheres s(24, "table");
+    s.scene().set_creep(-1.5e-3, 0, 0);
+    s.scene().set_step(rolling_step, 3.5 / steps);
+    for (int k = 0; k < steps; ++k) EXPECT_EQ(s.contact().solve(), Status::ok);
+    double f[3];
+    s.contact().resultant(InAxes::local, f, nullptr);
+    return f[0] / (s.mu * s.load);
+  };
+  const double exact = force_after(256);
+  double before = 0;
+  for (const int steps : {4, 8, 16, 32}) {
+    const double off = std::abs(force_after(steps) / exact - 1);
+    std::printf("%d steps over the radius: off by %.2e, order %.2f\n", steps, off,
+                before > 0 ? std::log2(before / off) : 0.0);
+    if (before > 0) {
+      EXPECT_GT(std::log2(before / off), 0.8);
+    }
+    before = off;
+  }
+  EXPECT_LT(before, 0.02);
+}
+
+// Of 35 mm, five times the contact: all material is new, and what it brings along is what is left of displacements so
+// far away.
+TEST(TimeStep, steps_longer_than_the_contact) {
+  KalkerSpheres s(24);
+  s.scene().set_creep(-1e-4, 2e-5, 1e-5);
+  s.scene().set_step(rolling_step, 5 * 2 * 3.5);
+  std::vector<double> before;
+  double off = 1;
+  for (int k = 0; k < 6; ++k) {
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    const std::vector<double> now = s.pair.tractions();
+    if (!before.empty()) {
+      const double change = largest_difference(before, now);
+      std::printf("step %d: tractions change by %.1e\n", k, change);
+      EXPECT_LT(change, 0.5 * off);
+      off = change;
+    }
+    before = now;
+  }
+  EXPECT_LT(off, 1e-3);
+}
+
+}  // namespace
+}  // namespace rollcon::contact_test
