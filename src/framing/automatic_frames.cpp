@@ -31,17 +31,6 @@ struct Level {
 constexpr std::array levels{Level{6, 4, 0.012}, Level{8, 6, 0.0053}, Level{12, 8, 0.0026}, Level{16, 12, 0.0013},
                             Level{24, 16, 0.0007}};
 
-/// Under ellipses that lie across the rolling direction strips are many and have few elements: where the pole of
-/// sliding lies on the longer axis, forces depend on how many strips there are beside it (docs/frames.md).
-Level fitted_to(const Level& level, const FramePlace& place) {
-  constexpr double wide = 0.55, fewer = 0.5, more = 2;  // far from circles, so that time loops seldom change frames
-  if (place.length > wide * place.width) return level;
-  const auto part = [](std::int64_t n, double factor) {
-    return std::max<std::int64_t>(4, std::llround(factor * static_cast<double>(n)));
-  };
-  return {part(level.along, fewer), part(level.across, more), level.usual};
-}
-
 /// What frames are made for.
 struct Shape {
   /// Of Hertz's ellipse, a stretched disc.
@@ -229,9 +218,9 @@ class AutomaticFrames final : public FrameMaker {
   }
 
   void lay_frames(Scene& fine, Scene& coarse) {
+    const Level& l = levels[level_];
     const bool elliptic = shape_.outline.empty();
-    const Level l = elliptic ? fitted_to(levels[level_], shape_.place) : levels[level_];
-    const Made now{l.along, l.across, fine.revision.mesh, elliptic ? -1 : fine.revision.axes, elliptic ? -1 : shapes_};
+    const Made now{level_, fine.revision.mesh, elliptic ? -1 : fine.revision.axes, elliptic ? -1 : shapes_};
     if (!(now == made_)) {
       if (elliptic) {
         fine.set_placed_frame(strips_mesh({}, strips_of_ellipse(1, 1, 0, 2 * l.across), 2 * l.along), shape_.place);
@@ -322,7 +311,8 @@ class AutomaticFrames final : public FrameMaker {
     bool operator==(const Found&) const = default;
   };
   struct Made {
-    std::int64_t along = 0, across = 0, mesh = -1, axes = -1, shape = -1;
+    std::size_t level = levels.size();
+    std::int64_t mesh = -1, axes = -1, shape = -1;
     bool operator==(const Made&) const = default;
   };
 
