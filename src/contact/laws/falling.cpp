@@ -177,10 +177,9 @@ GivenFriction make(const Family& family, std::span<const double> parameters) {
     fail(Status::err_argument, "n is 4; '%s' has 3 or 5 parameters: muk, mu1, s1, and mu2, s2", family.name);
   double mu = parameters[0];
   std::array<Term, 2> terms{};
-  for (std::size_t i = 0; i < terms.size() && 2 * i + 2 < parameters.size(); ++i) {
-    constexpr const char* names[] = {"mu1", "mu2"};
+  for (std::size_t i = 0; 2 * i + 2 < parameters.size(); ++i) {
     const double part = parameters[2 * i + 1], speed = parameters[2 * i + 2];
-    require_coefficient(part, names[i]);
+    require_coefficient(part, i == 0 ? "mu1" : "mu2");
     if (!(speed > 0)) fail(Status::err_argument, "s%d is %g; allowed: > 0", static_cast<int>(i) + 1, speed);
     terms[i] = {part, speed};
     mu += part;
