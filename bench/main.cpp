@@ -18,14 +18,23 @@ using rollcon::bench::Case;
 std::vector<Case> all_cases() {
   using namespace rollcon::bench;
   std::vector<Case> cases;
-  for (auto family :
-       {hertz_cases,      carter_cases,          kalker_cases,   kalker_mesh_cases,   steady_rolling_cases,
-        lame_cases,       hertz_block_cases,     example1_cases, example2_cases,      example3_cases,
-        example4_cases,   procedure_cases,       kernel_cases,   linear_solver_cases, friction_law_cases,
-        body_cases,       ring_load_cases,       fem_cases,      effectivity_cases,   resolve_cases,
-        guard_cases,      automatic_frame_cases, thrift_cases,   time_loop_cases,     time_step_cases,
-        wheel_rail_cases, creep_table_cases,     many_cases,     saved_body_cases,    lattice_cases,
-        stress_cases,     stability_cases})
+  for (auto family : {hertz_cases,          carter_cases,
+                      kalker_cases,         kalker_mesh_cases,
+                      steady_rolling_cases, lame_cases,
+                      hertz_block_cases,    example1_cases,
+                      example2_cases,       example3_cases,
+                      example4_cases,       procedure_cases,
+                      kernel_cases,         linear_solver_cases,
+                      friction_law_cases,   body_cases,
+                      ring_load_cases,      fem_cases,
+                      effectivity_cases,    resolve_cases,
+                      guard_cases,          automatic_frame_cases,
+                      thrift_cases,         time_loop_cases,
+                      time_step_cases,      wheel_rail_cases,
+                      creep_table_cases,    equivalent_ellipse_cases,
+                      many_cases,           saved_body_cases,
+                      lattice_cases,        stress_cases,
+                      stability_cases})
     for (Case& c : family()) cases.push_back(std::move(c));
 #ifdef ROLLCON_BENCH_KERNELS
   for (Case& c : bem_kernel_cases()) cases.push_back(std::move(c));

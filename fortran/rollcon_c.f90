@@ -1191,6 +1191,16 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_fatigue_index
 
+    function rollcon_contact_get_equivalent_ellipse(contact, inputs, center) &
+        result(rc) bind(C, name="rollcon_contact_get_equivalent_ellipse")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), intent(out) :: inputs(*)
+      real(c_double), intent(out) :: center(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_equivalent_ellipse
+
     function rollcon_stress_invariants(n, stress, principal, von_mises, shear) &
         result(rc) bind(C, name="rollcon_stress_invariants")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -48,6 +48,7 @@ module rollcon_contact_plain
     procedure :: get_motion => contact_get_motion
     procedure :: get_sensitivity => contact_get_sensitivity
     procedure :: get_fatigue_index => contact_get_fatigue_index
+    procedure :: get_equivalent_ellipse => contact_get_equivalent_ellipse
     procedure :: get_stat => contact_get_stat
     procedure :: get_plan => contact_get_plan
     procedure :: write_vtu => contact_write
@@ -659,6 +660,27 @@ contains
     index = 0
     call finish(rollcon_contact_get_fatigue_index(self%p, shear_yield, index), self%p, 'rc_contact%get_fatigue_index', &
       stat, errmsg)
+  end subroutine
+
+  !> The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it. The ellipse has the area in
+  !> contact (statistic contact_area) and, along over across, the second moments of the pressures. Load, creepages and
+  !> spin are those of the solution, the latter by least squares weighted with pressure about its centre; the solution
+  !> needs no friction. Friction is the mean over the pressure, of falling laws at the speed of the rigid slip;
+  !> inputs[2] may be replaced. Elastic constants: mean values of 1/G and nu/G; where pressure strains one body more
+  !> than the other, the longitudinal creepage has the mean difference of these strains on top. A moment about the
+  !> contact's origin has center[0] F2 - center[1] F1 more than one about the centre. ROLLCON_ERR_STATE: no solution, no
+  !> load, several patches far apart, or a shift; ROLLCON_ERR_UNSUPPORTED: a body has a mesh, or friction depends on the
+  !> direction.
+  subroutine contact_get_equivalent_ellipse(self, inputs, center, stat, errmsg)
+    class(rc_contact_plain), intent(in) :: self
+    real(rc_real), intent(out) :: inputs(9)
+    real(rc_real), intent(out) :: center(2)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    inputs = 0
+    center = 0
+    call finish(rollcon_contact_get_equivalent_ellipse(self%p, inputs, center), self%p, &
+      'rc_contact%get_equivalent_ellipse', stat, errmsg)
   end subroutine
 
   !> One number about the last solve: residuals, error estimates, iterations, areas, power, seconds, bytes. Names:

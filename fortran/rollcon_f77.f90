@@ -1104,6 +1104,15 @@ subroutine rcfati(icon, shear_yield, xindex, ierr)
   ierr = rollcon_contact_get_fatigue_index(contact_of(icon), shear_yield, xindex)
 end subroutine
 
+!> The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it.
+subroutine rcelli(icon, xinputs, center, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: xinputs(9), center(2)
+  ierr = rollcon_contact_get_equivalent_ellipse(contact_of(icon), xinputs, center)
+end subroutine
+
 !> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
 subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
   use rollcon_f77_support

@@ -1541,6 +1541,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
     const rollcon_contact *contact, double shear_yield, double *index);
 
 /*
+ * The Hertzian contact that stands for this one, as rollcon_table_evaluate takes it. The ellipse
+ * has the area in contact (statistic contact_area) and, along over across, the second moments of
+ * the pressures. Load, creepages and spin are those of the solution, the latter by least squares
+ * weighted with pressure about its centre; the solution needs no friction. Friction is the mean
+ * over the pressure, of falling laws at the speed of the rigid slip; inputs[2] may be replaced.
+ * Elastic constants: mean values of 1/G and nu/G; where pressure strains one body more than the
+ * other, the longitudinal creepage has the mean difference of these strains on top. A moment
+ * about the contact's origin has center[0] F2 - center[1] F1 more than one about the centre.
+ * ROLLCON_ERR_STATE: no solution, no load, several patches far apart, or a shift;
+ * ROLLCON_ERR_UNSUPPORTED: a body has a mesh, or friction depends on the direction.
+ *   inputs   [9], out; shear modulus, Poisson's ratio, friction, semi-axes along and across the
+ *            rolling direction, load, longitudinal and lateral creepage, spin
+ *   center   [2], out; along t1 and t2
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED.
+ * Source: docs/tables.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_equivalent_ellipse(
+    const rollcon_contact *contact, double *inputs, double *center);
+
+/*
  * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
  * come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact to
  * rounding, relative to the largest of the three.

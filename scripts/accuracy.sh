@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Runs rollcon-bench and rewrites documents with their tables and plots:
 #   frames           docs/frames.md, frames made by the library
+#   tables           docs/tables.md, creep-force tables
 #   half-spaces      docs/accuracy.md, scenes of half-spaces in detail
 #   work-precision   docs/accuracy.md, error over time and memory of every method
 #   estimates        docs/accuracy.md, error estimates beside true errors
@@ -25,8 +26,8 @@ part="${1:-all}"
 build="${2:-build/accuracy}"
 for name in ${part//,/ }; do
   case "$name" in
-    frames|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
-    *) echo "no part $name: frames, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
+    frames|tables|half-spaces|work-precision|estimates|bodies|fem|procedures|speed|stability|all) ;;
+    *) echo "no part $name: frames, tables, half-spaces, work-precision, estimates, bodies, fem, procedures, speed, stability or all" >&2; exit 2 ;;
   esac
 done
 half_spaces=(hertz carter kalker creep_curve case_a case_b example3 linear_solver kernel)
@@ -69,6 +70,12 @@ if wanted frames; then
   cat "${files[@]}" > "$build/frames.jsonl"
   python3 bench/report_frames.py "$build/frames.jsonl" docs "$command frames"
   echo "wrote docs/frames.md"
+fi
+if wanted tables; then
+  run_cases 2 creep_table equivalent_ellipse
+  cat "${files[@]}" > "$build/tables.jsonl"
+  python3 bench/report_tables.py "$build/tables.jsonl" docs "$command tables"
+  echo "wrote docs/tables.md"
 fi
 if wanted half-spaces; then
   run_cases 1 "${half_spaces[@]}"

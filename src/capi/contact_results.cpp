@@ -147,6 +147,19 @@ rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact* contact,
   });
 }
 
+rollcon_status rollcon_contact_get_equivalent_ellipse(const rollcon_contact* contact, double inputs[9],
+                                                      double center[2]) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_pointer(inputs, "inputs");
+    require_pointer(center, "center");
+    const EquivalentEllipse e = c.equivalent_ellipse();
+    const double all[] = {e.shear, e.poisson,     e.friction,    e.a,          e.b,
+                          e.load,  e.creepage[0], e.creepage[1], e.creepage[2]};
+    std::copy(std::begin(all), std::end(all), inputs);
+    std::copy(e.centre.begin(), e.centre.end(), center);
+  });
+}
+
 rollcon_status rollcon_stress_invariants(int64_t n, const double* stress, double* principal, double* von_mises,
                                          double* shear) {
   return guarded(__func__, nullptr, [&] {

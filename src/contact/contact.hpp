@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bodies/body.hpp"
+#include "contact/results/equivalent_ellipse.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
@@ -135,6 +136,8 @@ class Contact {
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
   /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
+  /// The Hertzian contact that stands for this one.
+  EquivalentEllipse equivalent_ellipse() const;
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);

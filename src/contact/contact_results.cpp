@@ -237,6 +237,11 @@ double Contact::fatigue_index(double shear_yield) const {
   return (std::hypot(force[0], force[1]) - 2 * shear_yield * stat("contact_area") / 3) / -force[2];
 }
 
+EquivalentEllipse Contact::equivalent_ellipse() const {
+  require_solution(*state_, scene);
+  return rollcon::equivalent_ellipse(*state_, stat("contact_area"));
+}
+
 std::span<const double> Contact::error_function() const {
   return state_->merit;
 }

@@ -109,6 +109,7 @@ const char* const recorded_names[] = {
   "contact_get_displacements_at",
   "contact_get_stresses_at",
   "contact_get_fatigue_index",
+  "contact_get_equivalent_ellipse",
   "stress_invariants",
   "contact_get_stat",
   "stat_count",
@@ -171,7 +172,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 164;
+const int recorded_number = 165;
 
 enum {
   recorded_rollcon_version,
@@ -278,6 +279,7 @@ enum {
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
   recorded_rollcon_contact_get_fatigue_index,
+  recorded_rollcon_contact_get_equivalent_ellipse,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
   recorded_rollcon_stat_count,
@@ -1297,6 +1299,17 @@ rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
   record_real(shear_yield);
   record_room(index);
   give_reals(index, 1, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_equivalent_ellipse(const rollcon_contact *contact,
+    double *inputs, double *center) {
+  record_begin(recorded_rollcon_contact_get_equivalent_ellipse);
+  record_handle(contact);
+  record_room(inputs);
+  record_room(center);
+  give_reals(inputs, 9, 1);
+  give_reals(center, 2, 2);
   return record_end();
 }
 

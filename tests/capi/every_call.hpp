@@ -209,6 +209,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
+  check("rollcon_contact_get_equivalent_ellipse", false,
+        rollcon_contact_get_equivalent_ellipse(object, a.out, a.out));
   check("rollcon_contact_get_stat", false,
         rollcon_contact_get_stat(object, "never_written", a.out));
   check("rollcon_contact_get_history", false,

@@ -90,6 +90,7 @@ program mapping_77_test
   call test_rcdisp()
   call test_rcstrs()
   call test_rcfati()
+  call test_rcelli()
   call test_rcsinv()
   call test_rcstat()
   call test_rcstnm()
@@ -1382,6 +1383,23 @@ contains
     call rcfati(icon, 1.5d0, xindex, stat)
     call rclerr(message)
     call failed('contact_get_fatigue_index', stat, message)
+  end subroutine
+
+  subroutine test_rcelli()
+    double precision :: xinputs(9)
+    double precision :: center(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcelli(icon, xinputs, center, stat)
+    call told('contact_get_equivalent_ellipse', 'contact1 room room', stat)
+    call gave_reals('xinputs', xinputs, 100.5_rc_real)
+    call gave_reals('center', center, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcelli(icon, xinputs, center, stat)
+    call rclerr(message)
+    call failed('contact_get_equivalent_ellipse', stat, message)
   end subroutine
 
   subroutine test_rcsinv()

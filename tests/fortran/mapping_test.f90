@@ -52,6 +52,7 @@ program mapping_test
   call contact_get_motion()
   call contact_get_sensitivity()
   call contact_get_fatigue_index()
+  call contact_get_equivalent_ellipse()
   call contact_get_stat()
   call contact_get_plan()
   call contact_write()
@@ -715,6 +716,22 @@ contains
     message = ''
     call contact%get_fatigue_index(1.5_rc_real, index, stat, message)
     call failed('contact_get_fatigue_index', stat, message)
+  end subroutine
+
+  subroutine contact_get_equivalent_ellipse()
+    real(rc_real) :: inputs(9)
+    real(rc_real) :: center(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%get_equivalent_ellipse(inputs, center, stat, message)
+    call told('contact_get_equivalent_ellipse', 'contact1 room room', stat)
+    call gave_reals('inputs', inputs, 100.5_rc_real)
+    call gave_reals('center', center, 200.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%get_equivalent_ellipse(inputs, center, stat, message)
+    call failed('contact_get_equivalent_ellipse', stat, message)
   end subroutine
 
   subroutine contact_get_stat()

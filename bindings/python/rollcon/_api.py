@@ -315,6 +315,9 @@ FUNCTIONS = {
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
+    "rollcon_contact_get_equivalent_ellipse": (c_int32, [
+        c_void_p, POINTER(c_double),
+        POINTER(c_double)]),
     "rollcon_stress_invariants": (c_int32, [
         c_int64, POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
@@ -620,6 +623,7 @@ ARGUMENTS = {
         ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
     ],
     "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
+    "rollcon_contact_get_equivalent_ellipse": [("contact", ""), ("inputs", ""), ("center", "")],
     "rollcon_stress_invariants": [
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],

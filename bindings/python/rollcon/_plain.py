@@ -574,6 +574,27 @@ class ContactPlain:
         self._call("get_fatigue_index", shear_yield, byref(index))
         return index.value
 
+    def equivalent_ellipse(self) -> tuple[ndarray, ndarray]:
+        """The Hertzian contact that stands for this one, as evaluate() takes it. The ellipse has
+        the area in contact (statistic contact_area) and, along over across, the second moments of
+        the pressures. Load, creepages and spin are those of the solution, the latter by least
+        squares weighted with pressure about its centre; the solution needs no friction. Friction
+        is the mean over the pressure, of falling laws at the speed of the rigid slip; inputs[2]
+        may be replaced. Elastic constants: mean values of 1/G and nu/G; where pressure strains
+        one body more than the other, the longitudinal creepage has the mean difference of these
+        strains on top. A moment about the contact's origin has center[0] F2 - center[1] F1 more
+        than one about the centre. ERR_STATE: no solution, no load, several patches far apart, or
+        a shift; ERR_UNSUPPORTED: a body has a mesh, or friction depends on the direction.
+
+        inputs: shear modulus, Poisson's ratio, friction, semi-axes along and across the rolling
+          direction, load, longitudinal and lateral creepage, spin.
+        center: along t1 and t2.
+        """
+        inputs, inputs_at = room(9)
+        center, center_at = room(2)
+        self._call("get_equivalent_ellipse", inputs_at, center_at)
+        return inputs, center
+
     def stat(self, name: str) -> float:
         """One number about the last solve: residuals, error estimates, iterations, areas, power,
         seconds, bytes. Names: rollcon_stat_name; meanings: docs/theory.md, section 8. An error

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""Errors of creep-force tables, from the records of rollcon-bench.
+
+usage: report_tables.py RECORDS.jsonl DOCS_DIR "COMMAND THAT MADE THE RECORDS"
+
+Writes the part "errors" of DOCS_DIR/tables.md and DOCS_DIR/images/tables_errors.png.
+"""
+
+import sys
+
+from precision_plots import Panel, panels
+from report import load, of_case, processor, table
+
+BEGIN, END = "<!-- errors -->\n", "<!-- end of errors -->\n"
+TEXT = """
+{cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and spin),
+beside frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). Errors are over μFn,
+of the moment over μFn √(ab). Made by `{command}` on {processor}, a busy machine. Cold: after other data has filled all
+caches.
+
+{methods}
+![share of cases with a larger error](images/tables_errors.png)
+
+By region of the table, r being the length of v above (linear theory asks for about r μFn):
+
+{regions}
+Unlike bodies, a/b and magnitudes as before: what a table gives for mean flexibilities alone, and with the mean strain
+under the pressure added to the longitudinal creepage.
+
+{unlike}
+Patches of S1002 wheels on 60E1 rails, lateral shifts from 0 to 10 mm, yaw, spin and speed of rotation at random about
+those of free rolling: the table on the equivalent ellipse beside the patch's own solution, both from the same pressures.
+The worst are patches of two peaks at shifts of 0 and 0.5 mm, which fill 0.63 to 0.8 of the ellipse that has their
+pressures' second moments.
+
+{patches}
+"""
+
+
+def percent(x):
+    return f"{100 * x:.2g} %"
+
+
+def errors(r, kind, rms):
+    return f"{percent(rms)} / {percent(r['extra'][kind + '_99'])} / {percent(r['extra'][kind + '_worst'])}"
+
+
+def force(r):
+    return errors(r, "force", r["error"])
+
+
+def moment(r):
+    return errors(r, "moment", r["moment_error"])
+
+
+def time(r):
+    micro = 1e6 * r["seconds"]
+    if not r["extra"]["seconds_with_derivatives"]:
+        return f"{micro:.2g} µs"
+    derivatives, cold = (1e6 * r["extra"][k] for k in ("seconds_with_derivatives", "seconds_cache_cold"))
+    return f"{micro:.2g} µs, with derivatives {derivatives:.2g} µs, cold {cold:.2g} µs"
+
+
+def exceeding(r, name):
+    """(error, share of cases with a larger one), but for the largest."""
+    values = dict(r["series"])[name] if isinstance(r["series"], list) else r["series"][name]
+    return [(v, 1 - k / (len(values) - 1)) for k, v in enumerate(values[:-1])]
+
+
+def of_patches(r, kind, rms):
+    worse = " / ".join(percent(r["extra"][f"{kind}_{part}"]) for part in ("90", "worst"))
+    return f"{percent(r['extra'][kind + '_median'])} / {percent(rms)} / {worse}"
+
+
+def main():
+    everything, docs, command = load(sys.argv[1]), sys.argv[2], sys.argv[3]
+    records = of_case(everything, "creep_table")
+    steel = [r for r in records if r["model"] == "steel on steel"]
+    whole = [r for r in steel if r["mesh"] == "all"]
+    head = ["force, rms / 99 % / worst", "moment, rms / 99 % / worst"]
+    methods = table(["", *head, "time of a case"], [[r["method"], force(r), moment(r), time(r)] for r in whole])
+    regions = table(["region", "cases", *head],
+                    [[r["mesh"], f"{r['extra']['cases']:.0f}", force(r), moment(r)] for r in steel if r not in whole])
+    unlike = table(["bodies", "", *head],
+                   [[r["model"], r["method"], force(r), moment(r)] for r in records if r not in steel])
+    patches = table(["patches", "", "force, median / rms / 90 % / worst", "moment, likewise"],
+                    [[r["mesh"], f"{r['extra']['patches']:.0f}", of_patches(r, "force", r["error"]),
+                      of_patches(r, "moment", r["moment_error"])] for r in of_case(everything, "equivalent_ellipse")])
+    panels(f"{docs}/images/tables_errors.png", "share of cases with a larger error",
+           [[Panel(what, "error over μFn" + ("" if what == "force" else "√(ab)"),
+                   {r["method"]: exceeding(r, f"{what}_quantiles") for r in whole}) for what in ("force", "moment")]])
+    text = TEXT.format(cases=f"{whole[0]['extra']['cases']:.0f}", command=command, processor=processor(),
+                       methods=methods, regions=regions, unlike=unlike, patches=patches)
+    path = f"{docs}/tables.md"
+    with open(path, encoding="utf-8") as file:
+        found = file.read()
+    before, after = found.split(BEGIN, 1)[0], found.split(END, 1)[1]
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(before + BEGIN + text + END + after)
+
+
+main()

@@ -1,0 +1,121 @@
+#include "contact/results/equivalent_ellipse.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "bodies/body.hpp"
+#include "contact/solution.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Of an ellipse whose second moments are those of the pressures, the part in contact is 1. Two peaks that are one
+/// patch leave 0.63 of it; two patches at a distance of their own length, less than a half.
+constexpr double least_filled = 0.5;
+
+void require_comparable(const SolverState& s) {
+  for (std::size_t i = 0; i < 2; ++i)
+    if (s.prepared->pair.body[i]->meshed())
+      fail(Status::err_unsupported, "body %zu has a mesh: a Hertzian contact stands for half-spaces and rigid bodies",
+           i + 1);
+  if (!s.prepared->problem.law->isotropic())
+    fail(Status::err_unsupported, "friction is not the same in all directions, as that of a Hertzian contact is");
+  if (s.prepared->step == StepKind::shift)
+    fail(Status::err_state, "bodies are shifted, not rolled: there are no creepages");
+}
+
+// Mean flexibilities 1 / G and nu / G are what two bodies have in common with two equal ones. Returns by how much more
+// pressure strains body 1 along the surface: the difference of (1 - 2 nu) / (2 G).
+double combine(const SolverState& s, EquivalentEllipse& to) {
+  double flexible = 0, sideways = 0, strained = 0, sign = 1;
+  for (const Body* body : s.prepared->pair.body) {
+    if (!body->rigid()) {
+      const double of_one = 2 * (1 + body->poisson()) / body->young();
+      flexible += of_one / 2;
+      sideways += body->poisson() * of_one / 2;
+      strained += sign * (1 - 2 * body->poisson()) * of_one / 2;
+    }
+    sign = -sign;
+  }
+  to.shear = 1 / flexible;
+  to.poisson = sideways / flexible;
+  return strained;
+}
+
+struct Moments {
+  double load = 0, x = 0, y = 0, xx = 0, yy = 0;
+};
+
+Moments moments_of(const SolverState& s) {
+  const Frame& frame = s.prepared->frame;
+  const Problem& p = s.prepared->problem;
+  Moments m;
+  const auto each = [&](auto add) {
+    for (std::size_t k = 0; k < at(p.nodes); ++k)
+      if (s.iterate.lambda[2][k] < 0) add(-p.weight[k] * s.iterate.lambda[2][k], frame.x[k], frame.y[k]);
+  };
+  each([&](double f, double x, double y) { m.load += f, m.x += f * x, m.y += f * y; });
+  if (!(m.load > 0)) fail(Status::err_state, "nothing carries load");
+  m.x /= m.load;
+  m.y /= m.load;
+  each([&](double f, double x, double y) {
+    m.xx += f * (x - m.x) * (x - m.x) / m.load;
+    m.yy += f * (y - m.y) * (y - m.y) / m.load;
+  });
+  return m;
+}
+
+// Least squares of the rigid slip, weighted by pressure. Slip is taken at points that the scheme of convection chooses,
+// a constant distance from the nodes.
+void add_slip(const SolverState& s, const Moments& m, EquivalentEllipse& to) {
+  const Problem& p = s.prepared->problem;
+  const std::vector<double>&x = p.convection.slip_x, &y = p.convection.slip_y;
+  const auto each = [&](auto add) {
+    for (std::size_t k = 0; k < at(p.nodes); ++k)
+      if (s.iterate.lambda[2][k] < 0) add(k, -p.weight[k] * s.iterate.lambda[2][k] / m.load);
+  };
+  double mean_x = 0, mean_y = 0, turning = 0, arm = 0;
+  each([&](std::size_t k, double share) { mean_x += share * x[k], mean_y += share * y[k]; });
+  each([&](std::size_t k, double share) {
+    const auto i = static_cast<std::int64_t>(k);
+    const double s1 = p.rigid_slip1(i, s.iterate.motion), s2 = p.rigid_slip2(i, s.iterate.motion);
+    to.creepage[0] += share * s1;
+    to.creepage[1] += share * s2;
+    turning += share * ((x[k] - mean_x) * s2 - (y[k] - mean_y) * s1);
+    arm += share * ((x[k] - mean_x) * (x[k] - mean_x) + (y[k] - mean_y) * (y[k] - mean_y));
+    to.friction += share * (p.law->falls() ? p.law->coefficient({p.mu[k], 0, 0, 0, s1, s2}) : p.mu[k]);
+  });
+  to.creepage[2] = turning / arm;
+  to.creepage[0] -= to.creepage[2] * (m.y - mean_y);
+  to.creepage[1] += to.creepage[2] * (m.x - mean_x);
+  for (double& c : to.creepage) c /= p.motion_scale;
+}
+
+}  // namespace
+
+EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
+  require_comparable(state);
+  const Moments m = moments_of(state);
+  EquivalentEllipse e;
+  const double strained = combine(state, e);
+  // The pressure of Hertz has the second moments a^2 / 5 and b^2 / 5.
+  const double a = std::sqrt(5 * m.xx), b = std::sqrt(5 * m.yy), filled = area / (std::numbers::pi * a * b);
+  if (!(filled > least_filled))
+    fail(Status::err_state,
+         "the contact fills %.2g of the ellipse that has its pressure's second moments, less than %g: it is no single "
+         "patch",
+         filled, least_filled);
+  e.load = m.load;
+  e.centre = {m.x, m.y};
+  e.a = a * std::sqrt(filled);
+  e.b = b * std::sqrt(filled);
+  add_slip(state, m, e);
+  // Under the pressure of Hertz the strain along the rolling direction is, weighted with that pressure, (1 - 2 nu) / (2
+  // G) b / (a + b) 3/4 of the greatest: by the transform of Boussinesq's solution, (1 - 2 nu) / (2 G) kx^2 / k^2.
+  const double greatest = 3 * e.load / (2 * std::numbers::pi * e.a * e.b);
+  e.creepage[0] += 0.75 * greatest * e.b / (e.a + e.b) * strained;
+  return e;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,25 @@
+#pragma once
+/// The Hertzian contact that stands for a contact patch of another shape, for creep-force tables and simplified
+/// theories (docs/tables.md).
+
+#include <array>
+
+namespace rollcon {
+
+struct SolverState;
+
+struct EquivalentEllipse {
+  double shear = 0, poisson = 0;  ///< of two equal bodies
+  double friction = 0;            ///< at the speed of the rigid slip, mean over the pressure
+  double a = 0, b = 0;            ///< semi-axes along and across the rolling direction
+  double load = 0;
+  std::array<double, 3> creepage{};  ///< longitudinal, lateral, spin, at the centre
+  std::array<double, 2> centre{};    ///< in the axes of the contact
+};
+
+/// Of the last solution, which needs no friction. err_state: nothing carries load, pressures lie on patches apart from
+/// each other, or bodies are shifted without rolling; err_unsupported: a body has a mesh, or friction is not the same
+/// in all directions.
+EquivalentEllipse equivalent_ellipse(const SolverState& state, double area);
+
+}  // namespace rollcon
