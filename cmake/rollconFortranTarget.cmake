@@ -4,7 +4,7 @@
 # A module comes after those it uses, for users who compile by hand.
 set(ROLLCON_FORTRAN_SOURCES rollcon_c.f90 rollcon_support.f90 rollcon_tables.f90
   rollcon_context.f90 rollcon_body_plain.f90 rollcon_body.f90 rollcon_contact_plain.f90 rollcon_contact.f90
-  rollcon_wheelrail_plain.f90 rollcon_wheelrail.f90 rollcon_table_plain.f90 rollcon_table.f90
+  rollcon_table_plain.f90 rollcon_table.f90 rollcon_wheelrail_plain.f90 rollcon_wheelrail.f90
   rollcon.f90 rollcon_f77_names.f90 rollcon_f77_support.f90 rollcon_f77.f90)
 
 function(rollcon_add_fortran directory)

@@ -1376,6 +1376,23 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction
 
+    function rollcon_wheelrail_set_table(wheelrail, table) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_table")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      type(c_ptr), value :: table
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_table
+
+    function rollcon_wheelrail_forget_table(wheelrail) &
+        result(rc) bind(C, name="rollcon_wheelrail_forget_table")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_forget_table
+
     function rollcon_wheelrail_set_accuracy(wheelrail, accuracy) &
         result(rc) bind(C, name="rollcon_wheelrail_set_accuracy")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -1291,6 +1291,22 @@ subroutine rcwfri(iwr, xmu, ierr)
   ierr = rollcon_wheelrail_set_friction(wheelrail_of(iwr), xmu)
 end subroutine
 
+!> Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the equivalent ell.
+subroutine rcwtab(iwr, itab, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, itab, ierr
+  ierr = rollcon_wheelrail_set_table(wheelrail_of(iwr), table_of(itab))
+end subroutine
+
+!> Solves all patches in full again, as a new handle does.
+subroutine rcwnot(iwr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ierr
+  ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
+end subroutine
+
 !> Sets how accurate forces are to be.
 subroutine rcwacc(iwr, accuracy, ierr)
   use rollcon_f77_support

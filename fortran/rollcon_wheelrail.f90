@@ -4,6 +4,7 @@ module rollcon_wheelrail
   use rollcon_c
   use rollcon_support
   use rollcon_contact
+  use rollcon_table
   use rollcon_wheelrail_plain
   implicit none
   private
@@ -11,6 +12,7 @@ module rollcon_wheelrail
 
   type, extends(rc_wheelrail_plain) :: rc_wheelrail
   contains
+    procedure :: set_table
     procedure :: get_contact
     procedure :: copy
     procedure :: solve_many
@@ -19,6 +21,16 @@ module rollcon_wheelrail
   end type
 
 contains
+
+  !> Forces along the surfaces come from a creep-force table from now on; forget_table ends it.
+  subroutine set_table(self, table, stat, errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    class(rc_table), intent(in) :: table
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_table(self%handle(), table%handle()), self%handle(), 'rc_wheelrail%set_table', &
+      stat, errmsg)
+  end subroutine
 
   !> The contact of a patch, counted from 1: to be read; the next solve of the wheel on its rail changes it.
   subroutine get_contact(self, patch, contact, stat, errmsg)

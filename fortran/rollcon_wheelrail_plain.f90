@@ -27,6 +27,7 @@ module rollcon_wheelrail_plain
     procedure :: set_velocity => wheelrail_set_velocity
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
+    procedure :: forget_table => wheelrail_forget_table
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
     procedure :: request_cancel => wheelrail_request_cancel
@@ -194,6 +195,14 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_set_friction(self%p, mu), self%p, 'rc_wheelrail%set_friction', stat, errmsg)
+  end subroutine
+
+  !> Solves all patches in full again, as a new handle does.
+  subroutine wheelrail_forget_table(self, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_forget_table(self%p), self%p, 'rc_wheelrail%forget_table', stat, errmsg)
   end subroutine
 
   !> Sets how accurate forces are to be: the frames of the patches are as fine as that takes.

@@ -1759,6 +1759,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
     rollcon_wheelrail *wheelrail, double mu);
 
 /*
+ * Looks forces along the surfaces and spin moments up in a creep-force table from now on, for the
+ * equivalent ellipse of each patch (rollcon_contact_get_equivalent_ellipse), which is solved
+ * without friction: its contact then has pressures alone. A patch that the table does not have
+ * (ratio of its axes, Poisson's ratio, or no single ellipse) is solved in full; statistic
+ * by_table of the patch is 0. The wheel keeps the table. ROLLCON_ERR_STATE: the table is not made
+ * yet.
+ * Also returns: ROLLCON_ERR_STATE.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
+    const rollcon_table *table);
+
+/*
+ * Solves all patches in full again, as a new handle does.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
+    rollcon_wheelrail *wheelrail);
+
+/*
  * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.
  *   accuracy   of tangential forces, as part of the limit of friction: 0.005 to 1, standard 0.01
  * Also returns: ROLLCON_ERR_NONFINITE.

@@ -81,6 +81,13 @@ std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name) {
   return object->body;
 }
 
+std::shared_ptr<const ForceTable> table_of(const rollcon_table* handle, const char* name) {
+  require_pointer(handle, name);
+  const std::shared_ptr<Object> object = handles().find(Kind::table, handle);
+  if (!object) fail(Status::err_handle, "%s is not a live table", name);
+  return object->table;
+}
+
 std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept {
   return handles().retain(kind, handle) ? ROLLCON_OK : report_handle(function, kind, handle);
 }

@@ -115,8 +115,10 @@ std::int32_t with_table(const char* function, const rollcon_table* handle, F&& b
   return with_object(function, Kind::table, handle, [&](Object& object) { return body(*object.table); });
 }
 
-/// Of a further argument of a call.
+// Of a further argument of a call.
+
 std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name);
+std::shared_ptr<const ForceTable> table_of(const rollcon_table* handle, const char* name);
 
 std::int32_t retain(const char* function, Kind kind, const void* handle) noexcept;
 void release(Kind kind, const void* handle) noexcept;

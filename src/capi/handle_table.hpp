@@ -26,7 +26,7 @@ struct Object {
   std::shared_ptr<Body> body;        ///< of kind body
   std::shared_ptr<Contact> contact;  ///< of kind contact
   std::unique_ptr<WheelRail> wheelrail;
-  std::unique_ptr<ForceTable> table;
+  std::shared_ptr<ForceTable> table;
   /// A call that may change the object or needs it unchanged; one flag for a wheel on its rail and its contacts.
   std::shared_ptr<std::atomic<bool>> busy = std::make_shared<std::atomic<bool>>(false);
   std::vector<std::shared_ptr<Object>> patches;  ///< of kind wheelrail: those of its contacts that were asked for

@@ -378,6 +378,12 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
   });
 }
 
+rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.forget_table();
+  });
+}
+
 rollcon_status rollcon_wheelrail_set_accuracy(rollcon_wheelrail *wheelrail, double accuracy) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.set_accuracy(accuracy);

@@ -155,3 +155,7 @@ rollcon_status rollcon_wheelrail_get_contact(const rollcon_wheelrail* wheelrail,
     *contact = static_cast<rollcon_contact*>(const_cast<void*>(handles().insert(Kind::contact, std::move(of_patch))));
   });
 }
+
+rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail* wheelrail, const rollcon_table* table) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) { w.set_table(table_of(table, "table")); });
+}

@@ -87,9 +87,6 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
       return;
     case Field::traction:
       return put(frame.triad(k), axes, it.lambda[0][k], it.lambda[1][k], it.lambda[2][k], out);
-    case Field::gap:
-      *out = s.gap[k];
-      return;
     case Field::slip:
       return tangential(s.slip[0][k], s.slip[1][k]);
     case Field::rigid_slip:
@@ -137,7 +134,11 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   if (capacity == 0 && v == nullptr) return needed;
   require_capacity(capacity, needed, "doubles");
   const bool at_slip = field == Field::friction && s.prepared->problem.law->falls();
-  if (at_slip || field == Field::gap || field == Field::slip || field == Field::friction_power) derive_fields(s);
+  if (at_slip || field == Field::slip || field == Field::friction_power) derive_fields(s);
+  if (field == Field::gap) {
+    derive_gap(s, v);
+    return needed;
+  }
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(2 * n);
     for (std::size_t k = 0; k < n; ++k) xy[2 * k] = frame.x[k], xy[2 * k + 1] = frame.y[k];

@@ -201,6 +201,8 @@ std::int64_t nodes_at_rim(const SolverState& state);
 
 /// Fills slip, gap and status of the last solution.
 void derive_fields(SolverState& state);
+/// Deformed gap of the last solution alone, at every node.
+void derive_gap(SolverState& state, double* gap);
 
 /// Recomputes the residuals of every law from matrix-free displacements, independently of the solver's operators:
 /// complementarity, friction bound, slip direction, loads; each relative.

@@ -38,6 +38,8 @@ class ForceTable {
   /// Any thread. err_state without a table.
   void evaluate(std::int64_t n, const double* input, double* result, double* derivative) const;
   void save(const std::string& path) const;
+  /// err_state without a table.
+  void require_made() const { table(); }
 
  private:
   void require_free() const;

@@ -46,12 +46,27 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
     : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {}
 
-Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, double friction,
+Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                            const LatticeSize& size, double give_way) {
   now_.solves = ++solves_;
   now_.patch = patch;
   stand(motion);
-  prescribe(give_way, friction);
+  take_creepages();
+  now_.by_table = false;
+  if (friction.table) {
+    prescribe(give_way, 0);
+    solve_on_frame(size);
+    if (take_table_results(friction)) return now_.status;
+  }
+  prescribe(give_way, friction.mu);
+  solve_on_frame(size);
+  Vec3 force{}, moment{};
+  contact_->resultant(InAxes::local, force.data(), moment.data());
+  take_results(force, moment);
+  return now_.status;
+}
+
+void PatchContact::solve_on_frame(const LatticeSize& size) {
   for (int growths = 0;; ++growths) {
     lay_frame(size);
     contact_->forget_all_but_tractions();
@@ -67,8 +82,38 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
     now_.margin[static_cast<std::size_t>(rim - 1)] *= growth;
     ++now_.grown;
   }
-  take_results(motion);
-  return now_.status;
+}
+
+// False: the table does not have this patch.
+bool PatchContact::take_table_results(const PatchFriction& friction) {
+  Vec3 force{}, moment{}, own{};
+  contact_->resultant(InAxes::local, force.data(), moment.data());
+  if (now_.status != Status::ok && now_.status != Status::coarse && now_.status != Status::rim_contact) {
+    if (now_.status != Status::no_contact) return false;
+    now_.by_table = true;
+    now_.table_power = 0;
+    take_results(force, moment);
+    return true;
+  }
+  try {
+    const EquivalentEllipse e = contact_->equivalent_ellipse();
+    const double input[table_inputs] = {e.shear, e.poisson,     friction.mu,   e.a,          e.b,
+                                        e.load,  e.creepage[0], e.creepage[1], e.creepage[2]};
+    friction.table->evaluate(1, input, own.data(), nullptr);
+    now_.table_power =
+        -contact_->stat("rolling_speed") * (own[0] * e.creepage[0] + own[1] * e.creepage[1] + own[2] * e.creepage[2]);
+    own[2] += e.centre[0] * own[1] - e.centre[1] * own[0];
+  } catch (const Error& e) {
+    if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
+    return false;
+  }
+  now_.by_table = true;
+  take_results({own[0], own[1], force[2]}, {moment[0], moment[1], own[2]});
+  return true;
+}
+
+double PatchContact::friction_power() const {
+  return now_.by_table ? now_.table_power : contact_->stat("friction_power");
 }
 
 // Nothing of it may depend on what was solved before.
@@ -184,11 +229,14 @@ int PatchContact::rim_reached(const LatticeSize& size) {
   return ends < sides ? 1 : 2;
 }
 
-void PatchContact::take_results(const WheelMotion& motion) {
-  Vec3 force{}, moment{};
-  contact_->resultant(InAxes::local, force.data(), moment.data());
+// On the wheel, in and about the axes of the contact.
+void PatchContact::take_results(const Vec3& force, const Vec3& moment) {
   now_.force = from_axes(now_.axes, force);
   now_.moment = from_axes(now_.axes, moment) + cross(now_.axes.origin - now_.patch.reference, now_.force);
+}
+
+void PatchContact::take_creepages() {
+  const WheelMotion& motion = now_.motion;
   // The wheel's surface is as far inside the rail as both overlap, which belongs to its rolling radius.
   const Vec3 wheel = motion.velocity.at(now_.patch.reference + now_.patch.overlap * now_.axes.n),
              rail = motion.rail.at(now_.patch.reference), slip = wheel - rail;

@@ -9,6 +9,7 @@
 #include "contact/contact.hpp"
 #include "contact/kept_solution.hpp"
 #include "geometry/velocity.hpp"
+#include "tables/force_table.hpp"
 #include "wheelrail/contact_search.hpp"
 
 namespace rollcon {
@@ -26,15 +27,21 @@ struct WheelMotion {
   double speed = 0;  ///< forward, of the wheelset; not 0
 };
 
+/// Coulomb's coefficient; table: not null: forces along the surface are what it has for the patch's equivalent ellipse.
+struct PatchFriction {
+  double mu = 0;
+  const ForceTable* table = nullptr;
+};
+
 class PatchContact {
  public:
   /// Bodies: the wheel and the rail with their profiles in place.
   PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail);
 
   /// The overlap is all that presses, less what the surfaces give way under other patches. Warm where the patch was
-  /// solved before.
-  Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size,
-               double give_way);
+  /// solved before. What a table does not have is solved in full.
+  Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
+               const LatticeSize& size, double give_way);
   void reset();
   /// As if it had never been used, counters included.
   void begin_anew() {
@@ -57,6 +64,10 @@ class PatchContact {
   /// Force on the wheel, and moment about the patch's reference.
   const Vec3& force() const { return now_.force; }
   const Vec3& moment() const { return now_.moment; }
+  /// Taken by friction; not negative.
+  double friction_power() const;
+  /// Forces along the surface come from a table, not from the contact, which has no friction then.
+  bool by_table() const { return now_.by_table; }
   /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed
   /// at which both run through the contact, on average.
   const Vec3& creepages() const { return now_.creepages; }
@@ -81,6 +92,8 @@ class PatchContact {
     Vec3 force{}, moment{}, creepages{};
     Status status = Status::ok;
     std::int64_t grown = 0;
+    bool by_table = false;
+    double table_power = 0;       ///< friction's, by the table
     const void* owner = nullptr;  ///< with the number of its solve: tells whether there was one in between
     std::int64_t solves = 0;
   };
@@ -92,7 +105,10 @@ class PatchContact {
   void put_frame(const LatticeSize& size, const FramePlace& place);
   FramePlace place();
   int rim_reached(const LatticeSize& size);
-  void take_results(const WheelMotion& motion);
+  void solve_on_frame(const LatticeSize& size);
+  bool take_table_results(const PatchFriction& friction);
+  void take_results(const Vec3& force, const Vec3& moment);
+  void take_creepages();
 
   std::shared_ptr<Contact> contact_;
   State now_;

@@ -177,7 +177,8 @@ Status WheelRail::solve_at(double z) {
       break;
     }
     for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
-      active_[i]->contact.solve(found_[i], motion, in_.friction, size_for(in_.accuracy), active_[i]->give_way);
+      active_[i]->contact.solve(found_[i], motion, {in_.friction, in_.table.get()}, size_for(in_.accuracy),
+                                active_[i]->give_way);
     double change = 0;
     if (active_.size() > 1)
       for (Slot* slot : active_) {

@@ -37,6 +37,9 @@ class WheelRail {
   /// how: by motion: z of the position; by force: the vertical force on the rail.
   void prescribe_vertical(std::int32_t how, double force);
   void set_friction(double mu);
+  /// Forces along the surfaces are looked up there from now on, for what it has. err_state: it is not made.
+  void set_table(std::shared_ptr<const ForceTable> table);
+  void forget_table() { in_.table.reset(); }
   void set_accuracy(double accuracy);
 
   /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
@@ -105,6 +108,7 @@ class WheelRail {
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
     double load = 0, friction = 0, accuracy = 0.01;
+    std::shared_ptr<const ForceTable> table;
   };
   struct Kept;
   struct Stat;

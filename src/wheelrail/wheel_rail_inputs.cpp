@@ -101,6 +101,11 @@ void WheelRail::set_friction(double mu) {
   in_.friction_given = true;
 }
 
+void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
+  table->require_made();
+  in_.table = std::move(table);
+}
+
 void WheelRail::set_accuracy(double accuracy) {
   require_finite(accuracy, "accuracy");
   constexpr double least = 0.005;

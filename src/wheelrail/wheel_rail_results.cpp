@@ -36,8 +36,7 @@ const WheelRail::Stat WheelRail::stats[] = {
     {"friction_power",
      [](const WheelRail& w) {
        double power = 0;
-       for (const Slot* slot : w.active_)
-         power += slot->contact.overlap().share * slot->contact.contact()->stat("friction_power");
+       for (const Slot* slot : w.active_) power += slot->contact.overlap().share * slot->contact.friction_power();
        return power;
      }},
     {"solves", [](const WheelRail& w) { return static_cast<double>(w.solves_); }},
@@ -83,7 +82,8 @@ const WheelRail::PatchStat WheelRail::patch_stats[] = {
     {"share", [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
     {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("max_pressure"); }},
     {"area", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("contact_area"); }},
-    {"friction_power", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("friction_power"); }},
+    {"friction_power", [](const WheelRail&, const PatchContact& p) { return p.friction_power(); }},
+    {"by_table", [](const WheelRail&, const PatchContact& p) { return p.by_table() ? 1.0 : 0.0; }},
     {"status", [](const WheelRail&, const PatchContact& p) { return static_cast<double>(p.status()); }},
 };
 

@@ -128,6 +128,8 @@ const char* const recorded_names[] = {
   "wheelrail_set_velocity",
   "wheelrail_prescribe_vertical",
   "wheelrail_set_friction",
+  "wheelrail_set_table",
+  "wheelrail_forget_table",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
   "wheelrail_request_cancel",
@@ -172,7 +174,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 165;
+const int recorded_number = 167;
 
 enum {
   recorded_rollcon_version,
@@ -298,6 +300,8 @@ enum {
   recorded_rollcon_wheelrail_set_velocity,
   recorded_rollcon_wheelrail_prescribe_vertical,
   recorded_rollcon_wheelrail_set_friction,
+  recorded_rollcon_wheelrail_set_table,
+  recorded_rollcon_wheelrail_forget_table,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
   recorded_rollcon_wheelrail_request_cancel,
@@ -1477,6 +1481,20 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
   record_begin(recorded_rollcon_wheelrail_set_friction);
   record_handle(wheelrail);
   record_real(mu);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
+    const rollcon_table *table) {
+  record_begin(recorded_rollcon_wheelrail_set_table);
+  record_handle(wheelrail);
+  record_handle(table);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
+  record_begin(recorded_rollcon_wheelrail_forget_table);
+  record_handle(wheelrail);
   return record_end();
 }
 

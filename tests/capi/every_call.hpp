@@ -243,6 +243,10 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_prescribe_vertical(object, 1, 1));
   check("rollcon_wheelrail_set_friction", false,
         rollcon_wheelrail_set_friction(object, 1));
+  check("rollcon_wheelrail_set_table", false,
+        rollcon_wheelrail_set_table(object, nullptr));
+  check("rollcon_wheelrail_forget_table", false,
+        rollcon_wheelrail_forget_table(object));
   check("rollcon_wheelrail_set_accuracy", false,
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,

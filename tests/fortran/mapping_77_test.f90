@@ -106,6 +106,8 @@ program mapping_77_test
   call test_rcwvel()
   call test_rcwvrt()
   call test_rcwfri()
+  call test_rcwtab()
+  call test_rcwnot()
   call test_rcwacc()
   call test_rcwslv()
   call test_rcwstp()
@@ -1622,6 +1624,32 @@ contains
     call rcwfri(iwr, 1.5d0, stat)
     call rclerr(message)
     call failed('wheelrail_set_friction', stat, message)
+  end subroutine
+
+  subroutine test_rcwtab()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwtab(iwr, itab, stat)
+    call told('wheelrail_set_table', 'wheelrail1 table1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwtab(iwr, itab, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_table', stat, message)
+  end subroutine
+
+  subroutine test_rcwnot()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwnot(iwr, stat)
+    call told('wheelrail_forget_table', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwnot(iwr, stat)
+    call rclerr(message)
+    call failed('wheelrail_forget_table', stat, message)
   end subroutine
 
   subroutine test_rcwacc()

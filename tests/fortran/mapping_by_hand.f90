@@ -483,6 +483,8 @@ contains
   !> Patches count from 1; the reference that C gave becomes the variable's.
   subroutine patches()
     type(rc_contact) :: of_patch
+    call wheelrail%set_table(table, stat, message)
+    call told('wheelrail_set_table', 'wheelrail1 table1', stat)
     call wheelrail%get_contact(11, of_patch, stat, message)
     call told('wheelrail_get_contact', 'wheelrail1 10 room', stat)
     call told('contact_retain', 'contact2', stat)
@@ -492,6 +494,9 @@ contains
     call wheelrail%get_contact(1, of_patch, stat, message)
     call failed('wheelrail_get_contact', stat, message)
     call demand(.not. c_associated(of_patch%handle()), 'a failure leaves no contact')
+    call answers(ROLLCON_ERR_STATE)
+    call wheelrail%set_table(table, stat, message)
+    call failed('wheelrail_set_table', stat, message)
   end subroutine
 
   subroutine wheelsets()

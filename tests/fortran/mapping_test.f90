@@ -63,6 +63,7 @@ program mapping_test
   call wheelrail_set_velocity()
   call wheelrail_prescribe_vertical()
   call wheelrail_set_friction()
+  call wheelrail_forget_table()
   call wheelrail_set_accuracy()
   call wheelrail_solve()
   call wheelrail_request_cancel()
@@ -865,6 +866,18 @@ contains
     message = ''
     call wheelrail%set_friction(1.5_rc_real, stat, message)
     call failed('wheelrail_set_friction', stat, message)
+  end subroutine
+
+  subroutine wheelrail_forget_table()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%forget_table(stat, message)
+    call told('wheelrail_forget_table', 'wheelrail1', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%forget_table(stat, message)
+    call failed('wheelrail_forget_table', stat, message)
   end subroutine
 
   subroutine wheelrail_set_accuracy()

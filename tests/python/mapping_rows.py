@@ -75,6 +75,7 @@ ROWS = list(starmap(Row, [
     ('wheelrail', 'prescribe_vertical', False, (11, 2.5), 'wheelrail_prescribe_vertical', 'wheelrail1 11 2.5', None),
     ('wheelrail', 'prescribe_vertical', False, (11,), 'wheelrail_prescribe_vertical', 'wheelrail1 11 0', None),
     ('wheelrail', 'set_friction', False, (1.5,), 'wheelrail_set_friction', 'wheelrail1 1.5', None),
+    ('wheelrail', 'forget_table', False, (), 'wheelrail_forget_table', 'wheelrail1', None),
     ('wheelrail', 'set_accuracy', False, (1.5,), 'wheelrail_set_accuracy', 'wheelrail1 1.5', None),
     ('wheelrail', 'solve', False, (), 'wheelrail_solve', 'wheelrail1', None),
     ('wheelrail', 'request_cancel', False, (), 'wheelrail_request_cancel', 'wheelrail1', None),

@@ -297,6 +297,9 @@ class Mapping(unittest.TestCase):
 
     def test_patches(self):
         wheelrail = self.wheelrail
+        wheelrail.set_table(self.table)
+        self.told("wheelrail_set_table", "wheelrail1 table1")
+        self.fails(wheelrail.set_table, self.table)
         of_patch = wheelrail.contact(11)
         self.told("wheelrail_get_contact", "wheelrail1 11 room")
         self.assertEqual(of_patch.id, self.contact.id + 1)

@@ -691,6 +691,10 @@ class WheelrailPlain:
         """
         self._call("set_friction", mu)
 
+    def forget_table(self) -> None:
+        """Solves all patches in full again, as a new handle does."""
+        self._call("forget_table")
+
     def set_accuracy(self, accuracy: float) -> None:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that
         takes.

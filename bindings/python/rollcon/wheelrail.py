@@ -16,6 +16,8 @@ from .contact import Contact
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
+    from .table import Table
+
 
 class Touch:
     """Where a wheel touches, over the shifts: y, z and angle in the track, wheel_y on the wheel's
@@ -83,6 +85,11 @@ class WheelRail(WheelrailPlain, Handle):
         wheelrail = cls.__new__(cls)
         Handle.__init__(wheelrail, handle, context)
         return wheelrail
+
+    def set_table(self, table: Table) -> None:
+        """Looks forces along the surfaces up in a Table from now on; forget_table() ends it. Contacts
+        of patches then have pressures alone."""
+        self._call("set_table", table.handle)
 
     def copy(self) -> WheelRail:
         """Another WheelRail with the same bodies, inputs and last solution: both go on alike."""

@@ -54,13 +54,23 @@ void recompute(SolverState& s, std::vector<double>& normal, std::vector<double> 
 
 }  // namespace
 
+void derive_gap(SolverState& s, double* gap) {
+  const Problem& p = s.prepared->problem;
+  Iterate& it = s.iterate;
+  for (std::size_t k = 0; k < at(p.nodes); ++k) {
+    it.update_gap(p, static_cast<std::int64_t>(k));
+    gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
+  }
+}
+
 void derive_fields(SolverState& s) {
   if (s.derived) return;
   ++s.work.fields;
   const Problem& p = s.prepared->problem;
   Iterate& it = s.iterate;
   const std::size_t n = at(p.nodes);
-  s.gap.assign(n, 0.0);
+  s.gap.resize(n);
+  derive_gap(s, s.gap.data());
   s.status.assign(n, static_cast<std::int32_t>(NodeStatus::open));
   std::vector<double> image[2];
   const bool known = p.op->tangential || p.op->all_at_once() || s.images_known;
@@ -70,16 +80,12 @@ void derive_fields(SolverState& s) {
     const auto i = static_cast<std::int64_t>(k);
     if (!p.used[k]) {
       s.status[k] = static_cast<std::int32_t>(NodeStatus::excluded);
-      it.update_gap(p, i);
-      s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
       continue;
     }
-    it.update_gap(p, i);
     if (known) it.update_slip(p, i);
     const double w1 = known ? it.image[0][k] : image[0][k];
     const double w2 = known ? it.image[1][k] : image[1][k];
     const double s1 = p.rigid_slip1(i, it.motion) + w1, s2 = p.rigid_slip2(i, it.motion) + w2;
-    s.gap[k] = p.rigid_gap(k, it.motion[approach]) - it.image[2][k];
     s.slip[0][k] = s.prepared->speed * s1;
     s.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;

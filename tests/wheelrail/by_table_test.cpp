@@ -1,0 +1,101 @@
+/// Wheels whose creep forces come from the table that ships with the library.
+
+#include <algorithm>
+#include <cmath>
+
+#include "wheel_rail_fixture.hpp"
+
+namespace rollcon {
+namespace {
+
+class wheels_by_table : public wheels {
+ protected:
+  std::shared_ptr<const ForceTable> table{ForceTable::standard(context)};
+};
+
+TEST_F(wheels_by_table, forces_are_nearly_those_of_full_solutions) {
+  auto full = make(), fast = make();
+  fast->set_table(table);
+  for (WheelRail* w : {full.get(), fast.get()}) w->prescribe_vertical(2, 10000);
+  for (const double y : {1.0, 2.0, 3.0, 5.0, 6.5}) {
+    for (WheelRail* w : {full.get(), fast.get()}) {
+      place(*w, y);
+      EXPECT_EQ(w->solve(), Status::ok);
+    }
+    ASSERT_EQ(full->patches(), fast->patches());
+    for (std::int64_t i = 0; i < full->patches(); ++i) {
+      const double bound = mu * full->patch_stat(i, "normal_force");
+      const auto off = [&](const char* name) { return fast->patch_stat(i, name) - full->patch_stat(i, name); };
+      EXPECT_EQ(fast->patch_stat(i, "by_table"), 1);
+      EXPECT_EQ(full->patch_stat(i, "by_table"), 0);
+      const std::string at = "y " + std::to_string(y) + ", patch " + std::to_string(i) + ": ";
+      expect_error(at + "normal force", off("normal_force") / full->patch_stat(i, "normal_force"), 0.01);
+      expect_error(at + "force", std::hypot(off("longitudinal_force"), off("lateral_force")) / bound, 0.02);
+      const double arm = std::sqrt(full->patch_stat(i, "area") / 3.14);
+      expect_error(at + "moment", off("spin_moment") / (bound * arm), 0.02);
+      const double power = full->patch_stat(i, "friction_power"), greatest = bound * 2000 * 1e-2;
+      expect_error(at + "friction power over mu Fn V / 100", (fast->patch_stat(i, "friction_power") - power) / greatest,
+                   0.02);
+    }
+  }
+}
+
+// Only pressures are solved for, and no field beyond the gap is computed.
+TEST_F(wheels_by_table, contacts_have_no_friction) {
+  auto w = make();
+  w->set_table(table);
+  w->prescribe_vertical(2, 10000);
+  ASSERT_EQ(w->solve(), Status::ok);
+  const auto contact = w->contact(0);
+  EXPECT_EQ(contact->stat("tangential_iterations"), 0);
+  EXPECT_EQ(contact->stat("operator_applications"), 0);
+  EXPECT_EQ(contact->stat("fields_derived"), 0);
+  double force[3];
+  contact->resultant(InAxes::local, force, nullptr);
+  EXPECT_EQ(std::hypot(force[0], force[1]), 0);
+  w->forget_table();
+  ASSERT_EQ(w->solve(), Status::ok);
+  contact->resultant(InAxes::local, force, nullptr);
+  EXPECT_GT(std::hypot(force[0], force[1]), 0);
+}
+
+TEST_F(wheels_by_table, states_go_back_and_copies_go_on) {
+  auto w = make();
+  w->set_table(table);
+  w->prescribe_vertical(2, 10000);
+  ASSERT_EQ(w->solve(), Status::ok);
+  w->save(0);
+  place(*w, 3);
+  ASSERT_EQ(w->solve(), Status::ok);
+  const double expected = w->patch_stat(0, "lateral_force");
+  w->restore(0);
+  auto other = w->copy();
+  w->forget_table();
+  place(*other, 3);
+  ASSERT_EQ(other->solve(), Status::ok);
+  EXPECT_EQ(other->patch_stat(0, "lateral_force"), expected);
+  EXPECT_EQ(other->patch_stat(0, "by_table"), 1);
+}
+
+// A table for another Poisson's ratio has none of these patches.
+TEST_F(wheels_by_table, what_the_table_does_not_have_is_solved) {
+  ForceTable rubber(context);
+  EXPECT_THROW(make()->set_table(std::make_shared<const ForceTable>(context)), Error);
+  const double poisson = 0.45;
+  rubber.set_poissons(1, &poisson);
+  rubber.set_ratios(4, 0.5, 2);
+  rubber.set_resolution(4, 4, 4);
+  rubber.set_frame(6, 6);
+  rubber.make(0, 1);
+  auto w = make(), full = make();
+  w->set_table(std::shared_ptr<const ForceTable>(&rubber, [](const ForceTable*) {}));
+  for (WheelRail* each : {w.get(), full.get()}) {
+    each->prescribe_vertical(2, 10000);
+    ASSERT_EQ(each->solve(), Status::ok);
+  }
+  EXPECT_EQ(w->patch_stat(0, "by_table"), 0);
+  expect_error("lateral force", w->patch_stat(0, "lateral_force") / full->patch_stat(0, "lateral_force") - 1, 1e-6);
+}
+
+}  // namespace
+}  // namespace rollcon
