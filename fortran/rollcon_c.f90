@@ -202,6 +202,12 @@ module rollcon_c
       type(c_ptr) :: rc
     end function rollcon_last_error
 
+    function rollcon_last_caveat() result(rc) bind(C, name="rollcon_last_caveat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr) :: rc
+    end function rollcon_last_caveat
+
     function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none

@@ -50,6 +50,14 @@ subroutine rclerr(text)
   text = names_77(f_text_at(rollcon_last_error()))
 end subroutine
 
+!> The text of the last call in this thread that returned a status above zero.
+subroutine rclcav(text)
+  use rollcon_f77_support
+  implicit none
+  character(len=*) :: text
+  text = names_77(f_text_at(rollcon_last_caveat()))
+end subroutine
+
 !> Makes a context.
 subroutine rcinit(ictx, ierr)
   use rollcon_f77_support

@@ -6,7 +6,7 @@ module rollcon_f77_names
   implicit none
   private
   public :: names_77
-  integer, parameter :: count = 155
+  integer, parameter :: count = 156
   type :: pair
     character(len=48) :: c
     character(len=16) :: f77
@@ -158,21 +158,22 @@ contains
     name(138) = pair('rollcon_table_create', 'RCTABL')
     name(139) = pair('rollcon_table_retain', 'RCKEEP')
     name(140) = pair('rollcon_has_feature', 'RCHAS')
-    name(141) = pair('rollcon_body_create', 'RCBODY')
-    name(142) = pair('rollcon_body_retain', 'RCKEEP')
-    name(143) = pair('rollcon_option_info', 'RCOPTI')
-    name(144) = pair('rollcon_build_info', 'RCINFO')
-    name(145) = pair('rollcon_last_error', 'RCLERR')
-    name(146) = pair('rollcon_option_doc', 'RCOPTD')
-    name(147) = pair('rollcon_stat_count', 'RCNSTT')
-    name(148) = pair('rollcon_table_load', 'RCTLOD')
-    name(149) = pair('rollcon_table_make', 'RCTMAK')
-    name(150) = pair('rollcon_table_save', 'RCTSAV')
-    name(151) = pair('rollcon_body_save', 'RCBSAV')
-    name(152) = pair('rollcon_body_load', 'RCBLOD')
-    name(153) = pair('rollcon_stat_name', 'RCSTNM')
-    name(154) = pair('rollcon_version', 'RCVERS')
-    name(155) = pair('rollcon_abi', 'RCVERS')
+    name(141) = pair('rollcon_last_caveat', 'RCLCAV')
+    name(142) = pair('rollcon_body_create', 'RCBODY')
+    name(143) = pair('rollcon_body_retain', 'RCKEEP')
+    name(144) = pair('rollcon_option_info', 'RCOPTI')
+    name(145) = pair('rollcon_build_info', 'RCINFO')
+    name(146) = pair('rollcon_last_error', 'RCLERR')
+    name(147) = pair('rollcon_option_doc', 'RCOPTD')
+    name(148) = pair('rollcon_stat_count', 'RCNSTT')
+    name(149) = pair('rollcon_table_load', 'RCTLOD')
+    name(150) = pair('rollcon_table_make', 'RCTMAK')
+    name(151) = pair('rollcon_table_save', 'RCTSAV')
+    name(152) = pair('rollcon_body_save', 'RCBSAV')
+    name(153) = pair('rollcon_body_load', 'RCBLOD')
+    name(154) = pair('rollcon_stat_name', 'RCSTNM')
+    name(155) = pair('rollcon_version', 'RCVERS')
+    name(156) = pair('rollcon_abi', 'RCVERS')
     told = text
     do i = 1, count
       length = len_trim(name(i)%c)

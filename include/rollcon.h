@@ -9,7 +9,8 @@
  * What holds for all functions; their comments say the rest (docs/api.md says more):
  *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
  *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
- *  - rollcon_last_error() tells in words why the last call of this thread that failed did so.
+ *  - rollcon_last_error() tells in words why the last call of this thread that failed did so,
+ *    rollcon_last_caveat() what the last one that returned a status > 0 has to say.
  *  - NULL gives ROLLCON_ERR_ARGUMENT, as does a value out of range, unless a comment says
  *    otherwise; released, garbage and wrong-kind handles give ROLLCON_ERR_HANDLE; an object that
  *    another call is using ROLLCON_ERR_BUSY. Comments list what else is returned.
@@ -305,6 +306,15 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
  * Threads: any.
  */
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
+
+/*
+ * The text of the last call in this thread that returned a status above zero: name of the
+ * function, what the status means, and what is known of this case: how many nodes touch, how far
+ * the iteration came, where the frame ends. Empty before the first one. Failures and successes
+ * leave it alone. Valid until the next such call in this thread; texts beyond 1023 bytes are cut.
+ * Threads: any.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_last_caveat(void);
 
 /*
  * For layers over this interface that check arguments of their own: makes a text the thread's

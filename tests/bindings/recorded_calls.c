@@ -12,6 +12,7 @@ const char* const recorded_names[] = {
   "has_feature",
   "status_string",
   "last_error",
+  "last_caveat",
   "report",
   "context_create",
   "context_retain",
@@ -171,7 +172,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 164;
+const int recorded_number = 165;
 
 enum {
   recorded_rollcon_version,
@@ -181,6 +182,7 @@ enum {
   recorded_rollcon_has_feature,
   recorded_rollcon_status_string,
   recorded_rollcon_last_error,
+  recorded_rollcon_last_caveat,
   recorded_rollcon_report,
   recorded_rollcon_context_create,
   recorded_rollcon_context_retain,
@@ -375,6 +377,11 @@ const char *rollcon_status_string(int32_t status) {
 const char *rollcon_last_error(void) {
   record_begin(recorded_rollcon_last_error);
   return "text of last_error";
+}
+
+const char *rollcon_last_caveat(void) {
+  record_begin(recorded_rollcon_last_caveat);
+  return "text of last_caveat";
 }
 
 int32_t rollcon_report(const void *handle, int32_t status, const char *message) {

@@ -37,6 +37,7 @@ contains
     call gave_text('version', rc_version_string(), 'text of version_string')
     call gave_text('build', rc_build_info(), 'text of build_info')
     call gave_text('last error', rc_last_error(), 'text of last_error')
+    call gave_text('last caveat', rc_last_caveat(), 'text of last_caveat')
     call gave_text('status', rc_status_string(-7), 'text of status_string')
     call told('status_string', '-7', 0)
   end subroutine

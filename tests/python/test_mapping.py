@@ -69,6 +69,7 @@ class Mapping(unittest.TestCase):
         self.told("has_feature", "<some name>")
         self.assertEqual((rc.version(), rc.version_string()), (2, "text of version_string"))
         self.assertEqual((rc.build_info(), rc.last_error()), ("text of build_info", "text of last_error"))
+        self.assertEqual(rc.last_caveat(), "text of last_caveat")
         principal, von_mises, shear = rc.stress_invariants(np.hstack([X, X]))
         self.told("stress_invariants", "2 [1.5 2.5 3.5 1.5 2.5 3.5 4.5 5.5 6.5 4.5 5.5 6.5] room room room")
         np.testing.assert_equal(principal, [[200.5, 201.5, 202.5], [203.5, 204.5, 205.5]])
