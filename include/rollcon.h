@@ -613,6 +613,77 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_body *body,
     int64_t n, const int32_t *tags);
 
+/*
+ * Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where
+ * the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where
+ * it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for finite-element
+ * bodies, with the surface elements that have a name; triangles and quadrilaterals for all
+ * others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and wedges of 18
+ * give up those inside their faces. Nodes that no element has are left out, the others keep the
+ * order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...),
+ * Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh, else 0:
+ * rollcon_body_tag_group. ROLLCON_ERR_IO names the file, the line (in binary files the byte) and
+ * what is wrong there; ROLLCON_ERR_MESH: no element that the body could take. Shapes are checked
+ * by rollcon_body_prepare.
+ *   body  with a mesh, not prepared (else ROLLCON_ERR_STATE)
+ *   path  name of the file, which ends in .msh or .inp
+ *   part  name of a group (in any case): only its elements; "": those of the whole file
+ * Ownership: After a failure the body is unchanged. The file is closed.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_mesh(rollcon_body *body,
+    const char *path, const char *part);
+
+/*
+ * Gives a tag to what the mesh's file has in a group: to volume elements (their material), to
+ * surface elements and faces (loads, contact faces). A group of nodes alone names the faces all
+ * of whose nodes it has. Later calls win.
+ *   body   with a mesh that was read, not prepared (else ROLLCON_ERR_STATE)
+ *   group  name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
+ *   tag    as in rollcon_body_add_elements
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_group(rollcon_body *body,
+    const char *group, int32_t tag);
+
+/*
+ * How many groups the mesh's file has that name something of the body. 0 for a mesh that was not
+ * read, and for a body that was saved and loaded.
+ *   n     out; groups
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_count(const rollcon_body *body,
+    int32_t *n);
+
+/*
+ * The name of a group as the file has it.
+ *   i         0 to rollcon_body_get_group_count - 1
+ *   capacity  bytes at text
+ *   text      [capacity], out, may be NULL; the name
+ *   needed    out, may be NULL; bytes, the NUL counted
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_name(const rollcon_body *body,
+    int32_t i, int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * The nodes of all that a group has, ascending: for rollcon_body_set_support,
+ * rollcon_body_tag_faces_of_nodes.
+ *   group       name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
+ *   index_base  0 or 1: id of the first node
+ *   capacity    ids at nodes; 0 only asks for the need
+ *   nodes       [capacity], out; node ids; NULL only with capacity 0
+ *   n_nodes     out, may be NULL; nodes of the group; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_nodes(const rollcon_body *body,
+    const char *group, int32_t index_base, int64_t capacity, int32_t *nodes, int64_t *n_nodes);
+
 /* ---------------------------------------------------------------------------- Body: settings */
 /* Settings of a body by name, in the manner of those of a contact: unknown name, wrong type and
    out of range are errors. Bodies without equations of their own have them too and ignore them. */
@@ -919,6 +990,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
     rollcon_contact *contact, int32_t type, int64_t n, const int32_t *connectivity,
     int32_t index_base, int32_t tag);
+
+/*
+ * Makes the surface elements of a mesh file the frame; replaces frame and all that was given for
+ * its nodes. Files as of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups,
+ * else 0.
+ *   path     name of the file, which ends in .msh or .inp
+ *   part     name of a group (in any case): only its elements; "": those of the whole file
+ * Ownership: After a failure the frame is unchanged. The file is closed.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_read_frame(rollcon_contact *contact,
+    const char *path, const char *part);
 
 /*
  * Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame

@@ -28,7 +28,7 @@ OPENING = """\
 
 def dummy_name(arg):
     """A name that FORTRAN 77's implicit types agree with."""
-    name = {"n_cases": "nc", "n_results": "nres", "n_rows": "nr", "n_values": "nv", "max_level": "level",
+    name = {"n_cases": "nc", "n_results": "nres", "n_rows": "nr", "n_values": "nv", "n_nodes": "nn", "max_level": "level",
             "parameters": "par", "connectivity": "ic"}.get(arg.name, arg.name)
     for kind, short in HANDLES.items():
         if arg.base == kind:
