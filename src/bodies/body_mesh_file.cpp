@@ -1,11 +1,14 @@
 /// Meshes of bodies from files, and what the files have names for.
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
 
 #include "bodies/body.hpp"
 #include "io/mesh_file.hpp"
 #include "mesh/mesh_inputs.hpp"
+#include "mesh/volume_faces.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/input_checks.hpp"
 
@@ -23,6 +26,28 @@ FaceNaming& of_type(std::vector<FaceNaming>& list, ElementType type) {
   if (found != list.end()) return *found;
   list.push_back({.type = type});
   return list.back();
+}
+
+/// Takes out surface elements between two volume elements: files name interfaces of materials, which are no faces of
+/// the body.
+void drop_inner_faces(BodyMesh& mesh) {
+  if (mesh.naming.empty()) return;
+  std::vector<std::array<std::int32_t, 4>> inner;  // ascending
+  for_each_face(sorted_faces(mesh.volume), [&](std::span<const CornerFace> same) {
+    if (same.size() > 1) inner.push_back(same[0].corner);
+  });
+  for (FaceNaming& n : mesh.naming) {
+    const auto nodes = static_cast<std::size_t>(node_count(n.type)),
+               corners = static_cast<std::size_t>(corner_count(n.type));
+    std::vector<std::int32_t> kept;
+    for (std::size_t k = 0; k < n.connectivity.size(); k += nodes) {
+      const std::span<const std::int32_t> element(n.connectivity.data() + k, nodes);
+      if (!std::binary_search(inner.begin(), inner.end(), sorted_corners(element.first(corners))))
+        kept.insert(kept.end(), element.begin(), element.end());
+    }
+    n.connectivity = std::move(kept);
+  }
+  std::erase_if(mesh.naming, [](const FaceNaming& n) { return n.connectivity.empty(); });
 }
 
 BodyGroup group_of(const MeshGroup& from, const MeshFile& file, const VolumeElements& volume) {
@@ -77,6 +102,7 @@ void Body::read_mesh(const char* path, const char* part) {
     else if (tag != 0)
       mesh.naming.push_back(naming_of(type, n, nodes, tag));
   });
+  drop_inner_faces(mesh);
   std::vector<BodyGroup> groups;
   for (const MeshGroup& g : file.group) groups.push_back(group_of(g, file, mesh.volume));
   std::swap(given(), mesh);

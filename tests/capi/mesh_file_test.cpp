@@ -67,6 +67,29 @@ TEST_F(mesh_file, of_every_kind_makes_a_bar_that_stretches_as_it_should) {
   }
 }
 
+TEST_F(mesh_file, may_name_the_interface_of_two_materials) {
+  const std::string path = "interface_of_a_test.msh";
+  std::ofstream(path)
+      << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n12\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n5 0 0 1\n"
+         "6 1 0 1\n7 1 1 1\n8 0 1 1\n9 0 0 2\n10 1 0 2\n11 1 1 2\n12 0 1 2\n$EndNodes\n$Elements\n5\n"
+         "1 5 2 1 1 1 2 3 4 5 6 7 8\n2 5 2 2 2 5 6 7 8 9 10 11 12\n3 3 2 3 3 5 6 7 8\n"
+         "4 3 2 4 4 9 10 11 12\n5 3 2 5 5 1 4 3 2\n$EndElements\n";
+  make(ROLLCON_BODY_FEM);
+  ASSERT_OK(rollcon_body_read_mesh(bar, path.c_str(), ""));
+  std::remove(path.c_str());
+  EXPECT_EQ(nodes_of("surface 3"), (std::vector<std::int32_t>{4, 5, 6, 7}));
+  // Stress 3 on 1 of each: strains 0.003 and 0.006.
+  ASSERT_OK(rollcon_body_set_elastic(bar, 1, 1000, 0));
+  ASSERT_OK(rollcon_body_set_elastic(bar, 2, 500, 0));
+  ASSERT_OK(rollcon_body_set_support(bar, 4, nodes_of("surface 5").data(), 0, ROLLCON_DOF_XYZ, nullptr));
+  EXPECT_FAILS(rollcon_body_set_pressure(bar, 3, -3), ARGUMENT, "tag is 3, which no face has");
+  ASSERT_OK(rollcon_body_set_pressure(bar, 4, -3));
+  ASSERT_OK(rollcon_body_prepare(bar));
+  double u[36];
+  ASSERT_OK(rollcon_body_get_displacements(bar, 12, u));
+  EXPECT_NEAR(u[35], 0.009, 1e-12);
+}
+
 TEST_F(mesh_file, has_groups_that_can_be_listed) {
   make(ROLLCON_BODY_FEM);
   std::int32_t n = -1;
