@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.path[:0] = [str(ROOT / "bindings"), str(ROOT / "scripts")]
 
 from generator import (c_header, capi_plain, capi_tests, cpp_tables, fortran_77, fortran_77_include, fortran_module,  # noqa: E402
-                       fortran_plain, fortran_tests, python_module, python_plain, python_tests,
+                       fortran_plain, fortran_tests, octave, python_module, python_plain, python_tests,
                        recorder, reference, reference_fortran, reference_python, symbol_map, table)
 from wrap_docs import wrapped  # noqa: E402
 
@@ -51,6 +51,7 @@ def outputs(api):
         "tests/fortran/mapping_test.f90": fortran_tests.write_2008(api),
         "tests/fortran/mapping_77_test.f90": fortran_tests.write_77(api),
         "tests/python/mapping_rows.py": python_tests.write(api),
+        **octave.files(api),
         "docs/api.md": wrapped(reference.write(api, contract, programs)),
     }
 

@@ -28,6 +28,10 @@ if(ROLLCON_PYTHON AND ROLLCON_SHARED)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/python/rollcon" DESTINATION lib/python3/dist-packages
     COMPONENT python FILES_MATCHING PATTERN "*.py" PATTERN py.typed PATTERN __pycache__ EXCLUDE)
 endif()
+if(ROLLCON_SHARED)
+  install(DIRECTORY "${PROJECT_SOURCE_DIR}/bindings/octave/" DESTINATION "${CMAKE_INSTALL_DATADIR}/rollcon/octave"
+    COMPONENT development FILES_MATCHING PATTERN "*.m" PATTERN "*.c" PATTERN "*.h")
+endif()
 if(ROLLCON_DOCS)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DOCDIR}/docs" COMPONENT documents)
   install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" DESTINATION "${CMAKE_INSTALL_DOCDIR}" COMPONENT documents

@@ -6,7 +6,7 @@
 
 static void check(int32_t status) { /* below 0: the call failed; above 0: results with a caveat */
   if (status == ROLLCON_OK) return;
-  fprintf(stderr, "%s\n", status < 0 ? rollcon_last_error() : rollcon_status_string(status));
+  fprintf(stderr, "%s\n", status < 0 ? rollcon_last_error() : rollcon_last_caveat());
   if (status < 0) exit(1);
 }
 

@@ -25,6 +25,7 @@ module rollcon_body
     procedure, private :: set_support_int32
     procedure, private :: set_support_int64
     generic :: set_support => set_support_int32, set_support_int64
+    procedure :: get_group_nodes
     procedure :: get_displacements
   end type
 
@@ -191,6 +192,24 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call self%set_support_int32(narrow_ids(nodes), dof_mask, values, stat, errmsg)
+  end subroutine
+
+  !> The nodes of all that a group of the mesh's file has, ascending: after read_mesh.
+  subroutine get_group_nodes(self, group, nodes, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: group
+    integer(rc_int), allocatable, intent(out) :: nodes(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: status, none(1)
+    integer(rc_long) :: n
+    n = 0
+    status = rollcon_body_get_group_nodes(self%handle(), c_text(group), 1_rc_int, 0_rc_long, none, n)
+    allocate (nodes(n))
+    nodes = 0
+    if (status == ROLLCON_OK .and. n > 0) &
+      status = rollcon_body_get_group_nodes(self%handle(), c_text(group), 1_rc_int, n, nodes, n)
+    call finish(status, self%handle(), 'rc_body%get_group_nodes', stat, errmsg)
   end subroutine
 
   !> Displacements u(3,n) of a prepared body under its own loads and given displacements, no contact acting.

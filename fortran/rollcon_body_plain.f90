@@ -27,6 +27,10 @@ module rollcon_body_plain
     procedure :: set_traction => body_set_traction
     procedure :: set_pressure => body_set_pressure
     procedure :: set_contact_faces => body_set_contact_faces
+    procedure :: read_mesh => body_read_mesh
+    procedure :: tag_group => body_tag_group
+    procedure :: get_group_count => body_get_group_count
+    procedure :: get_group_name => body_get_group_name
     procedure :: set_profile => body_set_profile
     procedure :: set_profile_shape => body_set_profile_shape
     procedure :: read_profile => body_read_profile
@@ -294,6 +298,70 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_contact_faces(self%p, size(tags, 1, rc_long), int(tags, rc_int)), self%p, &
       'rc_body%set_contact_faces', stat, errmsg)
+  end subroutine
+
+  !> Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where the name ends in
+  !> .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where it ends in .inp. Linear and
+  !> quadratic tetrahedra, wedges and hexahedra for finite-element bodies, with the surface elements that have a name;
+  !> triangles and quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes
+  !> and wedges of 18 give up those inside their faces. Nodes that no element has are left out, the others keep the
+  !> order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...), Abaqus's sets and surfaces.
+  !> An element's tag is its (first) physical group in Gmsh, else 0: rollcon_body_tag_group. ROLLCON_ERR_IO names the
+  !> file, the line (in binary files the byte) and what is wrong there; ROLLCON_ERR_MESH: no element that the body could
+  !> take. Shapes are checked by rollcon_body_prepare.
+  subroutine body_read_mesh(self, path, part, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    character(len=*), intent(in) :: part
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_read_mesh(self%p, c_text(path), c_text(part)), self%p, 'rc_body%read_mesh', stat, errmsg)
+  end subroutine
+
+  !> Gives a tag to what the mesh's file has in a group: to volume elements (their material), to surface elements and
+  !> faces (loads, contact faces). A group of nodes alone names the faces all of whose nodes it has. Later calls win.
+  subroutine body_tag_group(self, group, tag, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    character(len=*), intent(in) :: group
+    integer, intent(in) :: tag
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_tag_group(self%p, c_text(group), int(tag, rc_int)), self%p, 'rc_body%tag_group', stat, &
+      errmsg)
+  end subroutine
+
+  !> How many groups the mesh's file has that name something of the body. 0 for a mesh that was not read, and for a body
+  !> that was saved and loaded.
+  subroutine body_get_group_count(self, n, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    integer, intent(out) :: n
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int) :: n_c
+    n_c = 0
+    call finish(rollcon_body_get_group_count(self%p, n_c), self%p, 'rc_body%get_group_count', stat, errmsg)
+    n = int(n_c)
+  end subroutine
+
+  !> The name of a group as the file has it.
+  subroutine body_get_group_name(self, i, text, stat, errmsg)
+    class(rc_body_plain), intent(in) :: self
+    integer, intent(in) :: i
+    character(len=:), allocatable, intent(out) :: text
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    character(kind=c_char), allocatable :: buffer(:)
+    integer(rc_long) :: needed
+    integer(rc_int) :: status
+    allocate (buffer(1))
+    needed = 0
+    status = rollcon_body_get_group_name(self%p, int(i - 1, rc_int), needed, buffer, needed)
+    deallocate (buffer)
+    allocate (buffer(max(needed, 1_rc_long)))
+    buffer(1) = c_null_char
+    if (status == ROLLCON_OK) status = rollcon_body_get_group_name(self%p, int(i - 1, rc_int), needed, buffer, needed)
+    text = f_text(buffer)
+    call finish(status, self%p, 'rc_body%get_group_name', stat, errmsg)
   end subroutine
 
   !> Sets a profile through points, in either order: a cubic spline in arc length with two derivatives continuous,

@@ -202,6 +202,12 @@ module rollcon_c
       type(c_ptr) :: rc
     end function rollcon_last_error
 
+    function rollcon_last_caveat() result(rc) bind(C, name="rollcon_last_caveat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr) :: rc
+    end function rollcon_last_caveat
+
     function rollcon_report(handle, status, message) result(rc) bind(C, name="rollcon_report")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
@@ -426,6 +432,60 @@ module rollcon_c
       integer(c_int32_t), intent(in) :: tags(*)
       integer(c_int32_t) :: rc
     end function rollcon_body_set_contact_faces
+
+    function rollcon_body_read_mesh(body, path, part) &
+        result(rc) bind(C, name="rollcon_body_read_mesh")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      character(kind=c_char), intent(in) :: part(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_read_mesh
+
+    function rollcon_body_tag_group(body, group, tag) &
+        result(rc) bind(C, name="rollcon_body_tag_group")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: group(*)
+      integer(c_int32_t), value :: tag
+      integer(c_int32_t) :: rc
+    end function rollcon_body_tag_group
+
+    function rollcon_body_get_group_count(body, n) &
+        result(rc) bind(C, name="rollcon_body_get_group_count")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), intent(inout) :: n
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_group_count
+
+    function rollcon_body_get_group_name(body, i, capacity, text, needed) &
+        result(rc) bind(C, name="rollcon_body_get_group_name")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: i
+      integer(c_int64_t), value :: capacity
+      character(kind=c_char), intent(out) :: text(*)
+      integer(c_int64_t), intent(inout) :: needed
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_group_name
+
+    function rollcon_body_get_group_nodes(body, group, index_base, capacity, nodes, n_nodes) &
+        result(rc) bind(C, name="rollcon_body_get_group_nodes")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: group(*)
+      integer(c_int32_t), value :: index_base
+      integer(c_int64_t), value :: capacity
+      integer(c_int32_t), intent(out) :: nodes(*)
+      integer(c_int64_t), intent(inout) :: n_nodes
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_group_nodes
 
     function rollcon_body_set_int(body, name, value) result(rc) bind(C, name="rollcon_body_set_int")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -688,6 +748,16 @@ module rollcon_c
       integer(c_int32_t), value :: tag
       integer(c_int32_t) :: rc
     end function rollcon_contact_add_frame_elements
+
+    function rollcon_contact_read_frame(contact, path, part) &
+        result(rc) bind(C, name="rollcon_contact_read_frame")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: path(*)
+      character(kind=c_char), intent(in) :: part(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_read_frame
 
     function rollcon_contact_frame_from_body(contact, which, tag) &
         result(rc) bind(C, name="rollcon_contact_frame_from_body")

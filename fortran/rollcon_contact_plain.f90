@@ -20,6 +20,7 @@ module rollcon_contact_plain
     type(c_ptr) :: p = c_null_ptr
   contains
     procedure :: create
+    procedure :: read_frame => contact_read_frame
     procedure :: frame_from_body => contact_frame_from_body
     procedure :: frame_rectangle => contact_frame_rectangle
     procedure :: frame_ellipse => contact_frame_ellipse
@@ -242,6 +243,18 @@ contains
     value = f_text(buffer)
     call finish(status, self%p, &
       'rc_contact%get', stat, errmsg)
+  end subroutine
+
+  !> Makes the surface elements of a mesh file the frame; replaces frame and all that was given for its nodes. Files as
+  !> of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups, else 0.
+  subroutine contact_read_frame(self, path, part, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    character(len=*), intent(in) :: path
+    character(len=*), intent(in) :: part
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_read_frame(self%p, c_text(path), c_text(part)), self%p, 'rc_contact%read_frame', stat, &
+      errmsg)
   end subroutine
 
   !> Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame and forgets the gap

@@ -50,6 +50,14 @@ subroutine rclerr(text)
   text = names_77(f_text_at(rollcon_last_error()))
 end subroutine
 
+!> The text of the last call in this thread that returned a status above zero.
+subroutine rclcav(text)
+  use rollcon_f77_support
+  implicit none
+  character(len=*) :: text
+  text = names_77(f_text_at(rollcon_last_caveat()))
+end subroutine
+
 !> Makes a context.
 subroutine rcinit(ictx, ierr)
   use rollcon_f77_support
@@ -336,6 +344,78 @@ subroutine rcbfac(ibody, n, itags, ierr)
   ierr = rollcon_body_set_contact_faces(body_of(ibody), int(n, c_int64_t), packed_tags)
 end subroutine
 
+!> Takes nodes, elements and names from a file, in place of all that the mesh was.
+subroutine rcbmsh(ibody, path, part, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, ierr
+  character(len=*) :: path, part
+  ierr = rollcon_body_read_mesh(body_of(ibody), c_text(path), c_name(part))
+end subroutine
+
+!> Gives a tag to what the mesh's file has in a group.
+subroutine rcbtgr(ibody, group, itag, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  character(len=*) :: group
+  ierr = rollcon_body_tag_group(body_of(ibody), c_name(group), narrow(itag))
+end subroutine
+
+!> How many groups the mesh's file has that name something of the body.
+subroutine rcbngr(ibody, n, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, n, ierr
+  integer(c_int32_t) :: n_c
+  n_c = 0
+  ierr = rollcon_body_get_group_count(body_of(ibody), n_c)
+  n = int(n_c)
+end subroutine
+
+!> The name of a group as the file has it.
+subroutine rcbgnm(ibody, i, text, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, i, ierr
+  character(len=*) :: text
+  character(kind=c_char), allocatable :: buffer(:)
+  integer(c_int64_t) :: capacity, needed
+  allocate (buffer(1))
+  capacity = 0
+  needed = 1
+  ierr = rollcon_body_get_group_name(body_of(ibody), narrow(i - 1), capacity, buffer, needed)
+  deallocate (buffer)
+  capacity = max(needed, 1_c_int64_t)
+  allocate (buffer(capacity))
+  buffer(1) = c_null_char
+  if (ierr == ROLLCON_OK) then
+    ierr = rollcon_body_get_group_name(body_of(ibody), narrow(i - 1), capacity, buffer, needed)
+  end if
+  call give_text(body_of(ibody), 'RCBGNM', buffer, text, ierr)
+end subroutine
+
+!> The nodes of all that a group has, ascending.
+subroutine rcbgnd(ibody, group, maxn, nodes, nn, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, maxn, nodes(*), nn, ierr
+  character(len=*) :: group
+  integer(c_int32_t), allocatable :: whole(:)
+  integer(c_int64_t) :: room, elements
+  integer(c_int64_t) :: n_nodes_c
+  room = 0
+  elements = 0
+  ierr = rollcon_body_get_size(body_of(ibody), room, elements)
+  room = min(room, int(maxn, c_int64_t))
+  call room_77(body_of(ibody), 'RCBGND', int(room), whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  n_nodes_c = 0
+  ierr = rollcon_body_get_group_nodes(body_of(ibody), c_name(group), 1_c_int32_t, room, whole, n_nodes_c)
+  call give_integers(whole, nodes)
+  nn = int(n_nodes_c)
+end subroutine
+
 !> Sets an integer option.
 subroutine rcbsti(ibody, name, ivalue, ierr)
   use rollcon_f77_support
@@ -620,6 +700,15 @@ subroutine rcelem(icon, itype, n, ic, ldc, itag, ierr)
   if (ierr /= ROLLCON_OK) return
   ierr = rollcon_contact_add_frame_elements(contact_of(icon), narrow(itype), int(n, c_int64_t), packed, &
     1_c_int32_t, narrow(itag))
+end subroutine
+
+!> Makes the surface elements of a mesh file the frame.
+subroutine rcfmsh(icon, path, part, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  character(len=*) :: path, part
+  ierr = rollcon_contact_read_frame(contact_of(icon), c_text(path), c_name(part))
 end subroutine
 
 !> Makes the faces of a body that carry a tag the frame.

@@ -13,7 +13,7 @@ module rollcon_support
   integer(rc_long), parameter, public :: usual_text = 512_rc_long
 
   public :: c_text, f_text, f_text_at, finish, nodes_of, is_volume_type, narrow_ids
-  public :: rc_last_error, rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
+  public :: rc_last_error, rc_last_caveat, rc_version, rc_abi, rc_version_string, rc_build_info, rc_has_feature, rc_status_string
 
 contains
 
@@ -162,6 +162,12 @@ contains
   function rc_last_error() result(text)
     character(len=:), allocatable :: text
     text = f_text_at(rollcon_last_error())
+  end function
+
+  !> Text of the last call in this thread that returned a status above zero.
+  function rc_last_caveat() result(text)
+    character(len=:), allocatable :: text
+    text = f_text_at(rollcon_last_caveat())
   end function
 
   function rc_status_string(status) result(text)

@@ -9,7 +9,8 @@
  * What holds for all functions; their comments say the rest (docs/api.md says more):
  *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
  *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
- *  - rollcon_last_error() tells in words why the last call of this thread that failed did so.
+ *  - rollcon_last_error() tells in words why the last call of this thread that failed did so,
+ *    rollcon_last_caveat() what the last one that returned a status > 0 has to say.
  *  - NULL gives ROLLCON_ERR_ARGUMENT, as does a value out of range, unless a comment says
  *    otherwise; released, garbage and wrong-kind handles give ROLLCON_ERR_HANDLE; an object that
  *    another call is using ROLLCON_ERR_BUSY. Comments list what else is returned.
@@ -307,6 +308,15 @@ ROLLCON_API const char *ROLLCON_CALL rollcon_status_string(int32_t status);
 ROLLCON_API const char *ROLLCON_CALL rollcon_last_error(void);
 
 /*
+ * The text of the last call in this thread that returned a status above zero: name of the
+ * function, what the status means, and what is known of this case: how many nodes touch, how far
+ * the iteration came, where the frame ends. Empty before the first one. Failures and successes
+ * leave it alone. Valid until the next such call in this thread; texts beyond 1023 bytes are cut.
+ * Threads: any.
+ */
+ROLLCON_API const char *ROLLCON_CALL rollcon_last_caveat(void);
+
+/*
  * For layers over this interface that check arguments of their own: makes a text the thread's
  * last error and tells log and latch of the object's context, as a failing function does. Returns
  * the status.
@@ -602,6 +612,77 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_contact_faces(rollcon_body *body,
     int64_t n, const int32_t *tags);
+
+/*
+ * Takes nodes, elements and names from a file, in place of all that the mesh was: of Gmsh, where
+ * the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus or CalculiX, where
+ * it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra for finite-element
+ * bodies, with the surface elements that have a name; triangles and quadrilaterals for all
+ * others. Orders of nodes are changed to those of rollcon; hexahedra of 27 nodes and wedges of 18
+ * give up those inside their faces. Nodes that no element has are left out, the others keep the
+ * order of the file. Groups are Gmsh's physical groups (nameless ones: "surface 2", ...),
+ * Abaqus's sets and surfaces. An element's tag is its (first) physical group in Gmsh, else 0:
+ * rollcon_body_tag_group. ROLLCON_ERR_IO names the file, the line (in binary files the byte) and
+ * what is wrong there; ROLLCON_ERR_MESH: no element that the body could take. Shapes are checked
+ * by rollcon_body_prepare.
+ *   body  with a mesh, not prepared (else ROLLCON_ERR_STATE)
+ *   path  name of the file, which ends in .msh or .inp
+ *   part  name of a group (in any case): only its elements; "": those of the whole file
+ * Ownership: After a failure the body is unchanged. The file is closed.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_read_mesh(rollcon_body *body,
+    const char *path, const char *part);
+
+/*
+ * Gives a tag to what the mesh's file has in a group: to volume elements (their material), to
+ * surface elements and faces (loads, contact faces). A group of nodes alone names the faces all
+ * of whose nodes it has. Later calls win.
+ *   body   with a mesh that was read, not prepared (else ROLLCON_ERR_STATE)
+ *   group  name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
+ *   tag    as in rollcon_body_add_elements
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_tag_group(rollcon_body *body,
+    const char *group, int32_t tag);
+
+/*
+ * How many groups the mesh's file has that name something of the body. 0 for a mesh that was not
+ * read, and for a body that was saved and loaded.
+ *   n     out; groups
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_count(const rollcon_body *body,
+    int32_t *n);
+
+/*
+ * The name of a group as the file has it.
+ *   i         0 to rollcon_body_get_group_count - 1
+ *   capacity  bytes at text
+ *   text      [capacity], out, may be NULL; the name
+ *   needed    out, may be NULL; bytes, the NUL counted
+ * Also returns: ROLLCON_ERR_CAPACITY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_name(const rollcon_body *body,
+    int32_t i, int64_t capacity, char *text, int64_t *needed);
+
+/*
+ * The nodes of all that a group has, ascending: for rollcon_body_set_support,
+ * rollcon_body_tag_faces_of_nodes.
+ *   group       name, in any case; ROLLCON_ERR_ARGUMENT lists those that there are
+ *   index_base  0 or 1: id of the first node
+ *   capacity    ids at nodes; 0 only asks for the need
+ *   nodes       [capacity], out; node ids; NULL only with capacity 0
+ *   n_nodes     out, may be NULL; nodes of the group; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_group_nodes(const rollcon_body *body,
+    const char *group, int32_t index_base, int64_t capacity, int32_t *nodes, int64_t *n_nodes);
 
 /* ---------------------------------------------------------------------------- Body: settings */
 /* Settings of a body by name, in the manner of those of a contact: unknown name, wrong type and
@@ -909,6 +990,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_frame_nodes(rollcon_
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_add_frame_elements(
     rollcon_contact *contact, int32_t type, int64_t n, const int32_t *connectivity,
     int32_t index_base, int32_t tag);
+
+/*
+ * Makes the surface elements of a mesh file the frame; replaces frame and all that was given for
+ * its nodes. Files as of rollcon_body_read_mesh. Tags of elements are Gmsh's physical groups,
+ * else 0.
+ *   path     name of the file, which ends in .msh or .inp
+ *   part     name of a group (in any case): only its elements; "": those of the whole file
+ * Ownership: After a failure the frame is unchanged. The file is closed.
+ * Also returns: ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/meshes.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_read_frame(rollcon_contact *contact,
+    const char *path, const char *part);
 
 /*
  * Makes the faces of a body that carry a tag the frame: replaces nodes and elements of the frame

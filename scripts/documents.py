@@ -72,8 +72,17 @@ def undocumented_options():
                 yield f"docs/build.md does not describe the option {name}"
 
 
+def functions_without_example():
+    """Of the C interface: each has a line from a program in examples/, which is compiled and run."""
+    text = (ROOT / "docs/api.md").read_text(encoding="utf-8")
+    for section in re.split(r"^#+ (?=rollcon_)", text, flags=re.M)[1:]:
+        name = re.match(r"\w+", section)[0]
+        if "\nExample, of [" not in section and not name.endswith("_fn"):
+            yield f"docs/api.md: no program in examples/ calls {name}: add a line to examples/each_call_*.c"
+
+
 def check():
-    wrong = list(dead_links()) + list(undocumented_options())
+    wrong = list(dead_links()) + list(undocumented_options()) + list(functions_without_example())
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") > README_LINES:
         wrong.append(f"README.md has {readme.count(chr(10))} lines; allowed: {README_LINES}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Searches for inputs that break the library: builds the targets of tests/fuzz with Clang, libFuzzer,
 # address and undefined-behaviour sanitizers and runs them one after the other, on one core.
-# fuzz.sh [seconds in all] [target ...], default 600 and calls mesh saved. What is found goes to
+# fuzz.sh [seconds in all] [target ...], default 600 and calls mesh saved meshfile. What is found goes to
 # build/fuzz/found; inputs that reach something new to build/fuzz/corpus, and with
 # fuzz.sh merge [target ...] the least number of them to tests/fuzz/corpus, which all builds of the tests
 # replay.
@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
 seconds=${1:-600}
 shift || true
-[ $# -gt 0 ] || set -- calls mesh saved
+[ $# -gt 0 ] || set -- calls mesh saved meshfile
 
 folder=${ROLLCON_FUZZ_BUILD:-$root/build/fuzz}
 mkdir -p "$folder"

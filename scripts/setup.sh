@@ -6,6 +6,7 @@
 #     demo       what draws the pictures of scripts/demo.sh
 #     test       what tests and checks of every change need beside those (.ci/run)
 #     docs       what scripts/site.sh makes the documents' site with
+#     octave     what compiles and tests the package for Octave, and draws its pictures; optional
 #     package    what scripts/package.sh makes and checks packages with
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -19,6 +20,7 @@ declare -A sets=(
   [test]="git libgtest-dev libbenchmark-dev clang clang-format clang-tidy libomp-dev libclang-rt-dev binutils
     abigail-tools valgrind mpich libmpich-dev python3-matplotlib python3-meshio"
   [docs]="mkdocs mkdocs-material codespell python3-matplotlib"
+  [octave]="octave octave-dev gnuplot-nox ghostscript fonts-freefont-otf"
   [package]="dpkg-dev fakeroot lintian debhelper file python3-pip python3-venv"
 )
 [ $# -gt 0 ] || set -- build demo test

@@ -21,7 +21,8 @@ OPENING = """\
  * What holds for all functions; their comments say the rest (docs/api.md says more):
  *  - A function that can fail returns a rollcon_status: 0 success, > 0 usable with a caveat,
  *    < 0 failed, and then the object is unchanged unless the function's comment says otherwise.
- *  - rollcon_last_error() tells in words why the last call of this thread that failed did so.
+ *  - rollcon_last_error() tells in words why the last call of this thread that failed did so,
+ *    rollcon_last_caveat() what the last one that returned a status > 0 has to say.
  *  - NULL gives ROLLCON_ERR_ARGUMENT, as does a value out of range, unless a comment says
  *    otherwise; released, garbage and wrong-kind handles give ROLLCON_ERR_HANDLE; an object that
  *    another call is using ROLLCON_ERR_BUSY. Comments list what else is returned.

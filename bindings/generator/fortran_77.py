@@ -28,7 +28,7 @@ OPENING = """\
 
 def dummy_name(arg):
     """A name that FORTRAN 77's implicit types agree with."""
-    name = {"n_cases": "nc", "n_results": "nres", "n_rows": "nr", "n_values": "nv", "max_level": "level",
+    name = {"n_cases": "nc", "n_results": "nres", "n_rows": "nr", "n_values": "nv", "n_nodes": "nn", "max_level": "level",
             "parameters": "par", "connectivity": "ic"}.get(arg.name, arg.name)
     for kind, short in HANDLES.items():
         if arg.base == kind:
@@ -310,7 +310,7 @@ def fact(name, functions):
             args.append(f"narrow({inner})" if arg.base == "int32" else f"c_name({inner})")
         dummies.append((out, "character(len=*)" if out == "text" else "integer", out.upper()))
         result = f"{function.name}({', '.join(args)})"
-        if function.name == "rollcon_last_error":
+        if function.name in ("rollcon_last_error", "rollcon_last_caveat"):
             body.append(f"text = names_77(f_text_at({result}))")
         else:
             body.append(f"{out} = " + (f"f_text_at({result})" if out == "text" else result))

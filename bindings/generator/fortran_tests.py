@@ -4,6 +4,8 @@ It is called with a value of its own for every argument, against what the record
 pass on a failure.
 """
 
+import re
+
 from generator import samples
 from generator.fortran_77 import HANDLES, dummy_name, routines
 
@@ -235,7 +237,7 @@ class Call77:
         verb = self.function.name.removeprefix("rollcon_")
         told = broken("call told", [f"'{verb}'", f"'{samples.record(self.function, self.given)}'", "stat"])
         if any(a.base == "int32" and a.out and a.array and a.shape != "[n]" for a in self.function.args):
-            self.outs.checks = [c.replace("int(istatus)", "int(istatus(:3))") for c in self.outs.checks]
+            self.outs.checks = [re.sub(r"int\((istatus|nodes)\)", r"int(\1(:3))", c) for c in self.outs.checks]
         call = self.before + broken(f"call {self.name.lower()}", self.words + ["stat"])
         message = ["    call rclerr(message)", f"    call failed('{verb}', stat, message)", "  end subroutine", ""]
         return procedure(f"test_{self.name.lower()}", self.outs, [(call, told)]) + message

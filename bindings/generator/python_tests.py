@@ -17,7 +17,7 @@ ROWS = list(starmap(Row, [
 
 def standard(table, default):
     """What the recorder writes for a default."""
-    return f"{table.number(default):.10g}"
+    return f"<{default[1:-1]}>" if default.startswith('"') else f"{table.number(default):.10g}"
 
 
 def row(table, function, absent=False, short=False):

@@ -18,7 +18,7 @@ OPENING = """\
 
 # Results whose size other calls ask for before they make room.
 COUNTS = {"nodes": "RECORD_NODES", "elements": "RECORD_ELEMENTS", "n_rows": "RECORD_ROWS",
-          "n_values": "RECORD_VALUES", "n_results": "capacity"}
+          "n_values": "RECORD_VALUES", "n_nodes": "RECORD_NODES", "n_results": "capacity"}
 
 
 def size(arg):

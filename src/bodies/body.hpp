@@ -8,8 +8,10 @@
 #include <mutex>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bodies/body_model.hpp"
+#include "bodies/model/body_group.hpp"
 #include "support/context.hpp"
 
 namespace rollcon {
@@ -27,6 +29,15 @@ class Body {
   void set_elastic(std::int32_t tag, double young, double poisson);
   /// Forgets elements, supports, loads and contact faces.
   void set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride);
+  /// All of a mesh from a file, see mesh_file.hpp, in place of what there was; part: see part_of. Gmsh's physical
+  /// groups are tags. err_io, err_mesh, err_argument.
+  void read_mesh(const char* path, const char* part);
+  /// Gives a tag to the elements of a group of that file and to its faces; a group of nodes alone names the faces
+  /// between them. err_argument: no such group.
+  void tag_group(const char* name, std::int32_t tag);
+  std::int32_t group_count() const;
+  std::string group_name(std::int64_t i) const;
+  std::vector<std::int32_t> group_nodes(const char* name) const;  ///< ascending, from 0
   /// Of finite-element bodies: volume elements, whose tag names their material, and surface elements, which give their
   /// tag to the boundary faces with the same nodes.
   void add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,
@@ -122,6 +133,10 @@ class Body {
 
  private:
   void require_unprepared(const char* what) const;
+  void require_takes_mesh() const;
+  /// With these nodes, none of them held, and no elements.
+  BodyMesh empty_mesh(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) const;
+  const BodyGroup& group(const char* name) const;
   void require_tag(std::int32_t tag, const std::string& entry) const;
   void require_complete() const;
   void require_materials() const;
@@ -141,6 +156,7 @@ class Body {
   bool shared_ = false, loaded_ = false;
   std::shared_ptr<BodyModel> model_;  ///< its own until prepared
   BodyOptions options_;
+  std::vector<BodyGroup> group_;  ///< of the file that the mesh came from
 };
 
 }  // namespace rollcon

@@ -89,16 +89,27 @@ void Body::require_tag(std::int32_t tag, const std::string& entry) const {
   fail(Status::err_argument, "%s is %d, which no face has; tags of this body: %s", entry.c_str(), tag, names.c_str());
 }
 
-void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) {
-  require_mesh_kind(traits_, "nodes");
-  const std::lock_guard lock(mutex_);
+void Body::require_takes_mesh() const {
   require_unprepared("mesh is");
   if (model_->profile.curve) fail(Status::err_state, "the body has a profile: it takes no mesh as well");
+}
+
+BodyMesh Body::empty_mesh(std::int64_t n, const double* x, std::int64_t node_stride,
+                          std::int64_t component_stride) const {
   BodyMesh mesh;
   mesh.surface = mesh_of_nodes(n, x, node_stride, component_stride, given().surface.index_base);
   mesh.held.assign(static_cast<std::size_t>(n), 0);
   mesh.held_value.assign(static_cast<std::size_t>(n), Vec3{0, 0, 0});
+  return mesh;
+}
+
+void Body::set_nodes(std::int64_t n, const double* x, std::int64_t node_stride, std::int64_t component_stride) {
+  require_mesh_kind(traits_, "nodes");
+  const std::lock_guard lock(mutex_);
+  require_takes_mesh();
+  BodyMesh mesh = empty_mesh(n, x, node_stride, component_stride);
   std::swap(given(), mesh);
+  group_.clear();
 }
 
 void Body::add_elements(std::int32_t type, std::int64_t n, const std::int32_t* connectivity, std::int32_t index_base,

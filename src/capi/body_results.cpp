@@ -18,6 +18,16 @@ rollcon_status rollcon_body_get_size(const rollcon_body* body, int64_t* nodes, i
   });
 }
 
+rollcon_status rollcon_body_get_group_nodes(const rollcon_body* body, const char* group, int32_t index_base,
+                                            int64_t capacity, int32_t* nodes, int64_t* n_nodes) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_index_base(index_base);
+    const std::vector<std::int32_t> list = b.group_nodes(group);
+    if (wants_copy(static_cast<int64_t>(list.size()), capacity, nodes, "nodes", n_nodes, "ids"))
+      std::transform(list.begin(), list.end(), nodes, [&](std::int32_t node) { return node + index_base; });
+  });
+}
+
 rollcon_status rollcon_body_get_displacements(const rollcon_body* body, int64_t capacity, double* u) {
   return with_body(__func__, body, [&](const Body& b) {
     require_count(capacity, "capacity");

@@ -6,6 +6,8 @@
 #include "capi/guard.hpp"
 #include "contact/contact.hpp"
 #include "framing/makers.hpp"
+#include "io/mesh_file.hpp"
+#include "mesh/mesh_inputs.hpp"
 #include "support/input_checks.hpp"
 #include "support/memory_limit.hpp"
 
@@ -40,6 +42,19 @@ void require_room(std::int64_t along, std::int64_t across) {
 }
 
 }  // namespace
+
+rollcon_status rollcon_contact_read_frame(rollcon_contact* contact, const char* path, const char* part) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    require_pointer(path, "path");
+    require_pointer(part, "part");
+    const MeshFile file = part_of(read_mesh_file(path), path, part, false);
+    SurfaceMesh mesh = mesh_of_nodes(file.nodes(), file.node.data()->data(), 3, 1, 0);
+    each_run(file, [&](int32_t type, int64_t n, const int32_t* nodes, int32_t tag) {
+      append_elements(mesh, type, n, nodes, 0, tag, "frame", "rollcon_contact_read_frame");
+    });
+    self.scene.set_made_frame(std::move(mesh), false, true);
+  });
+}
 
 rollcon_status rollcon_contact_frame_rectangle(rollcon_contact* contact, int32_t type, int32_t nx, int32_t ny,
                                                double x_least, double x_greatest, double y_least, double y_greatest) {

@@ -69,9 +69,8 @@ std::int32_t report_latched(const Context& context) noexcept {
 }
 
 void report_caveat(const char* function, Context& context, Status status) noexcept {
-  char text[256];
-  std::snprintf(text, sizeof text, "%s: %s", function, rollcon_status_string(static_cast<std::int32_t>(status)));
-  context.keep(status, text);
+  set_last_caveat(function, status, rollcon_status_string(static_cast<std::int32_t>(status)));
+  context.keep(status, last_caveat());
 }
 
 std::shared_ptr<Body> body_of(const rollcon_body* handle, const char* name) {

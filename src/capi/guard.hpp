@@ -10,6 +10,7 @@
 #include "capi/handle_table.hpp"
 #include "support/error.hpp"
 #include "support/fpenv.hpp"
+#include "support/last_error.hpp"
 
 namespace rollcon::capi {
 
@@ -22,7 +23,7 @@ std::int32_t report_handle(const char* function, Kind kind, const void* handle) 
 /// Makes the failure that the context's latch keeps the thread's last error.
 std::int32_t report_latched(const Context& context) noexcept;
 
-/// Tells the context's latch that a call ended with a caveat.
+/// Makes the thread's last caveat, and tells the context's latch.
 void report_caveat(const char* function, Context& context, Status status) noexcept;
 
 const char* name(Kind kind) noexcept;
@@ -36,6 +37,7 @@ std::int32_t guarded(const char* function, Context* context, F&& body) noexcept 
   const QuietFloatingPoint quiet;
   const int hosts_errno = errno;
   Status status = Status::ok;
+  forget_caveat_note();
   try {
     if constexpr (std::is_void_v<std::invoke_result_t<F>>)
       body();

@@ -44,6 +44,10 @@ const char* rollcon_last_error(void) {
   return rollcon::last_error();
 }
 
+const char* rollcon_last_caveat(void) {
+  return rollcon::last_caveat();
+}
+
 int32_t rollcon_report(const void* handle, int32_t status, const char* text) {
   const rollcon::QuietFloatingPoint quiet;
   const auto failure = status < 0 ? static_cast<rollcon::Status>(status) : rollcon::Status::err_argument;

@@ -80,6 +80,32 @@ rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, con
   });
 }
 
+rollcon_status rollcon_body_read_mesh(rollcon_body *body, const char *path, const char *part) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.read_mesh(path, part);
+  });
+}
+
+rollcon_status rollcon_body_tag_group(rollcon_body *body, const char *group, int32_t tag) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.tag_group(group, tag);
+  });
+}
+
+rollcon_status rollcon_body_get_group_count(const rollcon_body *body, int32_t *n) {
+  return with_body(__func__, body, [&](Body& self) {
+    require_pointer(n, "n");
+    *n = self.group_count();
+  });
+}
+
+rollcon_status rollcon_body_get_group_name(const rollcon_body *body, int32_t i, int64_t capacity,
+    char *text, int64_t *needed) {
+  return with_body(__func__, body, [&](Body& self) {
+    copy_text(self.group_name(i), capacity, text, needed);
+  });
+}
+
 rollcon_status rollcon_body_set_int(rollcon_body *body, const char *name, int64_t value) {
   return with_body(__func__, body, [&](Body& self) {
     self.set_int(name, value);

@@ -107,13 +107,14 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.timings.linear += linear.seconds;
 }
 
-// What the caller of a solve that is not plain success should know, as warnings.
+// What the caller of a solve that is not plain success should know.
 void tell_caveats(const SolverState& s, Status status, const Context& context) {
-  if (!context.hears(LogLevel::warning)) return;
-  const bool coarse = status == Status::coarse;
-  if (coarse) context.log(LogLevel::warning, "%s", describe_few_nodes(s).c_str());
-  if (status == Status::not_converged || status == Status::rim_contact || (coarse && nodes_at_rim(s) > 0))
-    context.log(LogLevel::warning, "%s", describe_outcome(s).c_str());
+  if (status == Status::coarse) {
+    if (nodes_at_rim(s) > 0) context.caveat(status, "%s", describe_outcome(s).c_str());
+    context.caveat(status, "%s", describe_few_nodes(s).c_str());
+  } else if (status == Status::not_converged || status == Status::rim_contact) {
+    context.caveat(status, "%s", describe_outcome(s).c_str());
+  }
 }
 
 }  // namespace
@@ -346,6 +347,10 @@ bool Contact::meshed() const {
 
 double Contact::error_estimate() const {
   return find_error_estimate(*state_).worst();
+}
+
+void Contact::caveat(Status status, const char* text) const {
+  context_->caveat(status, "%s", text);
 }
 
 void Contact::log(LogLevel level, const char* text) const {

@@ -102,6 +102,7 @@ class Contact {
   /// Somebody asked this solve to stop.
   bool cancelled() const noexcept { return cancel_->load(); }
   void log(LogLevel level, const char* text) const;
+  void caveat(Status status, const char* text) const;  ///< see Context::caveat
   /// Solves the scene with some of what is prescribed replaced, case by case and over threads. ok, or the first that
   /// fits of cancelled, not_converged (or failed), coarse, rim_contact, no_contact. The scene stays, and so does the
   /// last solution unless something was set since.

@@ -64,13 +64,13 @@ class AutomaticFrames final : public FrameMaker {
                       "frames: the error on the finest frames is about %.2g %%, %.2g %% was asked for "
                       "(option frame_accuracy)",
                       100 * reached, 100 * wanted);
-        contact.log(LogLevel::warning, text);
+        contact.caveat(Status::inaccurate, text);
         level_ = levels.size();  // the next scene may be an easier one
         return Status::inaccurate;
       }
     }
     if (!beyond_bounds_) return Status::ok;
-    contact.log(LogLevel::warning, (std::string("frames: ") + beyond_bounds_).c_str());
+    contact.caveat(Status::rim_contact, (std::string("frames: ") + beyond_bounds_).c_str());
     return Status::rim_contact;
   }
 

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <system_error>
 
+#include "io/whole_file.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -18,15 +16,14 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// The start of a text, with what cannot be printed left out.
-std::string shown(std::string_view text) {
+}  // namespace
+
+std::string printable(std::string_view text) {
   constexpr std::size_t most = 40;
   std::string s;
   for (const char c : text.substr(0, most)) s += c >= ' ' && c <= '~' ? c : '?';
   return text.size() > most ? s + "..." : s;
 }
-
-}  // namespace
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(blanks);
@@ -40,19 +37,7 @@ std::string in_lower_case(std::string_view text) {
   return s;
 }
 
-TextLines::TextLines(const std::string& path) : path_(path) {
-  constexpr std::uintmax_t most = 1U << 28;
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) fail_whole("there is no such file");
-  if (!std::filesystem::is_regular_file(status)) fail_whole("it is no regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) fail_whole(error.message());
-  if (size > most) fail_whole("it has more than 256 MiB");
-  std::ifstream file(path, std::ios::binary);
-  text_.resize(size);
-  if (!file || (size > 0 && !file.read(text_.data(), static_cast<std::streamsize>(size))))
-    fail_whole("it cannot be read");
+TextLines::TextLines(const std::string& path, std::uintmax_t most) : path_(path), text_(whole_file(path, most)) {
   if (text_.starts_with("\xEF\xBB\xBF")) position_ = 3;  // the mark of UTF-8
 }
 
@@ -67,7 +52,11 @@ bool TextLines::next(std::string_view& line) {
 }
 
 void TextLines::fail_here(const std::string& what) const {
-  fail(Status::err_io, "%s, line %lld: %s", path_.c_str(), static_cast<long long>(number_), what.c_str());
+  fail_at(number_, what);
+}
+
+void TextLines::fail_at(std::int64_t line, const std::string& what) const {
+  fail(Status::err_io, "%s, line %lld: %s", path_.c_str(), static_cast<long long>(line), what.c_str());
 }
 
 void TextLines::fail_whole(const std::string& what) const {
@@ -81,7 +70,7 @@ double TextLines::number_in(std::string_view text) const {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (digits.empty() || error != std::errc() || end != digits.data() + digits.size() || !std::isfinite(value)) {
     std::string what = "'";
-    fail_here(what.append(shown(text)).append("' is no number"));
+    fail_here(what.append(printable(text)).append("' is no number"));
   }
   return value;
 }

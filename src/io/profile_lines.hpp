@@ -10,17 +10,22 @@ namespace rollcon {
 
 std::string_view trimmed(std::string_view text);
 std::string in_lower_case(std::string_view text);
+/// Its start, for messages, with ? for what cannot be printed.
+std::string printable(std::string_view text);
 
 /// A text file in memory, line by line, and what is said of it. All failures are err_io.
 class TextLines {
  public:
-  explicit TextLines(const std::string& path);
+  /// most: bytes that the file may have.
+  explicit TextLines(const std::string& path, std::uintmax_t most = std::uintmax_t{1} << 28U);
 
   /// The next line without its end; false after the last one.
   bool next(std::string_view& line);
   std::int64_t number() const { return number_; }  ///< of that line, from 1
+  std::int64_t bytes() const { return static_cast<std::int64_t>(text_.size()); }
   /// Throws "PATH, line N: ...".
   [[noreturn]] void fail_here(const std::string& what) const;
+  [[noreturn]] void fail_at(std::int64_t line, const std::string& what) const;
   [[noreturn]] void fail_whole(const std::string& what) const;
   /// A finite number that is all of the text; fails naming it.
   double number_in(std::string_view text) const;

@@ -1,6 +1,7 @@
 /// In place of volume meshes, in a build without finite-element bodies. Not reached: no other body has volume elements.
 
 #include "mesh/volume_boundary.hpp"
+#include "mesh/volume_faces.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -18,6 +19,14 @@ std::vector<BoundaryFace> boundary_faces(const VolumeElements& /*volume*/) {
 }
 
 SurfaceMesh boundary_surface(const VolumeElements& /*volume*/, std::span<const BoundaryFace> /*face*/) {
+  refuse();
+}
+
+std::array<std::int32_t, 4> sorted_corners(std::span<const std::int32_t> /*corner*/) {
+  refuse();
+}
+
+std::vector<CornerFace> sorted_faces(const VolumeElements& /*volume*/) {
   refuse();
 }
 

@@ -41,6 +41,16 @@ void Context::log(LogLevel level, const char* format, ...) const {
   va_end(args);
 }
 
+void Context::caveat(Status status, const char* format, ...) const {
+  char line[768];
+  std::va_list args;
+  va_start(args, format);
+  std::vsnprintf(line, sizeof line, format, args);
+  va_end(args);
+  note_caveat(status, line);
+  log(LogLevel::warning, "%s", line);
+}
+
 void Context::tell(std::int32_t level, const char* format, std::va_list args) const {
   if (level > log_level_.load(std::memory_order_relaxed)) return;
   LogFunction sink = nullptr;

@@ -26,6 +26,9 @@ class Context {
   /// Calls the sink, in the floating-point environment of the host, if the level is wanted.
   void log(LogLevel level, const char* format, ...) const __attribute__((format(printf, 3, 4)));
 
+  /// What a call that is about to return this status > 0 tells: a warning, and a part of the thread's last caveat.
+  void caveat(Status status, const char* format, ...) const __attribute__((format(printf, 3, 4)));
+
   /// Whether anybody hears of that level: texts that nobody reads need not be made.
   bool hears(LogLevel level) const {
     return static_cast<std::int32_t>(level) <= log_level_.load(std::memory_order_relaxed);

@@ -289,22 +289,24 @@ Status WheelRail::solve() {
   return status;
 }
 
-// What a caller should know of a solve that is not plain success, as warnings.
+// What a caller should know of a solve that is not plain success.
 void WheelRail::tell(Status status) const {
-  if (!context_->hears(LogLevel::warning)) return;
+  if (status == Status::ok) return;
   double deepest = 0;
   for (const OverlapPatch& patch : found_) deepest = std::max(deepest, patch.overlap);
   if (status == Status::derailed)
-    context_->log(LogLevel::warning, "the wheel is beside its rail (y is %g): it has derailed", side_ * in_.position.y);
+    context_->caveat(status, "the wheel is beside its rail (y is %g): it has derailed", side_ * in_.position.y);
   if (status == Status::too_deep)
-    context_->log(LogLevel::warning,
-                  "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
-                  "units",
-                  deepest, radius_, in_.by_force ? "the vertical force" : "z");
+    context_->caveat(
+        status,
+        "wheel and rail overlap by %g, more than a thousandth of the wheel's radius (%g): check %s and all "
+        "units",
+        deepest, radius_, in_.by_force ? "the vertical force" : "z");
   for (std::size_t i = 0; i < active_.size(); ++i)
     if (const OverlapPatch& patch = active_[i]->contact.overlap(); patch.cut)
-      context_->log(LogLevel::warning, "patch %d (counting from 0), at y = %g of the wheel, ends where a profile does",
-                    static_cast<int>(i), patch.wheel_y);
+      context_->caveat(Status::rim_contact,
+                       "patch %d (counting from 0), at y = %g of the wheel, ends where a profile does",
+                       static_cast<int>(i), patch.wheel_y);
 }
 
 void WheelRail::reset() {

@@ -12,6 +12,7 @@ const char* const recorded_names[] = {
   "has_feature",
   "status_string",
   "last_error",
+  "last_caveat",
   "report",
   "context_create",
   "context_retain",
@@ -36,6 +37,11 @@ const char* const recorded_names[] = {
   "body_set_traction",
   "body_set_pressure",
   "body_set_contact_faces",
+  "body_read_mesh",
+  "body_tag_group",
+  "body_get_group_count",
+  "body_get_group_name",
+  "body_get_group_nodes",
   "body_set_int",
   "body_set_real",
   "body_get_int",
@@ -62,6 +68,7 @@ const char* const recorded_names[] = {
   "contact_release",
   "contact_set_frame_nodes",
   "contact_add_frame_elements",
+  "contact_read_frame",
   "contact_frame_from_body",
   "contact_frame_rectangle",
   "contact_frame_ellipse",
@@ -174,7 +181,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 167;
+const int recorded_number = 174;
 
 enum {
   recorded_rollcon_version,
@@ -184,6 +191,7 @@ enum {
   recorded_rollcon_has_feature,
   recorded_rollcon_status_string,
   recorded_rollcon_last_error,
+  recorded_rollcon_last_caveat,
   recorded_rollcon_report,
   recorded_rollcon_context_create,
   recorded_rollcon_context_retain,
@@ -208,6 +216,11 @@ enum {
   recorded_rollcon_body_set_traction,
   recorded_rollcon_body_set_pressure,
   recorded_rollcon_body_set_contact_faces,
+  recorded_rollcon_body_read_mesh,
+  recorded_rollcon_body_tag_group,
+  recorded_rollcon_body_get_group_count,
+  recorded_rollcon_body_get_group_name,
+  recorded_rollcon_body_get_group_nodes,
   recorded_rollcon_body_set_int,
   recorded_rollcon_body_set_real,
   recorded_rollcon_body_get_int,
@@ -234,6 +247,7 @@ enum {
   recorded_rollcon_contact_release,
   recorded_rollcon_contact_set_frame_nodes,
   recorded_rollcon_contact_add_frame_elements,
+  recorded_rollcon_contact_read_frame,
   recorded_rollcon_contact_frame_from_body,
   recorded_rollcon_contact_frame_rectangle,
   recorded_rollcon_contact_frame_ellipse,
@@ -381,6 +395,11 @@ const char *rollcon_status_string(int32_t status) {
 const char *rollcon_last_error(void) {
   record_begin(recorded_rollcon_last_error);
   return "text of last_error";
+}
+
+const char *rollcon_last_caveat(void) {
+  record_begin(recorded_rollcon_last_caveat);
+  return "text of last_caveat";
 }
 
 int32_t rollcon_report(const void *handle, int32_t status, const char *message) {
@@ -577,6 +596,56 @@ rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, con
   record_handle(body);
   record_integer(n);
   record_integers(tags, n);
+  return record_end();
+}
+
+rollcon_status rollcon_body_read_mesh(rollcon_body *body, const char *path, const char *part) {
+  record_begin(recorded_rollcon_body_read_mesh);
+  record_handle(body);
+  record_text(path);
+  record_text(part);
+  return record_end();
+}
+
+rollcon_status rollcon_body_tag_group(rollcon_body *body, const char *group, int32_t tag) {
+  record_begin(recorded_rollcon_body_tag_group);
+  record_handle(body);
+  record_text(group);
+  record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_group_count(const rollcon_body *body, int32_t *n) {
+  record_begin(recorded_rollcon_body_get_group_count);
+  record_handle(body);
+  record_room(n);
+  give_integer32(n, 1, 1);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_group_name(const rollcon_body *body, int32_t i, int64_t capacity,
+    char *text, int64_t *needed) {
+  record_begin(recorded_rollcon_body_get_group_name);
+  record_handle(body);
+  record_integer(i);
+  record_integer(capacity);
+  record_room(text);
+  record_room(needed);
+  give_text(text, capacity, needed, recorded_rollcon_body_get_group_name);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_group_nodes(const rollcon_body *body, const char *group,
+    int32_t index_base, int64_t capacity, int32_t *nodes, int64_t *n_nodes) {
+  record_begin(recorded_rollcon_body_get_group_nodes);
+  record_handle(body);
+  record_text(group);
+  record_integer(index_base);
+  record_integer(capacity);
+  record_room(nodes);
+  record_room(n_nodes);
+  give_integer32(nodes, capacity, 4);
+  give_count(n_nodes, RECORD_NODES);
   return record_end();
 }
 
@@ -823,6 +892,15 @@ rollcon_status rollcon_contact_add_frame_elements(rollcon_contact *contact, int3
   record_integers(connectivity, n * record_nodes_of(type));
   record_integer(index_base);
   record_integer(tag);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_read_frame(rollcon_contact *contact, const char *path,
+    const char *part) {
+  record_begin(recorded_rollcon_contact_read_frame);
+  record_handle(contact);
+  record_text(path);
+  record_text(part);
   return record_end();
 }
 

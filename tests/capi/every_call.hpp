@@ -81,6 +81,16 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_set_pressure(object, 1, 1));
   check("rollcon_body_set_contact_faces", false,
         rollcon_body_set_contact_faces(object, 1, a.integers));
+  check("rollcon_body_read_mesh", false,
+        rollcon_body_read_mesh(object, "never_written", "never_written"));
+  check("rollcon_body_tag_group", false,
+        rollcon_body_tag_group(object, "never_written", 1));
+  check("rollcon_body_get_group_count", false,
+        rollcon_body_get_group_count(object, &a.kind));
+  check("rollcon_body_get_group_name", false,
+        rollcon_body_get_group_name(object, 1, 1, a.text, &a.n));
+  check("rollcon_body_get_group_nodes", false,
+        rollcon_body_get_group_nodes(object, "never_written", 1, 1, a.states, &a.n));
   check("rollcon_body_set_int", false,
         rollcon_body_set_int(object, "never_written", 1));
   check("rollcon_body_set_real", false,
@@ -125,6 +135,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_set_frame_nodes(object, 1, a.reals, 1, 1));
   check("rollcon_contact_add_frame_elements", false,
         rollcon_contact_add_frame_elements(object, 1, 1, a.integers, 1, 1));
+  check("rollcon_contact_read_frame", false,
+        rollcon_contact_read_frame(object, "never_written", "never_written"));
   check("rollcon_contact_frame_from_body", false,
         rollcon_contact_frame_from_body(object, 1, 1));
   check("rollcon_contact_frame_rectangle", false,

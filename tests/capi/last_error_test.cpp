@@ -161,6 +161,35 @@ TEST_F(latch, tells_of_the_first_caveat_without_stopping) {
   expect_text_of("rollcon_contact_set_rolling", {"speed is -1"});
 }
 
+class last_caveat : public Api {};
+
+TEST_F(last_caveat, says_what_is_known_of_the_case_and_stays_through_successes_and_failures) {
+  set_scene();
+  std::thread([] { EXPECT_STREQ(rollcon_last_caveat(), ""); }).join();
+  ASSERT_OK(rollcon_contact_set_int(contact, "max_iterations", 1));
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_NOT_CONVERGED);
+  const std::string text = rollcon_last_caveat();
+  EXPECT_TRUE(text.starts_with(std::string("rollcon_contact_solve: ") + rollcon_status_string(ROLLCON_NOT_CONVERGED)))
+      << text;
+  EXPECT_NE(text.find("not converged after 1 iterations"), std::string::npos) << text;
+  ASSERT_OK(rollcon_contact_set_int(contact, "max_iterations", 100));
+  EXPECT_OK(rollcon_contact_solve(contact));
+  EXPECT_EQ(rollcon_contact_set_rolling(contact, -1), ROLLCON_ERR_ARGUMENT);
+  EXPECT_EQ(rollcon_last_caveat(), text);
+  // What an earlier call noted is not said of a later one.
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, -1));
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_NO_CONTACT);
+  EXPECT_EQ(rollcon_last_caveat(), std::string("rollcon_contact_solve: ") + rollcon_status_string(ROLLCON_NO_CONTACT));
+}
+
+TEST_F(last_caveat, names_nodes_at_the_rim) {
+  set_scene();
+  ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_MOTION, 1));
+  ASSERT_EQ(rollcon_contact_solve(contact), ROLLCON_RIM_CONTACT);
+  EXPECT_NE(std::string(rollcon_last_caveat()).find("reaches the rim of the frame at "), std::string::npos)
+      << rollcon_last_caveat();
+}
+
 TEST_F(latch, holds_failures_that_layers_report) {
   ASSERT_OK(rollcon_context_set_latch(context, 1));
   EXPECT_EQ(rollcon_report(contact, ROLLCON_ERR_ARGUMENT, "RCNODE: LDX is 2"), ROLLCON_ERR_ARGUMENT);

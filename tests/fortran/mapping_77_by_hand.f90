@@ -12,7 +12,7 @@ module mapping_77_by_hand
 contains
 
   subroutine mapped_by_hand()
-    external :: rcvers, rcinfo, rchas, rcstex, rcnopt, rcnstt, rcbnop, rcbnst, rcwnst, rcwnps
+    external :: rcvers, rcinfo, rchas, rcstex, rclcav, rcnopt, rcnstt, rcbnop, rcbnst, rcwnst, rcwnps
     integer :: i, j
     call rcvers(i, j, text)
     call demand(i == 2 .and. j == 1 .and. text == 'text of version_string', 'version')
@@ -24,6 +24,8 @@ contains
     call rcstex(-7, text)
     call told('status_string', '-7', 0)
     call gave_text('status', text, 'text of status_string')
+    call rclcav(text)
+    call gave_text('last caveat', text, 'text of last_caveat')
     call rcnopt(i)
     call rcnstt(j)
     call demand(i == 2 .and. j == 2, 'counts of contacts')

@@ -25,6 +25,11 @@ program mapping_77_test
   call test_rcbtrc()
   call test_rcbprs()
   call test_rcbfac()
+  call test_rcbmsh()
+  call test_rcbtgr()
+  call test_rcbngr()
+  call test_rcbgnm()
+  call test_rcbgnd()
   call test_rcbsti()
   call test_rcbstr()
   call test_rcbgti()
@@ -48,6 +53,7 @@ program mapping_77_test
   call test_rcnode()
   call test_rcnodt()
   call test_rcelem()
+  call test_rcfmsh()
   call test_rcfram()
   call test_rcfrec()
   call test_rcfell()
@@ -426,6 +432,79 @@ contains
     call failed('body_set_contact_faces', stat, message)
   end subroutine
 
+  subroutine test_rcbmsh()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbmsh(ibody, 'text 1', 'text 2', stat)
+    call told('body_read_mesh', 'body1 <text 1> <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbmsh(ibody, 'text 1', 'text 2', stat)
+    call rclerr(message)
+    call failed('body_read_mesh', stat, message)
+  end subroutine
+
+  subroutine test_rcbtgr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbtgr(ibody, 'text 1', 21, stat)
+    call told('body_tag_group', 'body1 <text 1> 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbtgr(ibody, 'text 1', 21, stat)
+    call rclerr(message)
+    call failed('body_tag_group', stat, message)
+  end subroutine
+
+  subroutine test_rcbngr()
+    integer :: n
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbngr(ibody, n, stat)
+    call told('body_get_group_count', 'body1 room', stat)
+    call gave_integers('n', int([n]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbngr(ibody, n, stat)
+    call rclerr(message)
+    call failed('body_get_group_count', stat, message)
+  end subroutine
+
+  subroutine test_rcbgnm()
+    character(len=60) :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbgnm(ibody, 11, text, stat)
+    call told('body_get_group_name', 'body1 10 28 room room', stat)
+    call gave_text('text', text, 'text of body_get_group_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbgnm(ibody, 11, text, stat)
+    call rclerr(message)
+    call failed('body_get_group_name', stat, message)
+  end subroutine
+
+  subroutine test_rcbgnd()
+    integer :: nodes(6)
+    integer :: nn
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbgnd(ibody, 'text 1', 6, nodes, nn, stat)
+    call told('body_get_group_nodes', 'body1 <text 1> 1 3 room room', stat)
+    call gave_integers('nodes', int(nodes(:3)), 400)
+    call gave_integers('nn', int([nn]), 3)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbgnd(ibody, 'text 1', 6, nodes, nn, stat)
+    call rclerr(message)
+    call failed('body_get_group_nodes', stat, message)
+  end subroutine
+
   subroutine test_rcbsti()
     integer :: stat
     character(len=80) :: message
@@ -778,6 +857,19 @@ contains
     call rcelem(icon, 203, 2, ids, 4, 51, stat)
     call rclerr(message)
     call failed('contact_add_frame_elements', stat, message)
+  end subroutine
+
+  subroutine test_rcfmsh()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfmsh(icon, 'text 1', 'text 2', stat)
+    call told('contact_read_frame', 'contact1 <text 1> <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfmsh(icon, 'text 1', 'text 2', stat)
+    call rclerr(message)
+    call failed('contact_read_frame', stat, message)
   end subroutine
 
   subroutine test_rcfram()

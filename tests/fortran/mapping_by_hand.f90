@@ -37,6 +37,7 @@ contains
     call gave_text('version', rc_version_string(), 'text of version_string')
     call gave_text('build', rc_build_info(), 'text of build_info')
     call gave_text('last error', rc_last_error(), 'text of last_error')
+    call gave_text('last caveat', rc_last_caveat(), 'text of last_caveat')
     call gave_text('status', rc_status_string(-7), 'text of status_string')
     call told('status_string', '-7', 0)
   end subroutine
@@ -359,6 +360,9 @@ contains
     call body%get_displacements(v, stat)
     call told('body_get_displacements', 'body1 3 room', stat)
     call gave_reals('displacements', reshape(v, [9]), 200.5_rc_real)
+    call body%get_group_nodes('Top', states, stat)
+    call told('body_get_group_nodes', 'body1 <Top> 1 3 room room', stat)
+    call gave_integers('nodes of a group', int(states), 400)
     call contact%get_tractions(v, ROLLCON_GLOBAL, stat)
     call told('contact_get_tractions', 'contact1 1 3 room', stat)
     call gave_reals('tractions', reshape(v, [9]), 300.5_rc_real)

@@ -13,6 +13,10 @@ program mapping_test
   call body_set_traction()
   call body_set_pressure()
   call body_set_contact_faces()
+  call body_read_mesh()
+  call body_tag_group()
+  call body_get_group_count()
+  call body_get_group_name()
   call body_set_profile()
   call body_set_profile_shape()
   call body_read_profile()
@@ -24,6 +28,7 @@ program mapping_test
   call body_get_size()
   call body_get_reaction()
   call body_get_stat()
+  call contact_read_frame()
   call contact_frame_from_body()
   call contact_frame_rectangle()
   call contact_frame_ellipse()
@@ -173,6 +178,58 @@ contains
     message = ''
     call body%set_contact_faces([21, 22], stat, message)
     call failed('body_set_contact_faces', stat, message)
+  end subroutine
+
+  subroutine body_read_mesh()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%read_mesh('text 1', 'text 2', stat, message)
+    call told('body_read_mesh', 'body1 <text 1> <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%read_mesh('text 1', 'text 2', stat, message)
+    call failed('body_read_mesh', stat, message)
+  end subroutine
+
+  subroutine body_tag_group()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%tag_group('text 1', 21, stat, message)
+    call told('body_tag_group', 'body1 <text 1> 21', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%tag_group('text 1', 21, stat, message)
+    call failed('body_tag_group', stat, message)
+  end subroutine
+
+  subroutine body_get_group_count()
+    integer :: n
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_group_count(n, stat, message)
+    call told('body_get_group_count', 'body1 room', stat)
+    call gave_integers('n', int([n]), 100)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_group_count(n, stat, message)
+    call failed('body_get_group_count', stat, message)
+  end subroutine
+
+  subroutine body_get_group_name()
+    character(len=:), allocatable :: text
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%get_group_name(11, text, stat, message)
+    call told('body_get_group_name', 'body1 10 28 room room', stat)
+    call gave_text('text', text, 'text of body_get_group_name')
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%get_group_name(11, text, stat, message)
+    call failed('body_get_group_name', stat, message)
   end subroutine
 
   subroutine body_set_profile()
@@ -336,6 +393,18 @@ contains
     message = ''
     call body%get_stat('text 1', value, stat, message)
     call failed('body_get_stat', stat, message)
+  end subroutine
+
+  subroutine contact_read_frame()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%read_frame('text 1', 'text 2', stat, message)
+    call told('contact_read_frame', 'contact1 <text 1> <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%read_frame('text 1', 'text 2', stat, message)
+    call failed('contact_read_frame', stat, message)
   end subroutine
 
   subroutine contact_frame_from_body()

@@ -7,7 +7,7 @@ arrays of float64, x[n, 3]; node numbers count from 0. Contiguous arrays are pas
 
 from . import _api
 from ._api import *  # noqa: F401,F403 - the enumerators: BODY_RIGID, QUAD4, BY_FORCE, ...
-from ._library import (RollconError, build_info, has_feature, last_error, library_path,
+from ._library import (RollconError, build_info, has_feature, last_caveat, last_error, library_path,
                        status_string, version, version_string)
 from .body import Body
 from .contact import Contact
@@ -22,6 +22,6 @@ from .wheelrail import WheelRail, conicity, contact_points
 __version__ = ".".join(str(part) for part in _api.VERSION)
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
 __all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
-            "build_info", "conicity", "contact_points", "has_feature", "last_error", "library_path", "option_table", "stat_names",
+            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path", "option_table", "stat_names",
             "status_string", "stress_invariants", "version", "version_string", "wheelrail_patch_stat_names",
             "wheelrail_stat_names"]

@@ -170,6 +170,7 @@ FUNCTIONS = {
     "rollcon_has_feature": (c_int32, [c_char_p]),
     "rollcon_status_string": (c_char_p, [c_int32]),
     "rollcon_last_error": (c_char_p, []),
+    "rollcon_last_caveat": (c_char_p, []),
     "rollcon_report": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_context_create": (c_int32, [c_int32, POINTER(c_void_p)]),
     "rollcon_context_retain": (c_int32, [c_void_p]),
@@ -202,6 +203,15 @@ FUNCTIONS = {
     "rollcon_body_set_traction": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
     "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
+    "rollcon_body_read_mesh": (c_int32, [c_void_p, c_char_p, c_char_p]),
+    "rollcon_body_tag_group": (c_int32, [c_void_p, c_char_p, c_int32]),
+    "rollcon_body_get_group_count": (c_int32, [c_void_p, POINTER(c_int32)]),
+    "rollcon_body_get_group_name": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        c_char_p, POINTER(c_int64)]),
+    "rollcon_body_get_group_nodes": (c_int32, [
+        c_void_p, c_char_p, c_int32,
+        c_int64, POINTER(c_int32), POINTER(c_int64)]),
     "rollcon_body_set_int": (c_int32, [c_void_p, c_char_p, c_int64]),
     "rollcon_body_set_real": (c_int32, [c_void_p, c_char_p, c_double]),
     "rollcon_body_get_int": (c_int32, [c_void_p, c_char_p, POINTER(c_int64)]),
@@ -240,6 +250,7 @@ FUNCTIONS = {
     "rollcon_contact_add_frame_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_int32), c_int32, c_int32]),
+    "rollcon_contact_read_frame": (c_int32, [c_void_p, c_char_p, c_char_p]),
     "rollcon_contact_frame_from_body": (c_int32, [c_void_p, c_int32, c_int32]),
     "rollcon_contact_frame_rectangle": (c_int32, [
         c_void_p, c_int32, c_int32, c_int32,
@@ -462,6 +473,7 @@ ARGUMENTS = {
     "rollcon_has_feature": [("name", "")],
     "rollcon_status_string": [("status", "")],
     "rollcon_last_error": [],
+    "rollcon_last_caveat": [],
     "rollcon_report": [("handle", ""), ("status", ""), ("message", "")],
     "rollcon_context_create": [("header_abi", ""), ("context", "")],
     "rollcon_context_retain": [("context", "")],
@@ -500,6 +512,16 @@ ARGUMENTS = {
     "rollcon_body_set_traction": [("body", ""), ("tag", ""), ("traction", "")],
     "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
     "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
+    "rollcon_body_read_mesh": [("body", ""), ("path", ""), ("part", "")],
+    "rollcon_body_tag_group": [("body", ""), ("group", ""), ("tag", "")],
+    "rollcon_body_get_group_count": [("body", ""), ("n", "")],
+    "rollcon_body_get_group_name": [
+        ("body", ""), ("i", ""), ("capacity", ""), ("text", ""), ("needed", "")
+    ],
+    "rollcon_body_get_group_nodes": [
+        ("body", ""), ("group", ""), ("index_base", ""), ("capacity", ""), ("nodes", ""),
+        ("n_nodes", "")
+    ],
     "rollcon_body_set_int": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_set_real": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_get_int": [("body", ""), ("name", ""), ("value", "")],
@@ -538,6 +560,7 @@ ARGUMENTS = {
         ("contact", ""), ("type", "element type"), ("n", ""), ("connectivity", ""), ("index_base",
         ""), ("tag", "")
     ],
+    "rollcon_contact_read_frame": [("contact", ""), ("path", ""), ("part", "")],
     "rollcon_contact_frame_from_body": [("contact", ""), ("which", ""), ("tag", "")],
     "rollcon_contact_frame_rectangle": [
         ("contact", ""), ("type", "element type"), ("nx", ""), ("ny", ""), ("x_least", ""),

@@ -60,6 +60,11 @@ def last_error() -> str:
     return lib.rollcon_last_error().decode(errors="replace")
 
 
+def last_caveat() -> str:
+    """Text of the last call in this thread that returned a status above zero; empty if there was none."""
+    return lib.rollcon_last_caveat().decode(errors="replace")
+
+
 def check(status):
     """Returns a status >= 0; raises RollconError with its text for the rest."""
     if status >= 0:

@@ -121,6 +121,51 @@ class BodyPlain:
         tags, tags_at = integer_list(tags, "tags")
         self._call("set_contact_faces", len(tags), tags_at)
 
+    def read_mesh(self, path: str | PathLike, part: str = "") -> None:
+        """Takes nodes, elements and names from a file, in place of all that the mesh was: of
+        Gmsh, where the name ends in .msh (versions 2 to 2.2 and 4.1, text or binary), of Abaqus
+        or CalculiX, where it ends in .inp. Linear and quadratic tetrahedra, wedges and hexahedra
+        for finite-element bodies, with the surface elements that have a name; triangles and
+        quadrilaterals for all others. Orders of nodes are changed to those of rollcon; hexahedra
+        of 27 nodes and wedges of 18 give up those inside their faces. Nodes that no element has
+        are left out, the others keep the order of the file. Groups are Gmsh's physical groups
+        (nameless ones: "surface 2", ...), Abaqus's sets and surfaces. An element's tag is its
+        (first) physical group in Gmsh, else 0: tag_group(). ERR_IO names the file, the line (in
+        binary files the byte) and what is wrong there; ERR_MESH: no element that the body could
+        take. Shapes are checked by prepare().
+
+        path: name of the file, which ends in .msh or .inp.
+        part: name of a group (in any case): only its elements; "": those of the whole file.
+        """
+        self._call("read_mesh", c_path(path), c_text(part, "part"))
+
+    def tag_group(self, group: str, tag: int) -> None:
+        """Gives a tag to what the mesh's file has in a group: to volume elements (their
+        material), to surface elements and faces (loads, contact faces). A group of nodes alone
+        names the faces all of whose nodes it has. Later calls win.
+
+        group: name, in any case; ERR_ARGUMENT lists those that there are.
+        tag: as in rollcon_body_add_elements.
+        """
+        self._call("tag_group", c_text(group, "group"), tag)
+
+    def group_count(self) -> int:
+        """How many groups the mesh's file has that name something of the body. 0 for a mesh that
+        was not read, and for a body that was saved and loaded.
+        """
+        n = c_int32()
+        self._call("get_group_count", byref(n))
+        return n.value
+
+    def group_name(self, i: int) -> str:
+        """The name of a group as the file has it.
+
+        i: 0 to rollcon_body_get_group_count - 1.
+        """
+        status, text = read_text(lambda *a: lib.rollcon_body_get_group_name(self._handle, i, *a))
+        check(status)
+        return text
+
     def set_profile(self, points: ArrayLike, filter_length: float = 0) -> None:
         """Sets a profile through points, in either order: a cubic spline in arc length with two
         derivatives continuous, broken at kinks (turns of 30 degrees and more, three times as much
@@ -260,6 +305,16 @@ class BodyPlain:
 
 
 class ContactPlain:
+
+    def read_frame(self, path: str | PathLike, part: str = "") -> None:
+        """Makes the surface elements of a mesh file the frame; replaces frame and all that was
+        given for its nodes. Files as of read_mesh(). Tags of elements are Gmsh's physical groups,
+        else 0.
+
+        path: name of the file, which ends in .msh or .inp.
+        part: name of a group (in any case): only its elements; "": those of the whole file.
+        """
+        self._call("read_frame", c_path(path), c_text(part, "part"))
 
     def frame_from_body(self, which: int, tag: int) -> None:
         """Makes the faces of a body that carry a tag the frame: replaces nodes and elements of

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import ctypes
-from ctypes import byref
+from ctypes import byref, c_int64
 from typing import TYPE_CHECKING
 
 from . import _api
 from ._arrays import VOLUME_TYPES, elements, integer_list, nodes, reals, room
-from ._library import Handle, c_path, call, check, lib
+from ._library import Handle, c_path, c_text, call, check, lib
 from ._plain import BodyPlain
 from ._settings import Settings
 
@@ -86,6 +86,19 @@ class Body(Settings, BodyPlain, Handle):
             if len(values) != len(ids):
                 raise ValueError(f"{len(values)} values for {len(ids)} nodes")
         self._call("set_support", len(ids), address, index_base, dof_mask, at)
+
+    @property
+    def groups(self) -> list[str]:
+        """Names of what the mesh's file has names for, after read_mesh()."""
+        return [self.group_name(i) for i in range(self.group_count())]
+
+    def group_nodes(self, group: str, index_base: int = 0) -> np.ndarray:
+        """The nodes of all that a group of the mesh's file has, ascending, [n] of int32."""
+        name, need = c_text(group, "group"), c_int64()
+        self._call("get_group_nodes", name, index_base, 0, None, byref(need))
+        nodes, address = room(need.value, dtype="int32")
+        self._call("get_group_nodes", name, index_base, len(nodes), address, byref(need))
+        return nodes
 
     # ------------------------------------------------------------------------------- results
 

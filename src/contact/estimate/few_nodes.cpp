@@ -1,7 +1,6 @@
 #include "contact/estimate/few_nodes.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "contact/solution.hpp"
 
@@ -76,17 +75,15 @@ bool too_few_nodes(const SolverState& s) {
   return nodes_inside(s) < least(s);
 }
 
-std::string describe_few_nodes(const SolverState& s) {
+Line describe_few_nodes(const SolverState& s) {
   const std::vector<double>& normal = s.iterate.lambda[2];
-  char text[400];
-  std::snprintf(text, sizeof text,
-                "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
-                "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
-                "frame and may be off by half and more; take a finer frame where the bodies touch",
-                static_cast<long long>(std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
-                static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
-                s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
-  return text;
+  return line_of(
+      "too few nodes in contact to trust: %lld touch, %lld of them with all their neighbours "
+      "(at least %lld should): forces, pressures and the approach (%.6g) are those of the "
+      "frame and may be off by half and more; take a finer frame where the bodies touch",
+      static_cast<long long>(std::count_if(normal.begin(), normal.end(), [](double l) { return l < 0; })),
+      static_cast<long long>(nodes_inside(s)), static_cast<long long>(least(s)),
+      s.given.approach_of(s.iterate.motion, s.prepared->problem.datum));
 }
 
 }  // namespace rollcon

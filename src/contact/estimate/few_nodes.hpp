@@ -2,10 +2,10 @@
 /// Whether enough nodes touch for a solution to mean anything (docs/theory.md, section 8).
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "mesh/surface_mesh.hpp"
+#include "support/line.hpp"
 
 namespace rollcon {
 
@@ -23,6 +23,6 @@ std::int64_t nodes_inside(const SurfaceMesh& mesh, const std::vector<double>& no
 bool too_few_nodes(const SolverState& state);
 
 /// How many touch, what that means and what to do about it.
-std::string describe_few_nodes(const SolverState& state);
+Line describe_few_nodes(const SolverState& state);
 
 }  // namespace rollcon

@@ -34,13 +34,6 @@ const char* cause_of_rim_contact(const SolverState& s) {
   return "enlarge the frame";
 }
 
-template <class... Args>
-std::string text_of(const char* format, Args... args) {
-  char text[512];
-  std::snprintf(text, sizeof text, format, args...);
-  return text;
-}
-
 std::string share_text(double share) {
   if (!(share < 1e6)) return "infinite";
   char text[40];
@@ -53,11 +46,11 @@ std::string times(double share) {
   return share < 1.00005 ? "all of" : share_text(share) + " times";
 }
 
-std::string not_converged(const SolverState& s) {
+Line not_converged(const SolverState& s) {
   const NewtonReport& r = s.report;
   const std::vector<double>& mu = s.prepared->problem.mu;
   const bool strong = !mu.empty() && *std::max_element(mu.begin(), mu.end()) >= 1;
-  return text_of(
+  return line_of(
       "not converged after %lld iterations and %lld fallbacks: residuals %.1e normal, %.1e "
       "tangential, %.1e of the loads%s; the best iterate is kept",
       static_cast<long long>(r.normal_iterations + r.tangential_iterations + r.full_iterations),
@@ -82,24 +75,24 @@ std::string describe_beyond_friction(const FrictionShare& share) {
          share_text(share.moment) + ")";
 }
 
-std::string describe_outcome(const SolverState& s) {
+Line describe_outcome(const SolverState& s) {
   switch (s.outcome) {
     case Outcome::not_converged:
       return not_converged(s);
     case Outcome::cancelled:
-      return "cancelled; the best iterate is kept";
+      return {"cancelled; the best iterate is kept"};
     case Outcome::no_contact:
-      return "the bodies do not touch";
+      return {"the bodies do not touch"};
     case Outcome::no_solution:
-      return describe_beyond_friction(s.report.share) + ": there is no steady solution";
+      return line_of("%s: there is no steady solution", describe_beyond_friction(s.report.share).c_str());
     case Outcome::converged:
       break;
   }
   if (const std::int64_t rim = nodes_at_rim(s); rim > 0)
-    return text_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
+    return line_of("contact reaches the rim of the frame at %lld node(s), approach %.6g: %s",
                    static_cast<long long>(rim), s.given.approach_of(s.iterate.motion, s.prepared->problem.datum),
                    cause_of_rim_contact(s));
-  return text_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
+  return line_of("converged, residuals %.1e normal, %.1e tangential", s.report.residual_normal,
                  s.report.residual_tangential);
 }
 

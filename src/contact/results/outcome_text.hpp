@@ -4,11 +4,12 @@
 #include <string>
 
 #include "contact/solution.hpp"
+#include "support/line.hpp"
 
 namespace rollcon {
 
 /// "not converged after ...", "contact reaches the rim ...", "converged ...".
-std::string describe_outcome(const SolverState& s);
+Line describe_outcome(const SolverState& s);
 
 /// Which of the prescribed loads friction cannot carry, and by how much.
 std::string describe_beyond_friction(const FrictionShare& share);

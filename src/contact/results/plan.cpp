@@ -113,7 +113,7 @@ const char* branch_of(const NewtonReport& report) {
 void describe_contact(std::string& text, const SolverState& s) {
   if (s.outcome != Outcome::converged) return;
   if (too_few_nodes(s)) {
-    text += describe_few_nodes(s) + '\n';
+    text += describe_few_nodes(s).str() + '\n';
     return;
   }
   const auto& normal = s.iterate.lambda[2];

@@ -1,0 +1,13 @@
+function varargout = body_get_profile_length(varargin)
+% BODY_GET_PROFILE_LENGTH  length = rollcon.body_get_profile_length(body)
+%
+% Arc length of the profile. Works before rollcon.body_prepare.
+%
+%   body (body): with a profile (else ERR_STATE)
+% Results:
+%   length: length
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('body_get_profile_length', varargin{:});
+end

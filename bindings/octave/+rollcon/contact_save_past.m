@@ -1,0 +1,14 @@
+function varargout = contact_save_past(varargin)
+% CONTACT_SAVE_PAST  past = rollcon.contact_save_past(contact)
+%
+% What the next step starts from, as numbers: a header with a version, time, tractions, a checksum.
+% For another run, or another contact of such bodies on the same frame.
+%
+%   contact (contact)
+% Results:
+%   past: [] only with capacity 0
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('contact_save_past', varargin{:});
+end

@@ -1,0 +1,12 @@
+function varargout = last_caveat(varargin)
+% LAST_CAVEAT  text = rollcon.last_caveat()
+%
+% The text of the last call in this thread that returned a status above zero: name of the function,
+% what the status means, and what is known of this case: how many nodes touch, how far the iteration
+% came, where the frame ends. Empty before the first one. Failures and successes leave it alone. Valid
+% until the next such call in this thread; texts beyond 1023 bytes are cut.
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('last_caveat', varargin{:});
+end

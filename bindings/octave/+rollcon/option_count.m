@@ -1,0 +1,9 @@
+function varargout = option_count(varargin)
+% OPTION_COUNT  value = rollcon.option_count()
+%
+% Number of options.
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('option_count', varargin{:});
+end

@@ -1,0 +1,17 @@
+function varargout = option_info(varargin)
+% OPTION_INFO  [name, type, low, high, standard] = rollcon.option_info(i)
+%
+% Row of the table of options. For text options low, high and standard are 0.
+%
+%   i (row): 0 to rollcon.option_count() - 1
+% Results:
+%   name: NUL-terminated; [] only with capacity 0
+%   type: TYPE_...
+%   low: least value allowed
+%   high: greatest value allowed
+%   standard: value of a new contact
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('option_info', varargin{:});
+end

@@ -1,0 +1,15 @@
+function varargout = wheelrail_restore(varargin)
+% WHEELRAIL_RESTORE  rollcon.wheelrail_restore(wheelrail, place)
+%
+% Goes back to what was kept: inputs, results, and later solves are as if nothing had been done since,
+% to the last bit. ERR_STATE: nothing was kept at this place, or track or wheelset have been set
+% since. What was kept stays. Contacts of patches that were new since then are no longer those of this
+% wheel.
+%
+%   wheelrail (wheelrail)
+%   place (int32): 0 to 15
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+rollcon_mex('wheelrail_restore', varargin{:});
+end

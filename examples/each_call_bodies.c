@@ -1,0 +1,155 @@
+/* Calls that other examples do not need: contexts, bodies, meshes, profiles. docs/api.md shows its lines. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "rollcon.h"
+
+static int32_t must(int32_t status) {
+  if (status >= 0) return status;
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
+  exit(1);
+}
+
+static void print_line(int32_t level, const char* message, void* user) {
+  ++*(int*)user;
+  if (level <= ROLLCON_LOG_WARNING) printf("log: %s\n", message);
+}
+
+/* Two hexahedra on top of each other, as Abaqus writes them. */
+static void write_mesh(const char* path) {
+  FILE* file = fopen(path, "w");
+  int k, corner;
+  if (!file) exit(1);
+  fprintf(file, "*NODE\n");
+  for (k = 0; k < 12; ++k) {
+    corner = k % 4;
+    fprintf(file, "%d, %d, %d, %d\n", k + 1, corner == 1 || corner == 2, corner > 1, k / 4);
+  }
+  fprintf(file, "*ELEMENT, TYPE=C3D8, ELSET=steel\n1, 1,2,3,4,5,6,7,8\n2, 5,6,7,8,9,10,11,12\n");
+  fprintf(file, "*NSET, NSET=low, GENERATE\n1, 4, 1\n*SURFACE, NAME=high\n2, S2\n");
+  fprintf(file, "*ELEMENT, TYPE=S4, ELSET=patch\n3, 9,10,11,12\n");
+  fclose(file);
+}
+
+static void facts(void) {
+  printf("version %d (%s), interface %d\n", (int)rollcon_version(), rollcon_version_string(), (int)rollcon_abi());
+  printf("%s\n", strlen(rollcon_build_info()) > 40 ? "the build tells of itself" : "no");
+  if (rollcon_has_feature("fem")) printf("it has finite elements\n");
+}
+
+static void contexts(rollcon_context* context, int* lines) {
+  int32_t id = rollcon_id_of(context);
+  must(rollcon_context_set_log(context, ROLLCON_LOG_INFO, print_line, lines));
+  must(rollcon_context_retain(context));
+  if (rollcon_context_from_id(id) == context) printf("an id leads back to its handle\n");
+  rollcon_context_release(context);
+  must(rollcon_context_set_latch(context, 1));
+  rollcon_report(context, ROLLCON_ERR_ARGUMENT, "my_function: n is -1"); /* a layer's own failure */
+  printf("the latch keeps %d: %s\n", (int)rollcon_context_check(context), rollcon_last_error());
+  must(rollcon_context_set_latch(context, 0));
+}
+
+static void mesh(rollcon_context* context) {
+  const double traction[3] = {0, 0, 3};
+  const int32_t top_element = 1, top_face = 1; /* counting from 0: the second element, its face 5678 */
+  int32_t groups, kind, ids[8];
+  int64_t n, i, step;
+  double u[36], force[3], moment[3], share;
+  char name[64];
+  rollcon_body *bar, *copy;
+  must(rollcon_body_create(context, ROLLCON_BODY_FEM, &bar));
+  must(rollcon_body_read_mesh(bar, "each_call.inp", "steel"));
+  must(rollcon_body_tag_group(bar, "steel", 1));
+  must(rollcon_body_tag_group(bar, "high", 2));
+  must(rollcon_body_tag_faces(bar, 1, &top_element, &top_face, 0, 2)); /* the same by number */
+  must(rollcon_body_get_group_count(bar, &groups));
+  for (i = 0; i < groups; ++i) {
+    must(rollcon_body_get_group_name(bar, (int32_t)i, sizeof name, name, NULL));
+    printf("group %s\n", name);
+  }
+  must(rollcon_body_get_group_nodes(bar, "low", 0, 8, ids, &n));
+  must(rollcon_body_set_support(bar, n, ids, 0, ROLLCON_DOF_XYZ, NULL));
+  must(rollcon_body_set_elastic(bar, 1, 1000, 0));
+  must(rollcon_body_set_traction(bar, 2, traction));
+  must(rollcon_body_set_pressure(bar, 2, 0.5));
+  must(rollcon_body_set_int(bar, "keep_factors", 1));
+  must(rollcon_body_set_real(bar, "edge_angle", 35));
+  must(rollcon_body_get_int(bar, "keep_factors", &step));
+  must(rollcon_body_get_real(bar, "edge_angle", &share));
+  must(rollcon_body_prepare(bar));
+  must(rollcon_body_get_displacements(bar, 12, u));
+  must(rollcon_body_get_reaction(bar, force, moment));
+  must(rollcon_body_get_kind(bar, &kind));
+  printf("kind %d, end moves by %.4f, held with %.2f, options %d %.0f\n", (int)kind, u[35], force[2], (int)step, share);
+  must(rollcon_body_save(bar, "each_call.body"));
+  must(rollcon_body_load(context, "each_call.body", &copy));
+  must(rollcon_body_get_displacements(copy, 12, u));
+  printf("its copy's end moves by %.4f\n", u[35]);
+  must(rollcon_body_retain(copy));
+  if (rollcon_body_from_id(rollcon_id_of(copy)) != copy) exit(1);
+  rollcon_body_release(copy);
+  rollcon_body_release(copy);
+  rollcon_body_release(bar);
+}
+
+static void tables_of_bodies(void) {
+  int32_t type;
+  double low, high, standard;
+  char text[400];
+  if (rollcon_body_option_count() < 1 || rollcon_body_stat_count() < 1) exit(1);
+  must(rollcon_body_option_info(0, sizeof text, text, &type, &low, &high, &standard));
+  printf("first option %s, %g to %g, standard %g\n", text, low, high, standard);
+  must(rollcon_body_option_doc(0, sizeof text, text, NULL));
+  must(rollcon_body_stat_name(0, sizeof text, text, NULL));
+  printf("first statistic %s\n", text);
+}
+
+static void profiles(rollcon_context* context) {
+  const double points[8] = {-1, 0, 0, 0, 1, 0, 2, 0}; /* y, z */
+  const double origin[3] = {0, 0, 0}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+  double length, point[2], tangent[2], curvature;
+  rollcon_body* rail;
+  must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &rail));
+  must(rollcon_body_set_profile(rail, 4, points, 0));
+  must(rollcon_body_write_profile(rail, "each_call.txt", 1));
+  must(rollcon_body_read_profile(rail, "each_call.txt", 1, 1, 0)); /* mirrored in y */
+  must(rollcon_body_extrude_profile(rail, origin, along, up));
+  must(rollcon_body_get_profile_length(rail, &length));
+  must(rollcon_body_get_profile_point(rail, length / 2, point, tangent, &curvature));
+  printf("a profile of length %.1f, its middle at y = %.1f\n", length, point[0]);
+  rollcon_body_release(rail);
+}
+
+static void frame(rollcon_context* context) {
+  rollcon_body *a, *b;
+  rollcon_contact* contact;
+  int64_t nodes, elements;
+  must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &a));
+  must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &b));
+  must(rollcon_contact_create(context, a, b, &contact));
+  must(rollcon_contact_read_frame(contact, "each_call.inp", "patch"));
+  must(rollcon_contact_get_size(contact, &nodes, &elements));
+  printf("a frame of %d nodes, %d element\n", (int)nodes, (int)elements);
+  rollcon_contact_release(contact);
+  rollcon_body_release(a);
+  rollcon_body_release(b);
+}
+
+int main(void) {
+  rollcon_context* context;
+  int lines = 0;
+  facts();
+  must(rollcon_context_create(ROLLCON_ABI, &context));
+  contexts(context, &lines);
+  write_mesh("each_call.inp");
+  mesh(context);
+  tables_of_bodies();
+  profiles(context);
+  frame(context);
+  rollcon_context_release(context);
+  remove("each_call.inp");
+  remove("each_call.body");
+  remove("each_call.txt");
+  return 0;
+}

@@ -1,0 +1,143 @@
+/* Calls that other examples do not need: creep-force tables, wheels on rails. docs/api.md shows its lines. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "rollcon.h"
+
+static int32_t must(int32_t status) {
+  if (status >= 0) return status;
+  fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
+  exit(1);
+}
+
+static int32_t count(const rollcon_event* event, void* user) {
+  (void)event;
+  ++*(int*)user;
+  return 0;
+}
+
+/* A coarse table: of ratios of half axes around 1 alone. */
+static void small_table(rollcon_context* context) {
+  const double poisson = 0.28;
+  const double inputs[9] = {82000, 0.28, 0.3, 6, 5, 1e5, 1e-3, 0, 0};
+  double forces[3], derivatives[27], *samples;
+  int calls = 0;
+  int64_t n;
+  rollcon_table *table, *copy;
+  must(rollcon_table_create(context, &table));
+  must(rollcon_table_set_ratios(table, 4, 0.5, 2));
+  must(rollcon_table_set_resolution(table, 8, 4, 4));
+  must(rollcon_table_set_frame(table, 6, 4));
+  must(rollcon_table_set_poissons(table, 1, &poisson));
+  must(rollcon_table_set_progress(table, count, &calls));
+  must(rollcon_table_make(table, 0, 1));
+  must(rollcon_table_request_cancel(table)); /* nothing runs: nothing is stopped */
+  must(rollcon_table_evaluate(table, 1, inputs, forces));
+  printf("a small table: %.0f N%s\n", -forces[0], calls > 0 ? ", watched" : "");
+  must(rollcon_table_save(table, "each_call.rct"));
+  must(rollcon_table_load(context, "each_call.rct", &copy));
+  must(rollcon_table_evaluate_derivatives(copy, 1, inputs, forces, derivatives));
+  printf("its copy: %.0f N, by creepage %.3g N\n", -forces[0], -derivatives[6]);
+  must(rollcon_table_retain(copy));
+  if (rollcon_table_from_id(rollcon_id_of(copy)) != copy) exit(1);
+  rollcon_table_release(copy);
+  rollcon_table_release(copy);
+  /* Made in parts, by several processes: the samples of one go to another. */
+  must(rollcon_table_get_samples(table, 0, NULL, &n));
+  samples = malloc((size_t)n * sizeof *samples);
+  if (!samples) exit(1);
+  must(rollcon_table_get_samples(table, n, samples, &n));
+  must(rollcon_table_create(context, &copy));
+  must(rollcon_table_set_ratios(copy, 4, 0.5, 2));
+  must(rollcon_table_set_resolution(copy, 8, 4, 4));
+  must(rollcon_table_set_frame(copy, 6, 4));
+  must(rollcon_table_set_poissons(copy, 1, &poisson));
+  must(rollcon_table_add_samples(copy, n, samples));
+  must(rollcon_table_evaluate(copy, 1, inputs, forces));
+  printf("from its samples: %.0f N\n", -forces[0]);
+  free(samples);
+  rollcon_table_release(copy);
+  must(rollcon_table_standard(context, &copy));
+  must(rollcon_table_evaluate(copy, 1, inputs, forces));
+  printf("the standard table: %.0f N\n", -forces[0]);
+  rollcon_table_release(copy);
+  rollcon_table_release(table);
+  remove("each_call.rct");
+}
+
+static rollcon_body* steel(rollcon_context* context, const char* profile) {
+  const double millimetre = 1;
+  rollcon_body* body;
+  must(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &body));
+  must(rollcon_body_set_elastic(body, 0, 210000, 0.28));
+  must(rollcon_body_set_profile_shape(body, profile, 1, &millimetre));
+  return body;
+}
+
+static rollcon_wheelrail* wheel_on_rail(rollcon_context* context, rollcon_body* tread, rollcon_body* rail,
+                                        int32_t side) {
+  rollcon_wheelrail* wheel;
+  must(rollcon_wheelrail_create(context, tread, rail, side, &wheel));
+  must(rollcon_wheelrail_set_track(wheel, 1435, 14, atan(1.0 / 40)));
+  must(rollcon_wheelrail_set_wheelset(wheel, 1360, -70, 460));
+  must(rollcon_wheelrail_set_friction(wheel, 0.3));
+  must(rollcon_wheelrail_prescribe_vertical(wheel, ROLLCON_BY_FORCE, 1e5));
+  return wheel;
+}
+
+static void wheels(rollcon_context* context) {
+  const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
+  const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
+  double force[3], moment[3], pressure, totals[9], points[26], conicity[2], wavelength[2];
+  char text[64];
+  int32_t status;
+  rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
+  rollcon_wheelrail *left = wheel_on_rail(context, tread, rail, ROLLCON_LEFT), *copy;
+  rollcon_wheelrail* right = wheel_on_rail(context, tread, rail, ROLLCON_RIGHT);
+  rollcon_contact* contact;
+  must(rollcon_wheelrail_set_accuracy(right, 0.02));
+  must(rollcon_wheelrail_set_position(right, position));
+  must(rollcon_wheelrail_set_velocity(right, velocity));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_resultant(right, ROLLCON_IN_TRACK, force, moment));
+  printf("on the rail %.0f N\n", fabs(force[2]));
+  must(rollcon_wheelrail_get_contact(right, 0, &contact));
+  must(rollcon_contact_get_stat(contact, "max_pressure", &pressure));
+  printf("its first patch: %s\n", pressure > 500 ? "pressed" : "missing");
+  rollcon_contact_release(contact);
+  must(rollcon_wheelrail_save(right, 0)); /* before a step that may be tried again */
+  must(rollcon_wheelrail_set_rail_deviation(right, lower, still));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_restore(right, 0));
+  must(rollcon_wheelrail_copy(right, &copy));
+  must(rollcon_wheelrail_request_cancel(copy));
+  must(rollcon_wheelrail_reset(copy));
+  must(rollcon_wheelrail_solve_many(copy, 1, position, velocity, totals, &status));
+  printf("a list of positions: status %d\n", (int)status);
+  must(rollcon_wheelrail_retain(copy));
+  if (rollcon_wheelrail_from_id(rollcon_id_of(copy)) != copy) exit(1);
+  rollcon_wheelrail_release(copy);
+  rollcon_wheelrail_release(copy);
+  must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
+  must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
+  printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);
+  if (rollcon_wheelrail_stat_count() < 1 || rollcon_wheelrail_patch_stat_count() < 1) exit(1);
+  must(rollcon_wheelrail_stat_name(0, sizeof text, text, NULL));
+  printf("first statistic %s\n", text);
+  must(rollcon_wheelrail_patch_stat_name(0, sizeof text, text, NULL));
+  printf("first statistic of a patch %s\n", text);
+  rollcon_wheelrail_release(left);
+  rollcon_wheelrail_release(right);
+  rollcon_body_release(tread);
+  rollcon_body_release(rail);
+}
+
+int main(void) {
+  rollcon_context* context;
+  must(rollcon_context_create(ROLLCON_ABI, &context));
+  small_table(context);
+  wheels(context);
+  rollcon_context_release(context);
+  return 0;
+}

@@ -1,0 +1,13 @@
+#pragma once
+/// A file in memory.
+
+#include <cstdint>
+#include <string>
+
+namespace rollcon {
+
+/// err_io naming the path: there is none, it is no regular file, has more than `most` bytes, or cannot be read. Memory
+/// is asked for by the file's size.
+std::string whole_file(const std::string& path, std::uintmax_t most);
+
+}  // namespace rollcon
