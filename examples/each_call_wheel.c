@@ -95,6 +95,8 @@ static void wheels(rollcon_context* context) {
   rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
   rollcon_wheelrail *left = wheel_on_rail(context, tread, rail, ROLLCON_LEFT), *copy;
   rollcon_wheelrail* right = wheel_on_rail(context, tread, rail, ROLLCON_RIGHT);
+  rollcon_table* table;
+  double ellipse[9], center[2], looked_up;
   rollcon_contact* contact;
   must(rollcon_wheelrail_set_accuracy(right, 0.02));
   must(rollcon_wheelrail_set_position(right, position));
@@ -105,6 +107,8 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_get_contact(right, 0, &contact));
   must(rollcon_contact_get_stat(contact, "max_pressure", &pressure));
   printf("its first patch: %s\n", pressure > 500 ? "pressed" : "missing");
+  must(rollcon_contact_get_equivalent_ellipse(contact, ellipse, center));
+  printf("like an ellipse of %.1f by %.1f mm\n", ellipse[3], ellipse[4]);
   rollcon_contact_release(contact);
   must(rollcon_wheelrail_save(right, 0)); /* before a step that may be tried again */
   must(rollcon_wheelrail_set_rail_deviation(right, lower, still));
@@ -119,6 +123,13 @@ static void wheels(rollcon_context* context) {
   if (rollcon_wheelrail_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_wheelrail_release(copy);
   rollcon_wheelrail_release(copy);
+  must(rollcon_table_standard(context, &table));
+  must(rollcon_wheelrail_set_table(right, table));
+  rollcon_table_release(table); /* the wheel keeps it */
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_patch_stat(right, 0, "by_table", &looked_up));
+  printf("by the table: %s\n", looked_up == 1 ? "yes" : "no");
+  must(rollcon_wheelrail_forget_table(right));
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);
