@@ -603,6 +603,55 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_get_displacements
 
+    function rollcon_body_get_node_stresses(body, nodes, u, stress) &
+        result(rc) bind(C, name="rollcon_body_get_node_stresses")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_node_stresses
+
+    function rollcon_body_get_point_stresses(body, nodes, u, capacity, stress, xyz, n_rows) &
+        result(rc) bind(C, name="rollcon_body_get_point_stresses")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: stress(*)
+      real(c_double), intent(out) :: xyz(*)
+      integer(c_int64_t), intent(inout) :: n_rows
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_point_stresses
+
+    function rollcon_body_get_fields_at(body, nodes, u, n, xyz, displacement, stress) &
+        result(rc) bind(C, name="rollcon_body_get_fields_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xyz(*)
+      real(c_double), intent(out) :: displacement(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_fields_at
+
+    function rollcon_body_write(body, path, nodes, u) result(rc) bind(C, name="rollcon_body_write")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_write
+
     function rollcon_body_get_reaction(body, force, moment) &
         result(rc) bind(C, name="rollcon_body_get_reaction")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1180,6 +1229,18 @@ module rollcon_c
       real(c_double), intent(out) :: u(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stresses_at
+
+    function rollcon_contact_get_body_displacements(contact, body, capacity, u, n_values) &
+        result(rc) bind(C, name="rollcon_contact_get_body_displacements")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: u(*)
+      integer(c_int64_t), intent(inout) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_body_displacements
 
     function rollcon_contact_get_fatigue_index(contact, shear_yield, index) &
         result(rc) bind(C, name="rollcon_contact_get_fatigue_index")

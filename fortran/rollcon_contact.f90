@@ -28,6 +28,7 @@ module rollcon_contact
     procedure :: get_status
     procedure :: get_displacements_at
     procedure :: get_stresses_at
+    procedure :: get_body_displacements
     procedure :: get_history
     procedure :: get_error_function
   end type
@@ -361,6 +362,25 @@ contains
     call finish(rollcon_contact_get_stresses_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, stress, &
       displacement), self%handle(), 'rc_contact%get_stresses_at', stat, errmsg)
     if (present(u)) call move_alloc(displacement, u)
+  end subroutine
+
+  !> Displacements u(3,n) of all nodes of body 1 or 2, of finite elements, in its axes.
+  subroutine get_body_displacements(self, body, u, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer, intent(in) :: body
+    real(rc_real), allocatable, intent(out) :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), 0_rc_long, none, n)
+    allocate (u(3, n/3))
+    u = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), n, u, n)
+    call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
   end subroutine
 
   !> rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip, seconds.

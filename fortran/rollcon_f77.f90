@@ -524,6 +524,48 @@ subroutine rcbdis(ibody, maxn, u, ierr)
   ierr = rollcon_body_get_displacements(body_of(ibody), int(maxn, c_int64_t), u)
 end subroutine
 
+!> Smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or under i.
+subroutine rcbnds(ibody, nodes, u, stress, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, ierr
+  double precision :: u(*), stress(*)
+  ierr = rollcon_body_get_node_stresses(body_of(ibody), int(nodes, c_int64_t), u, stress)
+end subroutine
+
+!> Stresses at the integration points of all elements, element by element, as the elements themselves balance loa.
+subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, maxn, nr, ierr
+  double precision :: u(*), stress(*), xyz(*)
+  integer(c_int64_t) :: n_rows_c
+  n_rows_c = 0
+  ierr = rollcon_body_get_point_stresses(body_of(ibody), int(nodes, c_int64_t), u, int(maxn, c_int64_t), stress, &
+    xyz, n_rows_c)
+  nr = int(n_rows_c)
+end subroutine
+
+!> Displacements and smoothed stresses at any points inside a body of finite elements, between nodes as the eleme.
+subroutine rcbfld(ibody, nodes, u, n, xyz, displacement, stress, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, n, ierr
+  double precision :: u(*), xyz(*), displacement(*), stress(*)
+  ierr = rollcon_body_get_fields_at(body_of(ibody), int(nodes, c_int64_t), u, int(n, c_int64_t), xyz, displacement, &
+    stress)
+end subroutine
+
+!> Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy, zz, xy, yz, xz.
+subroutine rcbwri(ibody, path, nodes, u, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, ierr
+  character(len=*) :: path
+  double precision :: u(*)
+  ierr = rollcon_body_write(body_of(ibody), c_text(path), int(nodes, c_int64_t), u)
+end subroutine
+
 !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and i.
 subroutine rcbrea(ibody, force, xmoment, ierr)
   use rollcon_f77_support
@@ -1093,6 +1135,19 @@ subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   integer :: icon, ibody, n, ierr
   double precision :: xyz(*), stress(*), u(*)
   ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
+end subroutine
+
+!> Displacements of all nodes of a body of finite elements under the tractions of the last solve and the body's o.
+subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, maxn, nv, ierr
+  double precision :: u(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(ibody), int(maxn, c_int64_t), u, &
+    n_values_c)
+  nv = int(n_values_c)
 end subroutine
 
 !> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .

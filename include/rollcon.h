@@ -815,6 +815,76 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rol
     int64_t capacity, double *u);
 
 /*
+ * Smoothed stresses at all nodes of a body of finite elements under given displacements of its
+ * nodes, or under its own loads. Each element's stresses are taken as the nearest function that
+ * is linear in the element (in a hexahedron: in each direction), and averaged at its nodes by
+ * volume, also across materials. Tension is positive; axes of the body. ROLLCON_ERR_UNSUPPORTED:
+ * another kind of body; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses overflow.
+ *   nodes   as many as the body has
+ *   u       [nodes][3]; as from rollcon_contact_get_body_displacements, length; NULL: those of
+ *           rollcon_body_get_displacements
+ *   stress  [nodes][6], out; s11, s22, s33, s12, s13, s23, force/length^2
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_node_stresses(const rollcon_body *body,
+    int64_t nodes, const double *u, double *stress);
+
+/*
+ * Stresses at the integration points of all elements, element by element, as the elements
+ * themselves balance loads with them, and the points' places. Otherwise like
+ * rollcon_body_get_node_stresses.
+ *   nodes     as many as the body has
+ *   u         [nodes][3]; displacements of the nodes; NULL: those of
+ *             rollcon_body_get_displacements
+ *   capacity  points that fit; 0 asks for their number
+ *   stress    [capacity][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ *   xyz       [capacity][3], out; places in the body's axes, length; NULL: not wanted
+ *   n_rows    out, may be NULL; points there are; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_point_stresses(const rollcon_body *body,
+    int64_t nodes, const double *u, int64_t capacity, double *stress, double *xyz,
+    int64_t *n_rows);
+
+/*
+ * Displacements and smoothed stresses at any points inside a body of finite elements, between
+ * nodes as the elements' shape functions have them. Otherwise like
+ * rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is in no element (a
+ * millionth of its size beyond its faces is still inside).
+ *   nodes         as many as the body has
+ *   u             [nodes][3]; displacements of the nodes; NULL: those of
+ *                 rollcon_body_get_displacements
+ *   n             points, >= 0
+ *   xyz           [n][3]; in the body's axes, length
+ *   displacement  [n][3], out; x y z, length; NULL: not wanted
+ *   stress        [n][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_fields_at(const rollcon_body *body,
+    int64_t nodes, const double *u, int64_t n, const double *xyz, double *displacement,
+    double *stress);
+
+/*
+ * Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy,
+ * zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes as a VTU file for
+ * ParaView and meshio. Otherwise like rollcon_body_get_node_stresses.
+ *   path   name of the file; an existing one is replaced
+ *   nodes  as many as the body has
+ *   u      [nodes][3]; displacements of the nodes; NULL: those of rollcon_body_get_displacements
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write(const rollcon_body *body,
+    const char *path, int64_t nodes, const double *u);
+
+/*
  * Resultant of the forces that the supports exert on the body under its own loads and given
  * displacements, and its moment about the origin of the body's axes. It balances the loads up to
  * the error of the discretisation: a measure of it.
@@ -1526,6 +1596,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_displacements_at(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
     const rollcon_contact *contact, int32_t body, int64_t n, const double *xyz, double *stress,
     double *u);
+
+/*
+ * Displacements of all nodes of a body of finite elements under the tractions of the last solve
+ * and the body's own loads, in the body's axes. Under a frame of its own finer than the body's
+ * faces these are tractions as the elements feel them (docs/theory.md, section 10). The first
+ * call for a body factorises its stiffness once more, with nothing condensed; contacts and solves
+ * after that share the factors (unless its option keep_factors is 0). ROLLCON_ERR_UNSUPPORTED:
+ * another kind of body.
+ *   body      1 or 2
+ *   capacity  doubles that fit into u; 0 asks for their number
+ *   u         [capacity], out, may be NULL; displacement x y z of each node, length
+ *   n_values  out, may be NULL; three for each node of the body; set after ROLLCON_ERR_CAPACITY
+ *             too
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
+    const rollcon_contact *contact, int32_t body, int64_t capacity, double *u,
+    int64_t *n_values);
 
 /*
  * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),

@@ -133,6 +133,9 @@ class Contact {
   /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
   /// be null. See rollcon_contact_get_stresses_at.
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
+  /// Displacements of all nodes of body 1 or 2, of finite elements, in its axes: under the contact's tractions and the
+  /// body's own loads. err_unsupported: another kind. Returns how many numbers they are; null: no more than that.
+  std::int64_t body_displacements(std::int32_t body, double* u) const;
   /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
   double stat(const char* name) const;  ///< err_option: unknown name

@@ -53,6 +53,10 @@ const char* const recorded_names[] = {
   "body_get_profile_point",
   "body_get_size",
   "body_get_displacements",
+  "body_get_node_stresses",
+  "body_get_point_stresses",
+  "body_get_fields_at",
+  "body_write",
   "body_get_reaction",
   "body_get_stat",
   "body_stat_count",
@@ -108,6 +112,7 @@ const char* const recorded_names[] = {
   "contact_get_sensitivity",
   "contact_get_displacements_at",
   "contact_get_stresses_at",
+  "contact_get_body_displacements",
   "contact_get_fatigue_index",
   "stress_invariants",
   "contact_get_stat",
@@ -171,7 +176,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 164;
+const int recorded_number = 169;
 
 enum {
   recorded_rollcon_version,
@@ -222,6 +227,10 @@ enum {
   recorded_rollcon_body_get_profile_point,
   recorded_rollcon_body_get_size,
   recorded_rollcon_body_get_displacements,
+  recorded_rollcon_body_get_node_stresses,
+  recorded_rollcon_body_get_point_stresses,
+  recorded_rollcon_body_get_fields_at,
+  recorded_rollcon_body_write,
   recorded_rollcon_body_get_reaction,
   recorded_rollcon_body_get_stat,
   recorded_rollcon_body_stat_count,
@@ -277,6 +286,7 @@ enum {
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
+  recorded_rollcon_contact_get_body_displacements,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
@@ -740,6 +750,58 @@ rollcon_status rollcon_body_get_displacements(const rollcon_body *body, int64_t 
   record_integer(capacity);
   record_room(u);
   give_reals(u, capacity * 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_node_stresses(const rollcon_body *body, int64_t nodes,
+    const double *u, double *stress) {
+  record_begin(recorded_rollcon_body_get_node_stresses);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_room(stress);
+  give_reals(stress, nodes * 6, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_point_stresses(const rollcon_body *body, int64_t nodes,
+    const double *u, int64_t capacity, double *stress, double *xyz, int64_t *n_rows) {
+  record_begin(recorded_rollcon_body_get_point_stresses);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_integer(capacity);
+  record_room(stress);
+  record_room(xyz);
+  record_room(n_rows);
+  give_reals(stress, capacity * 6, 4);
+  give_reals(xyz, capacity * 3, 5);
+  give_count(n_rows, RECORD_ROWS);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_fields_at(const rollcon_body *body, int64_t nodes,
+    const double *u, int64_t n, const double *xyz, double *displacement, double *stress) {
+  record_begin(recorded_rollcon_body_get_fields_at);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_integer(n);
+  record_reals(xyz, n * 3);
+  record_room(displacement);
+  record_room(stress);
+  give_reals(displacement, n * 3, 5);
+  give_reals(stress, n * 6, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_body_write(const rollcon_body *body, const char *path, int64_t nodes,
+    const double *u) {
+  record_begin(recorded_rollcon_body_write);
+  record_handle(body);
+  record_text(path);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
   return record_end();
 }
 
@@ -1287,6 +1349,19 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact *contact, i
   record_room(u);
   give_reals(stress, n * 6, 4);
   give_reals(u, n * 3, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact *contact,
+    int32_t body, int64_t capacity, double *u, int64_t *n_values) {
+  record_begin(recorded_rollcon_contact_get_body_displacements);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(capacity);
+  record_room(u);
+  record_room(n_values);
+  give_reals(u, capacity, 3);
+  give_count(n_values, RECORD_VALUES);
   return record_end();
 }
 

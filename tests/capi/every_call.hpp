@@ -109,6 +109,14 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_get_size(object, &a.n, &a.n));
   check("rollcon_body_get_displacements", false,
         rollcon_body_get_displacements(object, 1, a.out));
+  check("rollcon_body_get_node_stresses", false,
+        rollcon_body_get_node_stresses(object, 1, a.reals, a.out));
+  check("rollcon_body_get_point_stresses", false,
+        rollcon_body_get_point_stresses(object, 1, a.reals, 1, a.out, a.out, &a.n));
+  check("rollcon_body_get_fields_at", false,
+        rollcon_body_get_fields_at(object, 1, a.reals, 1, a.reals, a.out, a.out));
+  check("rollcon_body_write", false,
+        rollcon_body_write(object, "never_written", 1, a.reals));
   check("rollcon_body_get_reaction", false,
         rollcon_body_get_reaction(object, a.out, a.out));
   check("rollcon_body_get_stat", false,
@@ -207,6 +215,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_displacements_at(object, 1, 1, a.reals, a.out));
   check("rollcon_contact_get_stresses_at", false,
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_get_body_displacements", false,
+        rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
   check("rollcon_contact_get_stat", false,

@@ -41,6 +41,10 @@ program mapping_77_test
   call test_rcbppt()
   call test_rcbsiz()
   call test_rcbdis()
+  call test_rcbnds()
+  call test_rcbpts()
+  call test_rcbfld()
+  call test_rcbwri()
   call test_rcbrea()
   call test_rcbsta()
   call test_rcbstn()
@@ -89,6 +93,7 @@ program mapping_77_test
   call test_rcsens()
   call test_rcdisp()
   call test_rcstrs()
+  call test_rcbodu()
   call test_rcfati()
   call test_rcsinv()
   call test_rcstat()
@@ -659,6 +664,73 @@ contains
     call rcbdis(ibody, 6, u, stat)
     call rclerr(message)
     call failed('body_get_displacements', stat, message)
+  end subroutine
+
+  subroutine test_rcbnds()
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbnds(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], stress, stat)
+    call told('body_get_node_stresses', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] room', stat)
+    call gave_reals('stress', stress, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbnds(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], stress, stat)
+    call rclerr(message)
+    call failed('body_get_node_stresses', stat, message)
+  end subroutine
+
+  subroutine test_rcbpts()
+    double precision :: stress(36)
+    double precision :: xyz(18)
+    integer :: nr
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpts(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 6, stress, xyz, nr, stat)
+    call told('body_get_point_stresses', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] 6 room room room', stat)
+    call gave_reals('stress', stress, 400.5_rc_real)
+    call gave_reals('xyz', xyz, 500.5_rc_real)
+    call gave_integers('nr', int([nr]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpts(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 6, stress, xyz, nr, stat)
+    call rclerr(message)
+    call failed('body_get_point_stresses', stat, message)
+  end subroutine
+
+  subroutine test_rcbfld()
+    double precision :: displacement(6)
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfld(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 2, [4.125d0, 4.25d0, 4.375d0, 4.5d0, &
+      4.625d0, 4.75d0], displacement, stress, stat)
+    call told('body_get_fields_at', &
+      'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] 2 [4.125 4.25 4.375 4.5 4.625 4.75] room room', stat)
+    call gave_reals('displacement', displacement, 500.5_rc_real)
+    call gave_reals('stress', stress, 600.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfld(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 2, [4.125d0, 4.25d0, 4.375d0, 4.5d0, &
+      4.625d0, 4.75d0], displacement, stress, stat)
+    call rclerr(message)
+    call failed('body_get_fields_at', stat, message)
+  end subroutine
+
+  subroutine test_rcbwri()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbwri(ibody, 'text 1', 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call told('body_write', 'body1 <text 1> 2 [3.125 3.25 3.375 3.5 3.625 3.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbwri(ibody, 'text 1', 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call rclerr(message)
+    call failed('body_write', stat, message)
   end subroutine
 
   subroutine test_rcbrea()
@@ -1367,6 +1439,23 @@ contains
     call rcstrs(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stress, u, stat)
     call rclerr(message)
     call failed('contact_get_stresses_at', stat, message)
+  end subroutine
+
+  subroutine test_rcbodu()
+    double precision :: u(6)
+    integer :: nv
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbodu(icon, 11, 6, u, nv, stat)
+    call told('contact_get_body_displacements', 'contact1 11 6 room room', stat)
+    call gave_reals('u', u, 300.5_rc_real)
+    call gave_integers('nv', int([nv]), 6)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbodu(icon, 11, 6, u, nv, stat)
+    call rclerr(message)
+    call failed('contact_get_body_displacements', stat, message)
   end subroutine
 
   subroutine test_rcfati()

@@ -382,6 +382,7 @@ contains
     call contact%get_displacements_at(2, x, v, stat, message)
     call refused('contact1', stat, message, 'rc_contact%get_displacements_at: the first extent of xy must be 2')
     call stresses()
+    call inside_bodies()
     call contact%get_history(v, stat)
     call told('contact_get_history', 'contact1 2 room room', stat)
     call gave_reals('history', reshape(v, [16]), 200.5_rc_real)
@@ -390,6 +391,37 @@ contains
     call gave_reals('error function', s, 200.5_rc_real)
     call gave_reals('its seconds', seconds, 300.5_rc_real)
     call failing(v, s, states)
+  end subroutine
+
+  !> Without displacements given a body's own are read first, 3 nodes.
+  subroutine inside_bodies()
+    real(rc_real), allocatable :: s(:, :), u(:, :), xyz(:, :)
+    call contact%get_body_displacements(2, u, stat)
+    call told('contact_get_body_displacements', 'contact1 2 6 room room', stat)
+    call gave_reals('displacements of a body', reshape(u, [6]), 300.5_rc_real)
+    call body%get_node_stresses(s, x, stat)
+    call told('body_get_node_stresses', 'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] room', stat)
+    call gave_reals('stresses at nodes', reshape(s, [12]), 300.5_rc_real)
+    call body%get_node_stresses(s, stat=stat)
+    call told('body_get_node_stresses', 'body1 3 [200.5 201.5 202.5 203.5 204.5 205.5 206.5 207.5 208.5] room', stat)
+    call body%get_point_stresses(s, xyz, x, stat)
+    call told('body_get_point_stresses', 'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] 2 room room room', stat)
+    call gave_reals('stresses at integration points', reshape(s, [12]), 400.5_rc_real)
+    call gave_reals('their places', reshape(xyz, [6]), 500.5_rc_real)
+    call body%get_fields_at(x, u, s, x, stat)
+    call told('body_get_fields_at', &
+      'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] 2 [1.5 2.5 3.5 4.5 5.5 6.5] room room', stat)
+    call gave_reals('displacements in a body', reshape(u, [6]), 500.5_rc_real)
+    call gave_reals('stresses in a body', reshape(s, [12]), 600.5_rc_real)
+    call body%write_vtu('a file', x, stat)
+    call told('body_write', 'body1 <a file> 2 [1.5 2.5 3.5 4.5 5.5 6.5]', stat)
+    call body%get_node_stresses(s, x(:2, :), stat, message)
+    call refused('body1', stat, message, &
+      'rc_body%get_node_stresses: the first extent of an array of points or displacements must be 3')
+    call answers(ROLLCON_ERR_STATE)
+    call body%get_fields_at(x, u, s, x, stat, message)
+    call failed('body_get_fields_at', stat, message)
+    call answers(ROLLCON_OK)
   end subroutine
 
   subroutine stresses()

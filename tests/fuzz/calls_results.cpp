@@ -100,6 +100,17 @@ void stresses_at(World& w) {
           good ? "a stress is not finite" : "a failed call wrote into its output");
 }
 
+void body_displacements(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t body = w.in.below(4);
+  std::int64_t n = 0;
+  FUZZ_CALL(w, rollcon_contact_get_body_displacements, c, body, 0, nullptr, &n);
+  Output<double> u(n);
+  const bool good =
+      n > 0 && FUZZ_CALL(w, rollcon_contact_get_body_displacements, c, body, n, u.data(), nullptr) == ROLLCON_OK;
+  require(good ? all_finite(u.values()) : u.untouched(), "displacements of a body under a contact");
+}
+
 void fatigue_index(World& w) {
   const rollcon_contact* c = w.contact();
   Output<double> index(1);
@@ -158,13 +169,21 @@ void write(World& w) {
 }  // namespace
 
 std::span<const Call> result_calls() {
-  static const Call calls[] = {tractions,     status,
-                               field,         field,
-                               resultant,     sensitivity,
-                               sensitivity,   displacements_at,
-                               stresses_at,   stress_invariants,
-                               fatigue_index, stat,
-                               history,       plan,
+  static const Call calls[] = {tractions,
+                               status,
+                               field,
+                               field,
+                               resultant,
+                               sensitivity,
+                               sensitivity,
+                               displacements_at,
+                               stresses_at,
+                               body_displacements,
+                               stress_invariants,
+                               fatigue_index,
+                               stat,
+                               history,
+                               plan,
                                write};
   return calls;
 }

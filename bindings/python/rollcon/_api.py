@@ -227,6 +227,16 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_body_get_displacements": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_body_get_node_stresses": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_get_point_stresses": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_body_get_fields_at": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_write": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
     "rollcon_body_get_reaction": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_body_stat_count": (c_int32, []),
@@ -314,6 +324,9 @@ FUNCTIONS = {
     "rollcon_contact_get_stresses_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_body_displacements": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
     "rollcon_stress_invariants": (c_int32, [
         c_int64, POINTER(c_double), POINTER(c_double),
@@ -519,6 +532,16 @@ ARGUMENTS = {
     ],
     "rollcon_body_get_size": [("body", ""), ("nodes", ""), ("elements", "")],
     "rollcon_body_get_displacements": [("body", ""), ("capacity", ""), ("u", "")],
+    "rollcon_body_get_node_stresses": [("body", ""), ("nodes", ""), ("u", ""), ("stress", "")],
+    "rollcon_body_get_point_stresses": [
+        ("body", ""), ("nodes", ""), ("u", ""), ("capacity", ""), ("stress", ""), ("xyz", ""),
+        ("n_rows", "")
+    ],
+    "rollcon_body_get_fields_at": [
+        ("body", ""), ("nodes", ""), ("u", ""), ("n", ""), ("xyz", ""), ("displacement", ""),
+        ("stress", "")
+    ],
+    "rollcon_body_write": [("body", ""), ("path", ""), ("nodes", ""), ("u", "")],
     "rollcon_body_get_reaction": [("body", ""), ("force", ""), ("moment", "")],
     "rollcon_body_get_stat": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_stat_count": [],
@@ -618,6 +641,9 @@ ARGUMENTS = {
     ],
     "rollcon_contact_get_stresses_at": [
         ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
+    ],
+    "rollcon_contact_get_body_displacements": [
+        ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
     ],
     "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
     "rollcon_stress_invariants": [

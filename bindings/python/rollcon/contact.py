@@ -237,6 +237,14 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_stresses_at", body, len(xyz), points, first, second)
         return stress, u
 
+    def body_displacements(self, body: int) -> np.ndarray:
+        """Displacements [nodes, 3] of all nodes of body 1 or 2, of finite elements, in its axes."""
+        need = c_int64()
+        self._call("get_body_displacements", body, 0, None, byref(need))
+        u, address = room(need.value // 3, 3)
+        self._call("get_body_displacements", body, u.size, address, byref(need))
+        return u
+
     def history(self) -> np.ndarray:
         """One row per iteration: phase, iteration, normal residual, tangential residual, step
         length, nodes in contact, nodes in slip, seconds."""
