@@ -1252,6 +1252,37 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_fatigue_index
 
+    function rollcon_contact_get_wear(contact, law, n, parameters, points, y, depth, volume) &
+        result(rc) bind(C, name="rollcon_contact_get_wear")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int64_t), value :: points
+      real(c_double), intent(in) :: y(*)
+      real(c_double), intent(out) :: depth(*)
+      real(c_double), intent(inout) :: volume
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_wear
+
+    function rollcon_wear_profile(points, yz, rate, side, distance, most_depth, smoothing, worn, &
+        taken) result(rc) bind(C, name="rollcon_wear_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int64_t), value :: points
+      real(c_double), intent(in) :: yz(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t), value :: side
+      real(c_double), value :: distance
+      real(c_double), value :: most_depth
+      real(c_double), value :: smoothing
+      real(c_double), intent(out) :: worn(*)
+      real(c_double), intent(inout) :: taken
+      integer(c_int32_t) :: rc
+    end function rollcon_wear_profile
+
     function rollcon_stress_invariants(n, stress, principal, von_mises, shear) &
         result(rc) bind(C, name="rollcon_stress_invariants")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1463,6 +1494,27 @@ module rollcon_c
       integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_solve_many
+
+    function rollcon_wheelrail_find_wear(wheelrail, n_cases, positions, velocities, weights, law, &
+        n, parameters, points, wheel, rail, volumes, status) &
+        result(rc) bind(C, name="rollcon_wheelrail_find_wear")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n_cases
+      real(c_double), intent(in) :: positions(*)
+      real(c_double), intent(in) :: velocities(*)
+      real(c_double), intent(in) :: weights(*)
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int64_t), value :: points
+      real(c_double), intent(out) :: wheel(*)
+      real(c_double), intent(out) :: rail(*)
+      real(c_double), intent(out) :: volumes(*)
+      integer(c_int32_t), intent(out) :: status(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_find_wear
 
     function rollcon_wheelrail_save(wheelrail, place) &
         result(rc) bind(C, name="rollcon_wheelrail_save")

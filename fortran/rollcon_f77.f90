@@ -1159,6 +1159,27 @@ subroutine rcfati(icon, shear_yield, xindex, ierr)
   ierr = rollcon_contact_get_fatigue_index(contact_of(icon), shear_yield, xindex)
 end subroutine
 
+!> Depth that one pass of the contact wears off, along t2.
+subroutine rcwear(icon, law, n, par, ipoints, y, depth, volume, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, n, ipoints, ierr
+  character(len=*) :: law
+  double precision :: par(*), y(*), depth(*), volume
+  ierr = rollcon_contact_get_wear(contact_of(icon), c_name(law), narrow(n), par, int(ipoints, c_int64_t), y, depth, &
+    volume)
+end subroutine
+
+!> Moves points of a profile into their body by what wears off over a distance.
+subroutine rcwpro(ipoints, yz, rate, iside, distance, xmost_depth, smoothing, worn, taken, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ipoints, iside, ierr
+  double precision :: yz(*), rate(*), distance, xmost_depth, smoothing, worn(*), taken
+  ierr = rollcon_wear_profile(int(ipoints, c_int64_t), yz, rate, narrow(iside), distance, xmost_depth, smoothing, &
+    worn, taken)
+end subroutine
+
 !> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
 subroutine rcsinv(n, stress, principal, von_mises, shear, ierr)
   use rollcon_f77_support
@@ -1372,6 +1393,22 @@ subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
   call room_77(wheelrail_of(iwr), 'RCWMNY', n, whole, ierr)
   if (ierr /= ROLLCON_OK) return
   ierr = rollcon_wheelrail_solve_many(wheelrail_of(iwr), int(n, c_int64_t), positions, velocities, totals, whole)
+  call give_integers(whole, istatus)
+end subroutine
+
+!> Wear of wheel and rail by a spectrum of positions.
+subroutine rcwfwr(iwr, nc, positions, velocities, weights, law, n, par, ipoints, wheel, rail, volumes, istatus, &
+  ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, nc, n, ipoints, istatus(*), ierr
+  double precision :: positions(*), velocities(*), weights(*), par(*), wheel(*), rail(*), volumes(2)
+  character(len=*) :: law
+  integer(c_int32_t), allocatable :: whole(:)
+  call room_77(wheelrail_of(iwr), 'RCWFWR', nc, whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_wheelrail_find_wear(wheelrail_of(iwr), int(nc, c_int64_t), positions, velocities, weights, &
+    c_name(law), narrow(n), par, int(ipoints, c_int64_t), wheel, rail, volumes, whole)
   call give_integers(whole, istatus)
 end subroutine
 

@@ -1631,6 +1631,54 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
     const rollcon_contact *contact, double shear_yield, double *index);
 
 /*
+ * Depth that one pass of the contact wears off, along t2: the integral of the law's rate along
+ * the rolling direction, at the friction, pressure and slip of the last solve; of a step in time,
+ * what that step takes off. Material is given to the points by the functions that are 1 at a
+ * point and linear to its neighbours: the sum of depth times the point's share of y is the volume
+ * exactly. A body that comes by once per revolution has this depth per revolution, and the same
+ * law may be asked for each body with its own coefficients. Laws: "archard": rate = i p |s|/V;
+ * with i1, i2 and an angle p |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2.
+ * "t_gamma": pairs (e, r) of energy density e = |t s|/V, ascending, and rate r (depth per length
+ * rolled), linear between, from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does
+ * not cover the nodes in contact.
+ *   law         archard or t_gamma
+ *   n           parameters of the law
+ *   parameters  [n]; i; i1, i2, angle (length^2/force, radian); e, r, e, r, ... (force/length^2,
+ *               dimensionless)
+ *   points      2 to 1000000
+ *   y           [points]; places along t2, ascending, length
+ *   depth       [points], out; per pass, length; NULL: not wanted
+ *   volume      out; per length rolled, length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_wear(const rollcon_contact *contact,
+    const char *law, int32_t n, const double *parameters, int64_t points, const double *y,
+    double *depth, double *volume);
+
+/*
+ * Moves points of a profile into their body by what wears off over a distance: along the normal,
+ * by the rate smoothed, of as much of the distance as wears no point deeper than most_depth.
+ * Smoothing keeps the volume: waves as long as `smoothing` keep one half, and nothing gets below
+ * the least rate or above the greatest.
+ *   points      2 to 1000000
+ *   yz          [points][2]; in the order of the profile, length
+ *   rate        [points]; depth per distance, >= 0
+ *   side        1: the body lies at greater z (a rail with z down), -1: at lesser z (a wheel)
+ *   distance    >= 0
+ *   most_depth  > 0, length
+ *   smoothing   length of waves, >= 0; 0: none
+ *   worn        [points][2], out; may be yz
+ *   taken       out; of the distance; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Threads: any.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wear_profile(int64_t points, const double *yz,
+    const double *rate, int32_t side, double distance, double most_depth, double smoothing,
+    double *worn, double *taken);
+
+/*
  * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
  * come from rollcon_contact_get_stresses_at or elsewhere. Principal stresses are exact to
  * rounding, relative to the largest of the three.
@@ -1884,6 +1932,36 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
     rollcon_wheelrail *wheelrail, int64_t n, const double *positions, const double *velocities,
     double *totals, int32_t *status);
+
+/*
+ * Wear of wheel and rail by a spectrum of positions: solves them as rollcon_wheelrail_solve_many
+ * does, and adds the depths that a pass of each wears off either body (rollcon_contact_get_wear)
+ * times its weight. A pass is one revolution of the wheel, or one wheel over the rail. Depths are
+ * normal to the profiles, at points at equal arc lengths from end to end
+ * (rollcon_body_get_profile_point); depth times the points' shares of the profile's length adds
+ * up to the volume. Patches of a wheel count with their shares. Positions without a solution wear
+ * nothing, and are told as rollcon_wheelrail_solve_many tells them.
+ *   n_cases     1 to 100000
+ *   positions   [n_cases][6]; as rollcon_wheelrail_set_position takes them
+ *   velocities  [n_cases][6]; as rollcon_wheelrail_set_velocity takes them
+ *   weights     [n_cases]; >= 0; NULL: each 1/n_cases
+ *   law         as of rollcon_contact_get_wear
+ *   n           parameters of the law
+ *   parameters  [n]; of the law
+ *   points      2 to 1000000, times n_cases at most 2e7
+ *   wheel       [points], out; depth per pass, length; NULL: not wanted
+ *   rail        [points], out; depth per pass, length; NULL: not wanted
+ *   volumes     [2], out; per length rolled, of wheel and rail, length^2; NULL: not wanted
+ *   status      [n_cases], out, may be NULL; as rollcon_wheelrail_solve would return
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_wear(rollcon_wheelrail *wheelrail,
+    int64_t n_cases, const double *positions, const double *velocities, const double *weights,
+    const char *law, int32_t n, const double *parameters, int64_t points, double *wheel,
+    double *rail, double *volumes, int32_t *status);
 
 /*
  * Keeps what is set and the last solution at a place within the wheel, for

@@ -10,6 +10,7 @@
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
 #include "contact/results/stresses.hpp"
+#include "contact/results/wear.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -258,6 +259,16 @@ std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
   require_solution(*state_, scene);
   find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+}
+
+double Contact::wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const {
+  require_solution(*state_, scene);
+  return add_wear(*state_, law, y, share, volume);
+}
+
+std::array<double, 2> Contact::contact_across() const {
+  require_solution(*state_, scene);
+  return rollcon::contact_across(*state_);
 }
 
 double Contact::fatigue_index(double shear_yield) const {

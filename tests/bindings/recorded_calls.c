@@ -114,6 +114,8 @@ const char* const recorded_names[] = {
   "contact_get_stresses_at",
   "contact_get_body_displacements",
   "contact_get_fatigue_index",
+  "contact_get_wear",
+  "wear_profile",
   "stress_invariants",
   "contact_get_stat",
   "stat_count",
@@ -136,6 +138,7 @@ const char* const recorded_names[] = {
   "wheelrail_solve",
   "wheelrail_request_cancel",
   "wheelrail_solve_many",
+  "wheelrail_find_wear",
   "wheelrail_save",
   "wheelrail_restore",
   "wheelrail_copy",
@@ -176,7 +179,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 169;
+const int recorded_number = 172;
 
 enum {
   recorded_rollcon_version,
@@ -288,6 +291,8 @@ enum {
   recorded_rollcon_contact_get_stresses_at,
   recorded_rollcon_contact_get_body_displacements,
   recorded_rollcon_contact_get_fatigue_index,
+  recorded_rollcon_contact_get_wear,
+  recorded_rollcon_wear_profile,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
   recorded_rollcon_stat_count,
@@ -310,6 +315,7 @@ enum {
   recorded_rollcon_wheelrail_solve,
   recorded_rollcon_wheelrail_request_cancel,
   recorded_rollcon_wheelrail_solve_many,
+  recorded_rollcon_wheelrail_find_wear,
   recorded_rollcon_wheelrail_save,
   recorded_rollcon_wheelrail_restore,
   recorded_rollcon_wheelrail_copy,
@@ -1375,6 +1381,41 @@ rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
   return record_end();
 }
 
+rollcon_status rollcon_contact_get_wear(const rollcon_contact *contact, const char *law,
+    int32_t n, const double *parameters, int64_t points, const double *y, double *depth,
+    double *volume) {
+  record_begin(recorded_rollcon_contact_get_wear);
+  record_handle(contact);
+  record_text(law);
+  record_integer(n);
+  record_reals(parameters, n);
+  record_integer(points);
+  record_reals(y, points);
+  record_room(depth);
+  record_room(volume);
+  give_reals(depth, points, 6);
+  give_reals(volume, 1, 7);
+  return record_end();
+}
+
+rollcon_status rollcon_wear_profile(int64_t points, const double *yz, const double *rate,
+    int32_t side, double distance, double most_depth, double smoothing, double *worn,
+    double *taken) {
+  record_begin(recorded_rollcon_wear_profile);
+  record_integer(points);
+  record_reals(yz, points * 2);
+  record_reals(rate, points);
+  record_integer(side);
+  record_real(distance);
+  record_real(most_depth);
+  record_real(smoothing);
+  record_room(worn);
+  record_room(taken);
+  give_reals(worn, points * 2, 7);
+  give_reals(taken, 1, 8);
+  return record_end();
+}
+
 rollcon_status rollcon_stress_invariants(int64_t n, const double *stress, double *principal,
     double *von_mises, double *shear) {
   record_begin(recorded_rollcon_stress_invariants);
@@ -1572,6 +1613,31 @@ rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail *wheelrail, int64_
   record_room(status);
   give_reals(totals, n * 9, 4);
   give_integer32(status, n, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_wear(rollcon_wheelrail *wheelrail, int64_t n_cases,
+    const double *positions, const double *velocities, const double *weights, const char *law,
+    int32_t n, const double *parameters, int64_t points, double *wheel, double *rail,
+    double *volumes, int32_t *status) {
+  record_begin(recorded_rollcon_wheelrail_find_wear);
+  record_handle(wheelrail);
+  record_integer(n_cases);
+  record_reals(positions, n_cases * 6);
+  record_reals(velocities, n_cases * 6);
+  record_reals(weights, n_cases);
+  record_text(law);
+  record_integer(n);
+  record_reals(parameters, n);
+  record_integer(points);
+  record_room(wheel);
+  record_room(rail);
+  record_room(volumes);
+  record_room(status);
+  give_reals(wheel, points, 9);
+  give_reals(rail, points, 10);
+  give_reals(volumes, 2, 11);
+  give_integer32(status, n_cases, 12);
   return record_end();
 }
 

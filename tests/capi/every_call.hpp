@@ -219,6 +219,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
+  check("rollcon_contact_get_wear", false,
+        rollcon_contact_get_wear(object, "never_written", 1, a.reals, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_stat", false,
         rollcon_contact_get_stat(object, "never_written", a.out));
   check("rollcon_contact_get_history", false,
@@ -259,6 +261,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_request_cancel(object));
   check("rollcon_wheelrail_solve_many", false,
         rollcon_wheelrail_solve_many(object, 1, a.reals, a.reals, a.out, a.states));
+  check("rollcon_wheelrail_find_wear", false,
+        rollcon_wheelrail_find_wear(object, 1, a.reals, a.reals, a.reals, "never_written", 1, a.reals, 1, a.out, a.out, a.out, a.states));
   check("rollcon_wheelrail_save", false,
         rollcon_wheelrail_save(object, 1));
   check("rollcon_wheelrail_restore", false,

@@ -95,6 +95,8 @@ program mapping_77_test
   call test_rcstrs()
   call test_rcbodu()
   call test_rcfati()
+  call test_rcwear()
+  call test_rcwpro()
   call test_rcsinv()
   call test_rcstat()
   call test_rcstnm()
@@ -114,6 +116,7 @@ program mapping_77_test
   call test_rcwslv()
   call test_rcwstp()
   call test_rcwmny()
+  call test_rcwfwr()
   call test_rcwsav()
   call test_rcwbck()
   call test_rcwcpy()
@@ -1473,6 +1476,40 @@ contains
     call failed('contact_get_fatigue_index', stat, message)
   end subroutine
 
+  subroutine test_rcwear()
+    double precision :: depth(2)
+    double precision :: volume
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwear(icon, 'text 1', 2, [3.125d0, 3.25d0], 2, [5.125d0, 5.25d0], depth, volume, stat)
+    call told('contact_get_wear', 'contact1 <text 1> 2 [3.125 3.25] 2 [5.125 5.25] room room', stat)
+    call gave_reals('depth', depth, 600.5_rc_real)
+    call gave_reals('volume', [volume], 700.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwear(icon, 'text 1', 2, [3.125d0, 3.25d0], 2, [5.125d0, 5.25d0], depth, volume, stat)
+    call rclerr(message)
+    call failed('contact_get_wear', stat, message)
+  end subroutine
+
+  subroutine test_rcwpro()
+    double precision :: worn(4)
+    double precision :: taken
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpro(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0], [2.125d0, 2.25d0], 31, 4.5d0, 5.5d0, 6.5d0, worn, taken, stat)
+    call told('wear_profile', '2 [1.125 1.25 1.375 1.5] [2.125 2.25] 31 4.5 5.5 6.5 room room', stat)
+    call gave_reals('worn', worn, 700.5_rc_real)
+    call gave_reals('taken', [taken], 800.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpro(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0], [2.125d0, 2.25d0], 31, 4.5d0, 5.5d0, 6.5d0, worn, taken, stat)
+    call rclerr(message)
+    call failed('wear_profile', stat, message)
+  end subroutine
+
   subroutine test_rcsinv()
     double precision :: principal(6)
     double precision :: von_mises(2)
@@ -1756,6 +1793,34 @@ contains
       4.5d0], totals, istatus, stat)
     call rclerr(message)
     call failed('wheelrail_solve_many', stat, message)
+  end subroutine
+
+  subroutine test_rcwfwr()
+    double precision :: wheel(2)
+    double precision :: rail(2)
+    double precision :: volumes(2)
+    integer :: istatus(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwfwr(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], [4.125d0, 4.25d0], 'text 5', 2, [7.125d0, 7.25d0], 2, wheel, rail, volumes, istatus, stat)
+    call told('wheelrail_find_wear', &
+      'wheelrail1 2 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125 3.25 3.375 3.5] [3.125 3.25 3.375 3.5 3.625 3&
+    &.75 3.875 4 4.125 4.25 4.375 4.5] [4.125 4.25] <text 5> 2 [7.125 7.25] 2 room room room room', &
+      stat)
+    call gave_reals('wheel', wheel, 900.5_rc_real)
+    call gave_reals('rail', rail, 1000.5_rc_real)
+    call gave_reals('volumes', volumes, 1100.5_rc_real)
+    call gave_integers('istatus', int(istatus), 1200)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwfwr(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], [4.125d0, 4.25d0], 'text 5', 2, [7.125d0, 7.25d0], 2, wheel, rail, volumes, istatus, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_wear', stat, message)
   end subroutine
 
   subroutine test_rcwsav()

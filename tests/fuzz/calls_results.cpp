@@ -111,6 +111,33 @@ void body_displacements(World& w) {
   require(good ? all_finite(u.values()) : u.untouched(), "displacements of a body under a contact");
 }
 
+void wear(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int64_t points = array_size(w.in, 5);
+  std::vector<double> y = w.in.reals(static_cast<std::size_t>(points > 0 ? points : 0));
+  if (!w.in.one_in(6)) std::sort(y.begin(), y.end());
+  const std::int32_t n = w.in.below(5);
+  const std::vector<double> parameters = w.in.reals(static_cast<std::size_t>(n));
+  Output<double> depth(points > 0 ? points : 0), volume(1);
+  const bool good =
+      FUZZ_CALL(w, rollcon_contact_get_wear, c, w.in.one_in(2) ? "archard" : "t_gamma", n, maybe_null(w.in, parameters),
+                points, maybe_null(w.in, y), depth.data(), volume.data()) == ROLLCON_OK;
+  require(good ? all_finite(depth.values()) && all_finite(volume.values()) : depth.untouched() && volume.untouched(),
+          "wear of a contact");
+}
+
+void worn_profile(World& w) {
+  const std::int64_t points = array_size(w.in, 5);
+  const std::vector<double> yz = w.in.reals(static_cast<std::size_t>(points > 0 ? 2 * points : 0)),
+                            rate = w.in.reals(static_cast<std::size_t>(points > 0 ? points : 0));
+  Output<double> worn(points > 0 ? 2 * points : 0), taken(1);
+  const bool good = FUZZ_CALL(w, rollcon_wear_profile, points, maybe_null(w.in, yz), maybe_null(w.in, rate),
+                              w.in.one_in(8) ? 0 : 2 * w.in.below(2) - 1, std::abs(w.in.real()), std::abs(w.in.real()),
+                              std::abs(w.in.real()), worn.data(), taken.data()) == ROLLCON_OK;
+  require(good ? all_finite(worn.values()) && all_finite(taken.values()) : worn.untouched() && taken.untouched(),
+          "a worn profile");
+}
+
 void fatigue_index(World& w) {
   const rollcon_contact* c = w.contact();
   Output<double> index(1);

@@ -328,6 +328,12 @@ FUNCTIONS = {
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
+    "rollcon_contact_get_wear": (c_int32, [
+        c_void_p, c_char_p, c_int32, POINTER(c_double),
+        c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wear_profile": (c_int32, [
+        c_int64, POINTER(c_double), POINTER(c_double), c_int32, c_double,
+        c_double, c_double, POINTER(c_double), POINTER(c_double)]),
     "rollcon_stress_invariants": (c_int32, [
         c_int64, POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
@@ -362,6 +368,9 @@ FUNCTIONS = {
     "rollcon_wheelrail_solve_many": (c_int32, [
         c_void_p, c_int64, POINTER(c_double),
         POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
+    "rollcon_wheelrail_find_wear": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_char_p, c_int32,
+        POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
     "rollcon_wheelrail_save": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_restore": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
@@ -646,6 +655,14 @@ ARGUMENTS = {
         ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
     ],
     "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
+    "rollcon_contact_get_wear": [
+        ("contact", ""), ("law", ""), ("n", ""), ("parameters", ""), ("points", ""), ("y", ""),
+        ("depth", ""), ("volume", "")
+    ],
+    "rollcon_wear_profile": [
+        ("points", ""), ("yz", ""), ("rate", ""), ("side", ""), ("distance", ""), ("most_depth",
+        ""), ("smoothing", ""), ("worn", ""), ("taken", "")
+    ],
     "rollcon_stress_invariants": [
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],
@@ -682,6 +699,11 @@ ARGUMENTS = {
     "rollcon_wheelrail_solve_many": [
         ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("totals", ""),
         ("status", "")
+    ],
+    "rollcon_wheelrail_find_wear": [
+        ("wheelrail", ""), ("n_cases", ""), ("positions", ""), ("velocities", ""), ("weights",
+        ""), ("law", ""), ("n", ""), ("parameters", ""), ("points", ""), ("wheel", ""), ("rail",
+        ""), ("volumes", ""), ("status", "")
     ],
     "rollcon_wheelrail_save": [("wheelrail", ""), ("place", "")],
     "rollcon_wheelrail_restore": [("wheelrail", ""), ("place", "")],
