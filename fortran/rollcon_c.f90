@@ -407,6 +407,28 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_traction
 
+    function rollcon_body_set_body_force(body, tag, force) &
+        result(rc) bind(C, name="rollcon_body_set_body_force")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), intent(in) :: force(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_body_force
+
+    function rollcon_body_set_rotation(body, tag, density, origin, rate) &
+        result(rc) bind(C, name="rollcon_body_set_rotation")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), value :: density
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_rotation
+
     function rollcon_body_set_pressure(body, tag, pressure) &
         result(rc) bind(C, name="rollcon_body_set_pressure")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

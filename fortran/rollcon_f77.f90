@@ -316,6 +316,24 @@ subroutine rcbtrc(ibody, itag, traction, ierr)
   ierr = rollcon_body_set_traction(body_of(ibody), narrow(itag), traction)
 end subroutine
 
+!> Prescribes a force per volume, such as weight, on the finite elements with a tag.
+subroutine rcbfor(ibody, itag, force, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: force(3)
+  ierr = rollcon_body_set_body_force(body_of(ibody), narrow(itag), force)
+end subroutine
+
+!> Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added to rollcon_bod.
+subroutine rcbrot(ibody, itag, density, origin, rate, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: density, origin(3), rate(3)
+  ierr = rollcon_body_set_rotation(body_of(ibody), narrow(itag), density, origin, rate)
+end subroutine
+
 !> Prescribes a pressure on the faces with a tag, against their outward normals.
 subroutine rcbprs(ibody, itag, pressure, ierr)
   use rollcon_f77_support

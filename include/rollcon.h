@@ -584,6 +584,31 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *
     int32_t tag, const double *traction);
 
 /*
+ * Prescribes a force per volume, such as weight, on the finite elements with a tag; replaces an
+ * earlier one. ROLLCON_ERR_STATE: a body without volume elements, and at rollcon_body_prepare a
+ * tag that no element has.
+ *   tag    of volume elements
+ *   force  [3]; force/length^3 along x y z: density times acceleration; -1e100 to 1e100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_body_force(rollcon_body *body,
+    int32_t tag, const double *force);
+
+/*
+ * Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added
+ * to rollcon_body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+ *   tag      of volume elements
+ *   density  mass/length^3, 0 to 1e100
+ *   origin   [3]; on the axis of rotation, length
+ *   rate     [3]; along the axis, radian/time
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_rotation(rollcon_body *body,
+    int32_t tag, double density, const double *origin, const double *rate);
+
+/*
  * Prescribes a pressure on the faces with a tag, against their outward normals; replaces an
  * earlier one and adds to a traction on the same tag.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)

@@ -34,6 +34,8 @@ const char* const recorded_names[] = {
   "body_tag_faces_of_nodes",
   "body_set_support",
   "body_set_traction",
+  "body_set_body_force",
+  "body_set_rotation",
   "body_set_pressure",
   "body_set_contact_faces",
   "body_set_int",
@@ -179,7 +181,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 172;
+const int recorded_number = 174;
 
 enum {
   recorded_rollcon_version,
@@ -211,6 +213,8 @@ enum {
   recorded_rollcon_body_tag_faces_of_nodes,
   recorded_rollcon_body_set_support,
   recorded_rollcon_body_set_traction,
+  recorded_rollcon_body_set_body_force,
+  recorded_rollcon_body_set_rotation,
   recorded_rollcon_body_set_pressure,
   recorded_rollcon_body_set_contact_faces,
   recorded_rollcon_body_set_int,
@@ -571,6 +575,25 @@ rollcon_status rollcon_body_set_traction(rollcon_body *body, int32_t tag, const 
   record_handle(body);
   record_integer(tag);
   record_reals(traction, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_body_force(rollcon_body *body, int32_t tag, const double *force) {
+  record_begin(recorded_rollcon_body_set_body_force);
+  record_handle(body);
+  record_integer(tag);
+  record_reals(force, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_rotation(rollcon_body *body, int32_t tag, double density,
+    const double *origin, const double *rate) {
+  record_begin(recorded_rollcon_body_set_rotation);
+  record_handle(body);
+  record_integer(tag);
+  record_real(density);
+  record_reals(origin, 3);
+  record_reals(rate, 3);
   return record_end();
 }
 

@@ -77,6 +77,10 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_set_support(object, 1, a.integers, 1, 1, a.reals));
   check("rollcon_body_set_traction", false,
         rollcon_body_set_traction(object, 1, a.reals));
+  check("rollcon_body_set_body_force", false,
+        rollcon_body_set_body_force(object, 1, a.reals));
+  check("rollcon_body_set_rotation", false,
+        rollcon_body_set_rotation(object, 1, 1, a.reals, a.reals));
   check("rollcon_body_set_pressure", false,
         rollcon_body_set_pressure(object, 1, 1));
   check("rollcon_body_set_contact_faces", false,

@@ -23,6 +23,8 @@ program mapping_77_test
   call test_rcsupp()
   call test_rchold()
   call test_rcbtrc()
+  call test_rcbfor()
+  call test_rcbrot()
   call test_rcbprs()
   call test_rcbfac()
   call test_rcbsti()
@@ -403,6 +405,32 @@ contains
     call rcbtrc(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
     call rclerr(message)
     call failed('body_set_traction', stat, message)
+  end subroutine
+
+  subroutine test_rcbfor()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfor(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call told('body_set_body_force', 'body1 11 [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfor(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call rclerr(message)
+    call failed('body_set_body_force', stat, message)
+  end subroutine
+
+  subroutine test_rcbrot()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbrot(ibody, 11, 2.5d0, [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call told('body_set_rotation', 'body1 11 2.5 [3.125 3.25 3.375] [4.125 4.25 4.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbrot(ibody, 11, 2.5d0, [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call rclerr(message)
+    call failed('body_set_rotation', stat, message)
   end subroutine
 
   subroutine test_rcbprs()

@@ -94,7 +94,14 @@ void set_loads(World& w) {
   const std::vector<double> traction = w.in.reals(3);
   const std::int64_t n = array_size(w.in, 3);
   const std::vector<std::int32_t> tags = ids(w.in, n, 8);
-  switch (w.in.below(3)) {
+  switch (w.in.below(5)) {
+    case 3:
+      FUZZ_CALL(w, rollcon_body_set_body_force, b, w.in.below(3), maybe_null(w.in, traction));
+      break;
+    case 4:
+      FUZZ_CALL(w, rollcon_body_set_rotation, b, w.in.below(3), w.in.real(), traction.data(),
+                maybe_null(w.in, traction));
+      break;
     case 0:
       FUZZ_CALL(w, rollcon_body_set_traction, b, w.in.below(8), maybe_null(w.in, traction));
       break;

@@ -1,5 +1,8 @@
 // Results of contacts.
 
+#include <algorithm>
+#include <cmath>
+
 #include "calls.hpp"
 
 namespace fuzz {

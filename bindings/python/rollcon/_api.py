@@ -200,6 +200,10 @@ FUNCTIONS = {
         c_void_p, c_int64, POINTER(c_int32),
         c_int32, c_int32, POINTER(c_double)]),
     "rollcon_body_set_traction": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_body_force": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_rotation": (c_int32, [
+        c_void_p, c_int32, c_double,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
     "rollcon_body_set_int": (c_int32, [c_void_p, c_char_p, c_int64]),
@@ -515,6 +519,10 @@ ARGUMENTS = {
         ("values", "")
     ],
     "rollcon_body_set_traction": [("body", ""), ("tag", ""), ("traction", "")],
+    "rollcon_body_set_body_force": [("body", ""), ("tag", ""), ("force", "")],
+    "rollcon_body_set_rotation": [
+        ("body", ""), ("tag", ""), ("density", ""), ("origin", ""), ("rate", "")
+    ],
     "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
     "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
     "rollcon_body_set_int": [("body", ""), ("name", ""), ("value", "")],

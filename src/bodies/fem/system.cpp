@@ -66,10 +66,10 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
       interior_(mesh, assembly_, hex8_of(options), reference_),
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
-  const bool loaded =
-      !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
-        return v != Vec3{0, 0, 0};
-      });
+  const bool loaded = !mesh.load.empty() || !mesh.body_force.empty() ||
+                      std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
+                        return v != Vec3{0, 0, 0};
+                      });
   contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
   const bool few = static_cast<std::int64_t>(contact_.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
@@ -163,8 +163,8 @@ void System::solve_own_load() {
   const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
     return v != Vec3{0, 0, 0};
   });
-  if (mesh_.load.empty() && !moved) return;
-  const std::vector<double> load = assembly_.surface_loads(reference_);
+  if (mesh_.load.empty() && mesh_.body_force.empty() && !moved) return;
+  const std::vector<double> load = assembly_.loads(reference_);
   std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] < 0) u[k] = mesh_.held_value[k / 3][k % 3];
