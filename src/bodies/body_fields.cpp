@@ -62,9 +62,10 @@ void body_point_stresses(const Body& body, const NodalDisplacements& given, doub
   const BodyInterior& interior = interior_of(body);
   std::vector<double> zero, found(stress ? 6 * at(interior.points()) : 0);
   const double* u = displacements_of(body, given, zero).data();
-  interior.at_points(u, stress ? found.data() : nullptr, xyz, body.context().threads());
+  if (stress) interior.at_points(u, found.data(), nullptr, body.context().threads());
   require_no_overflow(found.data(), std::ssize(found));
-  if (stress) std::copy(found.begin(), found.end(), stress);
+  std::copy(found.begin(), found.end(), stress);
+  if (xyz) interior.at_points(u, nullptr, xyz, body.context().threads());
 }
 
 void body_fields_at(const Body& body, const NodalDisplacements& given, std::int64_t n, const double* xyz,

@@ -209,6 +209,8 @@ std::span<const Call> result_calls() {
                                displacements_at,
                                stresses_at,
                                body_displacements,
+                               wear,
+                               worn_profile,
                                stress_invariants,
                                fatigue_index,
                                stat,
