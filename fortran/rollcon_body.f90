@@ -27,6 +27,10 @@ module rollcon_body
     generic :: set_support => set_support_int32, set_support_int64
     procedure :: get_group_nodes
     procedure :: get_displacements
+    procedure :: get_node_stresses
+    procedure :: get_point_stresses
+    procedure :: get_fields_at
+    procedure :: write_vtu => write_body
   end type
 
 contains
@@ -228,5 +232,115 @@ contains
     if (status == ROLLCON_OK) status = rollcon_body_get_displacements(self%handle(), n, u)
     call finish(status, self%handle(), 'rc_body%get_displacements', stat, errmsg)
   end subroutine
+
+  !> Smoothed stresses stress(6,n) (s11, s22, s33, s12, s13, s23) of finite elements under displacements u(3,n) of their
+  !> nodes, or under the body's own loads.
+  subroutine get_node_stresses(self, stress, u, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: stress(:, :)
+    real(rc_real), intent(in), contiguous, optional :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: moved(:, :)
+    integer(rc_int) :: status
+    if (.not. three_rows(self, u, 'rc_body%get_node_stresses', stat, errmsg)) return
+    status = nodal(self, u, moved)
+    allocate (stress(6, size(moved, 2)))
+    stress = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_body_get_node_stresses(self%handle(), size(moved, 2, rc_long), moved, stress)
+    call finish(status, self%handle(), 'rc_body%get_node_stresses', stat, errmsg)
+  end subroutine
+
+  !> Stresses stress(6,n) at the integration points of all finite elements, and the points' places xyz(3,n).
+  subroutine get_point_stresses(self, stress, xyz, u, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    real(rc_real), allocatable, intent(out) :: stress(:, :), xyz(:, :)
+    real(rc_real), intent(in), contiguous, optional :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: moved(:, :)
+    real(rc_real) :: none(1), neither(1)
+    integer(rc_long) :: points
+    integer(rc_int) :: status
+    if (.not. three_rows(self, u, 'rc_body%get_point_stresses', stat, errmsg)) return
+    status = nodal(self, u, moved)
+    points = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_body_get_point_stresses(self%handle(), size(moved, 2, rc_long), moved, 0_rc_long, none, neither, points)
+    allocate (stress(6, points), xyz(3, points))
+    stress = 0
+    xyz = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_body_get_point_stresses(self%handle(), size(moved, 2, rc_long), moved, points, stress, xyz, points)
+    call finish(status, self%handle(), 'rc_body%get_point_stresses', stat, errmsg)
+  end subroutine
+
+  !> Displacements displacement(3,n) and smoothed stresses stress(6,n) at points xyz(3,n) inside finite elements.
+  subroutine get_fields_at(self, xyz, displacement, stress, u, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    real(rc_real), intent(in), contiguous :: xyz(:, :)
+    real(rc_real), allocatable, intent(out) :: displacement(:, :), stress(:, :)
+    real(rc_real), intent(in), contiguous, optional :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: moved(:, :)
+    integer(rc_int) :: status
+    if (.not. three_rows(self, xyz, 'rc_body%get_fields_at', stat, errmsg)) return
+    if (.not. three_rows(self, u, 'rc_body%get_fields_at', stat, errmsg)) return
+    status = nodal(self, u, moved)
+    allocate (displacement(3, size(xyz, 2)), stress(6, size(xyz, 2)))
+    displacement = 0
+    stress = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_body_get_fields_at(self%handle(), size(moved, 2, rc_long), moved, size(xyz, 2, rc_long), xyz, &
+      displacement, stress)
+    call finish(status, self%handle(), 'rc_body%get_fields_at', stat, errmsg)
+  end subroutine
+
+  !> Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  subroutine write_body(self, path, u, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    character(len=*), intent(in) :: path
+    real(rc_real), intent(in), contiguous, optional :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real), allocatable :: moved(:, :)
+    integer(rc_int) :: status
+    if (.not. three_rows(self, u, 'rc_body%write_vtu', stat, errmsg)) return
+    status = nodal(self, u, moved)
+    if (status == ROLLCON_OK) status = rollcon_body_write(self%handle(), c_text(path), size(moved, 2, rc_long), moved)
+    call finish(status, self%handle(), 'rc_body%write_vtu', stat, errmsg)
+  end subroutine
+
+  !> The displacements that are given, or the body's own.
+  function nodal(self, u, moved) result(status)
+    class(rc_body), intent(in) :: self
+    real(rc_real), intent(in), optional :: u(:, :)
+    real(rc_real), allocatable, intent(out) :: moved(:, :)
+    integer(rc_int) :: status
+    integer :: state
+    status = ROLLCON_OK
+    if (present(u)) then
+      moved = u
+    else
+      call self%get_displacements(moved, state)
+      status = int(state, rc_int)
+    end if
+  end function
+
+  !> Refuses arrays that are not of three rows.
+  function three_rows(self, x, who, stat, errmsg) result(good)
+    class(rc_body), intent(in) :: self
+    real(rc_real), intent(in), optional :: x(:, :)
+    character(len=*), intent(in) :: who
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    logical :: good
+    good = .true.
+    if (present(x)) good = size(x, 1) == 3
+    if (.not. good) call finish(ROLLCON_ERR_ARGUMENT, self%handle(), who, stat, errmsg, &
+      'the first extent of an array of points or displacements must be 3')
+  end function
 
 end module rollcon_body

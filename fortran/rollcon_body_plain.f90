@@ -25,6 +25,8 @@ module rollcon_body_plain
     procedure :: get_kind => body_get_kind
     procedure :: save => body_save
     procedure :: set_traction => body_set_traction
+    procedure :: set_body_force => body_set_body_force
+    procedure :: set_rotation => body_set_rotation
     procedure :: set_pressure => body_set_pressure
     procedure :: set_contact_faces => body_set_contact_faces
     procedure :: read_mesh => body_read_mesh
@@ -275,6 +277,32 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_body_set_traction(self%p, int(tag, rc_int), traction), self%p, 'rc_body%set_traction', stat, &
       errmsg)
+  end subroutine
+
+  !> Prescribes a force per volume, such as weight, on the finite elements with a tag; replaces an earlier one.
+  !> ROLLCON_ERR_STATE: a body without volume elements, and at rollcon_body_prepare a tag that no element has.
+  subroutine body_set_body_force(self, tag, force, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tag
+    real(rc_real), intent(in) :: force(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_body_force(self%p, int(tag, rc_int), force), self%p, 'rc_body%set_body_force', stat, &
+      errmsg)
+  end subroutine
+
+  !> Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added to
+  !> rollcon_body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+  subroutine body_set_rotation(self, tag, density, origin, rate, stat, errmsg)
+    class(rc_body_plain), intent(inout) :: self
+    integer, intent(in) :: tag
+    real(rc_real), intent(in) :: density
+    real(rc_real), intent(in) :: origin(3)
+    real(rc_real), intent(in) :: rate(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_body_set_rotation(self%p, int(tag, rc_int), density, origin, rate), self%p, &
+      'rc_body%set_rotation', stat, errmsg)
   end subroutine
 
   !> Prescribes a pressure on the faces with a tag, against their outward normals; replaces an earlier one and adds to a

@@ -413,6 +413,28 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_set_traction
 
+    function rollcon_body_set_body_force(body, tag, force) &
+        result(rc) bind(C, name="rollcon_body_set_body_force")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), intent(in) :: force(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_body_force
+
+    function rollcon_body_set_rotation(body, tag, density, origin, rate) &
+        result(rc) bind(C, name="rollcon_body_set_rotation")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      real(c_double), value :: density
+      real(c_double), intent(in) :: origin(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_rotation
+
     function rollcon_body_set_pressure(body, tag, pressure) &
         result(rc) bind(C, name="rollcon_body_set_pressure")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -662,6 +684,55 @@ module rollcon_c
       real(c_double), intent(out) :: u(*)
       integer(c_int32_t) :: rc
     end function rollcon_body_get_displacements
+
+    function rollcon_body_get_node_stresses(body, nodes, u, stress) &
+        result(rc) bind(C, name="rollcon_body_get_node_stresses")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_node_stresses
+
+    function rollcon_body_get_point_stresses(body, nodes, u, capacity, stress, xyz, n_rows) &
+        result(rc) bind(C, name="rollcon_body_get_point_stresses")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: stress(*)
+      real(c_double), intent(out) :: xyz(*)
+      integer(c_int64_t), intent(inout) :: n_rows
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_point_stresses
+
+    function rollcon_body_get_fields_at(body, nodes, u, n, xyz, displacement, stress) &
+        result(rc) bind(C, name="rollcon_body_get_fields_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xyz(*)
+      real(c_double), intent(out) :: displacement(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_get_fields_at
+
+    function rollcon_body_write(body, path, nodes, u) result(rc) bind(C, name="rollcon_body_write")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int64_t), value :: nodes
+      real(c_double), intent(in) :: u(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_write
 
     function rollcon_body_get_reaction(body, force, moment) &
         result(rc) bind(C, name="rollcon_body_get_reaction")
@@ -1251,6 +1322,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_stresses_at
 
+    function rollcon_contact_get_body_displacements(contact, body, capacity, u, n_values) &
+        result(rc) bind(C, name="rollcon_contact_get_body_displacements")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: capacity
+      real(c_double), intent(out) :: u(*)
+      integer(c_int64_t), intent(inout) :: n_values
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_body_displacements
+
     function rollcon_contact_get_fatigue_index(contact, shear_yield, index) &
         result(rc) bind(C, name="rollcon_contact_get_fatigue_index")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1270,6 +1353,37 @@ module rollcon_c
       real(c_double), intent(out) :: center(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_equivalent_ellipse
+
+    function rollcon_contact_get_wear(contact, law, n, parameters, points, y, depth, volume) &
+        result(rc) bind(C, name="rollcon_contact_get_wear")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int64_t), value :: points
+      real(c_double), intent(in) :: y(*)
+      real(c_double), intent(out) :: depth(*)
+      real(c_double), intent(inout) :: volume
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_wear
+
+    function rollcon_wear_profile(points, yz, rate, side, distance, most_depth, smoothing, worn, &
+        taken) result(rc) bind(C, name="rollcon_wear_profile")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      integer(c_int64_t), value :: points
+      real(c_double), intent(in) :: yz(*)
+      real(c_double), intent(in) :: rate(*)
+      integer(c_int32_t), value :: side
+      real(c_double), value :: distance
+      real(c_double), value :: most_depth
+      real(c_double), value :: smoothing
+      real(c_double), intent(out) :: worn(*)
+      real(c_double), intent(inout) :: taken
+      integer(c_int32_t) :: rc
+    end function rollcon_wear_profile
 
     function rollcon_stress_invariants(n, stress, principal, von_mises, shear) &
         result(rc) bind(C, name="rollcon_stress_invariants")
@@ -1499,6 +1613,27 @@ module rollcon_c
       integer(c_int32_t), intent(out) :: status(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_solve_many
+
+    function rollcon_wheelrail_find_wear(wheelrail, n_cases, positions, velocities, weights, law, &
+        n, parameters, points, wheel, rail, volumes, status) &
+        result(rc) bind(C, name="rollcon_wheelrail_find_wear")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n_cases
+      real(c_double), intent(in) :: positions(*)
+      real(c_double), intent(in) :: velocities(*)
+      real(c_double), intent(in) :: weights(*)
+      character(kind=c_char), intent(in) :: law(*)
+      integer(c_int32_t), value :: n
+      real(c_double), intent(in) :: parameters(*)
+      integer(c_int64_t), value :: points
+      real(c_double), intent(out) :: wheel(*)
+      real(c_double), intent(out) :: rail(*)
+      real(c_double), intent(out) :: volumes(*)
+      integer(c_int32_t), intent(out) :: status(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_find_wear
 
     function rollcon_wheelrail_save(wheelrail, place) &
         result(rc) bind(C, name="rollcon_wheelrail_save")

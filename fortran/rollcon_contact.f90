@@ -28,6 +28,8 @@ module rollcon_contact
     procedure :: get_status
     procedure :: get_displacements_at
     procedure :: get_stresses_at
+    procedure :: get_body_displacements
+    procedure :: get_wear
     procedure :: get_history
     procedure :: get_error_function
   end type
@@ -361,6 +363,44 @@ contains
     call finish(rollcon_contact_get_stresses_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, stress, &
       displacement), self%handle(), 'rc_contact%get_stresses_at', stat, errmsg)
     if (present(u)) call move_alloc(displacement, u)
+  end subroutine
+
+  !> Displacements u(3,n) of all nodes of body 1 or 2, of finite elements, in its axes.
+  subroutine get_body_displacements(self, body, u, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer, intent(in) :: body
+    real(rc_real), allocatable, intent(out) :: u(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: none(1)
+    integer(rc_long) :: n
+    integer(rc_int) :: status
+    n = 0
+    status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), 0_rc_long, none, n)
+    allocate (u(3, n/3))
+    u = 0
+    if (status == ROLLCON_OK) &
+      status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), n, u, n)
+    call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
+  end subroutine
+
+  !> Depth depth(n) that a pass of the contact wears off at places y(n) along t2, and the volume per length rolled, by a law,
+  !> 'archard' ([i] or [i1, i2, angle]) or 't_gamma' (pairs of energy and rate).
+  subroutine get_wear(self, law, parameters, y, depth, volume, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    character(len=*), intent(in) :: law
+    real(rc_real), intent(in), contiguous :: parameters(:), y(:)
+    real(rc_real), allocatable, intent(out) :: depth(:)
+    real(rc_real), intent(out), optional :: volume
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: whole
+    whole = 0
+    allocate (depth(size(y)))
+    depth = 0
+    call finish(rollcon_contact_get_wear(self%handle(), c_text(law), size(parameters, kind=rc_int), parameters, &
+      size(y, kind=rc_long), y, depth, whole), self%handle(), 'rc_contact%get_wear', stat, errmsg)
+    if (present(volume)) volume = whole
   end subroutine
 
   !> rows(8,n): phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip, seconds.

@@ -324,6 +324,24 @@ subroutine rcbtrc(ibody, itag, traction, ierr)
   ierr = rollcon_body_set_traction(body_of(ibody), narrow(itag), traction)
 end subroutine
 
+!> Prescribes a force per volume, such as weight, on the finite elements with a tag.
+subroutine rcbfor(ibody, itag, force, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: force(3)
+  ierr = rollcon_body_set_body_force(body_of(ibody), narrow(itag), force)
+end subroutine
+
+!> Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added to rollcon_bod.
+subroutine rcbrot(ibody, itag, density, origin, rate, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, ierr
+  double precision :: density, origin(3), rate(3)
+  ierr = rollcon_body_set_rotation(body_of(ibody), narrow(itag), density, origin, rate)
+end subroutine
+
 !> Prescribes a pressure on the faces with a tag, against their outward normals.
 subroutine rcbprs(ibody, itag, pressure, ierr)
   use rollcon_f77_support
@@ -602,6 +620,48 @@ subroutine rcbdis(ibody, maxn, u, ierr)
   integer :: ibody, maxn, ierr
   double precision :: u(*)
   ierr = rollcon_body_get_displacements(body_of(ibody), int(maxn, c_int64_t), u)
+end subroutine
+
+!> Smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or under i.
+subroutine rcbnds(ibody, nodes, u, stress, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, ierr
+  double precision :: u(*), stress(*)
+  ierr = rollcon_body_get_node_stresses(body_of(ibody), int(nodes, c_int64_t), u, stress)
+end subroutine
+
+!> Stresses at the integration points of all elements, element by element, as the elements themselves balance loa.
+subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, maxn, nr, ierr
+  double precision :: u(*), stress(*), xyz(*)
+  integer(c_int64_t) :: n_rows_c
+  n_rows_c = 0
+  ierr = rollcon_body_get_point_stresses(body_of(ibody), int(nodes, c_int64_t), u, int(maxn, c_int64_t), stress, &
+    xyz, n_rows_c)
+  nr = int(n_rows_c)
+end subroutine
+
+!> Displacements and smoothed stresses at any points inside a body of finite elements, between nodes as the eleme.
+subroutine rcbfld(ibody, nodes, u, n, xyz, displacement, stress, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, n, ierr
+  double precision :: u(*), xyz(*), displacement(*), stress(*)
+  ierr = rollcon_body_get_fields_at(body_of(ibody), int(nodes, c_int64_t), u, int(n, c_int64_t), xyz, displacement, &
+    stress)
+end subroutine
+
+!> Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy, zz, xy, yz, xz.
+subroutine rcbwri(ibody, path, nodes, u, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, nodes, ierr
+  character(len=*) :: path
+  double precision :: u(*)
+  ierr = rollcon_body_write(body_of(ibody), c_text(path), int(nodes, c_int64_t), u)
 end subroutine
 
 !> Resultant of the forces that the supports exert on the body under its own loads and given displacements, and i.
@@ -1184,6 +1244,19 @@ subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
 end subroutine
 
+!> Displacements of all nodes of a body of finite elements under the tractions of the last solve and the body's o.
+subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, maxn, nv, ierr
+  double precision :: u(*)
+  integer(c_int64_t) :: n_values_c
+  n_values_c = 0
+  ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(ibody), int(maxn, c_int64_t), u, &
+    n_values_c)
+  nv = int(n_values_c)
+end subroutine
+
 !> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .
 subroutine rcfati(icon, shear_yield, xindex, ierr)
   use rollcon_f77_support
@@ -1200,6 +1273,27 @@ subroutine rcelli(icon, xinputs, center, ierr)
   integer :: icon, ierr
   double precision :: xinputs(9), center(2)
   ierr = rollcon_contact_get_equivalent_ellipse(contact_of(icon), xinputs, center)
+end subroutine
+
+!> Depth that one pass of the contact wears off, along t2.
+subroutine rcwear(icon, law, n, par, ipoints, y, depth, volume, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, n, ipoints, ierr
+  character(len=*) :: law
+  double precision :: par(*), y(*), depth(*), volume
+  ierr = rollcon_contact_get_wear(contact_of(icon), c_name(law), narrow(n), par, int(ipoints, c_int64_t), y, depth, &
+    volume)
+end subroutine
+
+!> Moves points of a profile into their body by what wears off over a distance.
+subroutine rcwpro(ipoints, yz, rate, iside, distance, xmost_depth, smoothing, worn, taken, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ipoints, iside, ierr
+  double precision :: yz(*), rate(*), distance, xmost_depth, smoothing, worn(*), taken
+  ierr = rollcon_wear_profile(int(ipoints, c_int64_t), yz, rate, narrow(iside), distance, xmost_depth, smoothing, &
+    worn, taken)
 end subroutine
 
 !> Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may come from rollcon.
@@ -1431,6 +1525,22 @@ subroutine rcwmny(iwr, n, positions, velocities, totals, istatus, ierr)
   call room_77(wheelrail_of(iwr), 'RCWMNY', n, whole, ierr)
   if (ierr /= ROLLCON_OK) return
   ierr = rollcon_wheelrail_solve_many(wheelrail_of(iwr), int(n, c_int64_t), positions, velocities, totals, whole)
+  call give_integers(whole, istatus)
+end subroutine
+
+!> Wear of wheel and rail by a spectrum of positions.
+subroutine rcwfwr(iwr, nc, positions, velocities, weights, law, n, par, ipoints, wheel, rail, volumes, istatus, &
+  ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, nc, n, ipoints, istatus(*), ierr
+  double precision :: positions(*), velocities(*), weights(*), par(*), wheel(*), rail(*), volumes(2)
+  character(len=*) :: law
+  integer(c_int32_t), allocatable :: whole(:)
+  call room_77(wheelrail_of(iwr), 'RCWFWR', nc, whole, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_wheelrail_find_wear(wheelrail_of(iwr), int(nc, c_int64_t), positions, velocities, weights, &
+    c_name(law), narrow(n), par, int(ipoints, c_int64_t), wheel, rail, volumes, whole)
   call give_integers(whole, istatus)
 end subroutine
 

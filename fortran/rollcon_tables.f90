@@ -8,7 +8,7 @@ module rollcon_tables
   private
   public :: rc_option_count, rc_option_info, rc_option_doc, rc_stat_count, rc_stat_name, rc_event_int, rc_event_real
   public :: rc_body_option_count, rc_body_option_info, rc_body_option_doc, rc_body_stat_count, rc_body_stat_name
-  public :: rc_stress_invariants
+  public :: rc_stress_invariants, rc_wear_profile
   public :: rc_wheelrail_stat_count, rc_wheelrail_stat_name, rc_wheelrail_patch_stat_count, rc_wheelrail_patch_stat_name
 
 contains
@@ -31,6 +31,28 @@ contains
     shear = 0
     call finish(rollcon_stress_invariants(size(stress, 2, rc_long), stress, principal, von_mises, shear), c_null_ptr, &
       'rc_stress_invariants', stat, errmsg)
+  end subroutine
+
+  !> Points yz(2,n) of a profile worn by rate(n), depth per distance, along the normal: worn(2,n), and how much of the distance
+  !> was taken so that none is worn deeper than most_depth. side 1: the body lies at greater z (a rail), -1: at lesser z.
+  subroutine rc_wear_profile(yz, rate, side, distance, most_depth, smoothing, worn, taken, stat, errmsg)
+    real(rc_real), intent(in), contiguous :: yz(:, :), rate(:)
+    integer, intent(in) :: side
+    real(rc_real), intent(in) :: distance, most_depth, smoothing
+    real(rc_real), allocatable, intent(out) :: worn(:, :)
+    real(rc_real), intent(out) :: taken
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    taken = 0
+    if (size(yz, 1) /= 2 .or. size(yz, 2) /= size(rate)) then
+      call finish(ROLLCON_ERR_ARGUMENT, c_null_ptr, 'rc_wear_profile', stat, errmsg, &
+        'the extents of yz must be 2 and that of rate')
+      return
+    end if
+    allocate (worn(2, size(rate)))
+    worn = 0
+    call finish(rollcon_wear_profile(size(rate, kind=rc_long), yz, rate, int(side, rc_int), distance, most_depth, &
+      smoothing, worn, taken), c_null_ptr, 'rc_wear_profile', stat, errmsg)
   end subroutine
 
   integer function rc_option_count()

@@ -16,6 +16,7 @@ module rollcon_wheelrail
     procedure :: get_contact
     procedure :: copy
     procedure :: solve_many
+    procedure :: find_wear
     procedure :: find_contact_points
     procedure :: find_conicity
   end type
@@ -93,6 +94,39 @@ contains
     rc = rollcon_wheelrail_solve_many(self%handle(), size(positions, 2, rc_long), positions, velocities, totals, state)
     if (present(status)) status = state
     call finish(rc, self%handle(), 'rc_wheelrail%solve_many', stat, errmsg)
+  end subroutine
+
+  !> What a spectrum of positions(6,n) with velocities(6,n) and weights(n) wears off both profiles per pass, at `points` points
+  !> at equal arc lengths: wheel and rail, and the volumes(2) of both per length rolled. Laws: see rc_contact%get_wear.
+  subroutine find_wear(self, positions, velocities, weights, law, parameters, points, wheel, rail, volumes, status, stat, &
+    errmsg)
+    class(rc_wheelrail), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: positions(:, :), velocities(:, :), weights(:), parameters(:)
+    character(len=*), intent(in) :: law
+    integer, intent(in) :: points
+    real(rc_real), allocatable, intent(out) :: wheel(:), rail(:)
+    real(rc_real), intent(out), optional :: volumes(2)
+    integer(rc_int), allocatable, intent(out), optional :: status(:)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    integer(rc_int), allocatable :: state(:)
+    real(rc_real) :: whole(2)
+    integer(rc_int) :: rc
+    if (size(positions, 1) /= 6 .or. any(shape(positions) /= shape(velocities)) .or. size(weights) /= size(positions, 2)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_wheelrail%find_wear', stat, errmsg, &
+        'positions and velocities must both be (6,n), weights (n)')
+      return
+    end if
+    allocate (wheel(max(points, 0)), rail(max(points, 0)), state(size(weights)))
+    wheel = 0
+    rail = 0
+    whole = 0
+    state = 0
+    rc = rollcon_wheelrail_find_wear(self%handle(), size(weights, kind=rc_long), positions, velocities, weights, c_text(law), &
+      size(parameters, kind=rc_int), parameters, int(points, rc_long), wheel, rail, whole, state)
+    if (present(status)) status = state
+    if (present(volumes)) volumes = whole
+    call finish(rc, self%handle(), 'rc_wheelrail%find_wear', stat, errmsg)
   end subroutine
 
   !> Where both wheels of a rigid wheelset touch rigid rails over its lateral shift; this is the left one. points(13,n): z

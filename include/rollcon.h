@@ -594,6 +594,31 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_traction(rollcon_body *
     int32_t tag, const double *traction);
 
 /*
+ * Prescribes a force per volume, such as weight, on the finite elements with a tag; replaces an
+ * earlier one. ROLLCON_ERR_STATE: a body without volume elements, and at rollcon_body_prepare a
+ * tag that no element has.
+ *   tag    of volume elements
+ *   force  [3]; force/length^3 along x y z: density times acceleration; -1e100 to 1e100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_body_force(rollcon_body *body,
+    int32_t tag, const double *force);
+
+/*
+ * Prescribes the centrifugal forces of a steady rotation on the finite elements with a tag, added
+ * to rollcon_body_set_body_force; replaces an earlier one. Stiffness is that of the body at rest.
+ *   tag      of volume elements
+ *   density  mass/length^3, 0 to 1e100
+ *   origin   [3]; on the axis of rotation, length
+ *   rate     [3]; along the axis, radian/time
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_rotation(rollcon_body *body,
+    int32_t tag, double density, const double *origin, const double *rate);
+
+/*
  * Prescribes a pressure on the faces with a tag, against their outward normals; replaces an
  * earlier one and adds to a traction on the same tag.
  *   tag       of some face (else ROLLCON_ERR_ARGUMENT)
@@ -894,6 +919,76 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_size(const rollcon_body
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rollcon_body *body,
     int64_t capacity, double *u);
+
+/*
+ * Smoothed stresses at all nodes of a body of finite elements under given displacements of its
+ * nodes, or under its own loads. Each element's stresses are taken as the nearest function that
+ * is linear in the element (in a hexahedron: in each direction), and averaged at its nodes by
+ * volume, also across materials. Tension is positive; axes of the body. ROLLCON_ERR_UNSUPPORTED:
+ * another kind of body; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses overflow.
+ *   nodes   as many as the body has
+ *   u       [nodes][3]; as from rollcon_contact_get_body_displacements, length; NULL: those of
+ *           rollcon_body_get_displacements
+ *   stress  [nodes][6], out; s11, s22, s33, s12, s13, s23, force/length^2
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_node_stresses(const rollcon_body *body,
+    int64_t nodes, const double *u, double *stress);
+
+/*
+ * Stresses at the integration points of all elements, element by element, as the elements
+ * themselves balance loads with them, and the points' places. Otherwise like
+ * rollcon_body_get_node_stresses.
+ *   nodes     as many as the body has
+ *   u         [nodes][3]; displacements of the nodes; NULL: those of
+ *             rollcon_body_get_displacements
+ *   capacity  points that fit; 0 asks for their number
+ *   stress    [capacity][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ *   xyz       [capacity][3], out; places in the body's axes, length; NULL: not wanted
+ *   n_rows    out, may be NULL; points there are; set after ROLLCON_ERR_CAPACITY too
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_point_stresses(const rollcon_body *body,
+    int64_t nodes, const double *u, int64_t capacity, double *stress, double *xyz,
+    int64_t *n_rows);
+
+/*
+ * Displacements and smoothed stresses at any points inside a body of finite elements, between
+ * nodes as the elements' shape functions have them. Otherwise like
+ * rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is in no element (a
+ * millionth of its size beyond its faces is still inside).
+ *   nodes         as many as the body has
+ *   u             [nodes][3]; displacements of the nodes; NULL: those of
+ *                 rollcon_body_get_displacements
+ *   n             points, >= 0
+ *   xyz           [n][3]; in the body's axes, length
+ *   displacement  [n][3], out; x y z, length; NULL: not wanted
+ *   stress        [n][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_fields_at(const rollcon_body *body,
+    int64_t nodes, const double *u, int64_t n, const double *xyz, double *displacement,
+    double *stress);
+
+/*
+ * Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy,
+ * zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes as a VTU file for
+ * ParaView and meshio. Otherwise like rollcon_body_get_node_stresses.
+ *   path   name of the file; an existing one is replaced
+ *   nodes  as many as the body has
+ *   u      [nodes][3]; displacements of the nodes; NULL: those of rollcon_body_get_displacements
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_IO, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_write(const rollcon_body *body,
+    const char *path, int64_t nodes, const double *u);
 
 /*
  * Resultant of the forces that the supports exert on the body under its own loads and given
@@ -1622,6 +1717,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
     double *u);
 
 /*
+ * Displacements of all nodes of a body of finite elements under the tractions of the last solve
+ * and the body's own loads, in the body's axes. Under a frame of its own finer than the body's
+ * faces these are tractions as the elements feel them (docs/theory.md, section 10). The first
+ * call for a body factorises its stiffness once more, with nothing condensed; contacts and solves
+ * after that share the factors (unless its option keep_factors is 0). ROLLCON_ERR_UNSUPPORTED:
+ * another kind of body.
+ *   body      1 or 2
+ *   capacity  doubles that fit into u; 0 asks for their number
+ *   u         [capacity], out, may be NULL; displacement x y z of each node, length
+ *   n_values  out, may be NULL; three for each node of the body; set after ROLLCON_ERR_CAPACITY
+ *             too
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_CAPACITY, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of finite elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
+    const rollcon_contact *contact, int32_t body, int64_t capacity, double *u,
+    int64_t *n_values);
+
+/*
  * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),
  * with the area A in contact (statistic contact_area; pi a b of an ellipse) and the yield stress
  * k in shear; positive where fatigue is to be expected. ROLLCON_ERR_STATE: no solution, or no
@@ -1653,6 +1768,54 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_equivalent_ellipse(
     const rollcon_contact *contact, double *inputs, double *center);
+
+/*
+ * Depth that one pass of the contact wears off, along t2: the integral of the law's rate along
+ * the rolling direction, at the friction, pressure and slip of the last solve; of a step in time,
+ * what that step takes off. Material is given to the points by the functions that are 1 at a
+ * point and linear to its neighbours: the sum of depth times the point's share of y is the volume
+ * exactly. A body that comes by once per revolution has this depth per revolution, and the same
+ * law may be asked for each body with its own coefficients. Laws: "archard": rate = i p |s|/V;
+ * with i1, i2 and an angle p |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2.
+ * "t_gamma": pairs (e, r) of energy density e = |t s|/V, ascending, and rate r (depth per length
+ * rolled), linear between, from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does
+ * not cover the nodes in contact.
+ *   law         archard or t_gamma
+ *   n           parameters of the law
+ *   parameters  [n]; i; i1, i2, angle (length^2/force, radian); e, r, e, r, ... (force/length^2,
+ *               dimensionless)
+ *   points      2 to 1000000
+ *   y           [points]; places along t2, ascending, length
+ *   depth       [points], out; per pass, length; NULL: not wanted
+ *   volume      out; per length rolled, length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_wear(const rollcon_contact *contact,
+    const char *law, int32_t n, const double *parameters, int64_t points, const double *y,
+    double *depth, double *volume);
+
+/*
+ * Moves points of a profile into their body by what wears off over a distance: along the normal,
+ * by the rate smoothed, of as much of the distance as wears no point deeper than most_depth.
+ * Smoothing keeps the volume: waves as long as `smoothing` keep one half, and nothing gets below
+ * the least rate or above the greatest.
+ *   points      2 to 1000000
+ *   yz          [points][2]; in the order of the profile, length
+ *   rate        [points]; depth per distance, >= 0
+ *   side        1: the body lies at greater z (a rail with z down), -1: at lesser z (a wheel)
+ *   distance    >= 0
+ *   most_depth  > 0, length
+ *   smoothing   length of waves, >= 0; 0: none
+ *   worn        [points][2], out; may be yz
+ *   taken       out; of the distance; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Threads: any.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wear_profile(int64_t points, const double *yz,
+    const double *rate, int32_t side, double distance, double most_depth, double smoothing,
+    double *worn, double *taken);
 
 /*
  * Principal stresses, von Mises's stress and the largest shear stress of n stresses, which may
@@ -1927,6 +2090,36 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_request_cancel(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
     rollcon_wheelrail *wheelrail, int64_t n, const double *positions, const double *velocities,
     double *totals, int32_t *status);
+
+/*
+ * Wear of wheel and rail by a spectrum of positions: solves them as rollcon_wheelrail_solve_many
+ * does, and adds the depths that a pass of each wears off either body (rollcon_contact_get_wear)
+ * times its weight. A pass is one revolution of the wheel, or one wheel over the rail. Depths are
+ * normal to the profiles, at points at equal arc lengths from end to end
+ * (rollcon_body_get_profile_point); depth times the points' shares of the profile's length adds
+ * up to the volume. Patches of a wheel count with their shares. Positions without a solution wear
+ * nothing, and are told as rollcon_wheelrail_solve_many tells them.
+ *   n_cases     1 to 100000
+ *   positions   [n_cases][6]; as rollcon_wheelrail_set_position takes them
+ *   velocities  [n_cases][6]; as rollcon_wheelrail_set_velocity takes them
+ *   weights     [n_cases]; >= 0; NULL: each 1/n_cases
+ *   law         as of rollcon_contact_get_wear
+ *   n           parameters of the law
+ *   parameters  [n]; of the law
+ *   points      2 to 1000000, times n_cases at most 2e7
+ *   wheel       [points], out; depth per pass, length; NULL: not wanted
+ *   rail        [points], out; depth per pass, length; NULL: not wanted
+ *   volumes     [2], out; per length rolled, of wheel and rail, length^2; NULL: not wanted
+ *   status      [n_cases], out, may be NULL; as rollcon_wheelrail_solve would return
+ * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_TOO_DEEP, ROLLCON_DERAILED,
+ *   ROLLCON_ERR_NONFINITE, ROLLCON_ERR_OPTION, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/wear.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_find_wear(rollcon_wheelrail *wheelrail,
+    int64_t n_cases, const double *positions, const double *velocities, const double *weights,
+    const char *law, int32_t n, const double *parameters, int64_t points, double *wheel,
+    double *rail, double *volumes, int32_t *status);
 
 /*
  * Keeps what is set and the last solution at a place within the wheel, for

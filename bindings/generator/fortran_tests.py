@@ -236,7 +236,7 @@ class Call77:
         # A room for numbers is larger than what is there, or as large: the rest is not looked at.
         verb = self.function.name.removeprefix("rollcon_")
         told = broken("call told", [f"'{verb}'", f"'{samples.record(self.function, self.given)}'", "stat"])
-        if any(a.base == "int32" and a.out and a.array and a.shape != "[n]" for a in self.function.args):
+        if any(a.base == "int32" and a.out and a.array and a.shape == "[capacity]" for a in self.function.args):
             self.outs.checks = [re.sub(r"int\((istatus|nodes)\)", r"int(\1(:3))", c) for c in self.outs.checks]
         call = self.before + broken(f"call {self.name.lower()}", self.words + ["stat"])
         message = ["    call rclerr(message)", f"    call failed('{verb}', stat, message)", "  end subroutine", ""]

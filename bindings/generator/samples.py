@@ -14,7 +14,8 @@ SECOND = {"body2", "rail"}  # handles that are the second of their kind; others 
 
 def counts(function, arg):
     """Whether the argument is the extent of an array."""
-    return arg.name == "n" and any(a.shape.startswith("[n") for a in function.args)
+    return arg.name in ("n", "nodes", "points", "n_cases") and any(a.shape.startswith(f"[{arg.name}]") or a.shape.startswith("[n*")
+                                              for a in function.args)
 
 
 def integer(function, position):
@@ -35,7 +36,7 @@ def text(position):
 def extent(arg):
     total = 1
     for part in re.findall(r"\[(.+?)\]", arg.shape):
-        total *= {"n": N, "n*3": 3 * N, "capacity": CAPACITY, "nodes of the type": ELEMENT_NODES}.get(part) or int(part)
+        total *= {"n": N, "nodes": N, "points": N, "n_cases": N, "n*3": 3 * N, "capacity": CAPACITY, "nodes of the type": ELEMENT_NODES}.get(part) or int(part)
     return total
 
 

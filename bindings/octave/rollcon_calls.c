@@ -330,6 +330,33 @@ static void call_body_set_traction(call *self) {
   finish(self, rc);
 }
 
+static void call_body_set_body_force(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int32_t tag = take_enumerator(self, "tag", no_names, 0);
+  int64_t force_rows = 3;
+  const double *force = take_reals(self, "force", &force_rows, 0, 0);
+  no_more(self);
+  rc = rollcon_body_set_body_force(body, tag, force);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_body_set_rotation(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int32_t tag = take_enumerator(self, "tag", no_names, 0);
+  const double density = take_real(self, "density");
+  int64_t origin_rows = 3;
+  const double *origin = take_reals(self, "origin", &origin_rows, 0, 0);
+  int64_t rate_rows = 3;
+  const double *rate = take_reals(self, "rate", &rate_rows, 0, 0);
+  no_more(self);
+  rc = rollcon_body_set_rotation(body, tag, density, origin, rate);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_body_set_pressure(call *self) {
   int32_t rc = 0;
   rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
@@ -641,6 +668,77 @@ static void call_body_get_displacements(call *self) {
   rc = rollcon_body_get_displacements(body, capacity, u);
   if (rc < 0) finish(self, rc);
   give_reals(self, u, capacity, 3);
+  finish(self, rc);
+}
+
+static void call_body_get_node_stresses(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int64_t nodes = take_integer(self, "nodes");
+  int64_t u_rows = nodes;
+  const double *u = take_reals(self, "u", &u_rows, 3, 1);
+  double *stress = NULL;
+  no_more(self);
+  stress = room(1 * (nodes * 6), sizeof *stress);
+  rc = rollcon_body_get_node_stresses(body, nodes, u, stress);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, stress, 1, nodes * 6);
+  finish(self, rc);
+}
+
+static void call_body_get_point_stresses(call *self) {
+  int32_t rc = 0;
+  int64_t capacity = 0;
+  int64_t need = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int64_t nodes = take_integer(self, "nodes");
+  int64_t u_rows = nodes;
+  const double *u = take_reals(self, "u", &u_rows, 3, 1);
+  double *stress = NULL;
+  double *xyz = NULL;
+  no_more(self);
+  rc = rollcon_body_get_point_stresses(body, nodes, u, capacity, stress, xyz, &need);
+  if (rc < 0) finish(self, rc);
+  capacity = need;
+  stress = room(capacity * (6), sizeof *stress);
+  xyz = room(capacity * (3), sizeof *xyz);
+  rc = rollcon_body_get_point_stresses(body, nodes, u, capacity, stress, xyz, &need);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, stress, capacity, 6);
+  give_reals(self, xyz, capacity, 3);
+  finish(self, rc);
+}
+
+static void call_body_get_fields_at(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int64_t nodes = take_integer(self, "nodes");
+  int64_t u_rows = nodes;
+  const double *u = take_reals(self, "u", &u_rows, 3, 1);
+  const double *xyz = take_reals(self, "xyz", &n, 3, 0);
+  double *displacement = NULL;
+  double *stress = NULL;
+  no_more(self);
+  displacement = room(n * (3), sizeof *displacement);
+  stress = room(n * (6), sizeof *stress);
+  rc = rollcon_body_get_fields_at(body, nodes, u, n, xyz, displacement, stress);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, displacement, n, 3);
+  give_reals(self, stress, n, 6);
+  finish(self, rc);
+}
+
+static void call_body_write(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const char *path = take_text(self, "path");
+  const int64_t nodes = take_integer(self, "nodes");
+  int64_t u_rows = nodes;
+  const double *u = take_reals(self, "u", &u_rows, 3, 1);
+  no_more(self);
+  rc = rollcon_body_write(body, path, nodes, u);
+  if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
 
@@ -1303,6 +1401,24 @@ static void call_contact_get_stresses_at(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_get_body_displacements(call *self) {
+  int32_t rc = 0;
+  int64_t capacity = 0;
+  int64_t need = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  double *u = NULL;
+  no_more(self);
+  rc = rollcon_contact_get_body_displacements(contact, body, capacity, u, &need);
+  if (rc < 0) finish(self, rc);
+  capacity = need;
+  u = room(capacity * (1), sizeof *u);
+  rc = rollcon_contact_get_body_displacements(contact, body, capacity, u, &need);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, u, capacity, 1);
+  finish(self, rc);
+}
+
 static void call_contact_get_fatigue_index(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -1327,6 +1443,48 @@ static void call_contact_get_equivalent_ellipse(call *self) {
   if (rc < 0) finish(self, rc);
   give_reals(self, inputs, 1, 9);
   give_reals(self, center, 1, 2);
+  finish(self, rc);
+}
+
+static void call_contact_get_wear(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const char *law = take_text(self, "law");
+  const double *parameters = take_reals(self, "parameters", &n, 0, 0);
+  const int64_t points = take_integer(self, "points");
+  int64_t y_rows = points;
+  const double *y = take_reals(self, "y", &y_rows, 0, 0);
+  double *depth = NULL;
+  double volume = 0;
+  no_more(self);
+  depth = room(1 * (points), sizeof *depth);
+  rc = rollcon_contact_get_wear(contact, law, n, parameters, points, y, depth, &volume);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, depth, 1, points);
+  give_real(self, (double)volume);
+  finish(self, rc);
+}
+
+static void call_wear_profile(call *self) {
+  int32_t rc = 0;
+  const int64_t points = take_integer(self, "points");
+  int64_t yz_rows = points;
+  const double *yz = take_reals(self, "yz", &yz_rows, 2, 0);
+  int64_t rate_rows = points;
+  const double *rate = take_reals(self, "rate", &rate_rows, 0, 0);
+  const int32_t side = take_enumerator(self, "side", no_names, 0);
+  const double distance = take_real(self, "distance");
+  const double most_depth = take_real(self, "most_depth");
+  const double smoothing = take_real(self, "smoothing");
+  double *worn = NULL;
+  double taken = 0;
+  no_more(self);
+  worn = room(1 * (points * 2), sizeof *worn);
+  rc = rollcon_wear_profile(points, yz, rate, side, distance, most_depth, smoothing, worn, &taken);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, worn, 1, points * 2);
+  give_real(self, (double)taken);
   finish(self, rc);
 }
 
@@ -1610,6 +1768,38 @@ static void call_wheelrail_solve_many(call *self) {
   if (rc < 0) finish(self, rc);
   give_reals(self, totals, n, 9);
   give_integers(self, status, n, 0);
+  finish(self, rc);
+}
+
+static void call_wheelrail_find_wear(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int64_t n_cases = take_integer(self, "n_cases");
+  int64_t positions_rows = n_cases;
+  const double *positions = take_reals(self, "positions", &positions_rows, 6, 0);
+  int64_t velocities_rows = n_cases;
+  const double *velocities = take_reals(self, "velocities", &velocities_rows, 6, 0);
+  int64_t weights_rows = n_cases;
+  const double *weights = take_reals(self, "weights", &weights_rows, 0, 1);
+  const char *law = take_text(self, "law");
+  const double *parameters = take_reals(self, "parameters", &n, 0, 0);
+  const int64_t points = take_integer(self, "points");
+  double *wheel = NULL;
+  double *rail = NULL;
+  double *volumes = NULL;
+  int32_t *status = NULL;
+  no_more(self);
+  wheel = room(1 * (points), sizeof *wheel);
+  rail = room(1 * (points), sizeof *rail);
+  volumes = room(1 * (2), sizeof *volumes);
+  status = room(1 * (n_cases), sizeof *status);
+  rc = rollcon_wheelrail_find_wear(wheelrail, n_cases, positions, velocities, weights, law, n, parameters, points, wheel, rail, volumes, status);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, wheel, 1, points);
+  give_reals(self, rail, 1, points);
+  give_reals(self, volumes, 1, 2);
+  give_integers(self, status, 1, 0);
   finish(self, rc);
 }
 
@@ -1995,6 +2185,8 @@ const entry calls[] = {
   {"body_tag_faces_of_nodes", call_body_tag_faces_of_nodes, 1},
   {"body_set_support", call_body_set_support, 1},
   {"body_set_traction", call_body_set_traction, 1},
+  {"body_set_body_force", call_body_set_body_force, 1},
+  {"body_set_rotation", call_body_set_rotation, 1},
   {"body_set_pressure", call_body_set_pressure, 1},
   {"body_set_contact_faces", call_body_set_contact_faces, 1},
   {"body_read_mesh", call_body_read_mesh, 1},
@@ -2019,6 +2211,10 @@ const entry calls[] = {
   {"body_get_profile_point", call_body_get_profile_point, 3},
   {"body_get_size", call_body_get_size, 2},
   {"body_get_displacements", call_body_get_displacements, 1},
+  {"body_get_node_stresses", call_body_get_node_stresses, 1},
+  {"body_get_point_stresses", call_body_get_point_stresses, 2},
+  {"body_get_fields_at", call_body_get_fields_at, 2},
+  {"body_write", call_body_write, 1},
   {"body_get_reaction", call_body_get_reaction, 2},
   {"body_get_stat", call_body_get_stat, 1},
   {"body_stat_count", call_body_stat_count, 1},
@@ -2071,8 +2267,11 @@ const entry calls[] = {
   {"contact_get_sensitivity", call_contact_get_sensitivity, 4},
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
   {"contact_get_stresses_at", call_contact_get_stresses_at, 2},
+  {"contact_get_body_displacements", call_contact_get_body_displacements, 1},
   {"contact_get_fatigue_index", call_contact_get_fatigue_index, 1},
   {"contact_get_equivalent_ellipse", call_contact_get_equivalent_ellipse, 2},
+  {"contact_get_wear", call_contact_get_wear, 2},
+  {"wear_profile", call_wear_profile, 2},
   {"stress_invariants", call_stress_invariants, 3},
   {"contact_get_stat", call_contact_get_stat, 1},
   {"stat_count", call_stat_count, 1},
@@ -2096,6 +2295,7 @@ const entry calls[] = {
   {"wheelrail_solve", call_wheelrail_solve, 1},
   {"wheelrail_request_cancel", call_wheelrail_request_cancel, 1},
   {"wheelrail_solve_many", call_wheelrail_solve_many, 2},
+  {"wheelrail_find_wear", call_wheelrail_find_wear, 4},
   {"wheelrail_save", call_wheelrail_save, 1},
   {"wheelrail_restore", call_wheelrail_restore, 1},
   {"wheelrail_copy", call_wheelrail_copy, 1},

@@ -53,6 +53,10 @@ class Body {
                    const double* value);
   void set_traction(std::int32_t tag, const double* traction);
   void set_pressure(std::int32_t tag, double pressure);
+  // On the finite elements with a tag: force per volume, and that of a rotation with this vector about an axis through
+  // origin.
+  void set_body_force(std::int32_t tag, const double* force);
+  void set_rotation(std::int32_t tag, double density, const double* origin, const double* rate);
   void set_contact_faces(std::int64_t n, const std::int32_t* tag);
   // Of half-spaces and rigid bodies without a mesh. A profile forgets the one before and its place.
 

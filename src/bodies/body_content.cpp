@@ -106,6 +106,19 @@ void content(Archive& ar, Model& model) {
   mesh_content(ar, model.mesh, model.traits().volume);
 }
 
+/// At the end, of finite-element bodies that have some.
+template <class Archive, class Mesh>
+void body_forces(Archive& ar, Mesh& mesh) {
+  constexpr std::size_t least = 84;
+  ar.list(mesh.body_force, least, [](auto& a, auto& load) {
+    a(load.tag);
+    a(load.force);
+    a(load.density);
+    a(load.origin);
+    a(load.rate);
+  });
+}
+
 /// What setters check when a caller gives it.
 void check_profile(const BodyProfile& profile, const std::vector<ProfilePiece>& piece) {
   constexpr double most = 1e31, most_turned = 3.2, unit = 1e-9;
@@ -220,6 +233,10 @@ void check_mesh(BodyModel& model) {
     require_all_finite({load.traction});
     require(std::isfinite(load.pressure), "a number is not finite");
   }
+  for (const BodyForce& load : mesh.body_force) {
+    require_all_finite({load.force, load.origin, load.rate});
+    require(std::isfinite(load.density), "a number is not finite");
+  }
 }
 
 }  // namespace
@@ -240,6 +257,7 @@ ContentDigest digest_of(const BodyModel& model) {
   OutArchive ar(digest);
   content(ar, model);
   if (model.profile.curve) profile_content(ar, model.profile);
+  if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
   return digest.value();
 }
 
@@ -248,6 +266,7 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   OutArchive ar(file);
   content(ar, model);
   if (model.profile.curve) profile_content(ar, model.profile);
+  if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -255,7 +274,12 @@ void read_content(SectionReader& file, BodyModel& model) {
   InArchive ar(file);
   try {
     content(ar, model);
-    if (file.left() > 0) profile_content(ar, model.profile);
+    if (file.left() > 0) {
+      if (model.traits().volume)
+        body_forces(ar, model.mesh);
+      else
+        profile_content(ar, model.profile);
+    }
     file.end();
     check_materials(model);
     check_mesh(model);

@@ -44,8 +44,21 @@ void require_node_ids(std::int64_t n, const std::int32_t* node, std::int32_t ind
   }
 }
 
-FaceLoad& load_of(std::vector<FaceLoad>& load, std::int32_t tag) {
-  const auto found = std::find_if(load.begin(), load.end(), [&](const FaceLoad& l) { return l.tag == tag; });
+void require_volume(const BodyTraits& traits) {
+  if (!traits.volume) fail(Status::err_state, "a %s body has no volume elements: no forces act inside", traits.name);
+}
+
+void require_moderate(const double* v, const char* name) {
+  require_finite_vector(v, name);
+  for (int c = 0; c < 3; ++c)
+    if (std::abs(v[c]) > most_given)
+      fail(Status::err_argument, "component %c of %s is %g; allowed: -%g to %g", "xyz"[c], name, v[c], most_given,
+           most_given);
+}
+
+template <class Load>
+Load& load_of(std::vector<Load>& load, std::int32_t tag) {
+  const auto found = std::find_if(load.begin(), load.end(), [&](const Load& l) { return l.tag == tag; });
   if (found != load.end()) return *found;
   load.push_back({.tag = tag});
   return load.back();
@@ -233,11 +246,7 @@ void Body::set_support(std::int64_t n, const std::int32_t* node, std::int32_t in
 
 void Body::set_traction(std::int32_t tag, const double* traction) {
   require_elastic_mesh_kind(traits_, "tractions");
-  require_finite_vector(traction, "traction");
-  for (int c = 0; c < 3; ++c)
-    if (std::abs(traction[c]) > most_given)
-      fail(Status::err_argument, "component %c of traction is %g; allowed: -%g to %g", "xyz"[c], traction[c],
-           most_given, most_given);
+  require_moderate(traction, "traction");
   const std::lock_guard lock(mutex_);
   require_unprepared("loads are");
   require_tag(tag, "tag");
@@ -253,6 +262,29 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   require_unprepared("loads are");
   require_tag(tag, "tag");
   load_of(given().load, tag).pressure = pressure;
+}
+
+void Body::set_body_force(std::int32_t tag, const double* force) {
+  require_volume(traits_);
+  require_moderate(force, "force");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("loads are");
+  load_of(given().body_force, tag).force = {force[0], force[1], force[2]};
+}
+
+void Body::set_rotation(std::int32_t tag, double density, const double* origin, const double* rate) {
+  require_volume(traits_);
+  require_finite(density, "density");
+  if (!(density >= 0 && density <= most_given))
+    fail(Status::err_argument, "density is %g; allowed: 0 to %g", density, most_given);
+  require_moderate(origin, "origin");
+  require_moderate(rate, "rate");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("loads are");
+  BodyForce& load = load_of(given().body_force, tag);
+  load.density = density;
+  load.origin = {origin[0], origin[1], origin[2]};
+  load.rate = {rate[0], rate[1], rate[2]};
 }
 
 void Body::set_contact_faces(std::int64_t n, const std::int32_t* tag) {

@@ -15,6 +15,28 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u);
 /// held components less what was prescribed there. err_state as above.
 void body_reaction(const Body& body, Vec3& force, Vec3& moment);
 
+/// Displacements u[3 * node + c] of all nodes of a body, in its axes; null: those of body_displacements().
+struct NodalDisplacements {
+  std::int64_t nodes = 0;
+  const double* u = nullptr;
+};
+
+// Of finite-element bodies under such displacements; 11, 22, 33, 12, 13, 23 in the body's axes. err_unsupported:
+// another kind; err_state: not prepared; err_argument: not as many nodes as the body has, or stresses overflow;
+// err_nonfinite.
+
+/// Smoothed, stress[6 * node + c]; see BodyInterior.
+void body_node_stresses(const Body& body, const NodalDisplacements& given, double* stress);
+std::int64_t body_stress_points(const Body& body);
+/// Of the integration points: body_stress_points() of them. Both may be null.
+void body_point_stresses(const Body& body, const NodalDisplacements& given, double* stress, double* xyz);
+/// Displacements and smoothed stresses at any points; both may be null. err_argument: a point is outside.
+void body_fields_at(const Body& body, const NodalDisplacements& given, std::int64_t n, const double* xyz,
+                    double* displacement, double* stress);
+
+/// Volume elements with displacements, smoothed stresses and von Mises's stress at the nodes, as a VTU file. err_io.
+void write_body(const Body& body, const NodalDisplacements& given, const char* path);
+
 /// A number about the prepared body by name; 0 for bodies without equations. err_option: unknown name.
 double body_statistic(const Body& body, const char* name);
 std::int64_t body_statistic_count();

@@ -28,6 +28,7 @@ class MeshedCompliance final : public Compliance {
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override;
   bool offset(Points points, double* u) const override;
+  bool everywhere(const double* traction, double* u) const override;
   bool expand(Points points, ExpandedCompliance& out) const override;
   std::string description() const override;
   bool resolves_frame() const override;

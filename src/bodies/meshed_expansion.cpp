@@ -61,6 +61,19 @@ void MeshedCompliance::subtract_interpolated(const Others& group, RowMatrix<doub
     }
 }
 
+bool MeshedCompliance::everywhere(const double* traction, double* u) const {
+  SurfaceResponse& body = *body_.response();
+  if (!body.interior()) return false;
+  if (!loads_) loads_ = body.loads(on_body_, threads_);
+  const SparseMatrix load = local_loads();
+  std::vector<double> b(at(load.rows), 0.0);
+  const double sign = which_ == 0 ? 1 : -1;  // the second body has the opposite tractions
+  for (std::int64_t k = 0; k < load.columns; ++k)
+    for (std::int64_t i = load.start[at(k)]; i < load.start[at(k) + 1]; ++i)
+      b[at(load.row[at(i)])] += sign * traction[k] * load.value[at(i)];
+  return body.solve_everywhere(b, u, threads_);
+}
+
 bool MeshedCompliance::expand(Points points, ExpandedCompliance& out) const {
   SurfaceResponse& body = *body_.response();
   if (!loads_) loads_ = body.loads(on_body_, threads_);

@@ -3,6 +3,7 @@
 #include "bodies/body_results.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "capi/guard.hpp"
 #include "capi/results.hpp"
@@ -42,6 +43,46 @@ rollcon_status rollcon_body_get_reaction(const rollcon_body* body, double* force
     body_reaction(b, f, m);
     if (force) std::copy(f.begin(), f.end(), force);
     if (moment) std::copy(m.begin(), m.end(), moment);
+  });
+}
+
+rollcon_status rollcon_body_get_node_stresses(const rollcon_body* body, int64_t nodes, const double* u,
+                                              double* stress) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_pointer(stress, "stress");
+    body_node_stresses(b, {nodes, u}, stress);
+  });
+}
+
+rollcon_status rollcon_body_get_point_stresses(const rollcon_body* body, int64_t nodes, const double* u,
+                                               int64_t capacity, double* stress, double* xyz, int64_t* n_rows) {
+  return with_body(__func__, body, [&](const Body& b) {
+    const void* wanted = stress ? stress : xyz;
+    if (wants_copy(body_stress_points(b), capacity, wanted, "stress and xyz", n_rows, "points"))
+      body_point_stresses(b, {nodes, u}, stress, xyz);
+  });
+}
+
+rollcon_status rollcon_body_get_fields_at(const rollcon_body* body, int64_t nodes, const double* u, int64_t n,
+                                          const double* xyz, double* displacement, double* stress) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_count(n, "n");
+    if (n > PTRDIFF_MAX / (6 * int64_t{sizeof(double)}))
+      fail(Status::err_argument, "n is %lld: beyond the address space", static_cast<long long>(n));
+    if (n > 0) require_pointer(xyz, "xyz");
+    for (int64_t i = 0; i < 3 * n; ++i)
+      if (!std::isfinite(xyz[i]))
+        fail(Status::err_nonfinite, "coordinate %c of point %lld (counting from 0) is %g", "xyz"[i % 3],
+             static_cast<long long>(i / 3), xyz[i]);
+    body_fields_at(b, {nodes, u}, n, xyz, displacement, stress);
+  });
+}
+
+rollcon_status rollcon_body_write(const rollcon_body* body, const char* path, int64_t nodes, const double* u) {
+  return with_body(__func__, body, [&](const Body& b) {
+    require_pointer(path, "path");
+    if (*path == '\0') fail(Status::err_argument, "path is empty");
+    write_body(b, {nodes, u}, path);
   });
 }
 

@@ -138,6 +138,15 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact* contact, i
   });
 }
 
+rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* contact, int32_t body, int64_t capacity,
+                                                      double* u, int64_t* n_values) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(body);
+    if (wants_copy(c.body_displacements(body, nullptr), capacity, u, "u", n_values, "doubles"))
+      c.body_displacements(body, u);
+  });
+}
+
 rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact* contact, double shear_yield, double* index) {
   return with_contact(__func__, contact, [&](const Contact& c) {
     require_finite(shear_yield, "shear_yield");

@@ -68,6 +68,19 @@ rollcon_status rollcon_body_set_traction(rollcon_body *body, int32_t tag, const 
   });
 }
 
+rollcon_status rollcon_body_set_body_force(rollcon_body *body, int32_t tag, const double *force) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_body_force(tag, force);
+  });
+}
+
+rollcon_status rollcon_body_set_rotation(rollcon_body *body, int32_t tag, double density,
+    const double *origin, const double *rate) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_rotation(tag, density, origin, rate);
+  });
+}
+
 rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double pressure) {
   return with_body(__func__, body, [&](Body& self) {
     self.set_pressure(tag, pressure);

@@ -1,6 +1,7 @@
 #pragma once
 /// One pair of bodies in rolling contact: scene in, solution out.
 
+#include <array>
 #include <atomic>
 #include <memory>
 #include <optional>
@@ -24,6 +25,7 @@ struct FrictionShare;  // contact/newton/friction_limit.hpp
 struct FrameFamily;    // contact/results/extrapolation.hpp
 class KnownGap;        // contact/scene/known_gap.hpp
 struct Rates;          // contact/solution.hpp
+class WearLaw;         // contact/laws/wear_law.hpp
 struct SolverState;    // solution, caches and workspaces; contact/solution.hpp
 
 class Contact;
@@ -135,6 +137,13 @@ class Contact {
   /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
   /// be null. See rollcon_contact_get_stresses_at.
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
+  /// Displacements of all nodes of body 1 or 2, of finite elements, in its axes: under the contact's tractions and the
+  /// body's own loads. err_unsupported: another kind. Returns how many numbers they are; null: no more than that.
+  std::int64_t body_displacements(std::int32_t body, double* u) const;
+  /// See add_wear, after which it is named.
+  double wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const;
+  /// Least and greatest t2 of nodes in contact; the first above the second where there is none.
+  std::array<double, 2> contact_across() const;
   /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
   /// The Hertzian contact that stands for this one.

@@ -10,6 +10,7 @@
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
 #include "contact/results/stresses.hpp"
+#include "contact/results/wear.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -113,6 +114,23 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
   }
 }
 
+/// Of body 1 or 2 alone; made when it is first asked for.
+const Compliance& compliance_of(SolverState& s, std::int32_t body, int threads) {
+  auto& compliance = s.body_compliance[body - 1];
+  if (!compliance)
+    compliance = make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1, s.prepared->accuracy, threads);
+  compliance->set_threads(threads);
+  return *compliance;
+}
+
+/// t[3 * node + component], local.
+std::vector<double> tractions_by_node(const SolverState& s) {
+  std::vector<double> t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
+  for (std::size_t k = 0; k < t.size() / 3; ++k)
+    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
+  return t;
+}
+
 }  // namespace
 
 void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
@@ -205,15 +223,10 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
   const auto points = static_cast<std::size_t>(n);
   std::fill(u, u + 3 * points, 0.0);
   if (which.rigid()) return;
-  auto& compliance = s.body_compliance[body - 1];
-  if (!compliance)
-    compliance =
-        make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1, s.prepared->accuracy, context_->threads());
-  compliance->set_threads(context_->threads());
-  std::vector<double> x(points), y(points), t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
+  const Compliance* compliance = &compliance_of(s, body, context_->threads());
+  std::vector<double> x(points), y(points);
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
-  for (std::size_t k = 0; k < t.size() / 3; ++k)
-    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
+  const std::vector<double> t = tractions_by_node(s);
   ++s.work.displacements;
   ++s.work.applications;
   const bool at_nodes = s.prepared->problem.op->influence() && x == s.prepared->frame.x && y == s.prepared->frame.y;
@@ -226,9 +239,37 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
 }
 
+std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  const Body& which = body == 1 ? *body1_ : *body2_;
+  if (which.kind() != BodyKind::fem)
+    fail(Status::err_unsupported, "body %d is a %s body: displacements of all nodes are those of finite elements", body,
+         which.traits().name);
+  const std::int64_t count = 3 * which.mesh().surface.nodes();
+  if (!u) return count;
+  const Compliance& compliance = compliance_of(s, body, context_->threads());
+  std::vector<double> moved(static_cast<std::size_t>(count));
+  compliance.everywhere(tractions_by_node(s).data(), moved.data());
+  const std::span<const double> own = which.response()->own_displacement();
+  for (std::size_t k = 0; k < own.size(); ++k) moved[k] += own[k];
+  std::copy(moved.begin(), moved.end(), u);
+  return count;
+}
+
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
   require_solution(*state_, scene);
   find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+}
+
+double Contact::wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const {
+  require_solution(*state_, scene);
+  return add_wear(*state_, law, y, share, volume);
+}
+
+std::array<double, 2> Contact::contact_across() const {
+  require_solution(*state_, scene);
+  return rollcon::contact_across(*state_);
 }
 
 double Contact::fatigue_index(double shear_yield) const {

@@ -24,6 +24,16 @@ int vtk_type(ElementType type) {
   return is_quadratic(type) ? (triangle ? 22 : 23) : (triangle ? 5 : 9);
 }
 
+int vtk_type(VolumeType type) {
+  const int corners = corner_count(type);
+  return is_quadratic(type) ? (corners == 4   ? 24
+                               : corners == 6 ? 26
+                                              : 25)
+                            : (corners == 4   ? 10
+                               : corners == 6 ? 13
+                                              : 12);
+}
+
 class Text {
  public:
   Text& operator<<(const char* s) {
@@ -88,7 +98,8 @@ void check_finite(const PointArray& array, const SurfaceMesh& mesh) {
            static_cast<long long>(k / array.components + mesh.index_base), mesh.index_base);
 }
 
-void write_cells(Text& out, const SurfaceMesh& mesh) {
+template <class Cells>
+void write_cells(Text& out, const Cells& mesh) {
   out << "<Cells>\n";
   open_array(out, "Int32", "connectivity", 1);
   for (std::int64_t e = 0; e < mesh.elements(); ++e) {
@@ -98,20 +109,22 @@ void write_cells(Text& out, const SurfaceMesh& mesh) {
   out << "</DataArray>\n";
   open_array(out, "Int64", "offsets", 1);
   std::int64_t end = 0;
-  for (ElementType type : mesh.type) out.number(end += node_count(type), '\n');
+  for (const auto type : mesh.type) out.number(end += node_count(type), '\n');
   out << "</DataArray>\n";
   open_array(out, "UInt8", "types", 1);
-  for (ElementType type : mesh.type) out.number(vtk_type(type), '\n');
+  for (const auto type : mesh.type) out.number(vtk_type(type), '\n');
   out << "</DataArray>\n</Cells>\n";
 }
 
-std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
+/// cells: the mesh itself, or volume elements with its nodes.
+template <class Cells>
+std::string file_text(const SurfaceMesh& mesh, const Cells& cells, std::span<const PointArray> arrays) {
   Text out;
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" "
          "byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n<Piece NumberOfPoints=\"";
   out.number(mesh.nodes(), '"');
   out << " NumberOfCells=\"";
-  out.number(mesh.elements(), '"');
+  out.number(cells.elements(), '"');
   out << ">\n<Points>\n";
   open_array(out, "Float64", "points", 3);
   for (const Vec3& x : mesh.node) {
@@ -120,7 +133,7 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
     out.number(x[2], '\n');
   }
   out << "</DataArray>\n</Points>\n";
-  write_cells(out, mesh);
+  write_cells(out, cells);
   out << "<PointData>\n";
   for (const PointArray& array : arrays) {
     open_array(out, array.real ? "Float64" : "Int32", array.name, array.components);
@@ -131,7 +144,7 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
   }
   out << "</PointData>\n<CellData>\n";
   open_array(out, "Int32", "tag", 1);
-  write_rows(out, mesh.tag.data(), mesh.elements(), 1);
+  write_rows(out, cells.tag.data(), cells.elements(), 1);
   out << "</CellData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   return out.str();
 }
@@ -141,12 +154,7 @@ std::string file_text(const SurfaceMesh& mesh, std::span<const PointArray> array
   fail(Status::err_io, "cannot write '%s': %s", path.c_str(), std::generic_category().message(error).c_str());
 }
 
-}  // namespace
-
-void write_vtu(const std::string& name, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
-  for (const PointArray& array : arrays)
-    if (array.real) check_finite(array, mesh);
-  const std::string text = file_text(mesh, arrays);
+void write_file(const std::string& name, const std::string& text) {
   std::string path = name, part;
   const int descriptor = open_part(path, part);
   if (descriptor < 0) fail_io(path, errno);
@@ -170,6 +178,24 @@ void write_vtu(const std::string& name, const SurfaceMesh& mesh, std::span<const
   }
   std::remove(part.c_str());
   fail_io(path, error);
+}
+
+void check_finite(std::span<const PointArray> arrays, const SurfaceMesh& mesh) {
+  for (const PointArray& array : arrays)
+    if (array.real) check_finite(array, mesh);
+}
+
+}  // namespace
+
+void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays) {
+  check_finite(arrays, mesh);
+  write_file(path, file_text(mesh, mesh, arrays));
+}
+
+void write_vtu(const std::string& path, const SurfaceMesh& surface, const VolumeElements& volume,
+               std::span<const PointArray> arrays) {
+  check_finite(arrays, surface);
+  write_file(path, file_text(surface, volume, arrays));
 }
 
 }  // namespace rollcon

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mesh/frame.hpp"
+#include "mesh/volume_mesh.hpp"
 
 namespace rollcon {
 
@@ -22,5 +23,8 @@ struct PointArray {
 /// beside its place and renamed. Throws Error(err_io) naming the path and the reason, Error(err_nonfinite) naming the
 /// array and the node (in the mesh's index base).
 void write_vtu(const std::string& path, const SurfaceMesh& mesh, std::span<const PointArray> arrays);
+/// The same of volume elements, whose nodes are those of the surface.
+void write_vtu(const std::string& path, const SurfaceMesh& surface, const VolumeElements& volume,
+               std::span<const PointArray> arrays);
 
 }  // namespace rollcon

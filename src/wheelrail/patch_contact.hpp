@@ -61,6 +61,8 @@ class PatchContact {
   Status status() const { return now_.status; }
   /// Of the contact: origin in the middle of its frame, t1 along the rolling direction, n into the rail.
   const Axes& axes() const { return now_.axes; }
+  /// Of the wheel in the axes of the rail.
+  const Pose& pose() const { return now_.motion.pose; }
   /// Force on the wheel, and moment about the patch's reference.
   const Vec3& force() const { return now_.force; }
   const Vec3& moment() const { return now_.moment; }

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <atomic>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <mutex>
 #include <new>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
+#include "geometry/profile_wear.hpp"
 #include "linalg/blas_threads.hpp"
 #include "support/fpenv.hpp"
 
@@ -18,10 +21,14 @@ namespace {
 
 class ManyPositions {
  public:
-  ManyPositions(WheelRail& wheel, const PositionList& list, double* totals)
-      : wheel_(wheel), list_(list), totals_(totals), status_(static_cast<std::size_t>(list.cases), Status::cancelled) {
-    std::fill_n(totals, list.cases * position_totals, std::numeric_limits<double>::quiet_NaN());
-  }
+  /// What to take of a position that was solved; it throws nothing of its own.
+  using Take = std::function<void(const WheelRail& solved, std::int64_t i)>;
+
+  ManyPositions(WheelRail& wheel, const PositionList& list, Take take)
+      : wheel_(wheel),
+        list_(list),
+        take_(std::move(take)),
+        status_(static_cast<std::size_t>(list.cases), Status::cancelled) {}
 
   void run() {
     const BlasThreads blas(1);
@@ -85,12 +92,7 @@ class ManyPositions {
     own.set_position(list_.position + 6 * i);
     own.set_velocity(list_.velocity + 6 * i);
     const Status status = own.solve();
-    double row[position_totals];
-    own.resultant(false, row, row + 3);
-    row[6] = own.stat("z");
-    row[7] = own.stat("vertical_force");
-    row[8] = own.stat("friction_power");
-    std::copy_n(row, position_totals, totals_ + position_totals * i);
+    take_(own, i);
     return status;
   }
 
@@ -106,7 +108,7 @@ class ManyPositions {
 
   WheelRail& wheel_;
   const PositionList& list_;
-  double* totals_;
+  Take take_;
   std::vector<Status> status_;
   std::atomic<std::int64_t> next_{0};
   std::mutex mutex_;
@@ -118,8 +120,46 @@ class ManyPositions {
 Status solve_positions(WheelRail& wheel, const PositionList& list, double* totals, std::int32_t* status) {
   wheel.require_ready_for_positions();
   wheel.forget_cancel();
-  ManyPositions many(wheel, list, totals);
+  std::fill_n(totals, list.cases * position_totals, std::numeric_limits<double>::quiet_NaN());
+  ManyPositions many(wheel, list, [totals](const WheelRail& solved, std::int64_t i) {
+    double row[position_totals];
+    solved.resultant(false, row, row + 3);
+    row[6] = solved.stat("z");
+    row[7] = solved.stat("vertical_force");
+    row[8] = solved.stat("friction_power");
+    std::copy_n(row, position_totals, totals + position_totals * i);
+  });
   many.run();
+  return many.finish(status);
+}
+
+Status find_wear(WheelRail& wheel, const PositionList& list, const WearOfPositions& wear, std::int32_t* status) {
+  wheel.require_ready_for_positions();
+  wheel.forget_cancel();
+  const auto n = static_cast<std::size_t>(wear.points), cases = static_cast<std::size_t>(list.cases);
+  const std::vector<Vec2> point[2] = {wheel.profile_points(1, wear.points), wheel.profile_points(2, wear.points)};
+  // Of each position by itself, so that the sum does not depend on the threads.
+  std::vector<double> part(2 * n * cases, 0.0), whole(2 * cases, 0.0);
+  ManyPositions many(wheel, list, [&](const WheelRail& solved, std::int64_t i) {
+    for (const std::int32_t body : {1, 2}) {
+      const std::size_t row = 2 * static_cast<std::size_t>(i) + static_cast<std::size_t>(body - 1);
+      whole[row] = solved.add_wear(wear.law, body, point[body - 1], 1, part.data() + n * row);
+    }
+  });
+  many.run();
+  for (const std::size_t body : {0U, 1U}) {
+    double* depth = body == 0 ? wear.wheel : wear.rail;
+    std::vector<double> sum(n, 0.0);
+    double volume = 0;
+    for (std::size_t i = 0; i < cases; ++i) {
+      const double weight = wear.weight ? wear.weight[i] : 1.0 / static_cast<double>(cases);
+      for (std::size_t j = 0; j < n; ++j) sum[j] += weight * part[n * (2 * i + body) + j];
+      volume += weight * whole[2 * i + body];
+    }
+    const std::vector<double> share = shares_of_length(lengths_along(point[body]));
+    for (std::size_t j = 0; depth && j < n; ++j) depth[j] = sum[j] / share[j];
+    if (wear.volume) wear.volume[body] = volume;
+  }
   return many.finish(status);
 }
 

@@ -22,4 +22,18 @@ inline constexpr std::int64_t position_totals = 9;
 /// cancelled, not_converged (or failed), derailed, too_deep, rim_contact, coarse, no_contact.
 Status solve_positions(WheelRail& wheel, const PositionList& list, double* totals, std::int32_t* status);
 
+/// Wear of a list of positions.
+struct WearOfPositions {
+  const WearLaw& law;
+  const double* weight = nullptr;  ///< [cases]; null: each 1 / cases
+  std::int64_t points = 0;         ///< at equal arc lengths along each profile
+  double* wheel = nullptr;         ///< [points], depth per pass; may be null
+  double* rail = nullptr;          ///< likewise
+  double* volume = nullptr;        ///< per length rolled, of each body; may be null
+};
+
+/// The positions solved as by solve_positions, what they take off either profile times their weights and added in their
+/// order. Positions without a solution add nothing.
+Status find_wear(WheelRail& wheel, const PositionList& list, const WearOfPositions& wear, std::int32_t* status);
+
 }  // namespace rollcon

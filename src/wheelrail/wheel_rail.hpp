@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "contact/laws/wear_law.hpp"
+#include "geometry/vec2.hpp"
 #include "wheelrail/contact_search.hpp"
 #include "wheelrail/patch_contact.hpp"
 #include "wheelrail/rail_place.hpp"
@@ -82,6 +84,12 @@ class WheelRail {
   std::shared_ptr<Contact> contact(std::int64_t i) const;
   /// On the wheel, in the axes of the track or of the wheelset; the moment about the wheelset's centre.
   void resultant(bool of_wheelset, double* force, double* moment) const;
+  /// y and z of n points at equal arc lengths from end to end of the profile of body 1 (the wheel) or 2 (the rail).
+  std::vector<Vec2> profile_points(std::int32_t body, std::int64_t n) const;
+  /// Adds weight times what the last solve takes off body 1 or 2 at these points of its profile, in volume per length
+  /// rolled: see rollcon::add_wear. Returns the whole volume (without the weight).
+  double add_wear(const WearLaw& law, std::int32_t body, const std::vector<Vec2>& point, double weight,
+                  double* volume) const;
   double stat(const char* name) const;  ///< err_option: unknown name
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);

@@ -35,6 +35,8 @@ const char* const recorded_names[] = {
   "body_tag_faces_of_nodes",
   "body_set_support",
   "body_set_traction",
+  "body_set_body_force",
+  "body_set_rotation",
   "body_set_pressure",
   "body_set_contact_faces",
   "body_read_mesh",
@@ -59,6 +61,10 @@ const char* const recorded_names[] = {
   "body_get_profile_point",
   "body_get_size",
   "body_get_displacements",
+  "body_get_node_stresses",
+  "body_get_point_stresses",
+  "body_get_fields_at",
+  "body_write",
   "body_get_reaction",
   "body_get_stat",
   "body_stat_count",
@@ -115,8 +121,11 @@ const char* const recorded_names[] = {
   "contact_get_sensitivity",
   "contact_get_displacements_at",
   "contact_get_stresses_at",
+  "contact_get_body_displacements",
   "contact_get_fatigue_index",
   "contact_get_equivalent_ellipse",
+  "contact_get_wear",
+  "wear_profile",
   "stress_invariants",
   "contact_get_stat",
   "stat_count",
@@ -141,6 +150,7 @@ const char* const recorded_names[] = {
   "wheelrail_solve",
   "wheelrail_request_cancel",
   "wheelrail_solve_many",
+  "wheelrail_find_wear",
   "wheelrail_save",
   "wheelrail_restore",
   "wheelrail_copy",
@@ -181,7 +191,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 174;
+const int recorded_number = 184;
 
 enum {
   recorded_rollcon_version,
@@ -214,6 +224,8 @@ enum {
   recorded_rollcon_body_tag_faces_of_nodes,
   recorded_rollcon_body_set_support,
   recorded_rollcon_body_set_traction,
+  recorded_rollcon_body_set_body_force,
+  recorded_rollcon_body_set_rotation,
   recorded_rollcon_body_set_pressure,
   recorded_rollcon_body_set_contact_faces,
   recorded_rollcon_body_read_mesh,
@@ -238,6 +250,10 @@ enum {
   recorded_rollcon_body_get_profile_point,
   recorded_rollcon_body_get_size,
   recorded_rollcon_body_get_displacements,
+  recorded_rollcon_body_get_node_stresses,
+  recorded_rollcon_body_get_point_stresses,
+  recorded_rollcon_body_get_fields_at,
+  recorded_rollcon_body_write,
   recorded_rollcon_body_get_reaction,
   recorded_rollcon_body_get_stat,
   recorded_rollcon_body_stat_count,
@@ -294,8 +310,11 @@ enum {
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
+  recorded_rollcon_contact_get_body_displacements,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_contact_get_equivalent_ellipse,
+  recorded_rollcon_contact_get_wear,
+  recorded_rollcon_wear_profile,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
   recorded_rollcon_stat_count,
@@ -320,6 +339,7 @@ enum {
   recorded_rollcon_wheelrail_solve,
   recorded_rollcon_wheelrail_request_cancel,
   recorded_rollcon_wheelrail_solve_many,
+  recorded_rollcon_wheelrail_find_wear,
   recorded_rollcon_wheelrail_save,
   recorded_rollcon_wheelrail_restore,
   recorded_rollcon_wheelrail_copy,
@@ -583,6 +603,25 @@ rollcon_status rollcon_body_set_traction(rollcon_body *body, int32_t tag, const 
   return record_end();
 }
 
+rollcon_status rollcon_body_set_body_force(rollcon_body *body, int32_t tag, const double *force) {
+  record_begin(recorded_rollcon_body_set_body_force);
+  record_handle(body);
+  record_integer(tag);
+  record_reals(force, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_rotation(rollcon_body *body, int32_t tag, double density,
+    const double *origin, const double *rate) {
+  record_begin(recorded_rollcon_body_set_rotation);
+  record_handle(body);
+  record_integer(tag);
+  record_real(density);
+  record_reals(origin, 3);
+  record_reals(rate, 3);
+  return record_end();
+}
+
 rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double pressure) {
   record_begin(recorded_rollcon_body_set_pressure);
   record_handle(body);
@@ -815,6 +854,58 @@ rollcon_status rollcon_body_get_displacements(const rollcon_body *body, int64_t 
   record_integer(capacity);
   record_room(u);
   give_reals(u, capacity * 3, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_node_stresses(const rollcon_body *body, int64_t nodes,
+    const double *u, double *stress) {
+  record_begin(recorded_rollcon_body_get_node_stresses);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_room(stress);
+  give_reals(stress, nodes * 6, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_point_stresses(const rollcon_body *body, int64_t nodes,
+    const double *u, int64_t capacity, double *stress, double *xyz, int64_t *n_rows) {
+  record_begin(recorded_rollcon_body_get_point_stresses);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_integer(capacity);
+  record_room(stress);
+  record_room(xyz);
+  record_room(n_rows);
+  give_reals(stress, capacity * 6, 4);
+  give_reals(xyz, capacity * 3, 5);
+  give_count(n_rows, RECORD_ROWS);
+  return record_end();
+}
+
+rollcon_status rollcon_body_get_fields_at(const rollcon_body *body, int64_t nodes,
+    const double *u, int64_t n, const double *xyz, double *displacement, double *stress) {
+  record_begin(recorded_rollcon_body_get_fields_at);
+  record_handle(body);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
+  record_integer(n);
+  record_reals(xyz, n * 3);
+  record_room(displacement);
+  record_room(stress);
+  give_reals(displacement, n * 3, 5);
+  give_reals(stress, n * 6, 6);
+  return record_end();
+}
+
+rollcon_status rollcon_body_write(const rollcon_body *body, const char *path, int64_t nodes,
+    const double *u) {
+  record_begin(recorded_rollcon_body_write);
+  record_handle(body);
+  record_text(path);
+  record_integer(nodes);
+  record_reals(u, nodes * 3);
   return record_end();
 }
 
@@ -1374,6 +1465,19 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact *contact, i
   return record_end();
 }
 
+rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact *contact,
+    int32_t body, int64_t capacity, double *u, int64_t *n_values) {
+  record_begin(recorded_rollcon_contact_get_body_displacements);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(capacity);
+  record_room(u);
+  record_room(n_values);
+  give_reals(u, capacity, 3);
+  give_count(n_values, RECORD_VALUES);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
     double shear_yield, double *index) {
   record_begin(recorded_rollcon_contact_get_fatigue_index);
@@ -1392,6 +1496,41 @@ rollcon_status rollcon_contact_get_equivalent_ellipse(const rollcon_contact *con
   record_room(center);
   give_reals(inputs, 9, 1);
   give_reals(center, 2, 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_wear(const rollcon_contact *contact, const char *law,
+    int32_t n, const double *parameters, int64_t points, const double *y, double *depth,
+    double *volume) {
+  record_begin(recorded_rollcon_contact_get_wear);
+  record_handle(contact);
+  record_text(law);
+  record_integer(n);
+  record_reals(parameters, n);
+  record_integer(points);
+  record_reals(y, points);
+  record_room(depth);
+  record_room(volume);
+  give_reals(depth, points, 6);
+  give_reals(volume, 1, 7);
+  return record_end();
+}
+
+rollcon_status rollcon_wear_profile(int64_t points, const double *yz, const double *rate,
+    int32_t side, double distance, double most_depth, double smoothing, double *worn,
+    double *taken) {
+  record_begin(recorded_rollcon_wear_profile);
+  record_integer(points);
+  record_reals(yz, points * 2);
+  record_reals(rate, points);
+  record_integer(side);
+  record_real(distance);
+  record_real(most_depth);
+  record_real(smoothing);
+  record_room(worn);
+  record_room(taken);
+  give_reals(worn, points * 2, 7);
+  give_reals(taken, 1, 8);
   return record_end();
 }
 
@@ -1606,6 +1745,31 @@ rollcon_status rollcon_wheelrail_solve_many(rollcon_wheelrail *wheelrail, int64_
   record_room(status);
   give_reals(totals, n * 9, 4);
   give_integer32(status, n, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_find_wear(rollcon_wheelrail *wheelrail, int64_t n_cases,
+    const double *positions, const double *velocities, const double *weights, const char *law,
+    int32_t n, const double *parameters, int64_t points, double *wheel, double *rail,
+    double *volumes, int32_t *status) {
+  record_begin(recorded_rollcon_wheelrail_find_wear);
+  record_handle(wheelrail);
+  record_integer(n_cases);
+  record_reals(positions, n_cases * 6);
+  record_reals(velocities, n_cases * 6);
+  record_reals(weights, n_cases);
+  record_text(law);
+  record_integer(n);
+  record_reals(parameters, n);
+  record_integer(points);
+  record_room(wheel);
+  record_room(rail);
+  record_room(volumes);
+  record_room(status);
+  give_reals(wheel, points, 9);
+  give_reals(rail, points, 10);
+  give_reals(volumes, 2, 11);
+  give_integer32(status, n_cases, 12);
   return record_end();
 }
 

@@ -77,6 +77,10 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_set_support(object, 1, a.integers, 1, 1, a.reals));
   check("rollcon_body_set_traction", false,
         rollcon_body_set_traction(object, 1, a.reals));
+  check("rollcon_body_set_body_force", false,
+        rollcon_body_set_body_force(object, 1, a.reals));
+  check("rollcon_body_set_rotation", false,
+        rollcon_body_set_rotation(object, 1, 1, a.reals, a.reals));
   check("rollcon_body_set_pressure", false,
         rollcon_body_set_pressure(object, 1, 1));
   check("rollcon_body_set_contact_faces", false,
@@ -119,6 +123,14 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_get_size(object, &a.n, &a.n));
   check("rollcon_body_get_displacements", false,
         rollcon_body_get_displacements(object, 1, a.out));
+  check("rollcon_body_get_node_stresses", false,
+        rollcon_body_get_node_stresses(object, 1, a.reals, a.out));
+  check("rollcon_body_get_point_stresses", false,
+        rollcon_body_get_point_stresses(object, 1, a.reals, 1, a.out, a.out, &a.n));
+  check("rollcon_body_get_fields_at", false,
+        rollcon_body_get_fields_at(object, 1, a.reals, 1, a.reals, a.out, a.out));
+  check("rollcon_body_write", false,
+        rollcon_body_write(object, "never_written", 1, a.reals));
   check("rollcon_body_get_reaction", false,
         rollcon_body_get_reaction(object, a.out, a.out));
   check("rollcon_body_get_stat", false,
@@ -219,10 +231,14 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_displacements_at(object, 1, 1, a.reals, a.out));
   check("rollcon_contact_get_stresses_at", false,
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_get_body_displacements", false,
+        rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
   check("rollcon_contact_get_equivalent_ellipse", false,
         rollcon_contact_get_equivalent_ellipse(object, a.out, a.out));
+  check("rollcon_contact_get_wear", false,
+        rollcon_contact_get_wear(object, "never_written", 1, a.reals, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_stat", false,
         rollcon_contact_get_stat(object, "never_written", a.out));
   check("rollcon_contact_get_history", false,
@@ -267,6 +283,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_request_cancel(object));
   check("rollcon_wheelrail_solve_many", false,
         rollcon_wheelrail_solve_many(object, 1, a.reals, a.reals, a.out, a.states));
+  check("rollcon_wheelrail_find_wear", false,
+        rollcon_wheelrail_find_wear(object, 1, a.reals, a.reals, a.reals, "never_written", 1, a.reals, 1, a.out, a.out, a.out, a.states));
   check("rollcon_wheelrail_save", false,
         rollcon_wheelrail_save(object, 1));
   check("rollcon_wheelrail_restore", false,

@@ -77,7 +77,9 @@ class CaseLists : public Api {
     const std::size_t width = 10 + 10 * parameters.size() + name_count + 3 * nodes();
     std::vector<double> rows(width * cases);
     std::int64_t told = 0;
-    const std::string columns = std::string("force moment approach creep derivatives ") + names + " tractions";
+    std::string columns = "force moment approach creep derivatives ";
+    columns += names;
+    columns += " tractions";
     EXPECT_EQ(rollcon_contact_solve_many(contact, names_of(parameters).c_str(), static_cast<std::int64_t>(cases),
                                          values.data(), columns.c_str(), static_cast<std::int64_t>(width), rows.data(),
                                          &told, t.status.data()),

@@ -23,6 +23,8 @@ program mapping_77_test
   call test_rcsupp()
   call test_rchold()
   call test_rcbtrc()
+  call test_rcbfor()
+  call test_rcbrot()
   call test_rcbprs()
   call test_rcbfac()
   call test_rcbmsh()
@@ -46,6 +48,10 @@ program mapping_77_test
   call test_rcbppt()
   call test_rcbsiz()
   call test_rcbdis()
+  call test_rcbnds()
+  call test_rcbpts()
+  call test_rcbfld()
+  call test_rcbwri()
   call test_rcbrea()
   call test_rcbsta()
   call test_rcbstn()
@@ -95,8 +101,11 @@ program mapping_77_test
   call test_rcsens()
   call test_rcdisp()
   call test_rcstrs()
+  call test_rcbodu()
   call test_rcfati()
   call test_rcelli()
+  call test_rcwear()
+  call test_rcwpro()
   call test_rcsinv()
   call test_rcstat()
   call test_rcstnm()
@@ -118,6 +127,7 @@ program mapping_77_test
   call test_rcwslv()
   call test_rcwstp()
   call test_rcwmny()
+  call test_rcwfwr()
   call test_rcwsav()
   call test_rcwbck()
   call test_rcwcpy()
@@ -404,6 +414,32 @@ contains
     call rcbtrc(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
     call rclerr(message)
     call failed('body_set_traction', stat, message)
+  end subroutine
+
+  subroutine test_rcbfor()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfor(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call told('body_set_body_force', 'body1 11 [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfor(ibody, 11, [2.125d0, 2.25d0, 2.375d0], stat)
+    call rclerr(message)
+    call failed('body_set_body_force', stat, message)
+  end subroutine
+
+  subroutine test_rcbrot()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbrot(ibody, 11, 2.5d0, [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call told('body_set_rotation', 'body1 11 2.5 [3.125 3.25 3.375] [4.125 4.25 4.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbrot(ibody, 11, 2.5d0, [3.125d0, 3.25d0, 3.375d0], [4.125d0, 4.25d0, 4.375d0], stat)
+    call rclerr(message)
+    call failed('body_set_rotation', stat, message)
   end subroutine
 
   subroutine test_rcbprs()
@@ -741,6 +777,73 @@ contains
     call rcbdis(ibody, 6, u, stat)
     call rclerr(message)
     call failed('body_get_displacements', stat, message)
+  end subroutine
+
+  subroutine test_rcbnds()
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbnds(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], stress, stat)
+    call told('body_get_node_stresses', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] room', stat)
+    call gave_reals('stress', stress, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbnds(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], stress, stat)
+    call rclerr(message)
+    call failed('body_get_node_stresses', stat, message)
+  end subroutine
+
+  subroutine test_rcbpts()
+    double precision :: stress(36)
+    double precision :: xyz(18)
+    integer :: nr
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbpts(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 6, stress, xyz, nr, stat)
+    call told('body_get_point_stresses', 'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] 6 room room room', stat)
+    call gave_reals('stress', stress, 400.5_rc_real)
+    call gave_reals('xyz', xyz, 500.5_rc_real)
+    call gave_integers('nr', int([nr]), 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbpts(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 6, stress, xyz, nr, stat)
+    call rclerr(message)
+    call failed('body_get_point_stresses', stat, message)
+  end subroutine
+
+  subroutine test_rcbfld()
+    double precision :: displacement(6)
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfld(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 2, [4.125d0, 4.25d0, 4.375d0, 4.5d0, &
+      4.625d0, 4.75d0], displacement, stress, stat)
+    call told('body_get_fields_at', &
+      'body1 2 [2.125 2.25 2.375 2.5 2.625 2.75] 2 [4.125 4.25 4.375 4.5 4.625 4.75] room room', stat)
+    call gave_reals('displacement', displacement, 500.5_rc_real)
+    call gave_reals('stress', stress, 600.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfld(ibody, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0], 2, [4.125d0, 4.25d0, 4.375d0, 4.5d0, &
+      4.625d0, 4.75d0], displacement, stress, stat)
+    call rclerr(message)
+    call failed('body_get_fields_at', stat, message)
+  end subroutine
+
+  subroutine test_rcbwri()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbwri(ibody, 'text 1', 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call told('body_write', 'body1 <text 1> 2 [3.125 3.25 3.375 3.5 3.625 3.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbwri(ibody, 'text 1', 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], stat)
+    call rclerr(message)
+    call failed('body_write', stat, message)
   end subroutine
 
   subroutine test_rcbrea()
@@ -1464,6 +1567,23 @@ contains
     call failed('contact_get_stresses_at', stat, message)
   end subroutine
 
+  subroutine test_rcbodu()
+    double precision :: u(6)
+    integer :: nv
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbodu(icon, 11, 6, u, nv, stat)
+    call told('contact_get_body_displacements', 'contact1 11 6 room room', stat)
+    call gave_reals('u', u, 300.5_rc_real)
+    call gave_integers('nv', int([nv]), 6)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbodu(icon, 11, 6, u, nv, stat)
+    call rclerr(message)
+    call failed('contact_get_body_displacements', stat, message)
+  end subroutine
+
   subroutine test_rcfati()
     double precision :: xindex
     integer :: stat
@@ -1494,6 +1614,40 @@ contains
     call rcelli(icon, xinputs, center, stat)
     call rclerr(message)
     call failed('contact_get_equivalent_ellipse', stat, message)
+  end subroutine
+
+  subroutine test_rcwear()
+    double precision :: depth(2)
+    double precision :: volume
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwear(icon, 'text 1', 2, [3.125d0, 3.25d0], 2, [5.125d0, 5.25d0], depth, volume, stat)
+    call told('contact_get_wear', 'contact1 <text 1> 2 [3.125 3.25] 2 [5.125 5.25] room room', stat)
+    call gave_reals('depth', depth, 600.5_rc_real)
+    call gave_reals('volume', [volume], 700.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwear(icon, 'text 1', 2, [3.125d0, 3.25d0], 2, [5.125d0, 5.25d0], depth, volume, stat)
+    call rclerr(message)
+    call failed('contact_get_wear', stat, message)
+  end subroutine
+
+  subroutine test_rcwpro()
+    double precision :: worn(4)
+    double precision :: taken
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwpro(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0], [2.125d0, 2.25d0], 31, 4.5d0, 5.5d0, 6.5d0, worn, taken, stat)
+    call told('wear_profile', '2 [1.125 1.25 1.375 1.5] [2.125 2.25] 31 4.5 5.5 6.5 room room', stat)
+    call gave_reals('worn', worn, 700.5_rc_real)
+    call gave_reals('taken', [taken], 800.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwpro(2, [1.125d0, 1.25d0, 1.375d0, 1.5d0], [2.125d0, 2.25d0], 31, 4.5d0, 5.5d0, 6.5d0, worn, taken, stat)
+    call rclerr(message)
+    call failed('wear_profile', stat, message)
   end subroutine
 
   subroutine test_rcsinv()
@@ -1805,6 +1959,34 @@ contains
       4.5d0], totals, istatus, stat)
     call rclerr(message)
     call failed('wheelrail_solve_many', stat, message)
+  end subroutine
+
+  subroutine test_rcwfwr()
+    double precision :: wheel(2)
+    double precision :: rail(2)
+    double precision :: volumes(2)
+    integer :: istatus(2)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwfwr(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], [4.125d0, 4.25d0], 'text 5', 2, [7.125d0, 7.25d0], 2, wheel, rail, volumes, istatus, stat)
+    call told('wheelrail_find_wear', &
+      'wheelrail1 2 [2.125 2.25 2.375 2.5 2.625 2.75 2.875 3 3.125 3.25 3.375 3.5] [3.125 3.25 3.375 3.5 3.625 3&
+    &.75 3.875 4 4.125 4.25 4.375 4.5] [4.125 4.25] <text 5> 2 [7.125 7.25] 2 room room room room', &
+      stat)
+    call gave_reals('wheel', wheel, 900.5_rc_real)
+    call gave_reals('rail', rail, 1000.5_rc_real)
+    call gave_reals('volumes', volumes, 1100.5_rc_real)
+    call gave_integers('istatus', int(istatus), 1200)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwfwr(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0, 2.625d0, 2.75d0, 2.875d0, 3.0d0, 3.125d0, 3.25d0, &
+      3.375d0, 3.5d0], [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0, 3.875d0, 4.0d0, 4.125d0, 4.25d0, 4.375d0, &
+      4.5d0], [4.125d0, 4.25d0], 'text 5', 2, [7.125d0, 7.25d0], 2, wheel, rail, volumes, istatus, stat)
+    call rclerr(message)
+    call failed('wheelrail_find_wear', stat, message)
   end subroutine
 
   subroutine test_rcwsav()

@@ -386,6 +386,7 @@ contains
     call contact%get_displacements_at(2, x, v, stat, message)
     call refused('contact1', stat, message, 'rc_contact%get_displacements_at: the first extent of xy must be 2')
     call stresses()
+    call inside_bodies()
     call contact%get_history(v, stat)
     call told('contact_get_history', 'contact1 2 room room', stat)
     call gave_reals('history', reshape(v, [16]), 200.5_rc_real)
@@ -394,6 +395,53 @@ contains
     call gave_reals('error function', s, 200.5_rc_real)
     call gave_reals('its seconds', seconds, 300.5_rc_real)
     call failing(v, s, states)
+  end subroutine
+
+  !> Without displacements given a body's own are read first, 3 nodes.
+  subroutine inside_bodies()
+    real(rc_real), allocatable :: s(:, :), u(:, :), xyz(:, :)
+    call contact%get_body_displacements(2, u, stat)
+    call told('contact_get_body_displacements', 'contact1 2 6 room room', stat)
+    call gave_reals('displacements of a body', reshape(u, [6]), 300.5_rc_real)
+    call body%get_node_stresses(s, x, stat)
+    call told('body_get_node_stresses', 'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] room', stat)
+    call gave_reals('stresses at nodes', reshape(s, [12]), 300.5_rc_real)
+    call body%get_node_stresses(s, stat=stat)
+    call told('body_get_node_stresses', 'body1 3 [200.5 201.5 202.5 203.5 204.5 205.5 206.5 207.5 208.5] room', stat)
+    call body%get_point_stresses(s, xyz, x, stat)
+    call told('body_get_point_stresses', 'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] 2 room room room', stat)
+    call gave_reals('stresses at integration points', reshape(s, [12]), 400.5_rc_real)
+    call gave_reals('their places', reshape(xyz, [6]), 500.5_rc_real)
+    call body%get_fields_at(x, u, s, x, stat)
+    call told('body_get_fields_at', &
+      'body1 2 [1.5 2.5 3.5 4.5 5.5 6.5] 2 [1.5 2.5 3.5 4.5 5.5 6.5] room room', stat)
+    call gave_reals('displacements in a body', reshape(u, [6]), 500.5_rc_real)
+    call gave_reals('stresses in a body', reshape(s, [12]), 600.5_rc_real)
+    call body%write_vtu('a file', x, stat)
+    call told('body_write', 'body1 <a file> 2 [1.5 2.5 3.5 4.5 5.5 6.5]', stat)
+    call wears()
+    call body%get_node_stresses(s, x(:2, :), stat, message)
+    call refused('body1', stat, message, &
+      'rc_body%get_node_stresses: the first extent of an array of points or displacements must be 3')
+    call answers(ROLLCON_ERR_STATE)
+    call body%get_fields_at(x, u, s, x, stat, message)
+    call failed('body_get_fields_at', stat, message)
+    call answers(ROLLCON_OK)
+  end subroutine
+
+  subroutine wears()
+    real(rc_real), allocatable :: depth(:), worn(:, :)
+    real(rc_real) :: volume, taken
+    call contact%get_wear('a law', [1.5_rc_real], [2.5_rc_real, 3.5_rc_real], depth, volume, stat)
+    call told('contact_get_wear', 'contact1 <a law> 1 [1.5] 2 [2.5 3.5] room room', stat)
+    call gave_reals('depths', depth, 600.5_rc_real)
+    call gave_reals('a volume', [volume], 700.5_rc_real)
+    call rc_wear_profile(x(:2, :), [4.5_rc_real, 5.5_rc_real], -1, 6.5_rc_real, 7.5_rc_real, 8.5_rc_real, worn, taken, stat)
+    call told('wear_profile', '2 [1.5 2.5 4.5 5.5] [4.5 5.5] -1 6.5 7.5 8.5 room room', stat)
+    call gave_reals('a worn profile', reshape(worn, [4]), 700.5_rc_real)
+    call gave_reals('a distance', [taken], 800.5_rc_real)
+    call rc_wear_profile(x, [4.5_rc_real, 5.5_rc_real], -1, 6.5_rc_real, 7.5_rc_real, 8.5_rc_real, worn, taken, stat, message)
+    call demand(stat == ROLLCON_ERR_ARGUMENT, 'points of two components')
   end subroutine
 
   subroutine stresses()
@@ -505,6 +553,8 @@ contains
 
   subroutine wheelsets()
     real(rc_real), allocatable :: points(:, :), conicity(:), wavelength(:), totals(:, :)
+    real(rc_real), allocatable :: depth(:), rail_depth(:)
+    real(rc_real) :: volumes(2)
     integer(rc_int), allocatable :: states(:)
     type(rc_wheelrail) :: other
     call answers(ROLLCON_OK)
@@ -523,6 +573,15 @@ contains
     call demand(all(states == 500), 'states of positions')
     call wheelrail%solve_many(reshape([1.5_rc_real], [1, 1]), reshape([1.5_rc_real], [1, 1]), totals, stat=stat)
     call demand(stat == ROLLCON_ERR_ARGUMENT, 'six components')
+    call wheelrail%find_wear(reshape([1.5_rc_real, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, 5.5_rc_real, 6.5_rc_real], &
+      [6, 1]), reshape([6.5_rc_real, 5.5_rc_real, 4.5_rc_real, 3.5_rc_real, 2.5_rc_real, 1.5_rc_real], [6, 1]), &
+      [7.5_rc_real], 'a law', [8.5_rc_real], 2, depth, rail_depth, volumes, states, stat, message)
+    call told('wheelrail_find_wear', 'wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] [7.5] '// &
+      '<a law> 1 [8.5] 2 room room room room', stat)
+    call gave_reals('wear of the wheel', depth, 900.5_rc_real)
+    call gave_reals('wear of the rail', rail_depth, 1000.5_rc_real)
+    call gave_reals('volumes', volumes, 1100.5_rc_real)
+    call demand(all(states == 1200), 'states of positions that wear')
     call wheelrail%copy(other, stat, message)
     call told('wheelrail_copy', 'wheelrail1 room', stat)
     call told('wheelrail_retain', 'wheelrail2', stat)

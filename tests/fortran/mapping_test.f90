@@ -11,6 +11,8 @@ program mapping_test
   call body_get_kind()
   call body_save()
   call body_set_traction()
+  call body_set_body_force()
+  call body_set_rotation()
   call body_set_pressure()
   call body_set_contact_faces()
   call body_read_mesh()
@@ -154,6 +156,32 @@ contains
     message = ''
     call body%set_traction(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], stat, message)
     call failed('body_set_traction', stat, message)
+  end subroutine
+
+  subroutine body_set_body_force()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_body_force(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], stat, message)
+    call told('body_set_body_force', 'body1 11 [2.125 2.25 2.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_body_force(11, [2.125_rc_real, 2.25_rc_real, 2.375_rc_real], stat, message)
+    call failed('body_set_body_force', stat, message)
+  end subroutine
+
+  subroutine body_set_rotation()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call body%set_rotation(11, 2.5_rc_real, [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], [4.125_rc_real, &
+      4.25_rc_real, 4.375_rc_real], stat, message)
+    call told('body_set_rotation', 'body1 11 2.5 [3.125 3.25 3.375] [4.125 4.25 4.375]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call body%set_rotation(11, 2.5_rc_real, [3.125_rc_real, 3.25_rc_real, 3.375_rc_real], [4.125_rc_real, &
+      4.25_rc_real, 4.375_rc_real], stat, message)
+    call failed('body_set_rotation', stat, message)
   end subroutine
 
   subroutine body_set_pressure()

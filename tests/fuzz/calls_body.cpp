@@ -94,7 +94,14 @@ void set_loads(World& w) {
   const std::vector<double> traction = w.in.reals(3);
   const std::int64_t n = array_size(w.in, 3);
   const std::vector<std::int32_t> tags = ids(w.in, n, 8);
-  switch (w.in.below(3)) {
+  switch (w.in.below(5)) {
+    case 3:
+      FUZZ_CALL(w, rollcon_body_set_body_force, b, w.in.below(3), maybe_null(w.in, traction));
+      break;
+    case 4:
+      FUZZ_CALL(w, rollcon_body_set_rotation, b, w.in.below(3), w.in.real(), traction.data(),
+                maybe_null(w.in, traction));
+      break;
     case 0:
       FUZZ_CALL(w, rollcon_body_set_traction, b, w.in.below(8), maybe_null(w.in, traction));
       break;
@@ -150,6 +157,34 @@ void results(World& w) {
   require(good || value.untouched(), "a failed call wrote into its output");
 }
 
+void fields(World& w) {
+  const rollcon_body* b = w.body();
+  std::int64_t nodes = 0, elements = 0, points = 0;
+  FUZZ_CALL(w, rollcon_body_get_size, b, &nodes, &elements);
+  const std::int64_t given = nodes - (w.in.one_in(8) ? 1 : 0);
+  std::vector<double> moved = w.in.reals(static_cast<std::size_t>(given > 0 ? 3 * given : 0));
+  const double* u = w.in.one_in(3) ? nullptr : moved.data();
+  Output<double> stress(6 * nodes);
+  bool good = FUZZ_CALL(w, rollcon_body_get_node_stresses, b, given, u, stress.data()) == ROLLCON_OK;
+  require(good ? all_finite(stress.values()) : stress.untouched(), "stresses at nodes");
+  FUZZ_CALL(w, rollcon_body_get_point_stresses, b, given, u, 0, nullptr, nullptr, &points);
+  Output<double> at_points(6 * points), place(3 * points);
+  good = FUZZ_CALL(w, rollcon_body_get_point_stresses, b, given, u, points, at_points.data(), place.data(), nullptr) ==
+         ROLLCON_OK;
+  require(
+      good ? all_finite(at_points.values()) && all_finite(place.values()) : at_points.untouched() && place.untouched(),
+      "stresses at integration points");
+  const std::int64_t n = array_size(w.in, 4);
+  std::vector<double> xyz = w.in.reals(static_cast<std::size_t>(n > 0 ? 3 * n : 0));
+  Output<double> displacement(n > 0 ? 3 * n : 0), there(n > 0 ? 6 * n : 0);
+  good = FUZZ_CALL(w, rollcon_body_get_fields_at, b, given, u, n, maybe_null(w.in, xyz), displacement.data(),
+                   there.data()) == ROLLCON_OK;
+  require(good ? all_finite(displacement.values()) && all_finite(there.values())
+               : displacement.untouched() && there.untouched(),
+          "fields in a body");
+  if (w.files_left-- > 0) FUZZ_CALL(w, rollcon_body_write, b, w.path().c_str(), given, u);
+}
+
 void save(World& w) {
   const std::string path = w.path();
   if (w.files_left-- > 0 && w.prepares_left-- > 0)
@@ -171,7 +206,8 @@ void load(World& w) {
 std::span<const Call> body_calls() {
   static const Call calls[] = {
       create,      retain,    release, set_elastic, set_nodes, add_elements, give_box, tag_faces, tag_faces_of_nodes,
-      set_support, set_loads, options, set_elastic, prepare,   results,      results,  save,      load};
+      set_support, set_loads, options, set_elastic, prepare,   results,      fields,   results,   save,
+      load};
   return calls;
 }
 

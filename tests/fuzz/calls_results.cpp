@@ -1,5 +1,8 @@
 // Results of contacts.
 
+#include <algorithm>
+#include <cmath>
+
 #include "calls.hpp"
 
 namespace fuzz {
@@ -100,6 +103,44 @@ void stresses_at(World& w) {
           good ? "a stress is not finite" : "a failed call wrote into its output");
 }
 
+void body_displacements(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t body = w.in.below(4);
+  std::int64_t n = 0;
+  FUZZ_CALL(w, rollcon_contact_get_body_displacements, c, body, 0, nullptr, &n);
+  Output<double> u(n);
+  const bool good =
+      n > 0 && FUZZ_CALL(w, rollcon_contact_get_body_displacements, c, body, n, u.data(), nullptr) == ROLLCON_OK;
+  require(good ? all_finite(u.values()) : u.untouched(), "displacements of a body under a contact");
+}
+
+void wear(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int64_t points = array_size(w.in, 5);
+  std::vector<double> y = w.in.reals(static_cast<std::size_t>(points > 0 ? points : 0));
+  if (!w.in.one_in(6)) std::sort(y.begin(), y.end());
+  const std::int32_t n = w.in.below(5);
+  const std::vector<double> parameters = w.in.reals(static_cast<std::size_t>(n));
+  Output<double> depth(points > 0 ? points : 0), volume(1);
+  const bool good =
+      FUZZ_CALL(w, rollcon_contact_get_wear, c, w.in.one_in(2) ? "archard" : "t_gamma", n, maybe_null(w.in, parameters),
+                points, maybe_null(w.in, y), depth.data(), volume.data()) == ROLLCON_OK;
+  require(good ? all_finite(depth.values()) && all_finite(volume.values()) : depth.untouched() && volume.untouched(),
+          "wear of a contact");
+}
+
+void worn_profile(World& w) {
+  const std::int64_t points = array_size(w.in, 5);
+  const std::vector<double> yz = w.in.reals(static_cast<std::size_t>(points > 0 ? 2 * points : 0)),
+                            rate = w.in.reals(static_cast<std::size_t>(points > 0 ? points : 0));
+  Output<double> worn(points > 0 ? 2 * points : 0), taken(1);
+  const bool good = FUZZ_CALL(w, rollcon_wear_profile, points, maybe_null(w.in, yz), maybe_null(w.in, rate),
+                              w.in.one_in(8) ? 0 : 2 * w.in.below(2) - 1, std::abs(w.in.real()), std::abs(w.in.real()),
+                              std::abs(w.in.real()), worn.data(), taken.data()) == ROLLCON_OK;
+  require(good ? all_finite(worn.values()) && all_finite(taken.values()) : worn.untouched() && taken.untouched(),
+          "a worn profile");
+}
+
 void fatigue_index(World& w) {
   const rollcon_contact* c = w.contact();
   Output<double> index(1);
@@ -158,13 +199,23 @@ void write(World& w) {
 }  // namespace
 
 std::span<const Call> result_calls() {
-  static const Call calls[] = {tractions,     status,
-                               field,         field,
-                               resultant,     sensitivity,
-                               sensitivity,   displacements_at,
-                               stresses_at,   stress_invariants,
-                               fatigue_index, stat,
-                               history,       plan,
+  static const Call calls[] = {tractions,
+                               status,
+                               field,
+                               field,
+                               resultant,
+                               sensitivity,
+                               sensitivity,
+                               displacements_at,
+                               stresses_at,
+                               body_displacements,
+                               wear,
+                               worn_profile,
+                               stress_invariants,
+                               fatigue_index,
+                               stat,
+                               history,
+                               plan,
                                write};
   return calls;
 }

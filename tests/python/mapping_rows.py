@@ -16,6 +16,8 @@ ROWS = list(starmap(Row, [
     ('body', 'kind', True, (), 'body_get_kind', 'body1 room', 100),
     ('body', 'save', False, ('text 1',), 'body_save', 'body1 <text 1>', None),
     ('body', 'set_traction', False, (11, [2.125, 2.25, 2.375]), 'body_set_traction', 'body1 11 [2.125 2.25 2.375]', None),
+    ('body', 'set_body_force', False, (11, [2.125, 2.25, 2.375]), 'body_set_body_force', 'body1 11 [2.125 2.25 2.375]', None),
+    ('body', 'set_rotation', False, (11, 2.5, [3.125, 3.25, 3.375], [4.125, 4.25, 4.375]), 'body_set_rotation', 'body1 11 2.5 [3.125 3.25 3.375] [4.125 4.25 4.375]', None),
     ('body', 'set_pressure', False, (11, 2.5), 'body_set_pressure', 'body1 11 2.5', None),
     ('body', 'set_contact_faces', False, ([21, 22],), 'body_set_contact_faces', 'body1 2 [21 22]', None),
     ('body', 'read_mesh', False, ('text 1', 'text 2'), 'body_read_mesh', 'body1 <text 1> <text 2>', None),

@@ -245,10 +245,28 @@ class Mapping(unittest.TestCase):
         check(u, (2, 3), 500.5, "contact_get_stresses_at", f"contact1 2 2 {WRITTEN} room room")
         np.testing.assert_equal(stress, 400.5 + np.arange(12).reshape(2, 6))
         self.refuses("shape", contact.stresses_at, 2, X[:, :2])
+        check(contact.body_displacements(2), (2, 3), 300.5, "contact_get_body_displacements", "contact1 2 6 room room")
+        check(self.body.node_stresses(X), (2, 6), 300.5, "body_get_node_stresses", f"body1 2 {WRITTEN} room")
+        check(self.body.node_stresses(), (3, 6), 300.5, "body_get_node_stresses", "body1 3 null room")
+        stress, xyz = self.body.point_stresses(X)
+        check(stress, (2, 6), 400.5, "body_get_point_stresses", f"body1 2 {WRITTEN} 2 room room room")
+        np.testing.assert_equal(xyz, 500.5 + np.arange(6).reshape(2, 3))
+        u, stress = self.body.fields_at(X, X)
+        check(u, (2, 3), 500.5, "body_get_fields_at", f"body1 2 {WRITTEN} 2 {WRITTEN} room room")
+        np.testing.assert_equal(stress, 600.5 + np.arange(12).reshape(2, 6))
+        self.body.write("a file", X)
+        self.told("body_write", f"body1 <a file> 2 {WRITTEN}")
+        self.refuses("shape", self.body.node_stresses, X[:, :2])
+        depth, volume = contact.wear("a law", 1.5, [2.5, 3.5])
+        check(depth, (2,), 600.5, "contact_get_wear", "contact1 <a law> 1 [1.5] 2 [2.5 3.5] room room")
+        self.assertEqual(volume, 700.5)
+        worn, taken = rc.wear_profile(X[:, :2], [4.5, 5.5], -1, 6.5, 7.5, 8.5)
+        check(worn, (2, 2), 700.5, "wear_profile", "2 [1.5 2.5 4.5 5.5] [4.5 5.5] -1 6.5 7.5 8.5 room room")
+        self.assertEqual(taken, 800.5)
         check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
         np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
         self.told("contact_get_error_function", "contact1 2 room room room")
-        for function, arguments in ((self.body.displacements, ()), (contact.tractions, ()), (contact.field, (1,)),
+        for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()), (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
                                     (contact.stresses_at, (1, X)), (rc.stress_invariants, (np.hstack([X, X]),)),
@@ -337,6 +355,12 @@ class Mapping(unittest.TestCase):
         np.testing.assert_array_equal([many.z[0], many.vertical_force[0], many.friction_power[0]], [406.5, 407.5, 408.5])
         np.testing.assert_array_equal(many.status, [500])
         self.refuses("2 positions, but 1", wheelrail.solve_many, 2 * positions, velocities)
+        wear = wheelrail.find_wear(positions, velocities, "a law", [8.5], 2, weights=[7.5])
+        self.told("wheelrail_find_wear", "wheelrail1 1 [1.5 2.5 3.5 4.5 5.5 6.5] [6.5 5.5 4.5 3.5 2.5 1.5] [7.5] "
+                  "<a law> 1 [8.5] 2 room room room room")
+        np.testing.assert_array_equal([*wear.wheel, *wear.rail, *wear.volumes], [900.5, 901.5, 1000.5, 1001.5, 1100.5, 1101.5])
+        np.testing.assert_array_equal(wear.status, [1200])
+        self.refuses("2 weights", wheelrail.find_wear, positions, velocities, "a law", 1, 2, [1, 2])
         other = wheelrail.copy()
         self.told("wheelrail_copy", "wheelrail1 room")
         self.assertEqual(other.id, wheelrail.id + 1)

@@ -17,11 +17,12 @@ from .options import (body_option_table, body_stat_names, option_table, stat_nam
                       wheelrail_patch_stat_names, wheelrail_stat_names)
 from .stresses import stress_invariants
 from .table import Table
+from .wear import wear_profile
 from .wheelrail import WheelRail, conicity, contact_points
 
 __version__ = ".".join(str(part) for part in _api.VERSION)
 __all__ = [name for name, value in vars(_api).items() if name.isupper() and isinstance(value, int)]
 __all__ += ["Body", "Contact", "Context", "RollconError", "Status", "Table", "WheelRail", "body_option_table", "body_stat_names",
-            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path", "option_table", "stat_names",
-            "status_string", "stress_invariants", "version", "version_string", "wheelrail_patch_stat_names",
+            "build_info", "conicity", "contact_points", "has_feature", "last_caveat", "last_error", "library_path", "option_table",
+            "stat_names", "status_string", "stress_invariants", "version", "version_string", "wear_profile", "wheelrail_patch_stat_names",
             "wheelrail_stat_names"]

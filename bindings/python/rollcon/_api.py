@@ -201,6 +201,10 @@ FUNCTIONS = {
         c_void_p, c_int64, POINTER(c_int32),
         c_int32, c_int32, POINTER(c_double)]),
     "rollcon_body_set_traction": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_body_force": (c_int32, [c_void_p, c_int32, POINTER(c_double)]),
+    "rollcon_body_set_rotation": (c_int32, [
+        c_void_p, c_int32, c_double,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
     "rollcon_body_read_mesh": (c_int32, [c_void_p, c_char_p, c_char_p]),
@@ -237,6 +241,16 @@ FUNCTIONS = {
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_size": (c_int32, [c_void_p, POINTER(c_int64), POINTER(c_int64)]),
     "rollcon_body_get_displacements": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_body_get_node_stresses": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_get_point_stresses": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_body_get_fields_at": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_body_write": (c_int32, [c_void_p, c_char_p, c_int64, POINTER(c_double)]),
     "rollcon_body_get_reaction": (c_int32, [c_void_p, POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_body_stat_count": (c_int32, []),
@@ -325,10 +339,19 @@ FUNCTIONS = {
     "rollcon_contact_get_stresses_at": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_get_body_displacements": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_int64)]),
     "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
     "rollcon_contact_get_equivalent_ellipse": (c_int32, [
         c_void_p, POINTER(c_double),
         POINTER(c_double)]),
+    "rollcon_contact_get_wear": (c_int32, [
+        c_void_p, c_char_p, c_int32, POINTER(c_double),
+        c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wear_profile": (c_int32, [
+        c_int64, POINTER(c_double), POINTER(c_double), c_int32, c_double,
+        c_double, c_double, POINTER(c_double), POINTER(c_double)]),
     "rollcon_stress_invariants": (c_int32, [
         c_int64, POINTER(c_double), POINTER(c_double),
         POINTER(c_double), POINTER(c_double)]),
@@ -365,6 +388,9 @@ FUNCTIONS = {
     "rollcon_wheelrail_solve_many": (c_int32, [
         c_void_p, c_int64, POINTER(c_double),
         POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
+    "rollcon_wheelrail_find_wear": (c_int32, [
+        c_void_p, c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), c_char_p, c_int32,
+        POINTER(c_double), c_int64, POINTER(c_double), POINTER(c_double), POINTER(c_double), POINTER(c_int32)]),
     "rollcon_wheelrail_save": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_restore": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
@@ -510,6 +536,10 @@ ARGUMENTS = {
         ("values", "")
     ],
     "rollcon_body_set_traction": [("body", ""), ("tag", ""), ("traction", "")],
+    "rollcon_body_set_body_force": [("body", ""), ("tag", ""), ("force", "")],
+    "rollcon_body_set_rotation": [
+        ("body", ""), ("tag", ""), ("density", ""), ("origin", ""), ("rate", "")
+    ],
     "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
     "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
     "rollcon_body_read_mesh": [("body", ""), ("path", ""), ("part", "")],
@@ -546,6 +576,16 @@ ARGUMENTS = {
     ],
     "rollcon_body_get_size": [("body", ""), ("nodes", ""), ("elements", "")],
     "rollcon_body_get_displacements": [("body", ""), ("capacity", ""), ("u", "")],
+    "rollcon_body_get_node_stresses": [("body", ""), ("nodes", ""), ("u", ""), ("stress", "")],
+    "rollcon_body_get_point_stresses": [
+        ("body", ""), ("nodes", ""), ("u", ""), ("capacity", ""), ("stress", ""), ("xyz", ""),
+        ("n_rows", "")
+    ],
+    "rollcon_body_get_fields_at": [
+        ("body", ""), ("nodes", ""), ("u", ""), ("n", ""), ("xyz", ""), ("displacement", ""),
+        ("stress", "")
+    ],
+    "rollcon_body_write": [("body", ""), ("path", ""), ("nodes", ""), ("u", "")],
     "rollcon_body_get_reaction": [("body", ""), ("force", ""), ("moment", "")],
     "rollcon_body_get_stat": [("body", ""), ("name", ""), ("value", "")],
     "rollcon_body_stat_count": [],
@@ -647,8 +687,19 @@ ARGUMENTS = {
     "rollcon_contact_get_stresses_at": [
         ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("stress", ""), ("u", "")
     ],
+    "rollcon_contact_get_body_displacements": [
+        ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
+    ],
     "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
     "rollcon_contact_get_equivalent_ellipse": [("contact", ""), ("inputs", ""), ("center", "")],
+    "rollcon_contact_get_wear": [
+        ("contact", ""), ("law", ""), ("n", ""), ("parameters", ""), ("points", ""), ("y", ""),
+        ("depth", ""), ("volume", "")
+    ],
+    "rollcon_wear_profile": [
+        ("points", ""), ("yz", ""), ("rate", ""), ("side", ""), ("distance", ""), ("most_depth",
+        ""), ("smoothing", ""), ("worn", ""), ("taken", "")
+    ],
     "rollcon_stress_invariants": [
         ("n", ""), ("stress", ""), ("principal", ""), ("von_mises", ""), ("shear", "")
     ],
@@ -687,6 +738,11 @@ ARGUMENTS = {
     "rollcon_wheelrail_solve_many": [
         ("wheelrail", ""), ("n", ""), ("positions", ""), ("velocities", ""), ("totals", ""),
         ("status", "")
+    ],
+    "rollcon_wheelrail_find_wear": [
+        ("wheelrail", ""), ("n_cases", ""), ("positions", ""), ("velocities", ""), ("weights",
+        ""), ("law", ""), ("n", ""), ("parameters", ""), ("points", ""), ("wheel", ""), ("rail",
+        ""), ("volumes", ""), ("status", "")
     ],
     "rollcon_wheelrail_save": [("wheelrail", ""), ("place", "")],
     "rollcon_wheelrail_restore": [("wheelrail", ""), ("place", "")],

@@ -103,6 +103,31 @@ class BodyPlain:
         traction, traction_at = vector(traction)
         self._call("set_traction", tag, traction_at)
 
+    def set_body_force(self, tag: int, force: ArrayLike) -> None:
+        """Prescribes a force per volume, such as weight, on the finite elements with a tag;
+        replaces an earlier one. ERR_STATE: a body without volume elements, and at prepare() a tag
+        that no element has.
+
+        tag: of volume elements.
+        force: force/length^3 along x y z: density times acceleration; -1e100 to 1e100.
+        """
+        force, force_at = vector(force)
+        self._call("set_body_force", tag, force_at)
+
+    def set_rotation(self, tag: int, density: float, origin: ArrayLike, rate: ArrayLike) -> None:
+        """Prescribes the centrifugal forces of a steady rotation on the finite elements with a
+        tag, added to set_body_force(); replaces an earlier one. Stiffness is that of the body at
+        rest.
+
+        tag: of volume elements.
+        density: mass/length^3, 0 to 1e100.
+        origin: on the axis of rotation, length.
+        rate: along the axis, radian/time.
+        """
+        origin, origin_at = vector(origin)
+        rate, rate_at = vector(rate)
+        self._call("set_rotation", tag, density, origin_at, rate_at)
+
     def set_pressure(self, tag: int, pressure: float) -> None:
         """Prescribes a pressure on the faces with a tag, against their outward normals; replaces
         an earlier one and adds to a traction on the same tag.

@@ -108,6 +108,45 @@ class Body(Settings, BodyPlain, Handle):
         self._call("get_displacements", len(u), address)
         return u
 
+    def _nodal(self, u):
+        """Displacements of all nodes as an argument: number, array to keep, address; None: the body's own."""
+        if u is None:
+            return self.size[0], None, None
+        u, address = reals(u, 3)
+        return len(u), u, address
+
+    def node_stresses(self, u: ArrayLike | None = None) -> np.ndarray:
+        """Smoothed stresses [nodes, 6] (s11, s22, s33, s12, s13, s23) of finite elements under
+        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads'."""
+        nodes, u, given = self._nodal(u)
+        stress, address = room(nodes, 6)
+        self._call("get_node_stresses", nodes, given, address)
+        return stress
+
+    def point_stresses(self, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Stresses [n, 6] at the integration points of all finite elements, and their places [n, 3]."""
+        nodes, u, given = self._nodal(u)
+        need = ctypes.c_int64()
+        self._call("get_point_stresses", nodes, given, 0, None, None, byref(need))
+        stress, first = room(need.value, 6)
+        xyz, second = room(need.value, 3)
+        self._call("get_point_stresses", nodes, given, need.value, first, second, byref(need))
+        return stress, xyz
+
+    def fields_at(self, xyz: ArrayLike, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements [n, 3] and smoothed stresses [n, 6] at points xyz[n, 3] inside finite elements."""
+        nodes, u, given = self._nodal(u)
+        xyz, points = reals(xyz, 3)
+        displacement, first = room(len(xyz), 3)
+        stress, second = room(len(xyz), 6)
+        self._call("get_fields_at", nodes, given, len(xyz), points, first, second)
+        return displacement, stress
+
+    def write(self, path: str | os.PathLike, u: ArrayLike | None = None) -> None:
+        """Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        nodes, u, given = self._nodal(u)
+        self._call("write", c_path(path), nodes, given)
+
     def _about(self):
         kind = {1: "finite elements", 2: "boundary elements", 3: "half-space", 4: "rigid"}.get(self.kind, "body")
         nodes, elements = self.size

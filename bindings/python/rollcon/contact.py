@@ -237,6 +237,24 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_stresses_at", body, len(xyz), points, first, second)
         return stress, u
 
+    def wear(self, law: str, parameters: ArrayLike, y: ArrayLike) -> tuple[np.ndarray, float]:
+        """Depth [points] that a pass of the contact wears off at places y along t2, and the volume
+        per length rolled, by a law, "archard" (i, or i1, i2, angle) or "t_gamma" (pairs)."""
+        parameters, given = reals(np.atleast_1d(parameters))
+        y, places = reals(y)
+        depth, address = room(len(y))
+        volume = c_double()
+        self._call("get_wear", c_text(law, "law"), parameters.size, given, len(y), places, address, byref(volume))
+        return depth, volume.value
+
+    def body_displacements(self, body: int) -> np.ndarray:
+        """Displacements [nodes, 3] of all nodes of body 1 or 2, of finite elements, in its axes."""
+        need = c_int64()
+        self._call("get_body_displacements", body, 0, None, byref(need))
+        u, address = room(need.value // 3, 3)
+        self._call("get_body_displacements", body, u.size, address, byref(need))
+        return u
+
     def history(self) -> np.ndarray:
         """One row per iteration: phase, iteration, normal residual, tangential residual, step
         length, nodes in contact, nodes in slip, seconds."""

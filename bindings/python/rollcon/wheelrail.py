@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ._arrays import reals, room
-from ._library import Handle, RollconError, call, check, lib, shown
+from ._library import Handle, RollconError, c_text, call, check, lib, shown
 from ._plain import WheelrailPlain
 from .contact import Contact
 
@@ -36,6 +36,14 @@ class Positions:
         self.worst, self.status = worst, status
         self.force, self.moment = totals[:, :3].copy(), totals[:, 3:6].copy()
         self.z, self.vertical_force, self.friction_power = totals[:, 6:].T.copy()
+
+
+class Wear:
+    """Results of WheelRail.find_wear: worst, the call's status; status[n]; wheel and rail, depths
+    [points] per pass; volumes [2] of wheel and rail per length rolled."""
+
+    def __init__(self, worst, status, wheel, rail, volumes):
+        self.worst, self.status, self.wheel, self.rail, self.volumes = worst, status, wheel, rail, volumes
 
 
 class ContactPoints:
@@ -108,6 +116,27 @@ class WheelRail(WheelrailPlain, Handle):
         status, status_at = room(len(positions), dtype=np.int32)
         worst = self._call("solve_many", len(positions), positions_at, velocities_at, totals_at, status_at)
         return Positions(worst, status, totals)
+
+    def find_wear(self, positions: ArrayLike, velocities: ArrayLike, law: str, parameters: ArrayLike,
+                  points: int, weights: ArrayLike | None = None) -> Wear:
+        """What a spectrum of positions[n, 6] with velocities[n, 6] and weights[n] (None: alike) wears
+        off both profiles per pass, at points at equal arc lengths; a Wear. See Contact.wear()."""
+        positions, positions_at = reals(positions, 6)
+        velocities, velocities_at = reals(velocities, 6)
+        if len(positions) != len(velocities):
+            raise ValueError(f"{len(positions)} positions, but {len(velocities)} velocities")
+        weights, weights_at = (None, None) if weights is None else reals(weights)
+        if weights is not None and len(weights) != len(positions):
+            raise ValueError(f"{len(positions)} positions, but {len(weights)} weights")
+        parameters, given = reals(np.atleast_1d(parameters))
+        wheel, wheel_at = room(points)
+        rail, rail_at = room(points)
+        volumes, volumes_at = room(2)
+        status, status_at = room(len(positions), dtype=np.int32)
+        worst = self._call("find_wear", len(positions), positions_at, velocities_at, weights_at,
+                           c_text(law, "law"), parameters.size, given, points, wheel_at, rail_at, volumes_at,
+                           status_at)
+        return Wear(worst, status, wheel, rail, volumes)
 
     def contact(self, patch: int) -> Contact:
         """The Contact of a patch, to be read: body 1 is the wheel, and the next solve changes it."""

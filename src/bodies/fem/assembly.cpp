@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "mesh/surface_quadrature.hpp"
+#include "mesh/volume_shape.hpp"
 #include "support/index.hpp"
 #include "support/parallel.hpp"
 
@@ -193,8 +194,32 @@ std::vector<double> Assembly::forces_at_supports(const std::vector<double>& u) c
   return force;
 }
 
-std::vector<double> Assembly::surface_loads(double reference) const {
+void Assembly::add_body_force(const BodyForce& load, double reference, std::vector<double>& force) const {
+  const VolumeElements& volume = mesh_.volume;
+  VolumeShape shape;
+  for (std::int64_t e = 0; e < volume.elements(); ++e) {
+    if (volume.tag[at(e)] != load.tag) continue;
+    const VolumeType type = volume.type[at(e)];
+    const VolumeRule rule = volume_rule(type, is_quadratic(type) ? 6 : 3);
+    const auto nodes = volume.element(e);
+    for (std::size_t q = 0; q < rule.size(); ++q) {
+      evaluate_shape(type, rule.point[q], shape);
+      Vec3 x{0, 0, 0}, d[3] = {};
+      for (std::size_t k = 0; k < nodes.size(); ++k) {
+        const Vec3& node = mesh_.surface.node[at(nodes[k])];
+        x = x + shape.value[k] * node;
+        for (std::size_t a = 0; a < 3; ++a) d[a] = d[a] + shape.d[k][a] * node;
+      }
+      const Vec3 part = (rule.w[q] * dot(d[0], cross(d[1], d[2])) / reference) * load.at(x);
+      for (std::size_t k = 0; k < nodes.size(); ++k)
+        for (std::size_t c = 0; c < 3; ++c) force[3 * at(nodes[k]) + c] += shape.value[k] * part[c];
+    }
+  }
+}
+
+std::vector<double> Assembly::loads(double reference) const {
   std::vector<double> force(3 * mesh_.held.size(), 0.0);
+  for (const BodyForce& load : mesh_.body_force) add_body_force(load, reference, force);
   constexpr int degree = 7;  // N_i times the vector area, a polynomial
   const SurfaceMesh& surface = mesh_.surface;
   for (const FaceLoad& load : mesh_.load)

@@ -32,10 +32,11 @@ class Assembly {
   SparseMatrix stiffness(const Unknowns& unknowns, int threads) const;
   /// Nodal forces f[3 * k + c] of the elements that touch a held component, under displacements u.
   std::vector<double> forces_at_supports(const std::vector<double>& u) const;
-  /// Consistent nodal loads of the tractions and pressures given, over the reference modulus.
-  std::vector<double> surface_loads(double reference) const;
+  /// Consistent nodal loads of the tractions, pressures and body forces given, over the reference modulus.
+  std::vector<double> loads(double reference) const;
 
  private:
+  void add_body_force(const BodyForce& load, double reference, std::vector<double>& force) const;
   std::vector<std::vector<std::int64_t>> colours() const;
   void element_matrix(std::int64_t e, std::vector<double>& k) const;
 

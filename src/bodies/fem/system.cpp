@@ -28,6 +28,10 @@ double largest_modulus(const std::map<std::int32_t, Elastic>& material) {
   return most;
 }
 
+Hex8 hex8_of(const BodyOptions& options) {
+  return options.hex8 == 0 ? Hex8::enhanced : Hex8::b_bar;
+}
+
 std::vector<Material> by_element(const BodyMesh& mesh, const std::map<std::int32_t, Elastic>& material,
                                  double reference) {
   std::vector<Material> result;
@@ -58,13 +62,14 @@ System::System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<s
       fans_(fans),
       reference_(largest_modulus(material)),
       options_(options),
-      assembly_(mesh, by_element(mesh, material, reference_), options.hex8 == 0 ? Hex8::enhanced : Hex8::b_bar),
+      assembly_(mesh, by_element(mesh, material, reference_), hex8_of(options)),
+      interior_(mesh, assembly_, hex8_of(options), reference_),
       unknowns_(number_unknowns(mesh)) {
   statistics_.unknowns = unknowns_.count;
-  const bool loaded =
-      !mesh.load.empty() || std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
-        return v != Vec3{0, 0, 0};
-      });
+  const bool loaded = !mesh.load.empty() || !mesh.body_force.empty() ||
+                      std::any_of(mesh.held_value.begin(), mesh.held_value.end(), [](const Vec3& v) {
+                        return v != Vec3{0, 0, 0};
+                      });
   contact_ = unknowns_at(nodes_around(surface_, contact_elements(mesh)));
   const bool few = static_cast<std::int64_t>(contact_.size()) <=
                    (mesh.contact_tag.empty() ? most_unnamed_at_once : most_condensed_at_once);
@@ -89,15 +94,15 @@ void System::require_matrix(int threads) {
   ++statistics_.assemblies;
 }
 
-void System::factorize(std::vector<std::int64_t> condensed, int threads) {
+std::unique_ptr<SparseFactor> System::factor_of(std::span<const std::int64_t> condensed, int threads) {
   const BlasThreads blas(threads);
-  factor_.reset();
   require_matrix(threads);
   check_interrupt();
   double seconds = 0;
+  std::unique_ptr<SparseFactor> factor;
   try {
     const Stopwatch watch(seconds);
-    factor_ = factor_by_cholmod(matrix_, condensed);
+    factor = factor_by_cholmod(matrix_, condensed);
   } catch (const ZeroPivot& pivot) {
     const auto found = std::find(unknowns_.of.begin(), unknowns_.of.end(), pivot.unknown());
     const auto place = found - unknowns_.of.begin();
@@ -108,13 +113,21 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
          bending_hint().c_str());
   }
   ++statistics_.factorizations;
-  const SparseStatistics s = factor_->statistics();
+  const SparseStatistics s = factor->statistics();
   statistics_.seconds_order += s.seconds_order;
   statistics_.seconds_factor += seconds - s.seconds_order;
+  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + s.peak_bytes);
+  return factor;
+}
+
+void System::factorize(std::vector<std::int64_t> condensed, int threads) {
+  const BlasThreads blas(threads);
+  factor_.reset();
+  factor_ = factor_of(condensed, threads);
+  const SparseStatistics s = factor_->statistics();
   statistics_.nonzeros = s.nonzeros;
   statistics_.condition = s.condition;
   statistics_.condensed = static_cast<std::int64_t>(condensed.size());
-  statistics_.peak_bytes = std::max(statistics_.peak_bytes, matrix_.bytes() + s.peak_bytes);
   place_condensed(std::move(condensed));
   if (own_displacement_.empty()) solve_own_load();
   factor_->keep_condensed();
@@ -150,8 +163,8 @@ void System::solve_own_load() {
   const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
     return v != Vec3{0, 0, 0};
   });
-  if (mesh_.load.empty() && !moved) return;
-  const std::vector<double> load = assembly_.surface_loads(reference_);
+  if (mesh_.load.empty() && mesh_.body_force.empty() && !moved) return;
+  const std::vector<double> load = assembly_.loads(reference_);
   std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] < 0) u[k] = mesh_.held_value[k / 3][k % 3];
@@ -234,10 +247,25 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   felt.tell(rows);
 }
 
+bool System::solve_everywhere(std::span<double> load, double* u, int threads) {
+  const std::lock_guard lock(mutex_);
+  const BlasThreads blas(threads);
+  if (!whole_) {
+    const bool kept = matrix_.columns > 0 && options_.keep_factors != 0;
+    whole_ = factor_of({}, threads);
+    if (!kept) matrix_ = {};
+  }
+  whole_->solve(load.data(), 1);
+  for (std::size_t k = 0; k < unknowns_.of.size(); ++k) u[k] = unknowns_.of[k] >= 0 ? load[at(unknowns_.of[k])] : 0;
+  if (options_.keep_factors == 0) whole_.reset();
+  return true;
+}
+
 BodyStatistics System::statistics() const {
   const std::lock_guard lock(mutex_);
   BodyStatistics s = statistics_;
-  s.bytes = matrix_.bytes() + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0);
+  s.bytes = matrix_.bytes() + kept_bytes() + (factor_ ? factor_->statistics().bytes : 0) +
+            (whole_ ? whole_->statistics().bytes : 0);
   if (const auto equations = equations_.lock()) s.bytes += equations->matrix.bytes();
   count_kept(s);
   return s;

@@ -7,6 +7,7 @@
 
 #include "bodies/fem/assembly.hpp"
 #include "bodies/fem/felt_tractions.hpp"
+#include "bodies/fem/interior.hpp"
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/response_cache.hpp"
 #include "geometry/surface_coupling.hpp"
@@ -30,6 +31,8 @@ class System final : public ResponseCache {
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
   void save(SectionWriter& file) const override;
+  bool solve_everywhere(std::span<double> load, double* u, int threads) override;
+  const BodyInterior* interior() const override { return &interior_; }
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
@@ -39,6 +42,7 @@ class System final : public ResponseCache {
   FeltTractions feel(const SurfaceMesh& layer, SurfaceOutline& outline) const;
   void require_matrix(int threads);
   void factorize(std::vector<std::int64_t> condensed, int threads);
+  std::unique_ptr<SparseFactor> factor_of(std::span<const std::int64_t> condensed, int threads);
   std::string bending_hint() const;
   void place_condensed(std::vector<std::int64_t> condensed);
   void restore(SectionReader& file);
@@ -60,6 +64,7 @@ class System final : public ResponseCache {
   double reference_ = 1;  ///< modulus
   BodyOptions options_;
   Assembly assembly_;
+  Interior interior_;
   Unknowns unknowns_;
   std::vector<double> own_displacement_;
   Resultant reaction_;
@@ -68,6 +73,7 @@ class System final : public ResponseCache {
   SparseMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::unique_ptr<SparseFactor> factor_;
+  std::unique_ptr<SparseFactor> whole_;     ///< of nothing condensed, made when displacements inside are asked for
   std::vector<std::int64_t> condensed_;     ///< unknowns, ascending
   std::vector<std::int64_t> condensed_at_;  ///< place of each unknown in condensed_, -1: none
   std::vector<std::int64_t> contact_;       ///< unknowns that contact may need

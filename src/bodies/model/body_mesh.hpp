@@ -18,6 +18,16 @@ struct FaceLoad {
   double pressure = 0;     ///< against the outward normal, added to the traction
 };
 
+/// On the elements of one material, in the body's axes: force + density omega x (x - origin) x omega.
+struct BodyForce {
+  std::int32_t tag = 0;
+  Vec3 force{0, 0, 0};  ///< per volume
+  double density = 0;
+  Vec3 origin{0, 0, 0}, rate{0, 0, 0};  ///< of the rotation
+
+  Vec3 at(const Vec3& x) const { return force + density * cross(cross(rate, x - origin), rate); }
+};
+
 /// One call that gave boundary faces of a volume a tag: by element and side, by the set of nodes that they lie on, or
 /// as surface elements. Later calls win.
 struct FaceNaming {
@@ -41,9 +51,10 @@ struct BodyMesh {
   std::vector<BoundaryFace> origin;  ///< of each surface element, in the volume
   bool boundary_current = false;
 
-  std::vector<std::uint8_t> held;  ///< per node: bit c is set when displacement component c is given
-  std::vector<Vec3> held_value;    ///< per node, in the body's axes
-  std::vector<FaceLoad> load;      ///< one per tag at most
+  std::vector<std::uint8_t> held;     ///< per node: bit c is set when displacement component c is given
+  std::vector<Vec3> held_value;       ///< per node, in the body's axes
+  std::vector<FaceLoad> load;         ///< one per tag at most
+  std::vector<BodyForce> body_force;  ///< likewise, of volume elements
   /// Tags of faces that may come into contact; empty: all faces that are neither held nor loaded.
   std::vector<std::int32_t> contact_tag;
 };

@@ -1,0 +1,39 @@
+#pragma once
+/// Stresses and interpolated fields of a finite-element body.
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "bodies/fem/assembly.hpp"
+#include "bodies/model/body_interior.hpp"
+#include "mesh/volume_search.hpp"
+
+namespace rollcon::fem {
+
+class Interior final : public BodyInterior {
+ public:
+  /// Mesh and assembly must outlive it. reference: the modulus that materials are over.
+  Interior(const BodyMesh& mesh, const Assembly& assembly, Hex8 hex8, double reference);
+
+  std::int64_t points() const override { return first_.back(); }
+  void at_points(const double* u, double* stress, double* xyz, int threads) const override;
+  void at_nodes(const double* u, double* stress, int threads) const override;
+  bool interpolate(const Vec3& x, const double* u, const double* node_stress, double* displacement,
+                   double* stress) const override;
+
+ private:
+  /// See element_stress; stresses in the caller's unit.
+  double element(std::int64_t e, const double* u, double* stress, double* xyz) const;
+  const VolumeSearch& search() const;
+
+  const BodyMesh& mesh_;
+  const Assembly& assembly_;
+  Hex8 hex8_;
+  double reference_;
+  std::vector<std::int64_t> first_;  ///< integration point of each element, and their number
+  mutable std::once_flag searched_;
+  mutable std::unique_ptr<const VolumeSearch> search_;
+};
+
+}  // namespace rollcon::fem

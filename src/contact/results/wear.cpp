@@ -1,0 +1,96 @@
+#include "contact/results/wear.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+/// Integral over [from, to], within one interval of y, of a linear function from f0 to f1 times the hats of y[j] and
+/// y[j + 1].
+void add_linear(double from, double to, double f0, double f1, std::span<const double> y, std::size_t j,
+                double* volume) {
+  const double length = to - from, width = y[j + 1] - y[j];
+  const double right0 = (from - y[j]) / width, right1 = (to - y[j]) / width;
+  const double total = 0.5 * length * (f0 + f1);
+  const double right = length / 6 * (2 * f0 * right0 + f0 * right1 + f1 * right0 + 2 * f1 * right1);
+  volume[j] += total - right;
+  volume[j + 1] += right;
+}
+
+/// A triangle of unit area from middle - half to middle + half, times amount.
+void spread(double middle, double half, double amount, std::span<const double> y, double* volume) {
+  const std::size_t n = y.size();
+  const auto height = [&](double x) { return amount / half * std::max(0.0, 1 - std::abs(x - middle) / half); };
+  const auto beyond = [&](double x) {  // area below x
+    const double t = std::clamp((x - middle) / half, -1.0, 1.0);
+    return amount * (t < 0 ? 0.5 * (1 + t) * (1 + t) : 1 - 0.5 * (1 - t) * (1 - t));
+  };
+  volume[0] += beyond(y[0]);
+  volume[n - 1] += amount - beyond(y[n - 1]);
+  const double low = std::max(middle - half, y[0]), high = std::min(middle + half, y[n - 1]);
+  if (!(low < high)) return;
+  std::size_t j = at(std::upper_bound(y.begin(), y.end(), low) - y.begin()) - 1;
+  for (double from = low; from < high; ++j) {
+    if (j + 1 >= n) return;
+    double to = std::min(high, y[j + 1]);
+    if (from < middle && middle < to) {
+      add_linear(from, middle, height(from), height(middle), y, j, volume);
+      from = middle;
+    }
+    add_linear(from, to, height(from), height(to), y, j, volume);
+    from = to;
+  }
+}
+
+/// Half of what the elements around each node cover of t2.
+std::vector<double> half_widths(const Frame& frame) {
+  const std::size_t n = at(frame.nodes());
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<double> low(n, infinity), high(n, -infinity), half(n);
+  for (std::int64_t e = 0; e < frame.elements(); ++e) {
+    double least = infinity, most = -infinity;
+    for (const std::int32_t k : frame.mesh.element(e))
+      least = std::min(least, frame.y[at(k)]), most = std::max(most, frame.y[at(k)]);
+    for (const std::int32_t k : frame.mesh.element(e))
+      low[at(k)] = std::min(low[at(k)], least), high[at(k)] = std::max(high[at(k)], most);
+  }
+  for (std::size_t k = 0; k < n; ++k) half[k] = std::max(0.5 * (high[k] - low[k]), 1e-12 * std::abs(frame.y[k]));
+  return half;
+}
+
+}  // namespace
+
+double add_wear(SolverState& state, const WearLaw& law, std::span<const double> y, double share, double* volume) {
+  derive_fields(state);
+  const Prepared& on = *state.prepared;
+  const std::vector<double> half = half_widths(on.frame);
+  double total = 0;
+  for (std::size_t k = 0; k < on.problem.weight.size(); ++k) {
+    const double pressure = -state.iterate.lambda[2][k];
+    if (!(pressure > 0)) continue;
+    const double amount =
+        on.problem.weight[k] * law.rate(pressure, {state.iterate.lambda[0][k], state.iterate.lambda[1][k]},
+                                        {state.slip[0][k] / on.speed, state.slip[1][k] / on.speed});
+    if (amount == 0) continue;
+    total += amount;
+    if (!y.empty()) spread(on.frame.y[k], half[k], share * amount, y, volume);
+  }
+  return total;
+}
+
+std::array<double, 2> contact_across(const SolverState& state) {
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const Frame& frame = state.prepared->frame;
+  for (std::size_t k = 0; k < frame.y.size(); ++k) {
+    if (!(state.iterate.lambda[2][k] < 0)) continue;
+    range[0] = std::min(range[0], frame.y[k]);
+    range[1] = std::max(range[1], frame.y[k]);
+  }
+  return range;
+}
+
+}  // namespace rollcon

@@ -1,0 +1,45 @@
+#pragma once
+/// A block of serendipity hexahedra for tests of fields and loads.
+
+#include "fixture.hpp"
+
+namespace capi_test {
+
+/// [-half, half]^2 x [-depth, 0] in serendipity hexahedra, nodes closer together near the top's middle.
+struct Block20 {
+  std::vector<double> x;
+  std::vector<std::int32_t> connectivity, rim, top;  ///< rim: nodes of the sides and the bottom
+
+  Block20(int across, int deep, double half, double depth) {
+    const int nx = 2 * across, nz = 2 * deep;
+    const auto place = [](double s, double growth) { return s * (1 + growth * s * s) / (1 + growth); };
+    std::vector<std::int32_t> id(static_cast<std::size_t>((nx + 1) * (nx + 1) * (nz + 1)), -1);
+    const auto key = [&](int i, int j, int k) { return static_cast<std::size_t>((k * (nx + 1) + j) * (nx + 1) + i); };
+    const auto corner = [&](int i, int n, double growth, double a, double b) {
+      // Midside nodes in the middle of straight edges.
+      const auto at = [&](int even) { return place(a + (b - a) * even / n, growth); };
+      return i % 2 == 0 ? at(i) : 0.5 * (at(i - 1) + at(i + 1));
+    };
+    for (int k = 0; k <= nz; ++k)
+      for (int j = 0; j <= nx; ++j)
+        for (int i = 0; i <= nx; ++i) {
+          if (i % 2 + j % 2 + k % 2 > 1) continue;
+          const auto n = static_cast<std::int32_t>(x.size() / 3);
+          id[key(i, j, k)] = n;
+          if (i % nx == 0 || j % nx == 0 || k == 0) rim.push_back(n);
+          if (k == nz) top.push_back(n);
+          x.insert(x.end(), {half * corner(i, nx, 1.2, -1, 1), half * corner(j, nx, 1.2, -1, 1),
+                             depth * corner(k, nz, 1.2, -1, 0)});
+        }
+    constexpr int at[20][3] = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2}, {2, 2, 2},
+                               {0, 2, 2}, {1, 0, 0}, {2, 1, 0}, {1, 2, 0}, {0, 1, 0}, {1, 0, 2}, {2, 1, 2},
+                               {1, 2, 2}, {0, 1, 2}, {0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}};
+    for (int k = 0; k < nz; k += 2)
+      for (int j = 0; j < nx; j += 2)
+        for (int i = 0; i < nx; i += 2)
+          for (const auto& c : at) connectivity.push_back(id[key(i + c[0], j + c[1], k + c[2])]);
+  }
+  std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
+};
+
+}  // namespace capi_test

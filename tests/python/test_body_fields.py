@@ -1,0 +1,83 @@
+"""Fields inside finite elements from Python, and the VTU file read back."""
+
+import os
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+import rollcon as rc
+
+
+def block(n):
+    """A unit cube of n^3 trilinear hexahedra: nodes, elements."""
+    line = np.linspace(0, 1, n + 1)
+    x = np.stack(np.meshgrid(line, line, line, indexing="ij"), axis=-1).reshape(-1, 3)
+    corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    first = np.stack(np.meshgrid(*3 * [np.arange(n)], indexing="ij"), axis=-1).reshape(-1, 1, 3)
+    return x, (first + corner) @ np.array([(n + 1) ** 2, n + 1, 1])
+
+
+class BodyFields(unittest.TestCase):
+    def setUp(self):
+        self.context = rc.Context()
+        try:
+            self.body = rc.Body(self.context, "fem")
+        except rc.RollconError as error:
+            if error.status != rc.ERR_UNSUPPORTED:
+                raise
+            self.skipTest("no finite elements in this build")
+        self.x, self.element = block(3)
+        self.body.set_nodes(self.x)
+        self.body.add_elements("hex8", self.element)
+        self.body.set_elastic(1000, 0.3)
+        bottom = np.flatnonzero(self.x[:, 2] == 0)
+        self.body.set_support(bottom)
+        self.body.prepare()
+
+    def test_stretch(self):
+        """A stretch along z: stresses by Hooke's law, everywhere the same."""
+        u = np.zeros_like(self.x)
+        u[:, 2] = 1e-3 * self.x[:, 2]
+        lame = 1000 * 0.3 / (1.3 * 0.4)
+        expected = 1e-3 * np.array([lame, lame, lame + 1000 / 1.3, 0, 0, 0])
+        np.testing.assert_allclose(self.body.node_stresses(u), np.tile(expected, (len(u), 1)), atol=1e-12)
+        stress, place = self.body.point_stresses(u)
+        np.testing.assert_allclose(stress, np.tile(expected, (8 * 27, 1)), atol=1e-12)
+        self.assertTrue(np.all((place > 0) & (place < 1)))
+        points = np.random.default_rng(1).random((50, 3))
+        moved, stress = self.body.fields_at(points, u)
+        np.testing.assert_allclose(moved[:, 2], 1e-3 * points[:, 2], atol=1e-15)
+        np.testing.assert_allclose(stress, np.tile(expected, (50, 1)), atol=1e-12)
+
+    def test_file(self):
+        u = 1e-3 * np.sin(self.x)
+        path = os.path.join(tempfile.mkdtemp(), "body.vtu")
+        try:
+            self.body.write(path, u)
+        except rc.RollconError as error:
+            if error.status != rc.ERR_UNSUPPORTED:
+                raise
+            self.skipTest("no VTU files in this build")
+        piece = ElementTree.parse(path).getroot().find("UnstructuredGrid/Piece")
+        data = {a.get("Name"): np.array(a.text.split(), dtype=float).reshape(-1, int(a.get("NumberOfComponents")))
+                for a in piece.iter("DataArray")}
+        np.testing.assert_array_equal(data["points"], self.x)
+        np.testing.assert_array_equal(data["displacement"], u)
+        np.testing.assert_array_equal(data["connectivity"].reshape(-1, 8), self.element)
+        np.testing.assert_array_equal(data["types"], 12)
+        stress = self.body.node_stresses(u)
+        np.testing.assert_array_equal(data["stress"], stress[:, [0, 1, 2, 3, 5, 4]])
+        np.testing.assert_array_equal(data["von_mises"][:, 0], rc.stress_invariants(stress)[1])
+        try:
+            import meshio
+        except ImportError:
+            return
+        mesh = meshio.read(path)
+        np.testing.assert_array_equal(mesh.points, self.x)
+        np.testing.assert_array_equal(mesh.cells_dict["hexahedron"], self.element)
+        np.testing.assert_array_equal(mesh.point_data["displacement"], u)
+
+
+if __name__ == "__main__":
+    unittest.main()
