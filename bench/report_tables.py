@@ -54,7 +54,7 @@ def moment(r):
 
 
 def time(r):
-    micro = 1e6 * r["seconds"]
+    micro = 1e6 * r["seconds"]["wall"]
     if not r["extra"]["seconds_with_derivatives"]:
         return f"{micro:.2g} µs"
     derivatives, cold = (1e6 * r["extra"][k] for k in ("seconds_with_derivatives", "seconds_cache_cold"))
@@ -63,7 +63,7 @@ def time(r):
 
 def exceeding(r, name):
     """(error, share of cases with a larger one), but for the largest."""
-    values = dict(r["series"])[name] if isinstance(r["series"], list) else r["series"][name]
+    values = r[name]
     return [(v, 1 - k / (len(values) - 1)) for k, v in enumerate(values[:-1])]
 
 

@@ -5,6 +5,8 @@
 
 #include "rollcon.h"
 
+static const double frictionless = 0;
+
 static int32_t must(int32_t status) {
   if (status >= 0) return status;
   fprintf(stderr, "%s: %s\n", rollcon_status_string(status), rollcon_last_error());
@@ -55,7 +57,9 @@ static void mesh(rollcon_context* context) {
   const int32_t top_element = 1, top_face = 1; /* counting from 0: the second element, its face 5678 */
   int32_t groups, kind, ids[8];
   int64_t n, i, step;
-  double u[36], force[3], moment[3], share;
+  const double weight[3] = {0, 0, -0.01}, axis_at[3] = {0.5, 0.5, 0}, turning[3] = {0, 0, 10},
+               middle[3] = {0.5, 0.5, 1};
+  double u[36], force[3], moment[3], share, stress[6 * 12], moved[3], at_points[6 * 64];
   char name[64];
   rollcon_body *bar, *copy;
   must(rollcon_body_create(context, ROLLCON_BODY_FEM, &bar));
@@ -73,12 +77,20 @@ static void mesh(rollcon_context* context) {
   must(rollcon_body_set_elastic(bar, 1, 1000, 0));
   must(rollcon_body_set_traction(bar, 2, traction));
   must(rollcon_body_set_pressure(bar, 2, 0.5));
+  must(rollcon_body_set_body_force(bar, 1, weight));
+  must(rollcon_body_set_rotation(bar, 1, 1e-6, axis_at, turning));
   must(rollcon_body_set_int(bar, "keep_factors", 1));
   must(rollcon_body_set_real(bar, "edge_angle", 35));
   must(rollcon_body_get_int(bar, "keep_factors", &step));
   must(rollcon_body_get_real(bar, "edge_angle", &share));
   must(rollcon_body_prepare(bar));
   must(rollcon_body_get_displacements(bar, 12, u));
+  must(rollcon_body_get_node_stresses(bar, 12, u, stress));
+  must(rollcon_body_get_point_stresses(bar, 12, u, 64, at_points, NULL, &n));
+  printf("%d integration points\n", (int)n);
+  must(rollcon_body_get_fields_at(bar, 12, u, 1, middle, moved, stress));
+  printf("its middle moves by %.4f, pulled by %.2f\n", moved[2], stress[2]);
+  must(rollcon_body_write(bar, "each_call.vtu", 12, u));
   must(rollcon_body_get_reaction(bar, force, moment));
   must(rollcon_body_get_kind(bar, &kind));
   printf("kind %d, end moves by %.4f, held with %.2f, options %d %.0f\n", (int)kind, u[35], force[2], (int)step, share);
@@ -90,6 +102,28 @@ static void mesh(rollcon_context* context) {
   if (rollcon_body_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_body_release(copy);
   rollcon_body_release(copy);
+  rollcon_body_release(bar);
+}
+
+/* A rigid ball on the bar's end. */
+static void pressed(rollcon_context* context) {
+  const double end[3] = {0.5, 0.5, 2}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+  double u[36];
+  rollcon_body *bar, *ball;
+  rollcon_contact* contact;
+  must(rollcon_body_load(context, "each_call.body", &bar));
+  must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &ball));
+  must(rollcon_contact_create(context, bar, ball, &contact));
+  must(rollcon_contact_set_axes(contact, end, along, up));
+  must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 8, 8, -0.4, 0.4, -0.4, 0.4));
+  must(rollcon_contact_set_gap_quadratic(contact, 0.1, 0.1, 0));
+  must(rollcon_contact_set_friction(contact, "coulomb", 1, &frictionless));
+  must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 5));
+  must(rollcon_contact_solve(contact));
+  must(rollcon_contact_get_body_displacements(contact, 1, 36, u, NULL));
+  printf("its corner under a ball moves by %.4f\n", u[35]);
+  rollcon_contact_release(contact);
+  rollcon_body_release(ball);
   rollcon_body_release(bar);
 }
 
@@ -144,6 +178,7 @@ int main(void) {
   contexts(context, &lines);
   write_mesh("each_call.inp");
   mesh(context);
+  pressed(context);
   tables_of_bodies();
   profiles(context);
   frame(context);

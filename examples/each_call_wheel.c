@@ -90,6 +90,8 @@ static void wheels(rollcon_context* context) {
   const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
   const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
   double force[3], moment[3], pressure, totals[9], points[26], conicity[2], wavelength[2];
+  const double archard = 1e-9; /* mm^2/N */
+  double worn[100];
   char text[64];
   int32_t status;
   rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
@@ -119,6 +121,8 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_reset(copy));
   must(rollcon_wheelrail_solve_many(copy, 1, position, velocity, totals, &status));
   printf("a list of positions: status %d\n", (int)status);
+  must(rollcon_wheelrail_find_wear(copy, 1, position, velocity, NULL, "archard", 1, &archard, 100, worn, NULL, NULL,
+                                   NULL));
   must(rollcon_wheelrail_retain(copy));
   if (rollcon_wheelrail_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_wheelrail_release(copy);
