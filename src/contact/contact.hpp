@@ -133,6 +133,8 @@ class Contact {
   /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
   /// be null. See rollcon_contact_get_stresses_at.
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
+  /// Of the surfaces of both bodies at points (t1, t2). See rollcon_contact_get_temperatures_at.
+  void temperatures_at(std::int64_t n, const double* xy, double* temperature) const;
   /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
   double stat(const char* name) const;  ///< err_option: unknown name

@@ -10,6 +10,7 @@
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
 #include "contact/results/stresses.hpp"
+#include "contact/settle/settle_friction.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -56,6 +57,8 @@ std::int64_t components_of(Field field, InAxes axes) {
     case Field::slip:
     case Field::rigid_slip:
       return axes == InAxes::local ? 2 : 3;
+    case Field::temperature:
+      return 2;
     default:
       return 1;
   }
@@ -101,7 +104,7 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
       *out = p.weight[k];
       return;
     case Field::friction:
-      *out = s.frictionless || !p.law->falls() ? p.mu[k]
+      *out = s.frictionless || !p.law->falls() ? s.given.coefficient(p.mu, k)
                                                : p.law->coefficient({p.mu[k], 0, 0, 0, s.slip[0][k] / s.prepared->speed,
                                                                      s.slip[1][k] / s.prepared->speed});
       return;
@@ -138,6 +141,10 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   require_capacity(capacity, needed, "doubles");
   const bool at_slip = field == Field::friction && s.prepared->problem.law->falls();
   if (at_slip || field == Field::gap || field == Field::slip || field == Field::friction_power) derive_fields(s);
+  if (field == Field::temperature) {
+    node_temperatures(s, scene.heat(), {v, 2 * n});
+    return needed;
+  }
   if (field == Field::displacement1 || field == Field::displacement2) {
     std::vector<double> xy(2 * n);
     for (std::size_t k = 0; k < n; ++k) xy[2 * k] = frame.x[k], xy[2 * k + 1] = frame.y[k];
@@ -228,6 +235,14 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
   require_solution(*state_, scene);
   find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
+}
+
+void Contact::temperatures_at(std::int64_t n, const double* xy, double* temperature) const {
+  require_solution(*state_, scene);
+  const auto points = static_cast<std::size_t>(n);
+  std::vector<double> x(points), y(points);
+  for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
+  rollcon::temperatures_at(*state_, scene.heat(), x, y, {temperature, 2 * points});
 }
 
 double Contact::fatigue_index(double shear_yield) const {

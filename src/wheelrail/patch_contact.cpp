@@ -46,7 +46,7 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
     : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {}
 
-Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, double friction,
+Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                            const LatticeSize& size, double give_way) {
   now_.solves = ++solves_;
   now_.patch = patch;
@@ -103,12 +103,23 @@ void PatchContact::return_to(const Kept& kept) {
   contact_->return_to(kept.solution);
 }
 
-void PatchContact::prescribe(double give_way, double friction) {
+// Points across count from the middle of the frame, along t2.
+void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.give_way = give_way;
   now_.friction = friction;
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
-  contact_->scene.set_friction("coulomb", 1, &friction);
+  contact_->scene.set_friction("coulomb", 1, &friction.mu);
+  const std::size_t n = friction.points;
+  std::array<double, PatchFriction::most> y{}, mu{};
+  const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;
+  const double middle = 0.5 * (now_.patch.low + now_.patch.high);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t from = along ? i : n - 1 - i;
+    y[i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
+    mu[i] = friction.at[from];
+  }
+  contact_->scene.set_friction_across(static_cast<std::int64_t>(n), y.data(), mu.data());
 }
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.

@@ -26,6 +26,15 @@ struct WheelMotion {
   double speed = 0;  ///< forward, of the wheelset; not 0
 };
 
+/// Friction of a patch: one coefficient, or those at points across it, linear between.
+struct PatchFriction {
+  static constexpr std::size_t most = 33;
+  double mu = 0;
+  std::size_t points = 0;              ///< 0: mu everywhere
+  std::array<double, most> lateral{};  ///< from the patch's reference, ascending
+  std::array<double, most> at{};
+};
+
 class PatchContact {
  public:
   /// Bodies: the wheel and the rail with their profiles in place.
@@ -33,8 +42,8 @@ class PatchContact {
 
   /// The overlap is all that presses, less what the surfaces give way under other patches. Warm where the patch was
   /// solved before.
-  Status solve(const OverlapPatch& patch, const WheelMotion& motion, double friction, const LatticeSize& size,
-               double give_way);
+  Status solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
+               const LatticeSize& size, double give_way);
   void reset();
   /// As if it had never been used, counters included.
   void begin_anew() {
@@ -69,7 +78,8 @@ class PatchContact {
   /// All of it but the contact.
   struct State {
     OverlapPatch patch;
-    double give_way = 0, friction = 0;
+    double give_way = 0;
+    PatchFriction friction;
     WheelMotion motion;
     Axes axes;
     LatticeSize size;
@@ -86,7 +96,7 @@ class PatchContact {
   };
   static constexpr double usual_margin = 1.05;
 
-  void prescribe(double give_way, double friction);
+  void prescribe(double give_way, const PatchFriction& friction);
   void stand(const WheelMotion& motion);
   void lay_frame(const LatticeSize& size);
   void put_frame(const LatticeSize& size, const FramePlace& place);

@@ -37,6 +37,8 @@ class WheelRail {
   /// how: by motion: z of the position; by force: the vertical force on the rail.
   void prescribe_vertical(std::int32_t how, double force);
   void set_friction(double mu);
+  /// By the inclination of the rail, linear between points with ascending angles; n = 0: that of set_friction().
+  void set_friction_by_angle(std::int64_t n, const double* angle, const double* mu);
   void set_accuracy(double accuracy);
 
   /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
@@ -105,6 +107,7 @@ class WheelRail {
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
     double load = 0, friction = 0, accuracy = 0.01;
+    std::vector<double> friction_angle, friction_at_angle;
   };
   struct Kept;
   struct Stat;
@@ -117,6 +120,7 @@ class WheelRail {
   Pose wheel_pose(const WheelsetState& position, double z) const;
   WheelMotion motion_at(double z) const;
   Status solve_at(double z);
+  PatchFriction friction_of(const OverlapPatch& patch) const;
   Status meet_force();
   void tell(Status status) const;
   double first_sink(double touch);

@@ -9,6 +9,8 @@
 namespace rollcon {
 namespace {
 
+constexpr double most_friction = 10;
+
 WheelsetState state_of(const double* v, const char* name, double side) {
   require_pointer(v, name);
   for (int i = 0; i < 6; ++i)
@@ -95,10 +97,29 @@ void WheelRail::prescribe_vertical(std::int32_t how, double force) {
 
 void WheelRail::set_friction(double mu) {
   require_finite(mu, "mu");
-  constexpr double most = 10;
-  if (!(mu >= 0 && mu <= most)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
+  if (!(mu >= 0 && mu <= most_friction)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
   in_.friction = mu;
   in_.friction_given = true;
+}
+
+void WheelRail::set_friction_by_angle(std::int64_t n, const double* angle, const double* mu) {
+  require_count(n, "n");
+  if (n > 0) {
+    require_pointer(angle, "angle");
+    require_pointer(mu, "mu");
+  }
+  require_finite(n, 1, angle, "angle", 0);
+  require_finite(n, 1, mu, "mu", 0);
+  for (std::int64_t i = 0; i < n; ++i) {
+    if (!(mu[i] >= 0 && mu[i] <= most_friction))
+      fail(Status::err_argument, "mu of point %lld (counting from 0) is %g; allowed: 0 to %g",
+           static_cast<long long>(i), mu[i], most_friction);
+    if (i > 0 && !(angle[i] > angle[i - 1]))
+      fail(Status::err_argument, "angle of point %lld (counting from 0) is %g; allowed: above that before, %g",
+           static_cast<long long>(i), angle[i], angle[i - 1]);
+  }
+  in_.friction_angle.assign(angle, angle + n);
+  in_.friction_at_angle.assign(mu, mu + n);
 }
 
 void WheelRail::set_accuracy(double accuracy) {

@@ -79,6 +79,11 @@ const char* const recorded_names[] = {
   "contact_set_creep_field",
   "contact_prescribe",
   "contact_set_friction",
+  "contact_set_friction_memory",
+  "contact_set_layer",
+  "contact_set_layer_yield",
+  "contact_set_friction_across",
+  "contact_set_heat",
   "contact_set_friction_field",
   "contact_set_int",
   "contact_set_real",
@@ -108,6 +113,7 @@ const char* const recorded_names[] = {
   "contact_get_sensitivity",
   "contact_get_displacements_at",
   "contact_get_stresses_at",
+  "contact_get_temperatures_at",
   "contact_get_fatigue_index",
   "stress_invariants",
   "contact_get_stat",
@@ -127,6 +133,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_velocity",
   "wheelrail_prescribe_vertical",
   "wheelrail_set_friction",
+  "wheelrail_set_friction_by_angle",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
   "wheelrail_request_cancel",
@@ -171,7 +178,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 164;
+const int recorded_number = 171;
 
 enum {
   recorded_rollcon_version,
@@ -248,6 +255,11 @@ enum {
   recorded_rollcon_contact_set_creep_field,
   recorded_rollcon_contact_prescribe,
   recorded_rollcon_contact_set_friction,
+  recorded_rollcon_contact_set_friction_memory,
+  recorded_rollcon_contact_set_layer,
+  recorded_rollcon_contact_set_layer_yield,
+  recorded_rollcon_contact_set_friction_across,
+  recorded_rollcon_contact_set_heat,
   recorded_rollcon_contact_set_friction_field,
   recorded_rollcon_contact_set_int,
   recorded_rollcon_contact_set_real,
@@ -277,6 +289,7 @@ enum {
   recorded_rollcon_contact_get_sensitivity,
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
+  recorded_rollcon_contact_get_temperatures_at,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_stress_invariants,
   recorded_rollcon_contact_get_stat,
@@ -296,6 +309,7 @@ enum {
   recorded_rollcon_wheelrail_set_velocity,
   recorded_rollcon_wheelrail_prescribe_vertical,
   recorded_rollcon_wheelrail_set_friction,
+  recorded_rollcon_wheelrail_set_friction_by_angle,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
   recorded_rollcon_wheelrail_request_cancel,
@@ -989,6 +1003,52 @@ rollcon_status rollcon_contact_set_friction(rollcon_contact *contact, const char
   return record_end();
 }
 
+rollcon_status rollcon_contact_set_friction_memory(rollcon_contact *contact, double length,
+    double least_speed) {
+  record_begin(recorded_rollcon_contact_set_friction_memory);
+  record_handle(contact);
+  record_real(length);
+  record_real(least_speed);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_layer(rollcon_contact *contact, double flexibility) {
+  record_begin(recorded_rollcon_contact_set_layer);
+  record_handle(contact);
+  record_real(flexibility);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double stress,
+    double hardening) {
+  record_begin(recorded_rollcon_contact_set_layer_yield);
+  record_handle(contact);
+  record_real(stress);
+  record_real(hardening);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_friction_across(rollcon_contact *contact, int64_t n,
+    const double *y, const double *mu) {
+  record_begin(recorded_rollcon_contact_set_friction_across);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(y, n);
+  record_reals(mu, n);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_heat(rollcon_contact *contact, int32_t which,
+    double conductivity, double heat_capacity, double temperature) {
+  record_begin(recorded_rollcon_contact_set_heat);
+  record_handle(contact);
+  record_integer(which);
+  record_real(conductivity);
+  record_real(heat_capacity);
+  record_real(temperature);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_set_friction_field(rollcon_contact *contact, int64_t n,
     const double *mu) {
   record_begin(recorded_rollcon_contact_set_friction_field);
@@ -1290,6 +1350,17 @@ rollcon_status rollcon_contact_get_stresses_at(const rollcon_contact *contact, i
   return record_end();
 }
 
+rollcon_status rollcon_contact_get_temperatures_at(const rollcon_contact *contact, int64_t n,
+    const double *xy, double *temperature) {
+  record_begin(recorded_rollcon_contact_get_temperatures_at);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(xy, n * 2);
+  record_room(temperature);
+  give_reals(temperature, n * 2, 3);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
     double shear_yield, double *index) {
   record_begin(recorded_rollcon_contact_get_fatigue_index);
@@ -1464,6 +1535,16 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
   record_begin(recorded_rollcon_wheelrail_set_friction);
   record_handle(wheelrail);
   record_real(mu);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *angle, const double *mu) {
+  record_begin(recorded_rollcon_wheelrail_set_friction_by_angle);
+  record_handle(wheelrail);
+  record_integer(n);
+  record_reals(angle, n);
+  record_reals(mu, n);
   return record_end();
 }
 

@@ -159,6 +159,16 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_prescribe(object, 1, 1, 1));
   check("rollcon_contact_set_friction", false,
         rollcon_contact_set_friction(object, "never_written", 1, a.reals));
+  check("rollcon_contact_set_friction_memory", false,
+        rollcon_contact_set_friction_memory(object, 1, 1));
+  check("rollcon_contact_set_layer", false,
+        rollcon_contact_set_layer(object, 1));
+  check("rollcon_contact_set_layer_yield", false,
+        rollcon_contact_set_layer_yield(object, 1, 1));
+  check("rollcon_contact_set_friction_across", false,
+        rollcon_contact_set_friction_across(object, 1, a.reals, a.reals));
+  check("rollcon_contact_set_heat", false,
+        rollcon_contact_set_heat(object, 1, 1, 1, 1));
   check("rollcon_contact_set_friction_field", false,
         rollcon_contact_set_friction_field(object, 1, a.reals));
   check("rollcon_contact_set_int", false,
@@ -207,6 +217,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_displacements_at(object, 1, 1, a.reals, a.out));
   check("rollcon_contact_get_stresses_at", false,
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_get_temperatures_at", false,
+        rollcon_contact_get_temperatures_at(object, 1, a.reals, a.out));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
   check("rollcon_contact_get_stat", false,
@@ -241,6 +253,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_prescribe_vertical(object, 1, 1));
   check("rollcon_wheelrail_set_friction", false,
         rollcon_wheelrail_set_friction(object, 1));
+  check("rollcon_wheelrail_set_friction_by_angle", false,
+        rollcon_wheelrail_set_friction_by_angle(object, 1, a.reals, a.reals));
   check("rollcon_wheelrail_set_accuracy", false,
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,

@@ -240,13 +240,17 @@ class Mapping(unittest.TestCase):
         check(u, (2, 3), 500.5, "contact_get_stresses_at", f"contact1 2 2 {WRITTEN} room room")
         np.testing.assert_equal(stress, 400.5 + np.arange(12).reshape(2, 6))
         self.refuses("shape", contact.stresses_at, 2, X[:, :2])
+        check(contact.temperatures_at(X[:, :2]), (2, 2), 300.5, "contact_get_temperatures_at",
+              "contact1 2 [1.5 2.5 4.5 5.5] room")
+        self.refuses("shape", contact.temperatures_at, X)
         check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
         np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
         self.told("contact_get_error_function", "contact1 2 room room room")
         for function, arguments in ((self.body.displacements, ()), (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
-                                    (contact.stresses_at, (1, X)), (rc.stress_invariants, (np.hstack([X, X]),)),
+                                    (contact.temperatures_at, (X[:, :2],)), (contact.stresses_at, (1, X)),
+                                    (rc.stress_invariants, (np.hstack([X, X]),)),
                                     (self.body.set, ("a name", 1)), (self.body.get, ("a name",))):
             self.fails(function, *arguments)
 

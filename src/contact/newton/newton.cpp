@@ -56,7 +56,7 @@ void Newton::begin_prediction() {
   prediction.reserve(p.nodes);
   prediction.begin(given, it);
   double friction = 0;
-  for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.friction * p.mu[k] * p.weight[k] * it.lambda[2][k];
+  for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.coefficient(p.mu, k) * p.weight[k] * it.lambda[2][k];
   std::array<double, 4> weight{};
   for (const int m : {xi1, xi2, spin})
     weight[at(m)] = given.by_force[at(m)] ? friction * (m == spin ? p.length : 1) : creep_scale(p, given, it, m);
