@@ -908,14 +908,13 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_layer_yield
 
-    function rollcon_contact_set_friction_across(contact, n, y, mu) &
+    function rollcon_contact_set_friction_across(contact, n, points) &
         result(rc) bind(C, name="rollcon_contact_set_friction_across")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: contact
       integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: y(*)
-      real(c_double), intent(in) :: mu(*)
+      real(c_double), intent(in) :: points(*)
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_friction_across
 
@@ -1430,14 +1429,13 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction
 
-    function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, angle, mu) &
+    function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, points) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
       implicit none
       type(c_ptr), value :: wheelrail
       integer(c_int64_t), value :: n
-      real(c_double), intent(in) :: angle(*)
-      real(c_double), intent(in) :: mu(*)
+      real(c_double), intent(in) :: points(*)
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_set_friction_by_angle
 

@@ -560,13 +560,17 @@ contains
   !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker: in
   !> place of the coefficient (the greatest) of rollcon_contact_set_friction, where rollcon_contact_set_friction_field
   !> gives none.
-  subroutine contact_set_friction_across(self, y, mu, stat, errmsg)
+  subroutine contact_set_friction_across(self, points, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
-    real(rc_real), intent(in), contiguous :: y(:)
-    real(rc_real), intent(in), contiguous :: mu(:)
+    real(rc_real), intent(in), contiguous :: points(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_contact_set_friction_across(self%p, size(y, 1, rc_long), y, mu), self%p, &
+    if (size(points, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%set_friction_across', stat, errmsg, &
+      'the first extent of points must be 2')
+      return
+    end if
+    call finish(rollcon_contact_set_friction_across(self%p, size(points, 2, rc_long), points), self%p, &
       'rc_contact%set_friction_across', stat, errmsg)
   end subroutine
 

@@ -804,12 +804,12 @@ subroutine rclayy(icon, stress, hardening, ierr)
 end subroutine
 
 !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker.
-subroutine rcfria(icon, n, y, xmu, ierr)
+subroutine rcfria(icon, n, points, ierr)
   use rollcon_f77_support
   implicit none
   integer :: icon, n, ierr
-  double precision :: y(*), xmu(*)
-  ierr = rollcon_contact_set_friction_across(contact_of(icon), int(n, c_int64_t), y, xmu)
+  double precision :: points(*)
+  ierr = rollcon_contact_set_friction_across(contact_of(icon), int(n, c_int64_t), points)
 end subroutine
 
 !> Says what a body does with heat, for the surface temperatures of a solution (rollcon_contact_get_temperatures_.
@@ -1337,12 +1337,12 @@ subroutine rcwfri(iwr, xmu, ierr)
 end subroutine
 
 !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.
-subroutine rcwfra(iwr, n, angle, xmu, ierr)
+subroutine rcwfra(iwr, n, points, ierr)
   use rollcon_f77_support
   implicit none
   integer :: iwr, n, ierr
-  double precision :: angle(*), xmu(*)
-  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), int(n, c_int64_t), angle, xmu)
+  double precision :: points(*)
+  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), int(n, c_int64_t), points)
 end subroutine
 
 !> Sets how accurate forces are to be.

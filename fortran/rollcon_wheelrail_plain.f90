@@ -201,13 +201,17 @@ contains
   !> place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under dry heads. The inclination is atan
   !> dz/dy of a right rail with y to the right and z down, its cant included, its deviation not: negative on the gauge
   !> face; left rails are mirrored, so that one table serves both.
-  subroutine wheelrail_set_friction_by_angle(self, angle, mu, stat, errmsg)
+  subroutine wheelrail_set_friction_by_angle(self, points, stat, errmsg)
     class(rc_wheelrail_plain), intent(inout) :: self
-    real(rc_real), intent(in), contiguous :: angle(:)
-    real(rc_real), intent(in), contiguous :: mu(:)
+    real(rc_real), intent(in), contiguous :: points(:, :)
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
-    call finish(rollcon_wheelrail_set_friction_by_angle(self%p, size(angle, 1, rc_long), angle, mu), self%p, &
+    if (size(points, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_wheelrail%set_friction_by_angle', stat, errmsg, &
+      'the first extent of points must be 2')
+      return
+    end if
+    call finish(rollcon_wheelrail_set_friction_by_angle(self%p, size(points, 2, rc_long), points), self%p, &
       'rc_wheelrail%set_friction_by_angle', stat, errmsg)
   end subroutine
 

@@ -1221,13 +1221,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer_yield(rollcon_
  * of any maker: in place of the coefficient (the greatest) of rollcon_contact_set_friction, where
  * rollcon_contact_set_friction_field gives none.
  *   n        points; 0 removes them
- *   y        [n]; along t2 from the origin of the axes, ascending, length; NULL only with n = 0
- *   mu       [n]; >= 0; NULL only with n = 0
+ *   points   [n][2]; y along t2 from the origin of the axes, ascending, length, and mu >= 0; NULL
+ *            only with n = 0
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/friction.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_across(
-    rollcon_contact *contact, int64_t n, const double *y, const double *mu);
+    rollcon_contact *contact, int64_t n, const double *points);
 
 /*
  * Says what a body does with heat, for the surface temperatures of a solution
@@ -1837,13 +1837,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction(
  * cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that
  * one table serves both.
  *   n          points; 0: none, one coefficient everywhere
- *   angle      [n]; radian, ascending; NULL only with n = 0
- *   mu         [n]; 0 to 10; NULL only with n = 0
+ *   points     [n][2]; inclination, radian, ascending, and mu, 0 to 10; NULL only with n = 0
  * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
  * Source: docs/friction.md.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
-    rollcon_wheelrail *wheelrail, int64_t n, const double *angle, const double *mu);
+    rollcon_wheelrail *wheelrail, int64_t n, const double *points);
 
 /*
  * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.

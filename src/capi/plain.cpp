@@ -270,9 +270,9 @@ rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double 
 }
 
 rollcon_status rollcon_contact_set_friction_across(rollcon_contact *contact, int64_t n,
-    const double *y, const double *mu) {
+    const double *points) {
   return with_contact(__func__, contact, [&](Contact& self) {
-    self.scene.set_friction_across(n, y, mu);
+    self.scene.set_friction_across(n, points);
   });
 }
 
@@ -413,9 +413,9 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
 }
 
 rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
-    const double *angle, const double *mu) {
+    const double *points) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
-    self.set_friction_by_angle(n, angle, mu);
+    self.set_friction_by_angle(n, points);
   });
 }
 

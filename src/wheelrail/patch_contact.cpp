@@ -111,15 +111,15 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
                             -give_way);
   contact_->scene.set_friction("coulomb", 1, &friction.mu);
   const std::size_t n = friction.points;
-  std::array<double, PatchFriction::most> y{}, mu{};
+  std::array<double, 2 * PatchFriction::most> point{};
   const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;
   const double middle = 0.5 * (now_.patch.low + now_.patch.high);
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t from = along ? i : n - 1 - i;
-    y[i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
-    mu[i] = friction.at[from];
+    point[2 * i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
+    point[2 * i + 1] = friction.at[from];
   }
-  contact_->scene.set_friction_across(static_cast<std::int64_t>(n), y.data(), mu.data());
+  contact_->scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
 }
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.

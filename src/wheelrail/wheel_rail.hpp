@@ -37,8 +37,9 @@ class WheelRail {
   /// how: by motion: z of the position; by force: the vertical force on the rail.
   void prescribe_vertical(std::int32_t how, double force);
   void set_friction(double mu);
-  /// By the inclination of the rail, linear between points with ascending angles; n = 0: that of set_friction().
-  void set_friction_by_angle(std::int64_t n, const double* angle, const double* mu);
+  /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
+  /// set_friction().
+  void set_friction_by_angle(std::int64_t n, const double* points);
   void set_accuracy(double accuracy);
 
   /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.

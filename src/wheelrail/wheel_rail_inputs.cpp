@@ -102,24 +102,24 @@ void WheelRail::set_friction(double mu) {
   in_.friction_given = true;
 }
 
-void WheelRail::set_friction_by_angle(std::int64_t n, const double* angle, const double* mu) {
+void WheelRail::set_friction_by_angle(std::int64_t n, const double* points) {
   require_count(n, "n");
-  if (n > 0) {
-    require_pointer(angle, "angle");
-    require_pointer(mu, "mu");
-  }
-  require_finite(n, 1, angle, "angle", 0);
-  require_finite(n, 1, mu, "mu", 0);
+  if (n > 0) require_pointer(points, "points");
+  require_finite(n, 2, points, "points", 0);
   for (std::int64_t i = 0; i < n; ++i) {
-    if (!(mu[i] >= 0 && mu[i] <= most_friction))
+    const double angle = points[2 * i], mu = points[2 * i + 1];
+    if (!(mu >= 0 && mu <= most_friction))
       fail(Status::err_argument, "mu of point %lld (counting from 0) is %g; allowed: 0 to %g",
-           static_cast<long long>(i), mu[i], most_friction);
-    if (i > 0 && !(angle[i] > angle[i - 1]))
+           static_cast<long long>(i), mu, most_friction);
+    if (i > 0 && !(angle > points[2 * i - 2]))
       fail(Status::err_argument, "angle of point %lld (counting from 0) is %g; allowed: above that before, %g",
-           static_cast<long long>(i), angle[i], angle[i - 1]);
+           static_cast<long long>(i), angle, points[2 * i - 2]);
   }
-  in_.friction_angle.assign(angle, angle + n);
-  in_.friction_at_angle.assign(mu, mu + n);
+  const auto count = static_cast<std::size_t>(n);
+  in_.friction_angle.resize(count);
+  in_.friction_at_angle.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    in_.friction_angle[i] = points[2 * i], in_.friction_at_angle[i] = points[2 * i + 1];
 }
 
 void WheelRail::set_accuracy(double accuracy) {

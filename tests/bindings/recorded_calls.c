@@ -1029,12 +1029,11 @@ rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double 
 }
 
 rollcon_status rollcon_contact_set_friction_across(rollcon_contact *contact, int64_t n,
-    const double *y, const double *mu) {
+    const double *points) {
   record_begin(recorded_rollcon_contact_set_friction_across);
   record_handle(contact);
   record_integer(n);
-  record_reals(y, n);
-  record_reals(mu, n);
+  record_reals(points, n * 2);
   return record_end();
 }
 
@@ -1539,12 +1538,11 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
 }
 
 rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
-    const double *angle, const double *mu) {
+    const double *points) {
   record_begin(recorded_rollcon_wheelrail_set_friction_by_angle);
   record_handle(wheelrail);
   record_integer(n);
-  record_reals(angle, n);
-  record_reals(mu, n);
+  record_reals(points, n * 2);
   return record_end();
 }
 

@@ -166,7 +166,7 @@ void with_each_contact_call(const void* handle, Check&& check) {
   check("rollcon_contact_set_layer_yield", false,
         rollcon_contact_set_layer_yield(object, 1, 1));
   check("rollcon_contact_set_friction_across", false,
-        rollcon_contact_set_friction_across(object, 1, a.reals, a.reals));
+        rollcon_contact_set_friction_across(object, 1, a.reals));
   check("rollcon_contact_set_heat", false,
         rollcon_contact_set_heat(object, 1, 1, 1, 1));
   check("rollcon_contact_set_friction_field", false,
@@ -254,7 +254,7 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
   check("rollcon_wheelrail_set_friction", false,
         rollcon_wheelrail_set_friction(object, 1));
   check("rollcon_wheelrail_set_friction_by_angle", false,
-        rollcon_wheelrail_set_friction_by_angle(object, 1, a.reals, a.reals));
+        rollcon_wheelrail_set_friction_by_angle(object, 1, a.reals));
   check("rollcon_wheelrail_set_accuracy", false,
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,

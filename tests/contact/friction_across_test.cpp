@@ -12,7 +12,7 @@ namespace {
 
 using namespace contact_test;
 
-constexpr double at_y[] = {-0.5, 0.2, 0.6}, at_mu[] = {0.1, 0.4, 0.2};
+constexpr double points[] = {-0.5, 0.1, 0.2, 0.4, 0.6, 0.2};
 
 double wanted(double y) {
   if (y < -0.5) return 0.1;
@@ -29,7 +29,7 @@ std::vector<double> field_of(const Pair& pair, Field field) {
 TEST(friction_across, is_the_field_of_the_same_coefficients) {
   Pair pair(1e4, 0.3, 2e4, 0.2), other(1e4, 0.3, 2e4, 0.2);
   for (Pair* p : {&pair, &other}) sharp_scene(*p);
-  pair.contact->scene.set_friction_across(3, at_y, at_mu);
+  pair.contact->scene.set_friction_across(3, points);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   const std::vector<double> x = field_of(pair, Field::point), mu = field_of(pair, Field::friction);
   std::vector<double> given(x.size() / 3);
@@ -50,7 +50,7 @@ TEST(friction_across, is_the_field_of_the_same_coefficients) {
   pair.contact->solve();
   const std::vector<double> by_field = pair.tractions();
   pair.contact->scene.set_friction_field(0, nullptr);
-  pair.contact->scene.set_friction_across(0, nullptr, nullptr);
+  pair.contact->scene.set_friction_across(0, nullptr);
   pair.contact->solve();
   EXPECT_LE(largest_difference(pair.tractions(), by_field), 1e-11);
 }
@@ -64,7 +64,7 @@ TEST(friction_across, frames_of_the_librarys_choice) {
   s.set_gap_quadratic(0.01, 0.01, 0);
   s.prescribe(3, 1, 0.02);
   s.set_creep(1, 0, 0);
-  s.set_friction_across(3, at_y, at_mu);
+  s.set_friction_across(3, points);
   ASSERT_EQ(pair.contact->solve(), Status::ok);
   double force[3];
   pair.contact->resultant(InAxes::local, force, nullptr);
@@ -82,12 +82,12 @@ TEST(friction_across, frames_of_the_librarys_choice) {
 TEST(friction_across, refusals) {
   Pair pair(1e4, 0.3, 1e4, 0.3);
   Scene& s = pair.contact->scene;
-  const double falling[] = {0.2, -0.5}, negative[] = {0.1, -0.1}, not_finite[] = {0, NAN};
-  EXPECT_THROW(s.set_friction_across(2, falling, at_mu), Error);
-  EXPECT_THROW(s.set_friction_across(2, at_y, negative), Error);
-  EXPECT_THROW(s.set_friction_across(2, not_finite, at_mu), Error);
-  EXPECT_THROW(s.set_friction_across(-1, at_y, at_mu), Error);
-  EXPECT_THROW(s.set_friction_across(2, nullptr, at_mu), Error);
+  const double falling[] = {0.2, 0.1, -0.5, 0.1}, negative[] = {0, 0.1, 1, -0.1}, not_finite[] = {0, 0.1, NAN, 0.1};
+  EXPECT_THROW(s.set_friction_across(2, falling), Error);
+  EXPECT_THROW(s.set_friction_across(2, negative), Error);
+  EXPECT_THROW(s.set_friction_across(2, not_finite), Error);
+  EXPECT_THROW(s.set_friction_across(-1, points), Error);
+  EXPECT_THROW(s.set_friction_across(2, nullptr), Error);
   EXPECT_FALSE(s.friction_varies_across());
 }
 

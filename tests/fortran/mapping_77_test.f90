@@ -1051,11 +1051,11 @@ contains
     integer :: stat
     character(len=80) :: message
     call answers(ROLLCON_OK)
-    call rcfria(icon, 2, [2.125d0, 2.25d0], [3.125d0, 3.25d0], stat)
-    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25] [3.125 3.25]', stat)
+    call rcfria(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
     call answers(ROLLCON_ERR_STATE)
     message = ''
-    call rcfria(icon, 2, [2.125d0, 2.25d0], [3.125d0, 3.25d0], stat)
+    call rcfria(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
     call rclerr(message)
     call failed('contact_set_friction_across', stat, message)
   end subroutine
@@ -1697,11 +1697,11 @@ contains
     integer :: stat
     character(len=80) :: message
     call answers(ROLLCON_OK)
-    call rcwfra(iwr, 2, [2.125d0, 2.25d0], [3.125d0, 3.25d0], stat)
-    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25] [3.125 3.25]', stat)
+    call rcwfra(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25 2.375 2.5]', stat)
     call answers(ROLLCON_ERR_STATE)
     message = ''
-    call rcwfra(iwr, 2, [2.125d0, 2.25d0], [3.125d0, 3.25d0], stat)
+    call rcwfra(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
     call rclerr(message)
     call failed('wheelrail_set_friction_by_angle', stat, message)
   end subroutine

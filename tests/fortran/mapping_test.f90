@@ -606,11 +606,13 @@ contains
     integer :: stat
     character(len=80) :: message
     call answers(ROLLCON_OK)
-    call contact%set_friction_across([2.125_rc_real, 2.25_rc_real], [3.125_rc_real, 3.25_rc_real], stat, message)
-    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25] [3.125 3.25]', stat)
+    call contact%set_friction_across(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), &
+      stat, message)
+    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
     call answers(ROLLCON_ERR_STATE)
     message = ''
-    call contact%set_friction_across([2.125_rc_real, 2.25_rc_real], [3.125_rc_real, 3.25_rc_real], stat, message)
+    call contact%set_friction_across(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), &
+      stat, message)
     call failed('contact_set_friction_across', stat, message)
   end subroutine
 
@@ -920,13 +922,13 @@ contains
     integer :: stat
     character(len=80) :: message
     call answers(ROLLCON_OK)
-    call wheelrail%set_friction_by_angle([2.125_rc_real, 2.25_rc_real], [3.125_rc_real, 3.25_rc_real], stat, &
-      message)
-    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25] [3.125 3.25]', stat)
+    call wheelrail%set_friction_by_angle(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, &
+      2]), stat, message)
+    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25 2.375 2.5]', stat)
     call answers(ROLLCON_ERR_STATE)
     message = ''
-    call wheelrail%set_friction_by_angle([2.125_rc_real, 2.25_rc_real], [3.125_rc_real, 3.25_rc_real], stat, &
-      message)
+    call wheelrail%set_friction_by_angle(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, &
+      2]), stat, message)
     call failed('wheelrail_set_friction_by_angle', stat, message)
   end subroutine
 

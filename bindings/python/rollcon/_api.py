@@ -273,9 +273,7 @@ FUNCTIONS = {
     "rollcon_contact_set_friction_memory": (c_int32, [c_void_p, c_double, c_double]),
     "rollcon_contact_set_layer": (c_int32, [c_void_p, c_double]),
     "rollcon_contact_set_layer_yield": (c_int32, [c_void_p, c_double, c_double]),
-    "rollcon_contact_set_friction_across": (c_int32, [
-        c_void_p, c_int64,
-        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_set_friction_across": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_heat": (c_int32, [c_void_p, c_int32, c_double, c_double, c_double]),
     "rollcon_contact_set_friction_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_int": (c_int32, [c_void_p, c_char_p, c_int64]),
@@ -354,9 +352,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_velocity": (c_int32, [c_void_p, POINTER(c_double)]),
     "rollcon_wheelrail_prescribe_vertical": (c_int32, [c_void_p, c_int32, c_double]),
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
-    "rollcon_wheelrail_set_friction_by_angle": (c_int32, [
-        c_void_p, c_int64,
-        POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wheelrail_set_friction_by_angle": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
     "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
@@ -583,7 +579,7 @@ ARGUMENTS = {
     "rollcon_contact_set_friction_memory": [("contact", ""), ("length", ""), ("least_speed", "")],
     "rollcon_contact_set_layer": [("contact", ""), ("flexibility", "")],
     "rollcon_contact_set_layer_yield": [("contact", ""), ("stress", ""), ("hardening", "")],
-    "rollcon_contact_set_friction_across": [("contact", ""), ("n", ""), ("y", ""), ("mu", "")],
+    "rollcon_contact_set_friction_across": [("contact", ""), ("n", ""), ("points", "")],
     "rollcon_contact_set_heat": [
         ("contact", ""), ("which", ""), ("conductivity", ""), ("heat_capacity", ""),
         ("temperature", "")
@@ -675,9 +671,7 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_velocity": [("wheelrail", ""), ("velocity", "")],
     "rollcon_wheelrail_prescribe_vertical": [("wheelrail", ""), ("how", "how"), ("force", "")],
     "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
-    "rollcon_wheelrail_set_friction_by_angle": [
-        ("wheelrail", ""), ("n", ""), ("angle", ""), ("mu", "")
-    ],
+    "rollcon_wheelrail_set_friction_by_angle": [("wheelrail", ""), ("n", ""), ("points", "")],
     "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],
     "rollcon_wheelrail_request_cancel": [("wheelrail", "")],

@@ -502,25 +502,19 @@ class ContactPlain:
         """
         self._call("set_layer_yield", stress, hardening)
 
-    def set_friction_across(self, y: ArrayLike | None, mu: ArrayLike | None) -> None:
+    def set_friction_across(self, points: ArrayLike | None) -> None:
         """Sets friction coefficients along t2, linear between points and constant beyond them,
         for frames of any maker: in place of the coefficient (the greatest) of set_friction(),
         where set_friction_field() gives none.
 
-        y: along t2 from the origin of the axes, ascending, length.
-        mu: >= 0.
+        points: y along t2 from the origin of the axes, ascending, length, and mu >= 0.
         """
-        if y is None:
-            y = ()
-            y_at = None
+        if points is None:
+            points = ()
+            points_at = None
         else:
-            y, y_at = reals(y)
-        if mu is None:
-            mu = ()
-            mu_at = None
-        else:
-            mu, mu_at = reals(mu)
-        self._call("set_friction_across", len(y), y_at, mu_at)
+            points, points_at = reals(points, 2)
+        self._call("set_friction_across", len(points), points_at)
 
     def set_heat(self, which: int, conductivity: float, heat_capacity: float,
                  temperature: float) -> None:
@@ -740,27 +734,21 @@ class WheelrailPlain:
         """
         self._call("set_friction", mu)
 
-    def set_friction_by_angle(self, angle: ArrayLike | None, mu: ArrayLike | None) -> None:
+    def set_friction_by_angle(self, points: ArrayLike | None) -> None:
         """Sets coefficients by the inclination of the rail's surface, linear between points and
         constant beyond them, in place of that of set_friction(): lubricated gauge faces under dry
         heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
         cant included, its deviation not: negative on the gauge face; left rails are mirrored, so
         that one table serves both.
 
-        angle: radian, ascending.
-        mu: 0 to 10.
+        points: inclination, radian, ascending, and mu, 0 to 10.
         """
-        if angle is None:
-            angle = ()
-            angle_at = None
+        if points is None:
+            points = ()
+            points_at = None
         else:
-            angle, angle_at = reals(angle)
-        if mu is None:
-            mu = ()
-            mu_at = None
-        else:
-            mu, mu_at = reals(mu)
-        self._call("set_friction_by_angle", len(angle), angle_at, mu_at)
+            points, points_at = reals(points, 2)
+        self._call("set_friction_by_angle", len(points), points_at)
 
     def set_accuracy(self, accuracy: float) -> None:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that

@@ -165,7 +165,10 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  if (solve_.problem->law->falls()) next(Rung::fall_from_rest, fall_from_rest);
+  if (solve_.problem->law->falls()) {
+    next(Rung::fall_from_rest, fall_from_rest);
+    next(Rung::bracket_creep, bracket_before_fall);
+  }
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);

@@ -225,7 +225,7 @@ void Scene::set_layer_yield(double stress, double hardening) {
   ++revision.friction;
 }
 
-void Scene::set_friction_across(std::int64_t n, const double* y, const double* mu) {
+void Scene::set_friction_across(std::int64_t n, const double* points) {
   if (n == 0) {
     if (!across_y_.empty()) ++revision.friction;
     across_y_.clear();
@@ -233,21 +233,25 @@ void Scene::set_friction_across(std::int64_t n, const double* y, const double* m
     return;
   }
   require_count(n, "n");
-  require_pointer(y, "y");
-  require_pointer(mu, "mu");
-  require_finite(n, 1, y, "y", mesh_.index_base);
-  require_finite(n, 1, mu, "mu", mesh_.index_base);
+  require_pointer(points, "points");
+  require_finite(n, 2, points, "points", mesh_.index_base);
+  bool same = static_cast<std::size_t>(n) == across_y_.size();
   for (std::int64_t i = 0; i < n; ++i) {
+    const double y = points[2 * i], mu = points[2 * i + 1];
     const long long entry = static_cast<long long>(i) + mesh_.index_base;
-    if (mu[i] < 0)
+    if (mu < 0)
       fail(Status::err_argument, "mu of point %lld (counting from %d) is %g; allowed: 0 or more", entry,
-           mesh_.index_base, mu[i]);
-    if (i > 0 && !(y[i] > y[i - 1]))
+           mesh_.index_base, mu);
+    if (i > 0 && !(y > points[2 * i - 2]))
       fail(Status::err_argument, "y of point %lld (counting from %d) is %g; allowed: above that before, %g", entry,
-           mesh_.index_base, y[i], y[i - 1]);
+           mesh_.index_base, y, points[2 * i - 2]);
+    same = same && across_y_[static_cast<std::size_t>(i)] == y && across_mu_[static_cast<std::size_t>(i)] == mu;
   }
-  const bool another_y = replace(across_y_, n, y), another_mu = replace(across_mu_, n, mu);
-  if (another_y || another_mu) ++revision.friction;
+  if (same) return;
+  across_y_.resize(static_cast<std::size_t>(n));
+  across_mu_.resize(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < across_y_.size(); ++i) across_y_[i] = points[2 * i], across_mu_[i] = points[2 * i + 1];
+  ++revision.friction;
 }
 
 void Scene::set_heat(std::int32_t which, double conductivity, double capacity, double temperature) {

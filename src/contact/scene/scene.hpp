@@ -116,9 +116,9 @@ class Scene {
   void set_layer(double flexibility);
   /// It flows under a traction of stress + hardening times the flow; a stress of 0: never.
   void set_layer_yield(double stress, double hardening);
-  /// Coefficients along t2, linear between points with ascending y; in place of that of the law, where no field is
-  /// given. n = 0: none.
-  void set_friction_across(std::int64_t n, const double* y, const double* mu);
+  /// Coefficients along t2, linear between points (y, mu) with ascending y; in place of that of the law, where no field
+  /// is given. n = 0: none.
+  void set_friction_across(std::int64_t n, const double* points);
   /// Of body `which` (1 or 2).
   void set_heat(std::int32_t which, double conductivity, double capacity, double temperature);
 
