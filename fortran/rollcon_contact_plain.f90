@@ -709,7 +709,8 @@ contains
   !> parameters (one more for NORMAL where pressures stand alone) and one right side each; kept until the next solve.
   !> After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution,
   !> one that did not converge, or the parameter is a tangential force or spin moment without friction.
-  !> ROLLCON_ERR_SINGULAR: a load at the limit of friction.
+  !> ROLLCON_ERR_SINGULAR: a load at the limit of friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution
+  !> (of temperature, with a memory, of a layer that flows).
   subroutine contact_get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     integer(rc_int), intent(in) :: parameter

@@ -1552,13 +1552,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
  * until the next solve. After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself
  * is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or the parameter is a
  * tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
- * friction.
+ * friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a
+ * memory, of a layer that flows).
  *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION
  *   force      [3], out, may be NULL; of the force on body 1, local axes
  *   moment     [3], out, may be NULL; of its moment about the origin, local axes
  *   approach   out, may be NULL; of the approach
  *   creep      [3], out, may be NULL; of longitudinal and lateral creepage and spin
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, Newton's iteration.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(

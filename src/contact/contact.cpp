@@ -264,6 +264,7 @@ std::int64_t Contact::elements() const {
 void Contact::reset() {
   SolverState& s = *state_;
   s.iterate.clear();
+  s.settled_friction.share.clear();
   s.newton.linear().forget();
   s.warm_usable = s.solved = s.derived = s.laws_checked = false;
   s.history.clear();
@@ -418,7 +419,10 @@ Status Contact::solve_scene() {
   watch.tell(Phase::compliance, 0, 0, prepared - start);
   watch.prepared(prepared - start);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
-  if (!warm) s.iterate.clear();
+  if (!warm) {
+    s.iterate.clear();
+    s.settled_friction.share.clear();
+  }
   s.warm_usable = false;
 
   s.settled = true;

@@ -151,6 +151,10 @@ TEST(friction_memory, prescribed_force) {
     if (cold) pair.contact->reset();
     ASSERT_EQ(pair.contact->solve(), Status::ok) << pair.contact->plan();
     pair.contact->motion(&approach, creep);
+    // Nothing is left of the last solution's coefficients.
+    if (cold) {
+      EXPECT_GT(pair.contact->stat("friction_rounds"), 2);
+    }
     std::printf("%s: creepage off by %.1e (bound 1e-8)\n", cold ? "from nothing" : "warm", creep[0] / 4e-3 - 1);
     EXPECT_NEAR(creep[0], 4e-3, 4e-11);
   }

@@ -612,6 +612,8 @@ class ContactPlain:
         until the next solve. After NO_CONTACT only a prescribed motion's derivative by itself is
         not 0. ERR_STATE: no solution, one that did not converge, or the parameter is a tangential
         force or spin moment without friction. ERR_SINGULAR: a load at the limit of friction.
+        ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a memory, of a
+        layer that flows).
 
         parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION.
         force: of the force on body 1, local axes.

@@ -69,7 +69,11 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
-  if (!warm_ || options_.warm_start == 0) s.iterate.clear();
+  if (!warm_ || options_.warm_start == 0) {
+    s.iterate.clear();
+    s.settled_friction.share.clear();
+    s.given.share = {};
+  }
   warm_ = false;
   prescribe(parameter, value);
   if (s.frictionless) refuse_tangential_loads(s.given);

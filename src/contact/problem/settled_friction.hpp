@@ -7,7 +7,7 @@
 namespace rollcon {
 
 struct SettledFriction {
-  std::vector<double> share;  ///< of each node, over what its law reaches at most; empty: none was found yet
+  std::vector<double> share;  ///< of each node, over what its law reaches at most; empty: a solve starts from nothing
   std::int64_t rounds = 0;    ///< solves with given coefficients
   double change = 0;          ///< of mu p in the last one, over the greatest mu p
 };

@@ -58,9 +58,8 @@ void settle_friction(SolverState& s, double tolerance, const std::function<void(
   const FieldLaw& law = *p.law->of_field();
   const std::size_t n = at(p.nodes);
   SettledFriction& settled = s.settled_friction;
-  const auto& pressures = s.iterate.lambda[2];
-  const bool cold = std::all_of(pressures.begin(), pressures.end(), [](double l) { return l == 0; });
-  if (cold || settled.share.size() != n) settled.share.assign(n, 1.0);
+  const bool cold = settled.share.size() != n;
+  if (cold) settled.share.assign(n, 1.0);
   s.given.share = settled.share;
   settled.rounds = 0;
   settled.change = 1;

@@ -10,7 +10,7 @@
 namespace rollcon {
 
 /// solve: with the coefficients of state.given, to a tolerance; its report tells the outcome. Coefficients start from
-/// those of the last solution or, where the iterate is none, from the greatest. The report becomes that of all solves.
+/// those of state.settled_friction or, where it has none, from the greatest. The report becomes that of all solves.
 void settle_friction(SolverState& state, double tolerance, const std::function<void(double)>& solve);
 
 /// Of the surfaces of both bodies under the last solution, two a node. err_state: what a body does with heat is not
