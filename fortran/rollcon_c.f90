@@ -92,6 +92,7 @@ module rollcon_c
   integer(c_int32_t), parameter :: rollcon_field_rigid_slip = 10_c_int32_t
   integer(c_int32_t), parameter :: rollcon_field_friction_power = 11_c_int32_t
   integer(c_int32_t), parameter :: rollcon_field_weight = 12_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_field_temperature = 13_c_int32_t
 
   ! side
   integer(c_int32_t), parameter :: rollcon_left = -1_c_int32_t
@@ -1019,6 +1020,57 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_set_friction
 
+    function rollcon_contact_set_friction_memory(contact, length, least_speed) &
+        result(rc) bind(C, name="rollcon_contact_set_friction_memory")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: length
+      real(c_double), value :: least_speed
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_friction_memory
+
+    function rollcon_contact_set_layer(contact, flexibility) &
+        result(rc) bind(C, name="rollcon_contact_set_layer")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: flexibility
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_layer
+
+    function rollcon_contact_set_layer_yield(contact, stress, hardening) &
+        result(rc) bind(C, name="rollcon_contact_set_layer_yield")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      real(c_double), value :: stress
+      real(c_double), value :: hardening
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_layer_yield
+
+    function rollcon_contact_set_friction_across(contact, n, points) &
+        result(rc) bind(C, name="rollcon_contact_set_friction_across")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: points(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_friction_across
+
+    function rollcon_contact_set_heat(contact, which, conductivity, heat_capacity, temperature) &
+        result(rc) bind(C, name="rollcon_contact_set_heat")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: which
+      real(c_double), value :: conductivity
+      real(c_double), value :: heat_capacity
+      real(c_double), value :: temperature
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_set_heat
+
     function rollcon_contact_set_friction_field(contact, n, mu) &
         result(rc) bind(C, name="rollcon_contact_set_friction_field")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1334,6 +1386,17 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
 
+    function rollcon_contact_get_temperatures_at(contact, n, xy, temperature) &
+        result(rc) bind(C, name="rollcon_contact_get_temperatures_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xy(*)
+      real(c_double), intent(out) :: temperature(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_temperatures_at
+
     function rollcon_contact_get_fatigue_index(contact, shear_yield, index) &
         result(rc) bind(C, name="rollcon_contact_get_fatigue_index")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -1576,6 +1639,16 @@ module rollcon_c
       type(c_ptr), value :: wheelrail
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_forget_table
+
+    function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, points) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: points(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_friction_by_angle
 
     function rollcon_wheelrail_set_accuracy(wheelrail, accuracy) &
         result(rc) bind(C, name="rollcon_wheelrail_set_accuracy")

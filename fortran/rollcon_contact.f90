@@ -30,6 +30,7 @@ module rollcon_contact
     procedure :: get_stresses_at
     procedure :: get_body_displacements
     procedure :: get_wear
+    procedure :: get_temperatures_at
     procedure :: get_history
     procedure :: get_error_function
   end type
@@ -339,6 +340,24 @@ contains
     u = 0
     call finish(rollcon_contact_get_displacements_at(self%handle(), int(body, rc_int), size(xy, 2, rc_long), xy, u), &
       self%handle(), 'rc_contact%get_displacements_at', stat, errmsg)
+  end subroutine
+
+  !> Temperatures temperature(2,n) of the surfaces of bodies 1 and 2 at points xy(2,n) of the plane of the axes.
+  subroutine get_temperatures_at(self, xy, temperature, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    real(rc_real), intent(in), contiguous :: xy(:, :)
+    real(rc_real), allocatable, intent(out) :: temperature(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(xy, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_temperatures_at', stat, errmsg, &
+        'the first extent of xy must be 2')
+      return
+    end if
+    allocate (temperature(2, size(xy, 2)))
+    temperature = 0
+    call finish(rollcon_contact_get_temperatures_at(self%handle(), size(xy, 2, rc_long), xy, temperature), &
+      self%handle(), 'rc_contact%get_temperatures_at', stat, errmsg)
   end subroutine
 
   !> Stresses stress(6,n) (s11, s22, snn, s12, s1n, s2n) and displacements u(3,n) at points xyz(3,n) inside body 1 or 2, in

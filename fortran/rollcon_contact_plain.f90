@@ -38,6 +38,11 @@ module rollcon_contact_plain
     procedure :: set_creep_field => contact_set_creep_field
     procedure :: prescribe => contact_prescribe
     procedure :: set_friction => contact_set_friction
+    procedure :: set_friction_memory => contact_set_friction_memory
+    procedure :: set_layer => contact_set_layer
+    procedure :: set_layer_yield => contact_set_layer_yield
+    procedure :: set_friction_across => contact_set_friction_across
+    procedure :: set_heat => contact_set_heat
     procedure :: set_friction_field => contact_set_friction_field
     procedure :: request_cancel => contact_request_cancel
     procedure :: solve => contact_solve
@@ -507,10 +512,12 @@ contains
   !> tractions; "orthotropic_collinear": the same ellipse, slip against the traction. "linear", "rational",
   !> "exponential": friction that falls with the slip speed s, muk + mu1 f(s/s1) and, with 5 parameters, + mu2 f(s/s2),
   !> each half as great or less at its speed: f(x) = max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or
-  !> 2^-x. Several solutions may exist then: a solve from nothing begins with friction as at rest, a warm one continues
-  !> the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip. Where
-  !> rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at rest) and the law keeps
-  !> its ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone
+  !> 2^-x. "temperature": linear in the surface temperature between points T1, mu1, T2, mu2, ... with ascending
+  !> temperatures, constant beyond them (needs rollcon_contact_set_heat; steady rolling, no sensitivities). Where
+  !> friction falls several solutions may exist then: a solve from nothing begins with friction as at rest, a warm one
+  !> continues the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip.
+  !> Where rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at rest) and the law
+  !> keeps its ratios. The published procedures (options "system" and "jacobian") take "coulomb" alone
   !> (ROLLCON_ERR_UNSUPPORTED at the solve).
   subroutine contact_set_friction(self, law, parameters, stat, errmsg)
     class(rc_contact_plain), intent(inout) :: self
@@ -520,6 +527,80 @@ contains
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_contact_set_friction(self%p, c_text(law), size(parameters, 1, rc_int), parameters), self%p, &
       'rc_contact%set_friction', stat, errmsg)
+  end subroutine
+
+  !> Gives friction that falls with the slip speed a memory: for a particle of the surface d mu/dt = -max(s, s0)/dc (mu
+  !> - mu_s(s)), where mu_s is what the law without memory says; where surfaces come into contact mu is that at rest.
+  !> Coefficients then follow the whole solution and are found by solves with given ones (statistics friction_rounds and
+  !> friction_change). Holds for whatever law is set, if it falls, else the solve ends with ROLLCON_ERR_STATE. Steady
+  !> rolling only (steps in time: ROLLCON_ERR_UNSUPPORTED from the solve); no sensitivities (ROLLCON_ERR_UNSUPPORTED).
+  subroutine contact_set_friction_memory(self, length, least_speed, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: length
+    real(rc_real), intent(in) :: least_speed
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_friction_memory(self%p, length, least_speed), self%p, &
+      'rc_contact%set_friction_memory', stat, errmsg)
+  end subroutine
+
+  !> Puts a thin elastic layer between the bodies that gives way along the surface in proportion to the tangential
+  !> traction at each point, in series with both: thickness over shear modulus. The displacements of the bodies do not
+  !> contain it, slip does. The monolithic form (option "system") does not take it (ROLLCON_ERR_UNSUPPORTED at the
+  !> solve).
+  subroutine contact_set_layer(self, flexibility, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: flexibility
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_layer(self%p, flexibility), self%p, 'rc_contact%set_layer', stat, errmsg)
+  end subroutine
+
+  !> Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility 0) flow along the
+  !> surface under a traction of stress + hardening times the flow since the surfaces came into contact. Where that is
+  !> less than friction it bounds the traction, and what friction would call slip is flow. For laws "coulomb",
+  !> "temperature", and those that fall with a memory, others end with ROLLCON_ERR_UNSUPPORTED at the solve. Found by
+  !> solves with given coefficients as under rollcon_contact_set_friction_memory: steady rolling only, no sensitivities.
+  subroutine contact_set_layer_yield(self, stress, hardening, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in) :: stress
+    real(rc_real), intent(in) :: hardening
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_layer_yield(self%p, stress, hardening), self%p, 'rc_contact%set_layer_yield', stat, &
+      errmsg)
+  end subroutine
+
+  !> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker: in
+  !> place of the coefficient (the greatest) of rollcon_contact_set_friction, where rollcon_contact_set_friction_field
+  !> gives none.
+  subroutine contact_set_friction_across(self, points, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: points(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(points, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_contact%set_friction_across', stat, errmsg, &
+      'the first extent of points must be 2')
+      return
+    end if
+    call finish(rollcon_contact_set_friction_across(self%p, size(points, 2, rc_long), points), self%p, &
+      'rc_contact%set_friction_across', stat, errmsg)
+  end subroutine
+
+  !> Says what a body does with heat, for the surface temperatures of a solution (rollcon_contact_get_temperatures_at,
+  !> ROLLCON_FIELD_TEMPERATURE) and for friction that depends on them. Both bodies are to be told of; one of them may
+  !> take up none.
+  subroutine contact_set_heat(self, which, conductivity, heat_capacity, temperature, stat, errmsg)
+    class(rc_contact_plain), intent(inout) :: self
+    integer, intent(in) :: which
+    real(rc_real), intent(in) :: conductivity
+    real(rc_real), intent(in) :: heat_capacity
+    real(rc_real), intent(in) :: temperature
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_set_heat(self%p, int(which, rc_int), conductivity, heat_capacity, temperature), self%p, &
+      'rc_contact%set_heat', stat, errmsg)
   end subroutine
 
   !> Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
@@ -642,7 +723,8 @@ contains
   !> parameters (one more for NORMAL where pressures stand alone) and one right side each; kept until the next solve.
   !> After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself is not 0. ROLLCON_ERR_STATE: no solution,
   !> one that did not converge, or the parameter is a tangential force or spin moment without friction.
-  !> ROLLCON_ERR_SINGULAR: a load at the limit of friction.
+  !> ROLLCON_ERR_SINGULAR: a load at the limit of friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution
+  !> (of temperature, with a memory, of a layer that flows).
   subroutine contact_get_sensitivity(self, parameter, force, moment, approach, creep, stat, errmsg)
     class(rc_contact_plain), intent(in) :: self
     integer(rc_int), intent(in) :: parameter

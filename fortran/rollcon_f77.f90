@@ -925,6 +925,51 @@ subroutine rcfric(icon, law, n, par, ierr)
   ierr = rollcon_contact_set_friction(contact_of(icon), c_name(law), narrow(n), par)
 end subroutine
 
+!> Gives friction that falls with the slip speed a memory.
+subroutine rcfrim(icon, xlength, xleast_speed, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: xlength, xleast_speed
+  ierr = rollcon_contact_set_friction_memory(contact_of(icon), xlength, xleast_speed)
+end subroutine
+
+!> Puts a thin elastic layer between the bodies that gives way along the surface in proportion to the tangential .
+subroutine rclayr(icon, flexibility, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: flexibility
+  ierr = rollcon_contact_set_layer(contact_of(icon), flexibility)
+end subroutine
+
+!> Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff.
+subroutine rclayy(icon, stress, hardening, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ierr
+  double precision :: stress, hardening
+  ierr = rollcon_contact_set_layer_yield(contact_of(icon), stress, hardening)
+end subroutine
+
+!> Sets friction coefficients along t2, linear between points and constant beyond them, for frames of any maker.
+subroutine rcfria(icon, n, points, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, n, ierr
+  double precision :: points(*)
+  ierr = rollcon_contact_set_friction_across(contact_of(icon), int(n, c_int64_t), points)
+end subroutine
+
+!> Says what a body does with heat, for the surface temperatures of a solution (rollcon_contact_get_temperatures_.
+subroutine rcheat(icon, iwhich, conductivity, heat_capacity, temperature, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, iwhich, ierr
+  double precision :: conductivity, heat_capacity, temperature
+  ierr = rollcon_contact_set_heat(contact_of(icon), narrow(iwhich), conductivity, heat_capacity, temperature)
+end subroutine
+
 !> Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
 subroutine rcfrif(icon, n, xmu, ierr)
   use rollcon_f77_support
@@ -1257,6 +1302,15 @@ subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
   nv = int(n_values_c)
 end subroutine
 
+!> Temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional heat of t.
+subroutine rctmps(icon, n, xy, temperature, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, n, ierr
+  double precision :: xy(*), temperature(*)
+  ierr = rollcon_contact_get_temperatures_at(contact_of(icon), int(n, c_int64_t), xy, temperature)
+end subroutine
+
 !> Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn), with the area A .
 subroutine rcfati(icon, shear_yield, xindex, ierr)
   use rollcon_f77_support
@@ -1488,6 +1542,15 @@ subroutine rcwnot(iwr, ierr)
   implicit none
   integer :: iwr, ierr
   ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
+end subroutine
+
+!> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.
+subroutine rcwfra(iwr, n, points, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, n, ierr
+  double precision :: points(*)
+  ierr = rollcon_wheelrail_set_friction_by_angle(wheelrail_of(iwr), int(n, c_int64_t), points)
 end subroutine
 
 !> Sets how accurate forces are to be.

@@ -28,6 +28,7 @@ module rollcon_wheelrail_plain
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
     procedure :: forget_table => wheelrail_forget_table
+    procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
     procedure :: request_cancel => wheelrail_request_cancel
@@ -203,6 +204,24 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_forget_table(self%p), self%p, 'rc_wheelrail%forget_table', stat, errmsg)
+  end subroutine
+
+  !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in
+  !> place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under dry heads. The inclination is atan
+  !> dz/dy of a right rail with y to the right and z down, its cant included, its deviation not: negative on the gauge
+  !> face; left rails are mirrored, so that one table serves both.
+  subroutine wheelrail_set_friction_by_angle(self, points, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    real(rc_real), intent(in), contiguous :: points(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(points, 1) /= 2) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%p, 'rc_wheelrail%set_friction_by_angle', stat, errmsg, &
+      'the first extent of points must be 2')
+      return
+    end if
+    call finish(rollcon_wheelrail_set_friction_by_angle(self%p, size(points, 2, rc_long), points), self%p, &
+      'rc_wheelrail%set_friction_by_angle', stat, errmsg)
   end subroutine
 
   !> Sets how accurate forces are to be: the frames of the patches are as fine as that takes.

@@ -181,7 +181,8 @@ enum {
   ROLLCON_FIELD_PRESSURE       = 9,    /* [1] contact pressure >= 0, along levelled normals */
   ROLLCON_FIELD_RIGID_SLIP     = 10,   /* [2 or 3] slip velocity of the undeformed bodies */
   ROLLCON_FIELD_FRICTION_POWER = 11,   /* [1] frictional power per area, >= 0 */
-  ROLLCON_FIELD_WEIGHT         = 12    /* [1] integral of the shape function */
+  ROLLCON_FIELD_WEIGHT         = 12,   /* [1] integral of the shape function */
+  ROLLCON_FIELD_TEMPERATURE    = 13    /* [2] temperature of the surfaces of bodies 1 and 2 (rollcon_contact_set_heat) */
 };
 
 /* Side of the track, seen in the direction x of the track. */
@@ -1341,21 +1342,95 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_prescribe(rollcon_contac
  * slip against the traction. "linear", "rational", "exponential": friction that falls with the
  * slip speed s, muk + mu1 f(s/s1) and, with 5 parameters, + mu2 f(s/s2), each half as great or
  * less at its speed: f(x) = max(0, 1 - x/2), 1/(1 + x) (of the second term 1/(1 + x^2)), or 2^-x.
- * Several solutions may exist then: a solve from nothing begins with friction as at rest, a warm
- * one continues the last solution, the plan says which; ROLLCON_FIELD_FRICTION gives the
- * coefficient at the node's slip. Where rollcon_contact_set_friction_field gives coefficients,
- * each is the greatest of its node (at rest) and the law keeps its ratios. The published
- * procedures (options "system" and "jacobian") take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at
- * the solve).
+ * "temperature": linear in the surface temperature between points T1, mu1, T2, mu2, ... with
+ * ascending temperatures, constant beyond them (needs rollcon_contact_set_heat; steady rolling,
+ * no sensitivities). Where friction falls several solutions may exist then: a solve from nothing
+ * begins with friction as at rest, a warm one continues the last solution, the plan says which;
+ * ROLLCON_FIELD_FRICTION gives the coefficient at the node's slip. Where
+ * rollcon_contact_set_friction_field gives coefficients, each is the greatest of its node (at
+ * rest) and the law keeps its ratios. The published procedures (options "system" and "jacobian")
+ * take "coulomb" alone (ROLLCON_ERR_UNSUPPORTED at the solve).
  *   law         a name of a law
- *   n           parameters of the law: 1; 3 for the orthotropic ones; 3 or 5 for those that fall
- *   parameters  [n]; mu; mu1, mu2, angle; muk, mu1, s1, mu2, s2. Coefficients >= 0, of an ellipse
- *               at most 1000 times apart; speeds > 0, length/time
+ *   n           parameters of the law: 1; 3 for the orthotropic ones; 3 or 5 for those that fall;
+ *               4 to 64, even, for temperature
+ *   parameters  [n]; mu; mu1, mu2, angle; muk, mu1, s1, mu2, s2; T1, mu1, T2, mu2, ...
+ *               Coefficients >= 0, of an ellipse at most 1000 times apart; speeds > 0,
+ *               length/time
  * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_NONFINITE.
  * Source: docs/friction.md; Coulomb: equation (16) of the paper.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction(rollcon_contact *contact,
     const char *law, int32_t n, const double *parameters);
+
+/*
+ * Gives friction that falls with the slip speed a memory: for a particle of the surface d mu/dt =
+ * -max(s, s0)/dc (mu - mu_s(s)), where mu_s is what the law without memory says; where surfaces
+ * come into contact mu is that at rest. Coefficients then follow the whole solution and are found
+ * by solves with given ones (statistics friction_rounds and friction_change). Holds for whatever
+ * law is set, if it falls, else the solve ends with ROLLCON_ERR_STATE. Steady rolling only (steps
+ * in time: ROLLCON_ERR_UNSUPPORTED from the solve); no sensitivities (ROLLCON_ERR_UNSUPPORTED).
+ *   length       dc, length of slip, >= 0; 0: no memory
+ *   least_speed  s0 >= 0, slip speed, length/time
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_memory(
+    rollcon_contact *contact, double length, double least_speed);
+
+/*
+ * Puts a thin elastic layer between the bodies that gives way along the surface in proportion to
+ * the tangential traction at each point, in series with both: thickness over shear modulus. The
+ * displacements of the bodies do not contain it, slip does. The monolithic form (option "system")
+ * does not take it (ROLLCON_ERR_UNSUPPORTED at the solve).
+ *   flexibility  thickness over shear modulus, length^3/force, >= 0; 0: no layer
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer(rollcon_contact *contact,
+    double flexibility);
+
+/*
+ * Lets the layer between the bodies (rollcon_contact_set_layer, which may be stiff: flexibility
+ * 0) flow along the surface under a traction of stress + hardening times the flow since the
+ * surfaces came into contact. Where that is less than friction it bounds the traction, and what
+ * friction would call slip is flow. For laws "coulomb", "temperature", and those that fall with a
+ * memory, others end with ROLLCON_ERR_UNSUPPORTED at the solve. Found by solves with given
+ * coefficients as under rollcon_contact_set_friction_memory: steady rolling only, no
+ * sensitivities.
+ *   stress     >= 0, force/length^2; 0: never flows
+ *   hardening  force/length^3; negative: softening
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_layer_yield(rollcon_contact *contact,
+    double stress, double hardening);
+
+/*
+ * Sets friction coefficients along t2, linear between points and constant beyond them, for frames
+ * of any maker: in place of the coefficient (the greatest) of rollcon_contact_set_friction, where
+ * rollcon_contact_set_friction_field gives none.
+ *   n        points; 0 removes them
+ *   points   [n][2]; y along t2 from the origin of the axes, ascending, length, and mu >= 0; NULL
+ *            only with n = 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_friction_across(
+    rollcon_contact *contact, int64_t n, const double *points);
+
+/*
+ * Says what a body does with heat, for the surface temperatures of a solution
+ * (rollcon_contact_get_temperatures_at, ROLLCON_FIELD_TEMPERATURE) and for friction that depends
+ * on them. Both bodies are to be told of; one of them may take up none.
+ *   which          1 or 2: the body
+ *   conductivity   >= 0, power/(length temperature)
+ *   heat_capacity  >= 0, energy/(volume temperature): density times specific heat
+ *   temperature    far from the contact
+ * Also returns: ROLLCON_ERR_NONFINITE.
+ * Source: docs/friction.md; Ertz and Knothe 2002.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_set_heat(rollcon_contact *contact,
+    int32_t which, double conductivity, double heat_capacity, double temperature);
 
 /*
  * Sets the friction coefficient node by node, in place of that of rollcon_contact_set_friction.
@@ -1666,13 +1741,15 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_motion(
  * until the next solve. After ROLLCON_NO_CONTACT only a prescribed motion's derivative by itself
  * is not 0. ROLLCON_ERR_STATE: no solution, one that did not converge, or the parameter is a
  * tangential force or spin moment without friction. ROLLCON_ERR_SINGULAR: a load at the limit of
- * friction.
+ * friction. ROLLCON_ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a
+ * memory, of a layer that flows).
  *   parameter  ROLLCON_LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION
  *   force      [3], out, may be NULL; of the force on body 1, local axes
  *   moment     [3], out, may be NULL; of its moment about the origin, local axes
  *   approach   out, may be NULL; of the approach
  *   creep      [3], out, may be NULL; of longitudinal and lateral creepage and spin
- * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY.
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED,
+ *   ROLLCON_ERR_MEMORY.
  * Source: docs/theory.md, Newton's iteration.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_sensitivity(
@@ -1735,6 +1812,23 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
     const rollcon_contact *contact, int32_t body, int64_t capacity, double *u,
     int64_t *n_values);
+
+/*
+ * Temperatures of the surfaces of both bodies at any points of the plane of the axes by the
+ * frictional heat of the last solve, steady rolling, and what the bodies have far away
+ * (rollcon_contact_set_heat): before the contact, in it, where both have the same, and behind it.
+ * Heat is carried along the rolling direction and spreads into the depth alone, which holds where
+ * the speed times half the length of the contact is well above the diffusivity (conductivity over
+ * heat capacity). Frictional power varies linearly between nodes. ROLLCON_ERR_STATE: no solution,
+ * no heat given, or a step in time.
+ *   n            points, >= 0
+ *   xy           [n][2]; positions along t1 and t2 from the origin, length
+ *   temperature  [n][2], out; of bodies 1 and 2
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/friction.md; Ertz and Knothe 2002.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_temperatures_at(
+    const rollcon_contact *contact, int64_t n, const double *xy, double *temperature);
 
 /*
  * Index of surface-initiated rolling contact fatigue, FI = sqrt(F1^2 + F2^2)/Fn - 2 A k/(3 Fn),
@@ -2033,6 +2127,20 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_table(rollcon_whee
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
     rollcon_wheelrail *wheelrail);
+
+/*
+ * Sets coefficients by the inclination of the rail's surface, linear between points and constant
+ * beyond them, in place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under
+ * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
+ * cant included, its deviation not: negative on the gauge face; left rails are mirrored, so that
+ * one table serves both.
+ *   n          points; 0: none, one coefficient everywhere
+ *   points     [n][2]; inclination, radian, ascending, and mu, 0 to 10; NULL only with n = 0
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MEMORY.
+ * Source: docs/friction.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_friction_by_angle(
+    rollcon_wheelrail *wheelrail, int64_t n, const double *points);
 
 /*
  * Sets how accurate forces are to be: the frames of the patches are as fine as that takes.

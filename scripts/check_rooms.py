@@ -26,7 +26,7 @@ ROOMS = [
 INSIDE = {
     "bodies": [["model"], ["*"], [""]],
     "contact": [
-        ["laws"],
+        ["laws", "heat"],
         ["scene"],
         ["operators"],
         ["problem"],
@@ -34,6 +34,7 @@ INSIDE = {
         ["newton"],
         ["solution"],
         ["prepare"],
+        ["settle"],
         ["estimate"],
         ["results"],
         ["cases"],

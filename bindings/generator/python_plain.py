@@ -109,8 +109,11 @@ class Method:
         made = self.made or (["int"] if "NOT_CONVERGED" in self.function.errors else ["None"])
         result = "str" if self.text else made[0] if len(made) == 1 else f"tuple[{', '.join(made)}]"
         start = f"    def {self.name()}("
-        return textwrap.wrap(start + ", ".join(["self"] + parameters) + f") -> {result}:", 100,
-                             subsequent_indent=" " * len(start), break_on_hyphens=False)
+        # No line ends within a parameter, nor before the arrow, where the parenthesis is closed.
+        end = f")\0->\0{result}:".replace(", ", ",\0")
+        lines = textwrap.wrap(start + ", ".join(["self"] + [p.replace(" ", "\0") for p in parameters]) + end, 100,
+                              subsequent_indent=" " * len(start), break_on_hyphens=False)
+        return [line.replace("\0", " ") for line in lines]
 
     def doc(self):
         """The documentation in Python's words: names of Python, None for NULL."""

@@ -72,6 +72,7 @@ static const enumerator names_of_field[] = {
   {"rigid_slip", 10},
   {"friction_power", 11},
   {"weight", 12},
+  {"temperature", 13},
   {"field_point", 1},
   {"field_traction", 2},
   {"field_gap", 3},
@@ -84,6 +85,7 @@ static const enumerator names_of_field[] = {
   {"field_rigid_slip", 10},
   {"field_friction_power", 11},
   {"field_weight", 12},
+  {"field_temperature", 13},
   {NULL, 0}};
 static const enumerator names_of_how[] = {
   {"motion", 1},
@@ -1059,6 +1061,62 @@ static void call_contact_set_friction(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_set_friction_memory(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double length = take_real(self, "length");
+  const double least_speed = take_real(self, "least_speed");
+  no_more(self);
+  rc = rollcon_contact_set_friction_memory(contact, length, least_speed);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_contact_set_layer(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double flexibility = take_real(self, "flexibility");
+  no_more(self);
+  rc = rollcon_contact_set_layer(contact, flexibility);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_contact_set_layer_yield(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double stress = take_real(self, "stress");
+  const double hardening = take_real(self, "hardening");
+  no_more(self);
+  rc = rollcon_contact_set_layer_yield(contact, stress, hardening);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_contact_set_friction_across(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double *points = take_reals(self, "points", &n, 2, 1);
+  no_more(self);
+  rc = rollcon_contact_set_friction_across(contact, n < 0 ? 0 : n, points);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_contact_set_heat(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t which = take_enumerator(self, "which", no_names, 0);
+  const double conductivity = take_real(self, "conductivity");
+  const double heat_capacity = take_real(self, "heat_capacity");
+  const double temperature = take_real(self, "temperature");
+  no_more(self);
+  rc = rollcon_contact_set_heat(contact, which, conductivity, heat_capacity, temperature);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_contact_set_friction_field(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -1419,6 +1477,20 @@ static void call_contact_get_body_displacements(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_get_temperatures_at(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const double *xy = take_reals(self, "xy", &n, 2, 0);
+  double *temperature = NULL;
+  no_more(self);
+  temperature = room(n * (2), sizeof *temperature);
+  rc = rollcon_contact_get_temperatures_at(contact, n, xy, temperature);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, temperature, n, 2);
+  finish(self, rc);
+}
+
 static void call_contact_get_fatigue_index(call *self) {
   int32_t rc = 0;
   rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
@@ -1720,6 +1792,17 @@ static void call_wheelrail_forget_table(call *self) {
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
   no_more(self);
   rc = rollcon_wheelrail_forget_table(wheelrail);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_wheelrail_set_friction_by_angle(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const double *points = take_reals(self, "points", &n, 2, 1);
+  no_more(self);
+  rc = rollcon_wheelrail_set_friction_by_angle(wheelrail, n < 0 ? 0 : n, points);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -2241,6 +2324,11 @@ const entry calls[] = {
   {"contact_set_creep_field", call_contact_set_creep_field, 1},
   {"contact_prescribe", call_contact_prescribe, 1},
   {"contact_set_friction", call_contact_set_friction, 1},
+  {"contact_set_friction_memory", call_contact_set_friction_memory, 1},
+  {"contact_set_layer", call_contact_set_layer, 1},
+  {"contact_set_layer_yield", call_contact_set_layer_yield, 1},
+  {"contact_set_friction_across", call_contact_set_friction_across, 1},
+  {"contact_set_heat", call_contact_set_heat, 1},
   {"contact_set_friction_field", call_contact_set_friction_field, 1},
   {"contact_set_int", call_contact_set_int, 1},
   {"contact_set_real", call_contact_set_real, 1},
@@ -2268,6 +2356,7 @@ const entry calls[] = {
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
   {"contact_get_stresses_at", call_contact_get_stresses_at, 2},
   {"contact_get_body_displacements", call_contact_get_body_displacements, 1},
+  {"contact_get_temperatures_at", call_contact_get_temperatures_at, 1},
   {"contact_get_fatigue_index", call_contact_get_fatigue_index, 1},
   {"contact_get_equivalent_ellipse", call_contact_get_equivalent_ellipse, 2},
   {"contact_get_wear", call_contact_get_wear, 2},
@@ -2291,6 +2380,7 @@ const entry calls[] = {
   {"wheelrail_set_friction", call_wheelrail_set_friction, 1},
   {"wheelrail_set_table", call_wheelrail_set_table, 1},
   {"wheelrail_forget_table", call_wheelrail_forget_table, 1},
+  {"wheelrail_set_friction_by_angle", call_wheelrail_set_friction_by_angle, 1},
   {"wheelrail_set_accuracy", call_wheelrail_set_accuracy, 1},
   {"wheelrail_solve", call_wheelrail_solve, 1},
   {"wheelrail_request_cancel", call_wheelrail_request_cancel, 1},

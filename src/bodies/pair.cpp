@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bodies/halfspace/halfspace.hpp"
+#include "bodies/layer/layered_compliance.hpp"
 #include "bodies/sum_compliance.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -35,7 +36,8 @@ std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairO
     fail(Status::err_mesh,
          "the frame has more nodes than the faces of the body below it, whose option between_nodes "
          "is 1: they cannot tell its tractions apart; coarsen the frame or set between_nodes to 0");
-  return make_sum(std::move(parts));
+  auto both = make_sum(std::move(parts));
+  return pair.layer > 0 ? make_layered(frame, std::move(both), pair.layer) : std::move(both);
 }
 
 std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairOfBodies& pair, int which,

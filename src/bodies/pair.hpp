@@ -9,7 +9,8 @@
 
 namespace rollcon {
 
-/// u1 - u2 under tractions on body 1 (-traction on body 2). frame must outlive it. accuracy: of half-space integrals.
+/// u1 - u2 under tractions on body 1 (-traction on body 2), a layer between them included. frame must outlive it.
+/// accuracy: of half-space integrals.
 std::unique_ptr<Compliance> make_pair_compliance(const Frame& frame, const PairOfBodies& pair, double accuracy,
                                                  int threads);
 /// The part of body `which` (0 or 1) in that difference; null for a rigid body.

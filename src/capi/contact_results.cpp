@@ -62,8 +62,9 @@ rollcon_status rollcon_contact_get_tractions(const rollcon_contact* contact, int
 rollcon_status rollcon_contact_get_field(const rollcon_contact* contact, int32_t field, int32_t axes, int64_t capacity,
                                          double* v, int64_t* n_values) {
   return with_contact(__func__, contact, [&](const Contact& c) {
-    if (field < ROLLCON_FIELD_POINT || field > ROLLCON_FIELD_WEIGHT)
-      fail(Status::err_argument, "field is %d; allowed: %d to %d", field, ROLLCON_FIELD_POINT, ROLLCON_FIELD_WEIGHT);
+    if (field < ROLLCON_FIELD_POINT || field > ROLLCON_FIELD_TEMPERATURE)
+      fail(Status::err_argument, "field is %d; allowed: %d to %d", field, ROLLCON_FIELD_POINT,
+           ROLLCON_FIELD_TEMPERATURE);
     const InAxes in = checked_axes(axes);
     const auto which = static_cast<Field>(field);
     const std::int64_t count = c.field(which, in, 0, nullptr);
@@ -144,6 +145,19 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* con
     require_body_number(body);
     if (wants_copy(c.body_displacements(body, nullptr), capacity, u, "u", n_values, "doubles"))
       c.body_displacements(body, u);
+  });
+}
+
+rollcon_status rollcon_contact_get_temperatures_at(const rollcon_contact* contact, int64_t n, const double* xy,
+                                                   double* temperature) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_points(n, 2);
+    if (n > 0) {
+      require_pointer(xy, "xy");
+      require_pointer(temperature, "temperature");
+    }
+    require_finite_points(n, xy, 2, "xy");
+    c.temperatures_at(n, xy, temperature);
   });
 }
 

@@ -288,6 +288,40 @@ rollcon_status rollcon_contact_set_friction(rollcon_contact *contact, const char
   });
 }
 
+rollcon_status rollcon_contact_set_friction_memory(rollcon_contact *contact, double length,
+    double least_speed) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_friction_memory(length, least_speed);
+  });
+}
+
+rollcon_status rollcon_contact_set_layer(rollcon_contact *contact, double flexibility) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_layer(flexibility);
+  });
+}
+
+rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double stress,
+    double hardening) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_layer_yield(stress, hardening);
+  });
+}
+
+rollcon_status rollcon_contact_set_friction_across(rollcon_contact *contact, int64_t n,
+    const double *points) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_friction_across(n, points);
+  });
+}
+
+rollcon_status rollcon_contact_set_heat(rollcon_contact *contact, int32_t which,
+    double conductivity, double heat_capacity, double temperature) {
+  return with_contact(__func__, contact, [&](Contact& self) {
+    self.scene.set_heat(which, conductivity, heat_capacity, temperature);
+  });
+}
+
 rollcon_status rollcon_contact_set_friction_field(rollcon_contact *contact, int64_t n,
     const double *mu) {
   return with_contact(__func__, contact, [&](Contact& self) {
@@ -420,6 +454,13 @@ rollcon_status rollcon_wheelrail_set_friction(rollcon_wheelrail *wheelrail, doub
 rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
   return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
     self.forget_table();
+  });
+}
+
+rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *points) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& self) {
+    self.set_friction_by_angle(n, points);
   });
 }
 

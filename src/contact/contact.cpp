@@ -13,6 +13,7 @@
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/scene/known_gap.hpp"
+#include "contact/settle/settle_friction.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
@@ -96,9 +97,15 @@ void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
   s.factorizations = -linear.factorizations;
   s.timings.linear = -linear.seconds;
   start_on_lattice(s, monitor);
-  s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, options.tolerance,
-                            options.max_iterations, monitor);
-  s.images_known = false;
+  const auto solve = [&](double tolerance) {
+    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, tolerance,
+                              options.max_iterations, monitor);
+    s.images_known = false;
+  };
+  if (s.frictionless || !s.prepared->problem.law->of_field())
+    solve(options.tolerance);
+  else
+    settle_friction(s, options.tolerance, solve);
   s.system_unknowns = linear.unknowns;
   s.system_nonzeros = linear.unknowns * linear.unknowns;
   s.linear_iterations += linear.iterations;
@@ -258,6 +265,7 @@ std::int64_t Contact::elements() const {
 void Contact::reset() {
   SolverState& s = *state_;
   s.iterate.clear();
+  s.settled_friction.share.clear();
   s.newton.linear().forget();
   s.warm_usable = s.solved = s.derived = s.laws_checked = false;
   s.history.clear();
@@ -416,7 +424,10 @@ Status Contact::solve_scene() {
   watch.tell(Phase::compliance, 0, 0, prepared - start);
   watch.prepared(prepared - start);
   const bool warm = s.warm_usable && scene.options.warm_start != 0;
-  if (!warm) s.iterate.clear();
+  if (!warm) {
+    s.iterate.clear();
+    s.settled_friction.share.clear();
+  }
   s.warm_usable = false;
 
   s.settled = true;

@@ -144,6 +144,8 @@ class Contact {
   double wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const;
   /// Least and greatest t2 of nodes in contact; the first above the second where there is none.
   std::array<double, 2> contact_across() const;
+  /// Of the surfaces of both bodies at points (t1, t2). See rollcon_contact_get_temperatures_at.
+  void temperatures_at(std::int64_t n, const double* xy, double* temperature) const;
   /// Ekberg, Kabo and Andersson's index of surface fatigue. err_state: no normal force.
   double fatigue_index(double shear_yield) const;
   /// The Hertzian contact that stands for this one.

@@ -19,6 +19,7 @@ void Contact::keep(KeptSolution& kept) const {
   kept.iterate = s.iterate;
   kept.images_known = s.images_known;
   kept.report = s.report;
+  kept.settled_friction = s.settled_friction;
 }
 
 void Contact::return_to(const KeptSolution& kept) {
@@ -40,6 +41,8 @@ void Contact::return_to(const KeptSolution& kept) {
   s.iterate = kept.iterate;
   s.images_known = kept.images_known;
   s.report = kept.report;
+  s.settled_friction = kept.settled_friction;
+  if (s.prepared->problem.law->of_field()) s.given.share = s.settled_friction.share;
   s.outcome = kept.report.outcome;
   s.revision_solved = scene.revision;
   s.options_solved = scene.options.revision;

@@ -11,6 +11,7 @@
 #include "contact/results/statistics.hpp"
 #include "contact/results/stresses.hpp"
 #include "contact/results/wear.hpp"
+#include "contact/settle/settle_friction.hpp"
 #include "contact/solution.hpp"
 #include "io/vtu.hpp"
 #include "linalg/blas_threads.hpp"
@@ -57,6 +58,8 @@ std::int64_t components_of(Field field, InAxes axes) {
     case Field::slip:
     case Field::rigid_slip:
       return axes == InAxes::local ? 2 : 3;
+    case Field::temperature:
+      return 2;
     default:
       return 1;
   }
@@ -99,7 +102,7 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
       *out = p.weight[k];
       return;
     case Field::friction:
-      *out = s.frictionless || !p.law->falls() ? p.mu[k]
+      *out = s.frictionless || !p.law->falls() ? s.given.coefficient(p.mu, k)
                                                : p.law->coefficient({p.mu[k], 0, 0, 0, s.slip[0][k] / s.prepared->speed,
                                                                      s.slip[1][k] / s.prepared->speed});
       return;
@@ -155,6 +158,10 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
   if (at_slip || field == Field::slip || field == Field::friction_power) derive_fields(s);
   if (field == Field::gap) {
     derive_gap(s, v);
+    return needed;
+  }
+  if (field == Field::temperature) {
+    node_temperatures(s, scene.heat(), {v, 2 * n});
     return needed;
   }
   if (field == Field::displacement1 || field == Field::displacement2) {
@@ -270,6 +277,14 @@ double Contact::wear(const WearLaw& law, std::span<const double> y, double share
 std::array<double, 2> Contact::contact_across() const {
   require_solution(*state_, scene);
   return rollcon::contact_across(*state_);
+}
+
+void Contact::temperatures_at(std::int64_t n, const double* xy, double* temperature) const {
+  require_solution(*state_, scene);
+  const auto points = static_cast<std::size_t>(n);
+  std::vector<double> x(points), y(points);
+  for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
+  rollcon::temperatures_at(*state_, scene.heat(), x, y, {temperature, 2 * points});
 }
 
 double Contact::fatigue_index(double shear_yield) const {

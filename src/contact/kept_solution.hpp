@@ -3,6 +3,7 @@
 
 #include "contact/newton/report.hpp"
 #include "contact/problem/problem.hpp"
+#include "contact/problem/settled_friction.hpp"
 
 namespace rollcon {
 
@@ -10,6 +11,7 @@ struct KeptSolution {
   Iterate iterate;
   bool solved = false, warm_usable = false, images_known = false;
   NewtonReport report;
+  SettledFriction settled_friction;
 };
 
 }  // namespace rollcon

@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "bodies/pair.hpp"
+#include "contact/heat/flash_temperature.hpp"
 #include "contact/newton/frictionless_share.hpp"
 #include "contact/newton/newton.hpp"
 #include "contact/problem/past.hpp"
 #include "contact/problem/problem.hpp"
+#include "contact/problem/settled_friction.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/procedure.hpp"
 #include "contact/scene/scene.hpp"
@@ -113,6 +115,7 @@ struct Prepared {
   double speed = 1;     ///< slip velocity per unit of slip: V, or 1 / dt in a time step
   double distance = 0;  ///< that material travels in a time step
   StepKind step = StepKind::steady;
+  BothHeats heat;
 };
 
 /// What was prepared before a solve, in the same call of the caller.
@@ -137,6 +140,7 @@ struct SolverState {
   Prescribed given;
   Iterate iterate;
   StepHistory steps;
+  SettledFriction settled_friction;  ///< where friction follows the whole solution
   Newton newton;
   MakePublished make_published = nullptr;                 ///< null: they are not part of this build
   std::unique_ptr<FrictionlessShare> frictionless_share;  ///< made when it is asked for

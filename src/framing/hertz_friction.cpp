@@ -41,7 +41,7 @@ FrictionShare HertzFriction::share(const Scene& scene, const FramePlace& place, 
   problem_.length = std::sqrt(place.length * place.width);
   for (std::size_t k = 0; k < x_.size(); ++k) {
     const double x = place.length * x_[k] + place.shear * y_[k], y = place.width * y_[k];
-    problem_.mu[k] = scene.friction(0);
+    problem_.mu[k] = scene.friction(0, y);
     problem_.moment_x[k] = weight_[k] * x;
     problem_.moment_y[k] = weight_[k] * y;
     problem_.convection.slip_x[k] = x;

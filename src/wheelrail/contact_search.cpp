@@ -58,4 +58,8 @@ void ContactSearch::find(const Pose& wheel, std::vector<OverlapPatch>& patch) {
   gather(gap, overlap_, side_, shape_.radius, patch);
 }
 
+double ContactSearch::rail_angle(double y) const {
+  return std::atan(rail_.at_y(std::clamp(y, rail_.low(), rail_.high())).slope);
+}
+
 }  // namespace rollcon

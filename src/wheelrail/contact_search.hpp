@@ -49,6 +49,8 @@ class ContactSearch {
   std::optional<TouchPoint> touch(const Pose& wheel) const;
   /// In the order of y; overwritten. Allocates nothing once it has seen as many patches.
   void find(const Pose& wheel, std::vector<OverlapPatch>& patch);
+  /// Of the rail at y (where it ends: there): atan dz/dy.
+  double rail_angle(double y) const;
 
  private:
   WheelLocus locus_of(const Pose& wheel) const;

@@ -54,11 +54,11 @@ Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion,
   take_creepages();
   now_.by_table = false;
   if (friction.table) {
-    prescribe(give_way, 0);
+    prescribe(give_way, {});
     solve_on_frame(size);
     if (take_table_results(friction)) return now_.status;
   }
-  prescribe(give_way, friction.mu);
+  prescribe(give_way, friction);
   solve_on_frame(size);
   Vec3 force{}, moment{};
   contact_->resultant(InAxes::local, force.data(), moment.data());
@@ -148,12 +148,24 @@ void PatchContact::return_to(const Kept& kept) {
   contact_->return_to(kept.solution);
 }
 
-void PatchContact::prescribe(double give_way, double friction) {
+// Points across count from the middle of the frame, along t2.
+void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
   now_.give_way = give_way;
   now_.friction = friction;
+  now_.friction.table = nullptr;  // of the contact alone
   contact_->scene.prescribe(static_cast<std::int32_t>(Direction::normal), static_cast<std::int32_t>(How::by_motion),
                             -give_way);
-  contact_->scene.set_friction("coulomb", 1, &friction);
+  contact_->scene.set_friction("coulomb", 1, &friction.mu);
+  const std::size_t n = friction.points;
+  std::array<double, 2 * PatchFriction::most> point{};
+  const bool along = dot(now_.axes.t2, now_.patch.lateral) > 0;
+  const double middle = 0.5 * (now_.patch.low + now_.patch.high);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t from = along ? i : n - 1 - i;
+    point[2 * i] = (along ? 1 : -1) * (friction.lateral[from] - middle);
+    point[2 * i + 1] = friction.at[from];
+  }
+  contact_->scene.set_friction_across(static_cast<std::int64_t>(n), point.data());
 }
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.

@@ -27,9 +27,14 @@ struct WheelMotion {
   double speed = 0;  ///< forward, of the wheelset; not 0
 };
 
-/// Coulomb's coefficient; table: not null: forces along the surface are what it has for the patch's equivalent ellipse.
+/// Friction of a patch: one coefficient, or those at points across it, linear between.
 struct PatchFriction {
+  static constexpr std::size_t most = 33;
   double mu = 0;
+  std::size_t points = 0;              ///< 0: mu everywhere
+  std::array<double, most> lateral{};  ///< from the patch's reference, ascending
+  std::array<double, most> at{};
+  /// Not null: forces along the surface are what it has for the patch's equivalent ellipse, with mu.
   const ForceTable* table = nullptr;
 };
 
@@ -82,7 +87,8 @@ class PatchContact {
   /// All of it but the contact.
   struct State {
     OverlapPatch patch;
-    double give_way = 0, friction = 0;
+    double give_way = 0;
+    PatchFriction friction;
     WheelMotion motion;
     Axes axes;
     LatticeSize size;
@@ -101,7 +107,7 @@ class PatchContact {
   };
   static constexpr double usual_margin = 1.05;
 
-  void prescribe(double give_way, double friction);
+  void prescribe(double give_way, const PatchFriction& friction);
   void stand(const WheelMotion& motion);
   void lay_frame(const LatticeSize& size);
   void put_frame(const LatticeSize& size, const FramePlace& place);

@@ -7,6 +7,7 @@
 
 #include "framing/hertz.hpp"
 #include "support/error.hpp"
+#include "support/linear_between.hpp"
 
 namespace rollcon {
 namespace {
@@ -177,7 +178,7 @@ Status WheelRail::solve_at(double z) {
       break;
     }
     for (std::size_t i = 0; i < active_.size() && !cancelled(); ++i)
-      active_[i]->contact.solve(found_[i], motion, {in_.friction, in_.table.get()}, size_for(in_.accuracy),
+      active_[i]->contact.solve(found_[i], motion, friction_of(found_[i]), size_for(in_.accuracy),
                                 active_[i]->give_way);
     double change = 0;
     if (active_.size() > 1)
@@ -196,6 +197,22 @@ Status WheelRail::solve_at(double z) {
   ++solves_;
   if (cancelled()) worst = Status::cancelled;
   return worst;
+}
+
+// Where inclinations are given: at places across the overlap.
+PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
+  PatchFriction friction{.mu = in_.friction, .table = in_.table.get()};
+  if (in_.friction_angle.empty()) return friction;
+  friction.mu = linear_between(in_.friction_angle, in_.friction_at_angle, search_->rail_angle(patch.reference[1]));
+  friction.points = PatchFriction::most;
+  for (std::size_t i = 0; i < friction.points; ++i) {
+    const double part = static_cast<double>(i) / static_cast<double>(friction.points - 1);
+    const double lateral = (1 - part) * patch.low + part * patch.high;
+    friction.lateral[i] = lateral;
+    friction.at[i] = linear_between(in_.friction_angle, in_.friction_at_angle,
+                                    search_->rail_angle(patch.reference[1] + lateral * patch.lateral[1]));
+  }
+  return friction;
 }
 
 // By Boussinesq's point load; tangential loads and tilted normals are left out.

@@ -42,6 +42,9 @@ class WheelRail {
   /// Forces along the surfaces are looked up there from now on, for what it has. err_state: it is not made.
   void set_table(std::shared_ptr<const ForceTable> table);
   void forget_table() { in_.table.reset(); }
+  /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
+  /// set_friction().
+  void set_friction_by_angle(std::int64_t n, const double* points);
   void set_accuracy(double accuracy);
 
   /// ok or the first that fits of cancelled, not_converged, derailed, too_deep, rim_contact, coarse, no_contact.
@@ -117,6 +120,7 @@ class WheelRail {
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
     double load = 0, friction = 0, accuracy = 0.01;
     std::shared_ptr<const ForceTable> table;
+    std::vector<double> friction_angle, friction_at_angle;
   };
   struct Kept;
   struct Stat;
@@ -129,6 +133,7 @@ class WheelRail {
   Pose wheel_pose(const WheelsetState& position, double z) const;
   WheelMotion motion_at(double z) const;
   Status solve_at(double z);
+  PatchFriction friction_of(const OverlapPatch& patch) const;
   Status meet_force();
   void tell(Status status) const;
   double first_sink(double touch);

@@ -9,6 +9,8 @@
 namespace rollcon {
 namespace {
 
+constexpr double most_friction = 10;
+
 WheelsetState state_of(const double* v, const char* name, double side) {
   require_pointer(v, name);
   for (int i = 0; i < 6; ++i)
@@ -95,8 +97,7 @@ void WheelRail::prescribe_vertical(std::int32_t how, double force) {
 
 void WheelRail::set_friction(double mu) {
   require_finite(mu, "mu");
-  constexpr double most = 10;
-  if (!(mu >= 0 && mu <= most)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
+  if (!(mu >= 0 && mu <= most_friction)) fail(Status::err_argument, "mu is %g; allowed: 0 to 10", mu);
   in_.friction = mu;
   in_.friction_given = true;
 }
@@ -104,6 +105,26 @@ void WheelRail::set_friction(double mu) {
 void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
   table->require_made();
   in_.table = std::move(table);
+}
+
+void WheelRail::set_friction_by_angle(std::int64_t n, const double* points) {
+  require_count(n, "n");
+  if (n > 0) require_pointer(points, "points");
+  require_finite(n, 2, points, "points", 0);
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double angle = points[2 * i], mu = points[2 * i + 1];
+    if (!(mu >= 0 && mu <= most_friction))
+      fail(Status::err_argument, "mu of point %lld (counting from 0) is %g; allowed: 0 to %g",
+           static_cast<long long>(i), mu, most_friction);
+    if (i > 0 && !(angle > points[2 * i - 2]))
+      fail(Status::err_argument, "angle of point %lld (counting from 0) is %g; allowed: above that before, %g",
+           static_cast<long long>(i), angle, points[2 * i - 2]);
+  }
+  const auto count = static_cast<std::size_t>(n);
+  in_.friction_angle.resize(count);
+  in_.friction_at_angle.resize(count);
+  for (std::size_t i = 0; i < count; ++i)
+    in_.friction_angle[i] = points[2 * i], in_.friction_at_angle[i] = points[2 * i + 1];
 }
 
 void WheelRail::set_accuracy(double accuracy) {

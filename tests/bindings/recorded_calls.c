@@ -92,6 +92,11 @@ const char* const recorded_names[] = {
   "contact_set_creep_field",
   "contact_prescribe",
   "contact_set_friction",
+  "contact_set_friction_memory",
+  "contact_set_layer",
+  "contact_set_layer_yield",
+  "contact_set_friction_across",
+  "contact_set_heat",
   "contact_set_friction_field",
   "contact_set_int",
   "contact_set_real",
@@ -122,6 +127,7 @@ const char* const recorded_names[] = {
   "contact_get_displacements_at",
   "contact_get_stresses_at",
   "contact_get_body_displacements",
+  "contact_get_temperatures_at",
   "contact_get_fatigue_index",
   "contact_get_equivalent_ellipse",
   "contact_get_wear",
@@ -146,6 +152,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_friction",
   "wheelrail_set_table",
   "wheelrail_forget_table",
+  "wheelrail_set_friction_by_angle",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
   "wheelrail_request_cancel",
@@ -191,7 +198,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 184;
+const int recorded_number = 191;
 
 enum {
   recorded_rollcon_version,
@@ -281,6 +288,11 @@ enum {
   recorded_rollcon_contact_set_creep_field,
   recorded_rollcon_contact_prescribe,
   recorded_rollcon_contact_set_friction,
+  recorded_rollcon_contact_set_friction_memory,
+  recorded_rollcon_contact_set_layer,
+  recorded_rollcon_contact_set_layer_yield,
+  recorded_rollcon_contact_set_friction_across,
+  recorded_rollcon_contact_set_heat,
   recorded_rollcon_contact_set_friction_field,
   recorded_rollcon_contact_set_int,
   recorded_rollcon_contact_set_real,
@@ -311,6 +323,7 @@ enum {
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
   recorded_rollcon_contact_get_body_displacements,
+  recorded_rollcon_contact_get_temperatures_at,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_contact_get_equivalent_ellipse,
   recorded_rollcon_contact_get_wear,
@@ -335,6 +348,7 @@ enum {
   recorded_rollcon_wheelrail_set_friction,
   recorded_rollcon_wheelrail_set_table,
   recorded_rollcon_wheelrail_forget_table,
+  recorded_rollcon_wheelrail_set_friction_by_angle,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
   recorded_rollcon_wheelrail_request_cancel,
@@ -1164,6 +1178,51 @@ rollcon_status rollcon_contact_set_friction(rollcon_contact *contact, const char
   return record_end();
 }
 
+rollcon_status rollcon_contact_set_friction_memory(rollcon_contact *contact, double length,
+    double least_speed) {
+  record_begin(recorded_rollcon_contact_set_friction_memory);
+  record_handle(contact);
+  record_real(length);
+  record_real(least_speed);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_layer(rollcon_contact *contact, double flexibility) {
+  record_begin(recorded_rollcon_contact_set_layer);
+  record_handle(contact);
+  record_real(flexibility);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_layer_yield(rollcon_contact *contact, double stress,
+    double hardening) {
+  record_begin(recorded_rollcon_contact_set_layer_yield);
+  record_handle(contact);
+  record_real(stress);
+  record_real(hardening);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_friction_across(rollcon_contact *contact, int64_t n,
+    const double *points) {
+  record_begin(recorded_rollcon_contact_set_friction_across);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(points, n * 2);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_set_heat(rollcon_contact *contact, int32_t which,
+    double conductivity, double heat_capacity, double temperature) {
+  record_begin(recorded_rollcon_contact_set_heat);
+  record_handle(contact);
+  record_integer(which);
+  record_real(conductivity);
+  record_real(heat_capacity);
+  record_real(temperature);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_set_friction_field(rollcon_contact *contact, int64_t n,
     const double *mu) {
   record_begin(recorded_rollcon_contact_set_friction_field);
@@ -1478,6 +1537,17 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact *con
   return record_end();
 }
 
+rollcon_status rollcon_contact_get_temperatures_at(const rollcon_contact *contact, int64_t n,
+    const double *xy, double *temperature) {
+  record_begin(recorded_rollcon_contact_get_temperatures_at);
+  record_handle(contact);
+  record_integer(n);
+  record_reals(xy, n * 2);
+  record_room(temperature);
+  give_reals(temperature, n * 2, 3);
+  return record_end();
+}
+
 rollcon_status rollcon_contact_get_fatigue_index(const rollcon_contact *contact,
     double shear_yield, double *index) {
   record_begin(recorded_rollcon_contact_get_fatigue_index);
@@ -1712,6 +1782,15 @@ rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
 rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
   record_begin(recorded_rollcon_wheelrail_forget_table);
   record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_friction_by_angle(rollcon_wheelrail *wheelrail, int64_t n,
+    const double *points) {
+  record_begin(recorded_rollcon_wheelrail_set_friction_by_angle);
+  record_handle(wheelrail);
+  record_integer(n);
+  record_reals(points, n * 2);
   return record_end();
 }
 

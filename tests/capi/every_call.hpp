@@ -183,6 +183,16 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_prescribe(object, 1, 1, 1));
   check("rollcon_contact_set_friction", false,
         rollcon_contact_set_friction(object, "never_written", 1, a.reals));
+  check("rollcon_contact_set_friction_memory", false,
+        rollcon_contact_set_friction_memory(object, 1, 1));
+  check("rollcon_contact_set_layer", false,
+        rollcon_contact_set_layer(object, 1));
+  check("rollcon_contact_set_layer_yield", false,
+        rollcon_contact_set_layer_yield(object, 1, 1));
+  check("rollcon_contact_set_friction_across", false,
+        rollcon_contact_set_friction_across(object, 1, a.reals));
+  check("rollcon_contact_set_heat", false,
+        rollcon_contact_set_heat(object, 1, 1, 1, 1));
   check("rollcon_contact_set_friction_field", false,
         rollcon_contact_set_friction_field(object, 1, a.reals));
   check("rollcon_contact_set_int", false,
@@ -233,6 +243,8 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_body_displacements", false,
         rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
+  check("rollcon_contact_get_temperatures_at", false,
+        rollcon_contact_get_temperatures_at(object, 1, a.reals, a.out));
   check("rollcon_contact_get_fatigue_index", false,
         rollcon_contact_get_fatigue_index(object, 1, a.out));
   check("rollcon_contact_get_equivalent_ellipse", false,
@@ -275,6 +287,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_set_table(object, nullptr));
   check("rollcon_wheelrail_forget_table", false,
         rollcon_wheelrail_forget_table(object));
+  check("rollcon_wheelrail_set_friction_by_angle", false,
+        rollcon_wheelrail_set_friction_by_angle(object, 1, a.reals));
   check("rollcon_wheelrail_set_accuracy", false,
         rollcon_wheelrail_set_accuracy(object, 1));
   check("rollcon_wheelrail_solve", false,

@@ -123,6 +123,35 @@ TEST(falling_friction, branches_are_chosen_and_told) {
   }
 }
 
+// Above the greatest force of the branch that begins with stick there is no solution, below there is one on it.
+TEST(falling_friction, forces_beyond_the_greatest_are_refused) {
+  for (const char* law : families) {
+    Pair pair = pair_of(true);
+    set_law(pair, law, {0.1, 0.2, 0.5});
+    Scene& scene = pair.contact->scene;
+    double greatest = 0;
+    for (int i = 1; i <= 80; ++i) {
+      scene.set_creep(1e-4 * i, 0, 0);
+      ASSERT_EQ(pair.contact->solve(), Status::ok);
+      greatest = std::min(greatest, force_of(pair)[0]);
+    }
+    for (const double part : {0.98, 1.02}) {
+      scene.prescribe(1, 2, part * greatest);
+      pair.contact->reset();
+      try {
+        EXPECT_EQ(pair.contact->solve(), Status::ok) << pair.contact->plan();
+        EXPECT_LT(part, 1) << "not refused";
+        EXPECT_NEAR(force_of(pair)[0], part * greatest, 1e-8 * std::abs(greatest));
+      } catch (const Error& e) {
+        std::printf("%s: greatest force %.4f, %s\n", law, greatest, e.what());
+        EXPECT_EQ(e.status(), Status::err_load);
+        EXPECT_NE(std::string(e.what()).find("begins with stick"), std::string::npos) << e.what();
+        EXPECT_GT(part, 1);
+      }
+    }
+  }
+}
+
 // Up and down in the creepage: power is lost at every node, and without a jump both ways are the same.
 TEST(falling_friction, a_closed_loop_gains_no_energy) {
   for (const char* law : families) {

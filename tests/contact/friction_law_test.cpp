@@ -39,6 +39,7 @@ std::vector<Tried> tried() {
       {"rational", {0.4 * mu, 0.3 * mu, 2.0, 0.3 * mu, 5.0}},
       {"exponential", {0.4 * mu, 0.6 * mu, 3.0}},
       {"exponential", {mu, 0, 1}},
+      {"temperature", {0, mu, 1, 0.5 * mu}},
   };
   std::vector<Tried> all;
   for (const LawName& name : law_names()) {

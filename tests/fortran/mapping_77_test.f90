@@ -77,6 +77,11 @@ program mapping_77_test
   call test_rccrpf()
   call test_rcpres()
   call test_rcfric()
+  call test_rcfrim()
+  call test_rclayr()
+  call test_rclayy()
+  call test_rcfria()
+  call test_rcheat()
   call test_rcfrif()
   call test_rcseti()
   call test_rcsetr()
@@ -102,6 +107,7 @@ program mapping_77_test
   call test_rcdisp()
   call test_rcstrs()
   call test_rcbodu()
+  call test_rctmps()
   call test_rcfati()
   call test_rcelli()
   call test_rcwear()
@@ -123,6 +129,7 @@ program mapping_77_test
   call test_rcwfri()
   call test_rcwtab()
   call test_rcwnot()
+  call test_rcwfra()
   call test_rcwacc()
   call test_rcwslv()
   call test_rcwstp()
@@ -1199,6 +1206,71 @@ contains
     call failed('contact_set_friction', stat, message)
   end subroutine
 
+  subroutine test_rcfrim()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfrim(icon, 1.5d0, 2.5d0, stat)
+    call told('contact_set_friction_memory', 'contact1 1.5 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfrim(icon, 1.5d0, 2.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_friction_memory', stat, message)
+  end subroutine
+
+  subroutine test_rclayr()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rclayr(icon, 1.5d0, stat)
+    call told('contact_set_layer', 'contact1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rclayr(icon, 1.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_layer', stat, message)
+  end subroutine
+
+  subroutine test_rclayy()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rclayy(icon, 1.5d0, 2.5d0, stat)
+    call told('contact_set_layer_yield', 'contact1 1.5 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rclayy(icon, 1.5d0, 2.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_layer_yield', stat, message)
+  end subroutine
+
+  subroutine test_rcfria()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcfria(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcfria(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call rclerr(message)
+    call failed('contact_set_friction_across', stat, message)
+  end subroutine
+
+  subroutine test_rcheat()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcheat(icon, 11, 2.5d0, 3.5d0, 4.5d0, stat)
+    call told('contact_set_heat', 'contact1 11 2.5 3.5 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcheat(icon, 11, 2.5d0, 3.5d0, 4.5d0, stat)
+    call rclerr(message)
+    call failed('contact_set_heat', stat, message)
+  end subroutine
+
   subroutine test_rcfrif()
     integer :: stat
     character(len=80) :: message
@@ -1584,6 +1656,21 @@ contains
     call failed('contact_get_body_displacements', stat, message)
   end subroutine
 
+  subroutine test_rctmps()
+    double precision :: temperature(4)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rctmps(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], temperature, stat)
+    call told('contact_get_temperatures_at', 'contact1 2 [2.125 2.25 2.375 2.5] room', stat)
+    call gave_reals('temperature', temperature, 300.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rctmps(icon, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], temperature, stat)
+    call rclerr(message)
+    call failed('contact_get_temperatures_at', stat, message)
+  end subroutine
+
   subroutine test_rcfati()
     double precision :: xindex
     integer :: stat
@@ -1896,6 +1983,19 @@ contains
     call rcwnot(iwr, stat)
     call rclerr(message)
     call failed('wheelrail_forget_table', stat, message)
+  end subroutine
+
+  subroutine test_rcwfra()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwfra(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwfra(iwr, 2, [2.125d0, 2.25d0, 2.375d0, 2.5d0], stat)
+    call rclerr(message)
+    call failed('wheelrail_set_friction_by_angle', stat, message)
   end subroutine
 
   subroutine test_rcwacc()

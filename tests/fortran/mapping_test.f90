@@ -48,6 +48,11 @@ program mapping_test
   call contact_set_creep_field()
   call contact_prescribe()
   call contact_set_friction()
+  call contact_set_friction_memory()
+  call contact_set_layer()
+  call contact_set_layer_yield()
+  call contact_set_friction_across()
+  call contact_set_heat()
   call contact_set_friction_field()
   call contact_request_cancel()
   call contact_solve()
@@ -71,6 +76,7 @@ program mapping_test
   call wheelrail_prescribe_vertical()
   call wheelrail_set_friction()
   call wheelrail_forget_table()
+  call wheelrail_set_friction_by_angle()
   call wheelrail_set_accuracy()
   call wheelrail_solve()
   call wheelrail_request_cancel()
@@ -659,6 +665,68 @@ contains
     call failed('contact_set_friction', stat, message)
   end subroutine
 
+  subroutine contact_set_friction_memory()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_friction_memory(1.5_rc_real, 2.5_rc_real, stat, message)
+    call told('contact_set_friction_memory', 'contact1 1.5 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_friction_memory(1.5_rc_real, 2.5_rc_real, stat, message)
+    call failed('contact_set_friction_memory', stat, message)
+  end subroutine
+
+  subroutine contact_set_layer()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_layer(1.5_rc_real, stat, message)
+    call told('contact_set_layer', 'contact1 1.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_layer(1.5_rc_real, stat, message)
+    call failed('contact_set_layer', stat, message)
+  end subroutine
+
+  subroutine contact_set_layer_yield()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_layer_yield(1.5_rc_real, 2.5_rc_real, stat, message)
+    call told('contact_set_layer_yield', 'contact1 1.5 2.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_layer_yield(1.5_rc_real, 2.5_rc_real, stat, message)
+    call failed('contact_set_layer_yield', stat, message)
+  end subroutine
+
+  subroutine contact_set_friction_across()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_friction_across(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), &
+      stat, message)
+    call told('contact_set_friction_across', 'contact1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_friction_across(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, 2]), &
+      stat, message)
+    call failed('contact_set_friction_across', stat, message)
+  end subroutine
+
+  subroutine contact_set_heat()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call contact%set_heat(11, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, stat, message)
+    call told('contact_set_heat', 'contact1 11 2.5 3.5 4.5', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call contact%set_heat(11, 2.5_rc_real, 3.5_rc_real, 4.5_rc_real, stat, message)
+    call failed('contact_set_heat', stat, message)
+  end subroutine
+
   subroutine contact_set_friction_field()
     integer :: stat
     character(len=80) :: message
@@ -975,6 +1043,20 @@ contains
     message = ''
     call wheelrail%forget_table(stat, message)
     call failed('wheelrail_forget_table', stat, message)
+  end subroutine
+
+  subroutine wheelrail_set_friction_by_angle()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%set_friction_by_angle(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, &
+      2]), stat, message)
+    call told('wheelrail_set_friction_by_angle', 'wheelrail1 2 [2.125 2.25 2.375 2.5]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%set_friction_by_angle(reshape([2.125_rc_real, 2.25_rc_real, 2.375_rc_real, 2.5_rc_real], [2, &
+      2]), stat, message)
+    call failed('wheelrail_set_friction_by_angle', stat, message)
   end subroutine
 
   subroutine wheelrail_set_accuracy()

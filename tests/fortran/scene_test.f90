@@ -85,6 +85,7 @@ contains
     call callbacks_77()
     call contact%solve()
     call agree()
+    call laws()
     call statuses()
     call contact%free()
     if (failures > 0) error stop 1
@@ -128,6 +129,81 @@ contains
     call rccase(icon, 'NORMAL', 2, [load, 0.8_rc_real*load], 'FORCE DERIVATIVES', 13, table, n, status, ierr)
     call demand(ierr == 0 .and. n == 13 .and. all(.not. abs(table(:3, :) - force) > 0) &
       .and. all(.not. abs(table(4:, :) - slopes(:, 1, :)) > 0), 'RCCASE')
+  end subroutine
+
+  !> Every law of friction set from both layers: the same forces, and others than Coulomb's.
+  subroutine laws()
+    external :: rcfric, rcfrim, rcfria, rclayr, rclayy, rcheat, rctmps, rcresu, rcsolv
+    character(len=21), parameter :: name(6) = [character(len=21) :: 'orthotropic', 'orthotropic_collinear', 'linear', &
+      'rational', 'exponential', 'temperature']
+    real(rc_real), parameter :: orthotropic(3) = [0.1_rc_real, 0.05_rc_real, 0.7_rc_real], &
+      falling(3) = [0.04_rc_real, 0.06_rc_real, 0.02_rc_real], &
+      hot(4) = [0.0_rc_real, 0.1_rc_real, 0.01_rc_real, 0.05_rc_real], point(2, 1) = 0, &
+      across(2, 2) = reshape([-1.0_rc_real, 0.06_rc_real, 1.0_rc_real, 0.1_rc_real], [2, 2])
+    real(rc_real), allocatable :: given(:), temperature(:, :)
+    real(rc_real) :: f(3), coulomb(3), moment(3)
+    double precision :: f77(3), m77(3), t77(2, 1)
+    integer :: i, ierr
+    call contact%set_creep(4e-3_rc_real, 1e-3_rc_real, 0.0_rc_real)
+    call contact%solve()
+    call contact%get_resultant(coulomb, moment)
+    do i = 1, 2
+      call contact%set_heat(i, 50.0_rc_real, 3.5_rc_real, 0.0_rc_real)
+    end do
+    do i = 1, 10
+      select case (i)
+      case (1, 2)
+        given = orthotropic
+      case (3:5)
+        given = falling
+      case (6)
+        given = hot
+      end select
+      if (i <= 6) call contact%set_friction(trim(name(i)), given)
+      if (i == 7) then
+        call contact%set_friction('exponential', falling)
+        call contact%set_friction_memory(1e-3_rc_real, 1e-3_rc_real)
+      else if (i == 8) then
+        call contact%set_friction_memory(0.0_rc_real, 0.0_rc_real)
+        call contact%set_friction('coulomb', [mu])
+        call contact%set_layer(1e-4_rc_real)
+      else if (i == 9) then
+        call contact%set_layer_yield(3.0_rc_real, 10.0_rc_real)
+      else if (i == 10) then
+        call contact%set_layer_yield(0.0_rc_real, 0.0_rc_real)
+        call contact%set_layer(0.0_rc_real)
+        call contact%set_friction_across(across)
+      end if
+      call contact%solve()
+      call contact%get_resultant(f, moment)
+      call demand(maxval(abs(f - coulomb)) > 1e-4_rc_real*load, 'a law that is not Coulomb''s')
+      call contact%get_temperatures_at(point, temperature)
+      call demand(temperature(1, 1) > 0, 'a temperature')
+      ! Away and back by the other layer.
+      call rcfrim(icon, 0d0, 0d0, ierr)
+      call rclayr(icon, 0d0, ierr)
+      call rclayy(icon, 0d0, 0d0, ierr)
+      call rcfria(icon, 0, across, ierr)
+      call rcheat(icon, 2, 1d0, 1d0, 1d0, ierr)
+      call rcfric(icon, 'COULOMB', 1, [dble(mu)], ierr)
+      call rcsolv(icon, ierr)
+      call rcheat(icon, 2, 50d0, 3.5d0, 0d0, ierr)
+      if (i <= 6) call rcfric(icon, name(i), size(given), given, ierr)
+      if (i == 7) call rcfric(icon, 'exponential', 3, falling, ierr)
+      if (i == 7) call rcfrim(icon, 1d-3, 1d-3, ierr)
+      if (i == 8 .or. i == 9) call rclayr(icon, 1d-4, ierr)
+      if (i == 9) call rclayy(icon, 3d0, 10d0, ierr)
+      if (i == 10) call rcfria(icon, 2, across, ierr)
+      call demand(ierr == 0, 'set by the FORTRAN 77 layer')
+      call rcsolv(icon, ierr)
+      call rcresu(icon, 0, f77, m77, ierr)
+      call demand(ierr == 0 .and. maxval(abs(f77 - f)) < 1e-7_rc_real*load, 'forces of both layers')
+      call rctmps(icon, 1, point, t77, ierr)
+      call demand(ierr == 0 .and. maxval(abs(t77 - temperature)) < 1e-6_rc_real*temperature(1, 1), 'RCTMPS')
+    end do
+    call contact%set_friction('coulomb', [mu])
+    call rcfria(icon, 0, across, ierr)
+    call contact%solve()
   end subroutine
 
   subroutine statuses()

@@ -88,6 +88,17 @@ void displacements_at(World& w) {
           good ? "a displacement is not finite" : "a failed call wrote into its output");
 }
 
+void temperatures_at(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int64_t n = array_size(w.in, 5);
+  const std::vector<double> xy = w.in.reals(static_cast<std::size_t>(n > 0 ? 2 * n : 0));
+  Output<double> t(n > 0 ? 2 * n : 0);
+  const bool good =
+      FUZZ_CALL(w, rollcon_contact_get_temperatures_at, c, n, maybe_null(w.in, xy), t.data()) == ROLLCON_OK;
+  require(good ? all_finite(t.values()) : t.untouched(),
+          good ? "a temperature is not finite" : "a failed call wrote into its output");
+}
+
 void stresses_at(World& w) {
   const rollcon_contact* c = w.contact();
   const std::int64_t n = array_size(w.in, 5);
@@ -212,6 +223,7 @@ std::span<const Call> result_calls() {
                                wear,
                                worn_profile,
                                stress_invariants,
+                               temperatures_at,
                                fatigue_index,
                                stat,
                                history,

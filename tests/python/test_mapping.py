@@ -263,13 +263,17 @@ class Mapping(unittest.TestCase):
         worn, taken = rc.wear_profile(X[:, :2], [4.5, 5.5], -1, 6.5, 7.5, 8.5)
         check(worn, (2, 2), 700.5, "wear_profile", "2 [1.5 2.5 4.5 5.5] [4.5 5.5] -1 6.5 7.5 8.5 room room")
         self.assertEqual(taken, 800.5)
+        check(contact.temperatures_at(X[:, :2]), (2, 2), 300.5, "contact_get_temperatures_at",
+              "contact1 2 [1.5 2.5 4.5 5.5] room")
+        self.refuses("shape", contact.temperatures_at, X)
         check(contact.history(), (2, 8), 200.5, "contact_get_history", "contact1 2 room room")
         np.testing.assert_equal(contact.error_function(), [[200.5, 300.5], [201.5, 301.5]])
         self.told("contact_get_error_function", "contact1 2 room room room")
         for function, arguments in ((self.body.displacements, ()), (self.body.node_stresses, ()), (contact.tractions, ()), (contact.field, (1,)),
                                     (contact.node_status, ()), (contact.history, ()), (contact.error_function, ()),
                                     (contact.displacements_at, (1, X[:, :2])), (contact.solve, ()),
-                                    (contact.stresses_at, (1, X)), (rc.stress_invariants, (np.hstack([X, X]),)),
+                                    (contact.temperatures_at, (X[:, :2],)), (contact.stresses_at, (1, X)),
+                                    (rc.stress_invariants, (np.hstack([X, X]),)),
                                     (self.body.set, ("a name", 1)), (self.body.get, ("a name",))):
             self.fails(function, *arguments)
 

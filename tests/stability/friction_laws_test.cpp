@@ -40,7 +40,8 @@ void expect_laws_kept(const std::string& law, std::uint32_t first, std::uint32_t
     EXPECT_TRUE(e.law.finite) << law << ", seed " << seed;
     if (e.solved()) worst = std::max(worst, e.law.worst()), iterations += e.iterations, ++solved;
     if (e.status == ROLLCON_NOT_CONVERGED)
-      std::printf("%s, seed %u: not converged, %s\n", law.c_str(), seed, extremes::describe(scene).c_str());
+      std::printf("%s, seed %u: not converged, loads %.3f of those of fast sliding, %s\n", law.c_str(), seed,
+                  extremes::loads_over_friction(scene), extremes::describe(scene).c_str());
   }
   std::printf("%s: %u scenes, worst law residual of those solved %.1e (bound %.0e), %.1f iterations\n", law.c_str(),
               scenes, worst, law_bound, iterations / std::max(1, solved));

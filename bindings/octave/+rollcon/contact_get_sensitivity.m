@@ -11,7 +11,8 @@ function varargout = contact_get_sensitivity(varargin)
 % for NORMAL where pressures stand alone) and one right side each; kept until the next solve. After
 % NO_CONTACT only a prescribed motion's derivative by itself is not 0. ERR_STATE: no solution, one
 % that did not converge, or the parameter is a tangential force or spin moment without friction.
-% ERR_SINGULAR: a load at the limit of friction.
+% ERR_SINGULAR: a load at the limit of friction. ERR_UNSUPPORTED: friction follows the whole solution
+% (of temperature, with a memory, of a layer that flows).
 %
 %   contact (contact)
 %   parameter (int32, name or number: direction or parameter): LONGITUDINAL, LATERAL, NORMAL, SPIN or

@@ -89,6 +89,7 @@ FIELD_PRESSURE = 9
 FIELD_RIGID_SLIP = 10
 FIELD_FRICTION_POWER = 11
 FIELD_WEIGHT = 12
+FIELD_TEMPERATURE = 13
 
 # side
 LEFT = -1
@@ -294,6 +295,11 @@ FUNCTIONS = {
     "rollcon_contact_set_creep_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_prescribe": (c_int32, [c_void_p, c_int32, c_int32, c_double]),
     "rollcon_contact_set_friction": (c_int32, [c_void_p, c_char_p, c_int32, POINTER(c_double)]),
+    "rollcon_contact_set_friction_memory": (c_int32, [c_void_p, c_double, c_double]),
+    "rollcon_contact_set_layer": (c_int32, [c_void_p, c_double]),
+    "rollcon_contact_set_layer_yield": (c_int32, [c_void_p, c_double, c_double]),
+    "rollcon_contact_set_friction_across": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
+    "rollcon_contact_set_heat": (c_int32, [c_void_p, c_int32, c_double, c_double, c_double]),
     "rollcon_contact_set_friction_field": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_contact_set_int": (c_int32, [c_void_p, c_char_p, c_int64]),
     "rollcon_contact_set_real": (c_int32, [c_void_p, c_char_p, c_double]),
@@ -342,6 +348,9 @@ FUNCTIONS = {
     "rollcon_contact_get_body_displacements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_get_temperatures_at": (c_int32, [
+        c_void_p, c_int64,
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_contact_get_fatigue_index": (c_int32, [c_void_p, c_double, POINTER(c_double)]),
     "rollcon_contact_get_equivalent_ellipse": (c_int32, [
         c_void_p, POINTER(c_double),
@@ -382,6 +391,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_table": (c_int32, [c_void_p, c_void_p]),
     "rollcon_wheelrail_forget_table": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_set_friction_by_angle": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
     "rollcon_wheelrail_request_cancel": (c_int32, [c_void_p]),
@@ -466,10 +476,10 @@ ENUMERATORS = {
     "field": {
         "point": 1, "traction": 2, "gap": 3, "slip": 4, "displacement1": 5, "displacement2": 6,
         "area": 7, "friction": 8, "pressure": 9, "rigid_slip": 10, "friction_power": 11, "weight":
-        12, "field_point": 1, "field_traction": 2, "field_gap": 3, "field_slip": 4,
-        "field_displacement1": 5, "field_displacement2": 6, "field_area": 7, "field_friction": 8,
-        "field_pressure": 9, "field_rigid_slip": 10, "field_friction_power": 11, "field_weight":
-        12
+        12, "temperature": 13, "field_point": 1, "field_traction": 2, "field_gap": 3,
+        "field_slip": 4, "field_displacement1": 5, "field_displacement2": 6, "field_area": 7,
+        "field_friction": 8, "field_pressure": 9, "field_rigid_slip": 10, "field_friction_power":
+        11, "field_weight": 12, "field_temperature": 13
     },
     "side": {"left": -1, "right": 1},
     "axes of the track": {"track": 0, "wheelset": 1, "in_track": 0, "in_wheelset": 1},
@@ -634,6 +644,14 @@ ARGUMENTS = {
         ("contact", ""), ("direction", "direction"), ("how", "how"), ("value", "")
     ],
     "rollcon_contact_set_friction": [("contact", ""), ("law", ""), ("n", ""), ("parameters", "")],
+    "rollcon_contact_set_friction_memory": [("contact", ""), ("length", ""), ("least_speed", "")],
+    "rollcon_contact_set_layer": [("contact", ""), ("flexibility", "")],
+    "rollcon_contact_set_layer_yield": [("contact", ""), ("stress", ""), ("hardening", "")],
+    "rollcon_contact_set_friction_across": [("contact", ""), ("n", ""), ("points", "")],
+    "rollcon_contact_set_heat": [
+        ("contact", ""), ("which", ""), ("conductivity", ""), ("heat_capacity", ""),
+        ("temperature", "")
+    ],
     "rollcon_contact_set_friction_field": [("contact", ""), ("n", ""), ("mu", "")],
     "rollcon_contact_set_int": [("contact", ""), ("name", ""), ("value", "")],
     "rollcon_contact_set_real": [("contact", ""), ("name", ""), ("value", "")],
@@ -690,6 +708,9 @@ ARGUMENTS = {
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
     ],
+    "rollcon_contact_get_temperatures_at": [
+        ("contact", ""), ("n", ""), ("xy", ""), ("temperature", "")
+    ],
     "rollcon_contact_get_fatigue_index": [("contact", ""), ("shear_yield", ""), ("index", "")],
     "rollcon_contact_get_equivalent_ellipse": [("contact", ""), ("inputs", ""), ("center", "")],
     "rollcon_contact_get_wear": [
@@ -732,6 +753,7 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
     "rollcon_wheelrail_set_table": [("wheelrail", ""), ("table", "")],
     "rollcon_wheelrail_forget_table": [("wheelrail", "")],
+    "rollcon_wheelrail_set_friction_by_angle": [("wheelrail", ""), ("n", ""), ("points", "")],
     "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],
     "rollcon_wheelrail_request_cancel": [("wheelrail", "")],

@@ -222,8 +222,8 @@ class BodyPlain:
         parameters, parameters_at = reals(parameters)
         self._call("set_profile_shape", c_text(shape, "shape"), len(parameters), parameters_at)
 
-    def read_profile(self, path: str | PathLike, unit: float, mirror: int = 0, filter_length: float
-                     = 0) -> None:
+    def read_profile(self, path: str | PathLike, unit: float, mirror: int = 0,
+                     filter_length: float = 0) -> None:
         """Sets a profile through the points of a file, as set_profile() does: of Simpack, where
         the name ends in .prr or .prw (its keys are obeyed but for smoothing), of Miniprof, where
         it ends in .ban or .whl, else two columns, y and z. Simpack's and Miniprof's are
@@ -447,8 +447,8 @@ class ContactPlain:
         """
         self._call("set_gap_quadratic", a, b, c)
 
-    def set_gap_grid(self, nx: int, x_least: float, x_greatest: float, y_least: float, y_greatest:
-                     float, gap: ArrayLike) -> None:
+    def set_gap_grid(self, nx: int, x_least: float, x_greatest: float, y_least: float,
+                     y_greatest: float, gap: ArrayLike) -> None:
         """Sets the gap of the undeformed bodies at approach 0 by its values on a regular grid in
         the axes (t1, t2): between the points it is bicubic, with continuous slopes. Values that
         are +infinity say that a body is not there: the contact ends at the cells beside them, and
@@ -500,8 +500,8 @@ class ContactPlain:
         """
         self._call("set_step", kind, dt)
 
-    def set_velocity(self, which: int, velocity: ArrayLike, angular_velocity: ArrayLike, point:
-                     ArrayLike) -> None:
+    def set_velocity(self, which: int, velocity: ArrayLike, angular_velocity: ArrayLike,
+                     point: ArrayLike) -> None:
         """Says how a body or the contact itself moves: its point at x has the velocity v + omega
         x (x - point). Creepages and spin then follow from the velocities of both bodies; motion()
         returns them after a solve. Where bodies have profiles or meshes the relative velocity is
@@ -544,6 +544,70 @@ class ContactPlain:
           about the origin, and for NORMAL the compressive load >= 0.
         """
         self._call("prescribe", direction, how, value)
+
+    def set_friction_memory(self, length: float, least_speed: float) -> None:
+        """Gives friction that falls with the slip speed a memory: for a particle of the surface d
+        mu/dt = -max(s, s0)/dc (mu - mu_s(s)), where mu_s is what the law without memory says;
+        where surfaces come into contact mu is that at rest. Coefficients then follow the whole
+        solution and are found by solves with given ones (statistics friction_rounds and
+        friction_change). Holds for whatever law is set, if it falls, else the solve ends with
+        ERR_STATE. Steady rolling only (steps in time: ERR_UNSUPPORTED from the solve); no
+        sensitivities (ERR_UNSUPPORTED).
+
+        length: dc, length of slip, >= 0; 0: no memory.
+        least_speed: s0 >= 0, slip speed, length/time.
+        """
+        self._call("set_friction_memory", length, least_speed)
+
+    def set_layer(self, flexibility: float) -> None:
+        """Puts a thin elastic layer between the bodies that gives way along the surface in
+        proportion to the tangential traction at each point, in series with both: thickness over
+        shear modulus. The displacements of the bodies do not contain it, slip does. The
+        monolithic form (option "system") does not take it (ERR_UNSUPPORTED at the solve).
+
+        flexibility: thickness over shear modulus, length^3/force, >= 0; 0: no layer.
+        """
+        self._call("set_layer", flexibility)
+
+    def set_layer_yield(self, stress: float, hardening: float) -> None:
+        """Lets the layer between the bodies (set_layer(), which may be stiff: flexibility 0) flow
+        along the surface under a traction of stress + hardening times the flow since the surfaces
+        came into contact. Where that is less than friction it bounds the traction, and what
+        friction would call slip is flow. For laws "coulomb", "temperature", and those that fall
+        with a memory, others end with ERR_UNSUPPORTED at the solve. Found by solves with given
+        coefficients as under set_friction_memory(): steady rolling only, no sensitivities.
+
+        stress: >= 0, force/length^2; 0: never flows.
+        hardening: force/length^3; negative: softening.
+        """
+        self._call("set_layer_yield", stress, hardening)
+
+    def set_friction_across(self, points: ArrayLike | None) -> None:
+        """Sets friction coefficients along t2, linear between points and constant beyond them,
+        for frames of any maker: in place of the coefficient (the greatest) of set_friction(),
+        where set_friction_field() gives none.
+
+        points: y along t2 from the origin of the axes, ascending, length, and mu >= 0.
+        """
+        if points is None:
+            points = ()
+            points_at = None
+        else:
+            points, points_at = reals(points, 2)
+        self._call("set_friction_across", len(points), points_at)
+
+    def set_heat(self, which: int, conductivity: float, heat_capacity: float,
+                 temperature: float) -> None:
+        """Says what a body does with heat, for the surface temperatures of a solution
+        (temperatures_at(), FIELD_TEMPERATURE) and for friction that depends on them. Both bodies
+        are to be told of; one of them may take up none.
+
+        which: 1 or 2: the body.
+        conductivity: >= 0, power/(length temperature).
+        heat_capacity: >= 0, energy/(volume temperature): density times specific heat.
+        temperature: far from the contact.
+        """
+        self._call("set_heat", which, conductivity, heat_capacity, temperature)
 
     def set_friction_field(self, mu: ArrayLike | None) -> None:
         """Sets the friction coefficient node by node, in place of that of set_friction().
@@ -628,6 +692,8 @@ class ContactPlain:
         until the next solve. After NO_CONTACT only a prescribed motion's derivative by itself is
         not 0. ERR_STATE: no solution, one that did not converge, or the parameter is a tangential
         force or spin moment without friction. ERR_SINGULAR: a load at the limit of friction.
+        ERR_UNSUPPORTED: friction follows the whole solution (of temperature, with a memory, of a
+        layer that flows).
 
         parameter: LONGITUDINAL, LATERAL, NORMAL, SPIN or FRICTION.
         force: of the force on body 1, local axes.
@@ -774,6 +840,22 @@ class WheelrailPlain:
     def forget_table(self) -> None:
         """Solves all patches in full again, as a new handle does."""
         self._call("forget_table")
+
+    def set_friction_by_angle(self, points: ArrayLike | None) -> None:
+        """Sets coefficients by the inclination of the rail's surface, linear between points and
+        constant beyond them, in place of that of set_friction(): lubricated gauge faces under dry
+        heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
+        cant included, its deviation not: negative on the gauge face; left rails are mirrored, so
+        that one table serves both.
+
+        points: inclination, radian, ascending, and mu, 0 to 10.
+        """
+        if points is None:
+            points = ()
+            points_at = None
+        else:
+            points, points_at = reals(points, 2)
+        self._call("set_friction_by_angle", len(points), points_at)
 
     def set_accuracy(self, accuracy: float) -> None:
         """Sets how accurate forces are to be: the frames of the patches are as fine as that

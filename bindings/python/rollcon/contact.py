@@ -255,6 +255,13 @@ class Contact(Settings, ContactPlain, Handle):
         self._call("get_body_displacements", body, u.size, address, byref(need))
         return u
 
+    def temperatures_at(self, xy: ArrayLike) -> np.ndarray:
+        """Temperatures [n, 2] of the surfaces of bodies 1 and 2 at points xy[n, 2] of the plane of the axes."""
+        xy, points = reals(xy, 2)
+        temperature, address = room(len(xy), 2)
+        self._call("get_temperatures_at", len(xy), points, address)
+        return temperature
+
     def history(self) -> np.ndarray:
         """One row per iteration: phase, iteration, normal residual, tangential residual, step
         length, nodes in contact, nodes in slip, seconds."""

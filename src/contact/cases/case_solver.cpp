@@ -25,6 +25,7 @@ std::unique_ptr<SolverState> share(const SolverState& from) {
   to->prepared = from.prepared;
   to->preparation = can_share(from) ? nullptr : from.preparation;
   to->given = from.given;
+  to->given.share = {};
   to->frictionless = from.frictionless;
   to->procedure = from.procedure;
   to->iterate.resize(to->prepared->problem.nodes);
@@ -68,7 +69,11 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
-  if (!warm_ || options_.warm_start == 0) s.iterate.clear();
+  if (!warm_ || options_.warm_start == 0) {
+    s.iterate.clear();
+    s.settled_friction.share.clear();
+    s.given.share = {};
+  }
   warm_ = false;
   prescribe(parameter, value);
   if (s.frictionless) refuse_tangential_loads(s.given);
@@ -133,7 +138,9 @@ void CaseSolver::derivatives(std::span<const Parameter> parameter, const double*
       d[7] = r.motion[xi1], d[8] = r.motion[xi2], d[9] = r.motion[spin];
       for (int i = 0; i < 10; ++i) d[i] /= unit;
     } catch (const Error& error) {
-      if (error.status() != Status::err_state && error.status() != Status::err_singular) throw;
+      if (error.status() != Status::err_state && error.status() != Status::err_singular &&
+          error.status() != Status::err_unsupported)
+        throw;
     }
   }
 }

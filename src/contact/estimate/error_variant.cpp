@@ -69,7 +69,9 @@ void Variant::take_problem(const SolverState& s) {
   p.moment_z = gather(*space_, from.moment_z);
   p.cell_area = gather(*space_, from.cell_area);
   p.gap = pick(*space_, from.gap);
-  p.mu = pick(*space_, from.mu);
+  std::vector<double> mu = from.mu;  // that of the solution, where friction follows it
+  for (std::size_t k = 0; k < mu.size() && !s.given.share.empty(); ++k) mu[k] *= s.given.share[k];
+  p.mu = pick(*space_, mu);
   p.slip1 = pick(*space_, from.slip1);
   p.slip2 = pick(*space_, from.slip2);
   if (!from.turn.empty())
@@ -153,6 +155,7 @@ Variant Variant::coarse(const SolverState& s, double step) {
 
 bool Variant::solve(const SolverState& s, bool given_load) {
   given_ = s.given;
+  given_.share = {};
   given_.value = s.iterate.motion;
   given_.by_force = {};
   given_.by_force[approach] = given_load;

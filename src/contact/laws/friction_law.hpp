@@ -9,6 +9,8 @@
 
 namespace rollcon {
 
+class FieldLaw;  // contact/laws/field_law.hpp
+
 /// How the tangential row of one node depends on its own tractions and slip:
 ///   row = own[i][0] lt1 + own[i][1] lt2 + own[i][2] ln + slip[i][0] s1 + slip[i][1] s2 =
 ///   constant[i]
@@ -71,6 +73,8 @@ class FrictionLaw {
   virtual std::array<double, 2> against(const FrictionPoint& point) const = 0;
   /// Friction is the same in all directions.
   virtual bool isotropic() const { return true; }
+  /// Where coefficients follow the whole solution: they are given while a node is looked at. Null: they do not.
+  virtual const FieldLaw* of_field() const { return nullptr; }
   /// Friction depends on the slip speed: there may be several solutions.
   virtual bool falls() const { return false; }
   /// Friction coefficient at the point.
@@ -90,6 +94,24 @@ struct GivenFriction {
   double mu = 0;
 };
 
+/// How long a slip it takes until friction follows the slip speed.
+struct FrictionMemory {
+  double length = 0;       ///< 0: none
+  double least_speed = 0;  ///< that counts for lesser ones
+  bool operator==(const FrictionMemory&) const = default;
+};
+/// law: one that falls.
+std::shared_ptr<const FrictionLaw> with_memory(std::shared_ptr<const FrictionLaw> law, FrictionMemory memory);
+
+/// A layer between the bodies that flows under a traction of stress + hardening times the flow.
+struct LayerYield {
+  double stress = 0;  ///< 0: it never flows
+  double hardening = 0;
+  bool operator==(const LayerYield&) const = default;
+};
+/// law: null: Coulomb's; else one that follows the whole solution.
+std::shared_ptr<const FrictionLaw> with_yield(std::shared_ptr<const FrictionLaw> law, LayerYield yield);
+
 /// What callers may name (law_names.cpp).
 struct LawName {
   const char* name;
@@ -106,5 +128,6 @@ GivenFriction make_linear(std::span<const double> parameters);
 GivenFriction make_orthotropic(std::span<const double> parameters);
 GivenFriction make_orthotropic_collinear(std::span<const double> parameters);
 GivenFriction make_rational(std::span<const double> parameters);
+GivenFriction make_temperature(std::span<const double> parameters);
 
 }  // namespace rollcon

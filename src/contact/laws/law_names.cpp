@@ -11,6 +11,7 @@ std::span<const LawName> law_names() {
       {"linear", falling, 3, 5, make_linear},
       {"rational", falling, 3, 5, make_rational},
       {"exponential", falling, 3, 5, make_exponential},
+      {"temperature", "4 to 64 parameters: T1, mu1, T2, mu2, ...", 4, 64, make_temperature},
   };
   return names;
 }

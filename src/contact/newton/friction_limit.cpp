@@ -54,7 +54,7 @@ class Limit {
       loads_[i] = (given.value[m] - scale * by_pressures) * unit_[i];
     }
     for (std::size_t k = 0; k < at(p.nodes); ++k) {
-      const double bound = -scale * given.friction * p.mu[k] * lambda[2][k];
+      const double bound = -scale * given.coefficient(p.mu, k) * lambda[2][k];
       if (bound > 0) add(k, -scale * lambda[2][k]);
     }
   }
@@ -83,7 +83,7 @@ class Limit {
  private:
   void add(std::size_t k, double pressure) {
     Node n{};
-    const auto most = problem_.law->capacity(given_.friction * problem_.mu[k], pressure);
+    const auto most = problem_.law->capacity(given_.coefficient(problem_.mu, k), pressure);
     for (std::size_t i = 0; i < 3; ++i) {
       if (!given_.by_force[at(motions[i])]) continue;
       const auto row = problem_.load_row(motions[i], k);
@@ -238,7 +238,7 @@ double share_of_forces(const Problem& p, const Prescribed& given, const std::vec
   }
   double friction = 0;
   for (std::size_t k = 0; k < at(p.nodes); ++k)
-    friction -= std::min(lambda[2][k], 0.0) * given.friction * p.mu[k] * p.weight[k];
+    friction -= std::min(lambda[2][k], 0.0) * given.coefficient(p.mu, k) * p.weight[k];
   if (given.by_force[approach]) {
     const double carried = load_on_body1(p, approach, lambda).value;
     if (carried > 0) friction *= given.value[approach] / carried;
@@ -266,8 +266,9 @@ bool friction_sum_known(const Problem& p, const Prescribed& given, const std::ve
   double mu = -1;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
     if (!(normal[k] < 0)) continue;
-    if (mu >= 0 && p.mu[k] != mu) return false;
-    mu = p.mu[k];
+    const double own = given.coefficient(p.mu, k);
+    if (mu >= 0 && own != mu) return false;
+    mu = own;
   }
   return true;
 }

@@ -23,6 +23,8 @@ struct FrictionShare {
   double sliding = 0;
   std::array<double, 3> direction{};         ///< that motion: longitudinal, lateral, spin times length
   bool by_force = false, by_moment = false;  ///< what is prescribed
+  /// `together` is over the greatest load on the branch that begins with stick, under friction that falls with slip.
+  bool before_fall = false;
 };
 
 /// Under the pressures of lambda. Where the normal load is given, they are scaled to it.

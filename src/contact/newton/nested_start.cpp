@@ -57,7 +57,8 @@ Coarser coarsen(const Frame& frame, const Lattice& lattice) {
   return c;
 }
 
-Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coarser& c) {
+// Coefficients that follow the solution stay as they are.
+Problem coarser_problem(const Problem& p, const Prescribed& given, const LatticeScene& scene, const Coarser& c) {
   Problem q;
   take_frame(q, c.frame);
   scene.make_operators(c.frame, c.lattice, q);
@@ -69,6 +70,7 @@ Problem coarser_problem(const Problem& p, const LatticeScene& scene, const Coars
   };
   sample(p.gap, q.gap);
   sample(p.mu, q.mu);
+  for (std::size_t k = 0; k < q.mu.size() && !given.share.empty(); ++k) q.mu[k] *= given.share[at(c.fine[k])];
   sample(p.slip1, q.slip1);
   sample(p.slip2, q.slip2);
   q.motion_scale = p.motion_scale;
@@ -118,18 +120,20 @@ bool take_from_coarser(const Problem& problem, const Prescribed& given, const La
                        Find find) {
   const Coarser coarser = coarsen(scene.frame, scene.lattice);
   if (!coarser.lattice.has_inner_node()) return false;
-  const Problem p = coarser_problem(problem, scene, coarser);
+  const Problem p = coarser_problem(problem, given, scene, coarser);
+  Prescribed there = given;
+  there.share = {};
   Iterate start;
   start.resize(p.nodes);
   start.motion = iterate.motion;
   const LatticeScene next{coarser.frame, coarser.lattice, scene.make_operators, scene.cancelled};
-  if (!find(p, next, start)) return false;
+  if (!find(p, there, next, start)) return false;
   for (int c = 0; c < 3; ++c) interpolate(coarser.lattice, start.lambda[c], scene.lattice, iterate.lambda[c]);
   for (std::size_t k = 0; k < at(problem.nodes); ++k) {
     double& normal = iterate.lambda[2][k];
     normal = problem.used[k] ? std::min(normal, 0.0) : 0.0;
     const FrictionTraction t =
-        problem.law->traction({given.friction * problem.mu[k], -normal, iterate.lambda[0][k], iterate.lambda[1][k]});
+        problem.law->traction({given.coefficient(problem.mu, k), -normal, iterate.lambda[0][k], iterate.lambda[1][k]});
     iterate.lambda[0][k] = t.t1;
     iterate.lambda[1][k] = t.t2;
   }
@@ -144,9 +148,9 @@ bool start_from_coarser(const Problem& problem, const Prescribed& given, const L
                         double tolerance, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest) return false;
   return take_from_coarser(problem, given, scene, iterate,
-                           [&](const Problem& p, const LatticeScene& next, Iterate& start) {
-                             start_from_coarser(p, given, next, frictionless, start_tolerance, start);
-                             return solve(p, given, next, frictionless, tolerance, start);
+                           [&](const Problem& p, const Prescribed& there, const LatticeScene& next, Iterate& start) {
+                             start_from_coarser(p, there, next, frictionless, start_tolerance, start);
+                             return solve(p, there, next, frictionless, tolerance, start);
                            });
 }
 
@@ -154,11 +158,11 @@ bool solve_on_coarser(const Problem& problem, const Prescribed& given, const Lat
                       double tolerance, int halvings, Iterate& iterate) {
   if (std::min(scene.lattice.nx, scene.lattice.ny) < 2 * coarsest_compared) return false;
   return take_from_coarser(problem, given, scene, iterate,
-                           [&](const Problem& p, const LatticeScene& next, Iterate& start) {
+                           [&](const Problem& p, const Prescribed& there, const LatticeScene& next, Iterate& start) {
                              if (halvings > 1)
-                               return solve_on_coarser(p, given, next, frictionless, tolerance, halvings - 1, start);
-                             start_from_coarser(p, given, next, frictionless, start_tolerance, start);
-                             return solve(p, given, next, frictionless, tolerance, start);
+                               return solve_on_coarser(p, there, next, frictionless, tolerance, halvings - 1, start);
+                             start_from_coarser(p, there, next, frictionless, start_tolerance, start);
+                             return solve(p, there, next, frictionless, tolerance, start);
                            });
 }
 

@@ -56,7 +56,7 @@ void Newton::begin_prediction() {
   prediction.reserve(p.nodes);
   prediction.begin(given, it);
   double friction = 0;
-  for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.friction * p.mu[k] * p.weight[k] * it.lambda[2][k];
+  for (std::size_t k = 0; k < at(p.nodes); ++k) friction -= given.coefficient(p.mu, k) * p.weight[k] * it.lambda[2][k];
   std::array<double, 4> weight{};
   for (const int m : {xi1, xi2, spin})
     weight[at(m)] = given.by_force[at(m)] ? friction * (m == spin ? p.length : 1) : creep_scale(p, given, it, m);
@@ -165,7 +165,10 @@ Outcome Newton::fall_back() {
     outcome = guarded(strategy(iteration_));
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
-  if (solve_.problem->law->falls()) next(Rung::fall_from_rest, fall_from_rest);
+  if (solve_.problem->law->falls()) {
+    next(Rung::fall_from_rest, fall_from_rest);
+    next(Rung::bracket_creep, bracket_before_fall);
+  }
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
   next(Rung::search_creep, search_creep);

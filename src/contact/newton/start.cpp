@@ -93,7 +93,7 @@ double creep_scale(const Problem& p, const Prescribed& given, const Iterate& it,
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     const double rt = given.slip_scale * p.rt[k];
     if (!(it.lambda[2][k] < 0) || !(rt > 0)) continue;
-    sum += -given.friction * p.mu[k] * it.lambda[2][k] / rt;
+    sum += -given.coefficient(p.mu, k) * it.lambda[2][k] / rt;
     ++count;
     for (const auto& image : {it.image[0][k], it.image[1][k]})
       if (std::isfinite(image)) slip = std::max(slip, std::abs(image));

@@ -127,7 +127,7 @@ bool NewtonIteration::newton_step(Part part, bool stick, double forcing) {
     if (has_normal(part)) known_[2][a] = p.rigid_gap(k, known[approach]) - (has_frozen_ ? frozen_[2][k] : 0);
     if (!has_tangential(part)) continue;
     system_.law(static_cast<std::int64_t>(a)) =
-        stick && given.friction * p.mu[k] > 0 ? stick_law() : law_of(part, i, part == Part::full);
+        stick && given.coefficient(p.mu, k) > 0 ? stick_law() : law_of(part, i, part == Part::full);
     known_[0][a] = p.rigid_slip1(i, known) + (has_frozen_ ? frozen_[0][k] : 0);
     known_[1][a] = p.rigid_slip2(i, known) + (has_frozen_ ? frozen_[1][k] : 0);
   }

@@ -49,13 +49,14 @@ struct Preparation {
   Revision mesh = -1;  ///< of the frame
   /// mesh, place if it cannot follow that, axes, poses that turn or move it, gap if bodies end there
   Stage<Revision, Revision, Revision, Poses, Poses> frame;
-  Stage<Revision, Revision> place;     ///< frame, revision
-  Stage<Revision, Poses, Poses> rim;   ///< frame, poses of bodies with a mesh, where the gap ends
-  Stage<Revision, double> compliance;  ///< frame, accuracy
-  Stage<Revision, Scheme> convection;  ///< compliance, scheme
-  Stage<Revision> offset;              ///< convection
-  Stage<Revision, Revision> friction;  ///< convection, revision
-  Stage<Revision, double> law;         ///< friction, rolling speed
+  Stage<Revision, Revision> place;             ///< frame, revision
+  Stage<Revision, Poses, Poses> rim;           ///< frame, poses of bodies with a mesh, where the gap ends
+  Stage<Revision, double, double> compliance;  ///< frame, accuracy, layer
+  Stage<Revision, Scheme> convection;          ///< compliance, scheme
+  Stage<Revision> offset;                      ///< convection
+  /// convection, revision, place if it varies across
+  Stage<Revision, Revision, Revision> friction;
+  Stage<Revision, double> law;  ///< friction, rolling speed
   /// frame, place, offset, revision, poses if measured
   Stage<Revision, Revision, Revision, Revision, Poses> gap;
   /// convection, gap, place of the points, poses; where there are velocities

@@ -163,7 +163,7 @@ void build_compliance(SolverState& state, const Scene& scene, int threads) {
   Preparation& preparation = *state.preparation;
   Prepared& on = *preparation.made;
   preparation.threads = threads;
-  if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy))
+  if (!preparation.compliance.enter(preparation.frame.version(), scene.options.accuracy, scene.layer()))
     return on.compliance->set_threads(threads);
   const Stopwatch watch(state.timings.compliance);
   ++state.work.compliances;
@@ -210,7 +210,9 @@ void build_operators(SolverState& state, const Scene& scene) {
 // The coefficients; 0 on the inflow rim.
 void read_friction(SolverState& state, const Scene& scene) {
   Preparation& preparation = *state.preparation;
-  if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction)) return;
+  if (!preparation.friction.enter(preparation.convection.version(), scene.revision.friction,
+                                  scene.friction_varies_across() ? preparation.place.version() : -1))
+    return;
   ++state.work.frictions;
   Problem& p = preparation.made->problem;
   p.own_law = scene.law();
@@ -218,7 +220,7 @@ void read_friction(SolverState& state, const Scene& scene) {
   p.mu.resize(at(p.nodes));
   bool frictionless = true;
   for (std::size_t k = 0; k < p.mu.size(); ++k) {
-    p.mu[k] = scene.friction(static_cast<std::int64_t>(k));
+    p.mu[k] = scene.friction(static_cast<std::int64_t>(k), preparation.made->frame.y[k]);
     frictionless = frictionless && !(p.mu[k] > 0);
   }
   if (frictionless && !state.frictionless) {
@@ -388,7 +390,8 @@ void prepare(SolverState& state, const Scene& scene, Body& body1, Body& body2, i
          "jacobian = exact");
   prepare_bodies(state, body1, body2);
   Prepared& on = begin_preparation(state);
-  on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}};
+  on.pair = {{&body1, &body2}, {scene.pose(0), scene.pose(1)}, scene.layer()};
+  on.heat = scene.heat();
   build_frame_part(state, scene);
   build_compliance(state, scene, threads);
   build_stencils(state, scene);

@@ -53,7 +53,7 @@ TangentialLaw linearise_friction(const Problem& p, const Prescribed& given, std:
                                  const std::vector<double> (&lambda)[3], double s1, double s2, double pressure,
                                  bool bound_follows) {
   const double rt = given.slip_scale * p.rt[k];
-  return p.law->linearise({given.friction * p.mu[k], pressure, lambda[0][k], lambda[1][k], s1, s2, rt, given.falling},
+  return p.law->linearise({given.coefficient(p.mu, k), pressure, lambda[0][k], lambda[1][k], s1, s2, rt, given.falling},
                           bound_follows);
 }
 

@@ -81,7 +81,7 @@ LawSums sum_laws(const Problem& p, const Prescribed& given, Part part, Values&& 
       const double l1 = at.lambda(0, k), l2 = at.lambda(1, k);
       FrictionTraction t{};
       if (touching && at.slip_known(k)) {
-        const double rt = given.slip_scale * p.rt[k], mu = given.friction * p.mu[k];
+        const double rt = given.slip_scale * p.rt[k], mu = given.coefficient(p.mu, k);
         const SummedSlip s = at.slip(k);
         t = friction.traction({mu, -augmented, l1, l2, s.s1, s.s2, rt, given.falling});
         sliding = t.sliding;

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <vector>
 
 namespace rollcon {
 
@@ -32,6 +34,13 @@ struct Prescribed {
   double friction = 1;             ///< factor on the nodes' coefficients
   double falling = 1;              ///< factor on the slip speed that friction falls with; 0: as at rest
   double slip_scale = 1;           ///< factor on the nodes' scales of slip: another path, same solution
+  /// Factor on the coefficient of each node, where friction follows the whole solution; empty: 1.
+  std::span<const double> share{};
+
+  /// Of node k, from those that the problem has.
+  double coefficient(const std::vector<double>& mu, std::size_t k) const {
+    return friction * mu[k] * (share.empty() ? 1 : share[k]);
+  }
 
   bool tangential_load() const { return by_force[xi1] || by_force[xi2] || by_force[spin]; }
   /// What is prescribed in the normal direction: a load, or an approach from no approach on.

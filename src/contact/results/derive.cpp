@@ -89,7 +89,7 @@ void derive_fields(SolverState& s) {
     s.slip[0][k] = s.prepared->speed * s1;
     s.slip[1][k] = s.prepared->speed * s2;
     if (!(it.lambda[2][k] < 0)) continue;
-    const FrictionPoint point{s.given.friction * p.mu[k],
+    const FrictionPoint point{s.given.coefficient(p.mu, k),
                               -(it.lambda[2][k] + p.rn[k] * s.gap[k]),
                               it.lambda[0][k],
                               it.lambda[1][k],
@@ -116,7 +116,7 @@ void check_laws(SolverState& s) {
   for (std::size_t k = 0; k < n; ++k) {
     pressure = std::max(pressure, std::abs(it.lambda[2][k]));
     depth = std::max(depth, std::abs(un[k]));
-    bound_max = std::max(bound_max, s.given.friction * p.mu[k] * std::abs(it.lambda[2][k]));
+    bound_max = std::max(bound_max, s.given.coefficient(p.mu, k) * std::abs(it.lambda[2][k]));
   }
   std::vector<double> s1(n), s2(n);
   for (std::size_t k = 0; k < n; ++k) {
@@ -140,7 +140,7 @@ void check_laws(SolverState& s) {
     if (pressure > 0) normal = std::max(normal, ln / pressure);
     if (depth > 0) normal = std::max(normal, ln < 0 ? std::abs(kn) / depth : -kn / depth);
     const FrictionPoint point{
-        s.given.friction * p.mu[k], std::max(-ln, 0.0), it.lambda[0][k], it.lambda[1][k], s1[k], s2[k]};
+        s.given.coefficient(p.mu, k), std::max(-ln, 0.0), it.lambda[0][k], it.lambda[1][k], s1[k], s2[k]};
     const FrictionTraction t = p.law->traction(point);
     const double tangential = t.length, bound = t.bound;
     const bool sliding = s.status[k] == static_cast<std::int32_t>(NodeStatus::slip);

@@ -35,7 +35,7 @@ Results results_of(const SolverState& s) {
     if (!(it.lambda[2][k] < 0)) continue;
     r.area += p.cell_area[k];
     r.carried += p.weight[k] * std::hypot(it.lambda[0][k], it.lambda[1][k]);
-    r.friction -= p.weight[k] * s.given.friction * p.mu[k] * it.lambda[2][k];
+    r.friction -= p.weight[k] * s.given.coefficient(p.mu, k) * it.lambda[2][k];
   }
   return r;
 }
@@ -92,7 +92,7 @@ bool solve3(std::array<Three, 3> a, Three& b) {
 // Forces and moment over `length` that change the motions found by `off`; lengths of motions count as those of forces.
 // Nothing: no forces do, or they cannot be told.
 std::optional<Three> forces_of(SolverState& fine, const Three& off, double length) {
-  if (!fine.procedure.standard()) return std::nullopt;
+  if (!fine.procedure.standard() || fine.prepared->problem.law->of_field()) return std::nullopt;
   std::array<Three, 3> yields{};
   Three forces{};
   constexpr std::array<Parameter, 3> parameter{Parameter::longitudinal, Parameter::lateral, Parameter::spin};

@@ -193,6 +193,10 @@ std::string describe_plan(const SolverState& s, const Scene& scene, const Body& 
   }
   if (const std::string law = s.frictionless ? "" : s.prepared->problem.law->description(); !law.empty())
     line(text, "%s", law.c_str());
+  if (!s.frictionless && s.prepared->problem.law->of_field())
+    line(text, "friction follows the whole solution: found by %lld solves with given coefficients, last change %.1e",
+         static_cast<long long>(s.settled_friction.rounds), s.settled_friction.change);
+  if (s.prepared->pair.layer > 0) line(text, "an elastic layer between the bodies: %g", s.prepared->pair.layer);
   if (!s.frictionless && s.prepared->problem.law->falls() && s.outcome == Outcome::converged)
     line(text, "several solutions may exist: this one %s", branch_of(s.report));
   if (op.tangential || s.procedure.monolithic) line(text, "convective scheme: %s", name_of(s.prepared->scheme));

@@ -114,6 +114,9 @@ const Rates& find_rates(SolverState& s, Parameter parameter) {
   Sensitivities& w = s.sensitivities;
   const auto which = static_cast<std::size_t>(parameter) - 1;
   if (w.known[which]) return w.rates[which];
+  if (!s.frictionless && s.prepared->problem.law->of_field())
+    fail(Status::err_unsupported,
+         "friction follows the whole solution (its temperature, or its past): derivatives are not known then");
   const Stopwatch watch(w.seconds);
   LinearSolver& linear = s.newton.linear();
   const std::int64_t factors = linear.factorizations, iterations = linear.iterations;

@@ -45,7 +45,7 @@ double near_change(SolverState& s) {
   double pressure = 0, bound = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
     pressure = std::max(pressure, -it.lambda[2][k]);
-    bound = std::max(bound, -p.mu[k] * it.lambda[2][k]);
+    bound = std::max(bound, -s.given.coefficient(p.mu, k) * it.lambda[2][k]);
   }
   double count = 0;
   for (std::size_t k = 0; k < p.gap.size(); ++k) {
@@ -54,13 +54,18 @@ double near_change(SolverState& s) {
     bool near = std::abs(augmented) < 1e-6 * pressure;
     if (!near && augmented < 0 && !s.frictionless) {
       const double s1 = s.slip[0][k] / s.prepared->speed, s2 = s.slip[1][k] / s.prepared->speed;
-      const FrictionTraction t =
-          p.law->traction({p.mu[k], -augmented, it.lambda[0][k], it.lambda[1][k], s1, s2, p.rt[k]});
+      const FrictionTraction t = p.law->traction(
+          {s.given.coefficient(p.mu, k), -augmented, it.lambda[0][k], it.lambda[1][k], s1, s2, p.rt[k]});
       near = std::abs(t.length - t.bound) < 1e-6 * bound;
     }
     count += near;
   }
   return count;
+}
+
+// Solves with given coefficients, where friction follows the whole solution.
+std::int64_t rounds_of_friction(const SolverState& s) {
+  return s.frictionless || !s.prepared->problem.law->of_field() ? 0 : s.settled_friction.rounds;
 }
 
 // Force times creepage, without the spin.
@@ -84,6 +89,8 @@ constexpr Statistic table[] = {
     {"tangential_iterations", [](SolverState& s) { return number(s.report.tangential_iterations); }},
     {"full_iterations", [](SolverState& s) { return number(s.report.full_iterations); }},
     {"fallbacks", [](SolverState& s) { return number(s.report.fallbacks); }, true},
+    {"friction_rounds", [](SolverState& s) { return number(rounds_of_friction(s)); }},
+    {"friction_change", [](SolverState& s) { return rounds_of_friction(s) > 0 ? s.settled_friction.change : 0.0; }},
     {"predictions", [](SolverState& s) { return number(s.report.predictions); }},
     {"linear_iterations", [](SolverState& s) { return number(s.linear_iterations); }},
     {"factorizations", [](SolverState& s) { return number(s.factorizations); }},

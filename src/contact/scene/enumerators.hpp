@@ -27,6 +27,7 @@ enum class Field : std::int32_t {
   rigid_slip = 10,
   friction_power = 11,
   weight = 12,
+  temperature = 13,
 };
 enum class NodeStatus : std::int32_t { open = 0, stick = 1, slip = 2, excluded = 3 };
 /// What results may be differentiated by: the value prescribed in a direction (Direction's numbers), or a factor on the

@@ -186,6 +186,85 @@ void Scene::set_friction(const char* law, std::int32_t n, const double* paramete
   law_name_ = &*named;
   law_ = std::move(made.law);
   friction_ = made.mu;
+  choose_law();
+  ++revision.friction;
+}
+
+// What does not fit is refused before a solve.
+void Scene::choose_law() {
+  law_in_use_ = memory_.length > 0 && law_ && law_->falls() ? with_memory(law_, memory_) : law_;
+  if (yield_.stress > 0 && (!law_in_use_ || law_in_use_->of_field())) law_in_use_ = with_yield(law_in_use_, yield_);
+}
+
+void Scene::set_friction_memory(double length, double least_speed) {
+  require_finite(length, "length");
+  require_finite(least_speed, "least_speed");
+  if (length < 0) fail(Status::err_argument, "length is %g; allowed: 0 (none) or more", length);
+  if (least_speed < 0) fail(Status::err_argument, "least_speed is %g; allowed: 0 or more", least_speed);
+  const FrictionMemory memory{length, length > 0 ? least_speed : 0};
+  if (memory_ == memory) return;
+  memory_ = memory;
+  choose_law();
+  ++revision.friction;
+}
+
+void Scene::set_layer(double flexibility) {
+  require_finite(flexibility, "flexibility");
+  if (flexibility < 0) fail(Status::err_argument, "flexibility is %g; allowed: 0 (none) or more", flexibility);
+  if (replace(layer_, flexibility)) ++revision.friction;
+}
+
+void Scene::set_layer_yield(double stress, double hardening) {
+  require_finite(stress, "stress");
+  require_finite(hardening, "hardening");
+  if (stress < 0) fail(Status::err_argument, "stress is %g; allowed: 0 (never) or more", stress);
+  const LayerYield yield{stress, stress > 0 ? hardening : 0};
+  if (yield_ == yield) return;
+  yield_ = yield;
+  choose_law();
+  ++revision.friction;
+}
+
+void Scene::set_friction_across(std::int64_t n, const double* points) {
+  if (n == 0) {
+    if (!across_y_.empty()) ++revision.friction;
+    across_y_.clear();
+    across_mu_.clear();
+    return;
+  }
+  require_count(n, "n");
+  require_pointer(points, "points");
+  require_finite(n, 2, points, "points", mesh_.index_base);
+  bool same = static_cast<std::size_t>(n) == across_y_.size();
+  for (std::int64_t i = 0; i < n; ++i) {
+    const double y = points[2 * i], mu = points[2 * i + 1];
+    const long long entry = static_cast<long long>(i) + mesh_.index_base;
+    if (mu < 0)
+      fail(Status::err_argument, "mu of point %lld (counting from %d) is %g; allowed: 0 or more", entry,
+           mesh_.index_base, mu);
+    if (i > 0 && !(y > points[2 * i - 2]))
+      fail(Status::err_argument, "y of point %lld (counting from %d) is %g; allowed: above that before, %g", entry,
+           mesh_.index_base, y, points[2 * i - 2]);
+    same = same && across_y_[static_cast<std::size_t>(i)] == y && across_mu_[static_cast<std::size_t>(i)] == mu;
+  }
+  if (same) return;
+  across_y_.resize(static_cast<std::size_t>(n));
+  across_mu_.resize(static_cast<std::size_t>(n));
+  for (std::size_t i = 0; i < across_y_.size(); ++i) across_y_[i] = points[2 * i], across_mu_[i] = points[2 * i + 1];
+  ++revision.friction;
+}
+
+void Scene::set_heat(std::int32_t which, double conductivity, double capacity, double temperature) {
+  if (which != 1 && which != 2) fail(Status::err_argument, "which is %d; allowed: 1, 2", which);
+  require_finite(conductivity, "conductivity");
+  require_finite(capacity, "heat_capacity");
+  require_finite(temperature, "temperature");
+  if (conductivity < 0) fail(Status::err_argument, "conductivity is %g; allowed: 0 or more", conductivity);
+  if (capacity < 0) fail(Status::err_argument, "heat_capacity is %g; allowed: 0 or more", capacity);
+  const Heat heat{conductivity, capacity, temperature, true};
+  Heat& held = heat_[static_cast<std::size_t>(which) - 1];
+  if (held == heat) return;
+  held = heat;
   ++revision.friction;
 }
 
@@ -216,8 +295,20 @@ void Scene::require_complete(bool has_surface) const {
     fail(Status::err_state,
          "no gap was given and no body has a mesh or a profile to compute it from: rollcon_contact_set_gap, "
          "rollcon_contact_set_gap_quadratic or rollcon_contact_set_gap_grid");
-  if (law_name_ == nullptr && friction_field_.empty())
+  if (law_name_ == nullptr && friction_field_.empty() && across_y_.empty())
     fail(Status::err_state, "no friction was given: rollcon_contact_set_friction");
+  if (memory_.length > 0 && !(law_ && law_->falls()))
+    fail(Status::err_state,
+         "a length of slip was given (rollcon_contact_set_friction_memory), but this law does not fall with the slip "
+         "speed; allowed: 'linear', 'rational', 'exponential', or a length of 0");
+  if (yield_.stress > 0 && law_ && !law_->of_field() && !(law_->falls() && memory_.length > 0))
+    fail(Status::err_unsupported,
+         "a layer that flows (rollcon_contact_set_layer_yield) is not there for this law; allowed: 'coulomb', "
+         "'temperature', or a law that falls with a memory (rollcon_contact_set_friction_memory)");
+  if (step_kind_ != StepKind::steady && law() && law()->of_field())
+    fail(Status::err_unsupported,
+         "friction of temperature, with a memory or of a layer that flows is that of steady rolling; allowed in a step "
+         "in time: other laws");
   if (velocities_given_ && !travel_given_ && !speed_given_)
     fail(
         Status::err_state,

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/heat/flash_temperature.hpp"
 #include "contact/laws/friction_law.hpp"
 #include "contact/scene/enumerators.hpp"
 #include "contact/scene/options.hpp"
@@ -15,6 +16,7 @@
 #include "geometry/pose.hpp"
 #include "geometry/velocity.hpp"
 #include "mesh/frame.hpp"
+#include "support/linear_between.hpp"
 
 namespace rollcon {
 
@@ -108,6 +110,17 @@ class Scene {
   void prescribe(std::int32_t direction, std::int32_t how, double value);
   void set_friction(const char* law, std::int32_t n, const double* parameters);
   void set_friction_field(std::int64_t n, const double* mu);
+  /// Of laws that fall, whichever is set; a length of 0: none.
+  void set_friction_memory(double length, double least_speed);
+  /// An elastic layer between the bodies: tangential displacement per traction; 0: none.
+  void set_layer(double flexibility);
+  /// It flows under a traction of stress + hardening times the flow; a stress of 0: never.
+  void set_layer_yield(double stress, double hardening);
+  /// Coefficients along t2, linear between points (y, mu) with ascending y; in place of that of the law, where no field
+  /// is given. n = 0: none.
+  void set_friction_across(std::int64_t n, const double* points);
+  /// Of body `which` (1 or 2).
+  void set_heat(std::int32_t which, double conductivity, double capacity, double temperature);
 
   const SurfaceMesh& mesh() const { return mesh_; }
   bool frame_given() const { return frame_given_; }
@@ -131,11 +144,16 @@ class Scene {
   const HeightGrid* gap_grid() const { return gap_kind_ == GapKind::grid ? gap_grid_.get() : nullptr; }
   /// Gap of node k at local coordinates (x, y); needs has_gap(). err_argument: the node lies where a grid has no gap.
   double gap(std::int64_t k, double x, double y) const;
-  double friction(std::int64_t k) const {
-    return friction_field_.empty() ? friction_ : friction_field_[static_cast<std::size_t>(k)];
+  /// Of node k, at y.
+  double friction(std::int64_t k, double y) const {
+    if (!friction_field_.empty()) return friction_field_[static_cast<std::size_t>(k)];
+    return across_y_.empty() ? friction_ : linear_between(across_y_, across_mu_, y);
   }
   /// Null: Coulomb's.
-  const std::shared_ptr<const FrictionLaw>& law() const { return law_; }
+  const std::shared_ptr<const FrictionLaw>& law() const { return law_in_use_; }
+  bool friction_varies_across() const { return friction_field_.empty() && !across_y_.empty(); }
+  double layer() const { return layer_; }
+  const BothHeats& heat() const { return heat_; }
   /// Throws err_state naming what is missing: nodes, elements, gap (unless a body has a surface), friction, speed
   /// (where there are velocities). (Arrays always fit the frame: their length is checked when they are set, and new
   /// nodes forget them.)
@@ -145,6 +163,7 @@ class Scene {
   Revisions revision;
 
  private:
+  void choose_law();
   void require_frame_size(std::int64_t n, const char* what) const;
   void replace_frame(SurfaceMesh mesh, FrameSource source);
   void put_nodes(const FramePlace& place, std::vector<Vec3>& node) const;
@@ -169,7 +188,12 @@ class Scene {
   std::array<Load, 4> load_{};
   std::vector<double> creep_field_;
   double friction_ = 0;
-  std::shared_ptr<const FrictionLaw> law_;
+  std::shared_ptr<const FrictionLaw> law_, law_in_use_;  ///< as named, and with what else was set
+  FrictionMemory memory_;
+  LayerYield yield_;
+  std::vector<double> across_y_, across_mu_;
+  double layer_ = 0;
+  BothHeats heat_{};
   const LawName* law_name_ = nullptr;  ///< none was given yet
   std::vector<double> law_parameters_;
   std::vector<double> friction_field_;

@@ -99,6 +99,13 @@ void Scene::follow(const Scene& lead) {
   law_parameters_ = lead.law_parameters_;
   friction_ = lead.friction_;
   law_ = lead.law_;
+  law_in_use_ = lead.law_in_use_;
+  memory_ = lead.memory_;
+  yield_ = lead.yield_;
+  across_y_ = lead.across_y_;
+  across_mu_ = lead.across_mu_;
+  layer_ = lead.layer_;
+  heat_ = lead.heat_;
 }
 
 void Scene::replace_frame(SurfaceMesh mesh, FrameSource source) {

@@ -43,7 +43,7 @@ void sweep_along_flow(const Solve& s, const DenseOperators& op) {
       const auto i = static_cast<std::int64_t>(k);
       const std::array<double, 2> old{it.lambda[0][k], it.lambda[1][k]};
       const NodeResponse b{{{op.own(0, 0, k), op.own(0, 1, k)}, {op.own(1, 0, k), op.own(1, 1, k)}}};
-      const double mu = s.given.friction * p.mu[k];
+      const double mu = s.given.coefficient(p.mu, k);
       std::array<double, 2> next{};
       if (mu * normal < 0) {
         const std::array<double, 2> slip{p.rigid_slip1(i, it.motion) + op.product(0, k, it.lambda),

@@ -29,7 +29,7 @@ double great_slip(const Solve& s) {
     const double pressure = -s.iterate->lambda[2][k];
     if (!(pressure > 0 && p.rt[k] > 0)) continue;
     const auto i = static_cast<std::int64_t>(k);
-    slip = std::max({slip, (1 + s.given.friction * p.mu[k]) * pressure / p.rt[k],
+    slip = std::max({slip, (1 + s.given.coefficient(p.mu, k)) * pressure / p.rt[k],
                      std::hypot(p.rigid_slip1(i, given), p.rigid_slip2(i, given))});
   }
   return std::isfinite(slip) ? far * slip : 0;

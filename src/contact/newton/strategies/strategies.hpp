@@ -9,6 +9,9 @@ namespace rollcon {
 /// One prescribed tangential load, found by bracketing its motion from the outside: given motions converge where given
 /// forces get stuck, and a load falls as its motion grows.
 Outcome bracket_creep(NewtonIteration& newton);
+/// Likewise under friction that falls with the slip speed, from stick on; no_solution where the load is beyond the
+/// greatest on that branch.
+Outcome bracket_before_fall(NewtonIteration& newton);
 /// The prescribed normal load of the normal part likewise, from the first touch on.
 Outcome bracket_approach(NewtonIteration& newton, double tolerance);
 /// Several prescribed tangential loads, found from the outside likewise: few unknowns, so a Newton iteration with

@@ -1,0 +1,140 @@
+#include "bodies/layer/layered_compliance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "mesh/stream_lines.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+double hat(double x, double h, Hat which) {
+  if (which == Hat::before && x > 0) return 0;
+  if (which == Hat::after && x < 0) return 0;
+  return std::max(0.0, 1 - std::abs(x) / h);
+}
+
+// Values of hats are 1 and 0 at nodes, whatever rounding of offsets says.
+double rounded(double value) {
+  constexpr double rounding = 1e-12;
+  return value < rounding ? 0 : value > 1 - rounding ? 1 : value;
+}
+
+class LayeredRows final : public LatticeRows {
+ public:
+  LayeredRows(std::unique_ptr<LatticeRows> bodies, double flexibility, const LatticeHat& source, double shift_x,
+              double shift_y)
+      : bodies_(std::move(bodies)), flexibility_(flexibility), source_(source), shift_x_(shift_x), shift_y_(shift_y) {}
+
+  void row(std::int64_t j, std::int64_t first, std::int64_t count, double* const (&u)[3][3]) const override {
+    bodies_->row(j, first, count, u);
+    const double across = hat(shift_y_ + static_cast<double>(j) * source_.dy, source_.dy, source_.y);
+    if (!(across > 0)) return;
+    for (std::int64_t m = 0; m < count; ++m) {
+      const double along = hat(shift_x_ + static_cast<double>(first + m) * source_.dx, source_.dx, source_.x);
+      const double own = flexibility_ * rounded(along * across);
+      for (int t = 0; t < 2; ++t)
+        if (u[t][t] != nullptr) u[t][t][m] += own;
+    }
+  }
+
+ private:
+  std::unique_ptr<LatticeRows> bodies_;
+  double flexibility_;
+  LatticeHat source_;
+  double shift_x_, shift_y_;
+};
+
+class LayeredKernel final : public TranslationKernel {
+ public:
+  LayeredKernel(std::shared_ptr<const TranslationKernel> bodies, double flexibility)
+      : bodies_(std::move(bodies)), flexibility_(flexibility) {}
+  bool couples() const override { return bodies_->couples(); }
+  bool shears() const override { return bodies_->shears(); }
+  std::unique_ptr<LatticeRows> on_lattice(const LatticeHat& source, double shift_x, double shift_y,
+                                          OffsetReach reach) const override {
+    return std::make_unique<LayeredRows>(bodies_->on_lattice(source, shift_x, shift_y, reach), flexibility_, source,
+                                         shift_x, shift_y);
+  }
+  Softness softness(double k) const override {
+    Softness s = bodies_->softness(k);
+    s.along += flexibility_;
+    s.across += flexibility_;
+    return s;
+  }
+
+ private:
+  std::shared_ptr<const TranslationKernel> bodies_;
+  double flexibility_;
+};
+
+class LayeredCompliance final : public Compliance {
+ public:
+  LayeredCompliance(const Frame& frame, std::unique_ptr<Compliance> bodies, double flexibility)
+      : bodies_(std::move(bodies)), lines_(frame), flexibility_(flexibility) {}
+
+  std::int64_t nodes() const override { return bodies_->nodes(); }
+  bool couples() const override { return bodies_->couples(); }
+  void block(Points points, const ComplianceBlock& out) const override {
+    bodies_->block(points, out);
+    at_nodes(points, [&](std::size_t p, std::int32_t node, double value) {
+      for (int t = 0; t < 2; ++t)
+        if (out.a[t][t] != nullptr)
+          out.a[t][t][static_cast<std::ptrdiff_t>(p) * out.stride + node] += flexibility_ * value;
+    });
+  }
+  void apply(Points points, const double* traction, double* displacement) const override {
+    bodies_->apply(points, traction, displacement);
+    at_nodes(points, [&](std::size_t p, std::int32_t node, double value) {
+      for (std::size_t t = 0; t < 2; ++t) displacement[3 * p + t] += flexibility_ * value * traction[3 * at(node) + t];
+    });
+  }
+  bool offset(Points points, double* u) const override { return bodies_->offset(points, u); }
+  bool resolves_frame() const override { return bodies_->resolves_frame(); }
+  std::shared_ptr<const TranslationKernel> translation() const override {
+    auto kernel = bodies_->translation();
+    if (!kernel) return nullptr;
+    return std::make_shared<LayeredKernel>(std::move(kernel), flexibility_);
+  }
+  std::string description() const override { return bodies_->description(); }
+  void set_threads(int threads) override { bodies_->set_threads(threads); }
+  std::int64_t kernel_evaluations() const override { return bodies_->kernel_evaluations(); }
+  std::size_t bytes() const override { return bodies_->bytes(); }
+
+ private:
+  /// Calls f(point, node, shape function there); points beside the frame have none.
+  template <class F>
+  void at_nodes(Points points, F f) const {
+    std::vector<LinePiece> pieces;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      if (p == 0 || points.y[p] != points.y[p - 1]) lines_.cut(points.y[p], pieces);
+      const double x = points.x[p];
+      const auto piece = std::find_if(pieces.begin(), pieces.end(), [&](const LinePiece& c) {
+        const double rounding = 1e-9 * c.length();
+        return x <= c.upstream.x + rounding && x >= c.downstream.x - rounding;
+      });
+      if (piece == pieces.end()) continue;
+      const double part = rounded(std::clamp((x - piece->downstream.x) / piece->length(), 0.0, 1.0));
+      const auto add = [&](const LinePiece::End& end, double value) {
+        f(p, end.node[0], value * rounded(1 - end.part));
+        f(p, end.node[1], value * rounded(end.part));
+      };
+      add(piece->upstream, part);
+      add(piece->downstream, 1 - part);
+    }
+  }
+
+  std::unique_ptr<Compliance> bodies_;
+  StreamLines lines_;
+  double flexibility_;
+};
+
+}  // namespace
+
+std::unique_ptr<Compliance> make_layered(const Frame& frame, std::unique_ptr<Compliance> bodies, double flexibility) {
+  return std::make_unique<LayeredCompliance>(frame, std::move(bodies), flexibility);
+}
+
+}  // namespace rollcon

@@ -1,0 +1,23 @@
+#pragma once
+/// Coulomb's law for coefficients that something else gives: node by node what Coulomb's does.
+
+#include "contact/laws/friction_law.hpp"
+
+namespace rollcon {
+
+class CoulombGiven : public FrictionLaw {
+ public:
+  FrictionTraction traction(const FrictionPoint& p) const override { return coulomb().traction(p); }
+  TangentialLaw linearise(const FrictionPoint& p, bool bound_follows) const override {
+    return coulomb().linearise(p, bound_follows);
+  }
+  std::array<std::array<double, 2>, 2> capacity(double mu, double pressure) const override {
+    return coulomb().capacity(mu, pressure);
+  }
+  std::array<double, 2> solve(const NodeResponse& response, const FrictionPoint& p) const override {
+    return coulomb().solve(response, p);
+  }
+  std::array<double, 2> against(const FrictionPoint& p) const override { return coulomb().against(p); }
+};
+
+}  // namespace rollcon

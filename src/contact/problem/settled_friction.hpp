@@ -1,0 +1,15 @@
+#pragma once
+/// Where friction follows the whole solution: the coefficients that the last solve ended with.
+
+#include <cstdint>
+#include <vector>
+
+namespace rollcon {
+
+struct SettledFriction {
+  std::vector<double> share;  ///< of each node, over what its law reaches at most; empty: a solve starts from nothing
+  std::int64_t rounds = 0;    ///< solves with given coefficients
+  double change = 0;          ///< of mu p in the last one, over the greatest mu p
+};
+
+}  // namespace rollcon

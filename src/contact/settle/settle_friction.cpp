@@ -1,0 +1,154 @@
+#include "contact/settle/settle_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/laws/field_law.hpp"
+#include "contact/settle/mixing.hpp"
+#include "support/error.hpp"
+#include "support/index.hpp"
+
+namespace rollcon {
+namespace {
+
+constexpr std::int64_t most_rounds = 100;
+constexpr int most_retreats = 6;
+constexpr double slack = 10;  // what solves leave open shows in the coefficients
+constexpr double rough =
+    0.1;  // of the last change: how well a solve with coefficients that will change is to be solved
+
+/// What a law or heat wants to know of a solution.
+struct AtNodes {
+  std::vector<double> mu, slip_speed, pressure, power, temperature;
+};
+
+void read(SolverState& s, AtNodes& a) {
+  derive_fields(s);
+  const Iterate& it = s.iterate;
+  const std::size_t n = at(s.prepared->problem.nodes);
+  for (auto* v : {&a.mu, &a.slip_speed, &a.pressure, &a.power}) v->assign(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) {
+    a.mu[k] = s.given.friction * s.prepared->problem.mu[k];
+    a.slip_speed[k] = std::hypot(s.slip[0][k], s.slip[1][k]);
+    if (!(it.lambda[2][k] < 0)) continue;
+    a.pressure[k] = -it.lambda[2][k];
+    a.power[k] = std::max(0.0, -(it.lambda[0][k] * s.slip[0][k] + it.lambda[1][k] * s.slip[1][k]));
+  }
+}
+
+void require_heat(const SolverState& s, const BothHeats& heat) {
+  if (s.prepared->step != StepKind::steady)
+    fail(Status::err_state, "temperatures are those of steady rolling, and this is a step in time");
+  for (std::size_t b = 0; b < 2; ++b)
+    if (!heat[b].given)
+      fail(Status::err_state, "what body %zu does with heat is not known: rollcon_contact_set_heat", b + 1);
+  if (!(heat[0].conductivity * heat[0].capacity > 0) && !(heat[1].conductivity * heat[1].capacity > 0))
+    fail(Status::err_state, "neither body takes up heat: conductivity or heat capacity of both are 0");
+}
+
+HeatedSurface heated(const SolverState& s, const StreamLines& lines, const AtNodes& a, const BothHeats& heat) {
+  return {lines, a.power, a.pressure, s.prepared->speed, heat};
+}
+
+}  // namespace
+
+void settle_friction(SolverState& s, double tolerance, const std::function<void(double)>& solve) {
+  const Prepared& on = *s.prepared;
+  const Problem& p = on.problem;
+  const FieldLaw& law = *p.law->of_field();
+  const std::size_t n = at(p.nodes);
+  SettledFriction& settled = s.settled_friction;
+  const bool cold = settled.share.size() != n;
+  if (cold) settled.share.assign(n, 1.0);
+  s.given.share = settled.share;
+  settled.rounds = 0;
+  settled.change = 1;
+  if (law.wants_temperature()) require_heat(s, on.heat);
+
+  const StreamLines lines(on.frame);
+  AtNodes now;
+  Mixing mixing;
+  std::vector<double> wanted(n), change(n), weight(n), before = settled.share;
+  NewtonReport sum;
+  int retreats = 0;
+  double enough = std::max(tolerance, cold ? 1e-3 : tolerance);
+  while (true) {
+    ++settled.rounds;
+    solve(enough);
+    const NewtonReport& last = s.report;
+    sum.normal_iterations += last.normal_iterations;
+    sum.tangential_iterations += last.tangential_iterations;
+    sum.full_iterations += last.full_iterations;
+    sum.fallbacks += last.fallbacks;
+    Outcome outcome = last.outcome;
+    const bool retreat = (outcome == Outcome::not_converged || outcome == Outcome::no_solution) && settled.rounds > 1;
+    if (retreat && retreats < most_retreats && settled.rounds < most_rounds) {
+      // Coefficients that went too far: half the way, without what was learnt.
+      ++retreats;
+      for (std::size_t k = 0; k < n; ++k) settled.share[k] = 0.5 * (settled.share[k] + before[k]);
+      mixing.start();
+      continue;
+    }
+    // Loads that are beyond friction on the way say nothing about the coefficients that belong to them.
+    if (retreat) outcome = Outcome::not_converged;
+    if (outcome == Outcome::converged) {
+      s.derived = false;
+      read(s, now);
+      if (law.wants_temperature()) {
+        now.temperature.resize(2 * n);
+        surface_temperatures(heated(s, lines, now, on.heat), on.frame.x, now.temperature);
+      }
+      law.ratios({lines, now.mu, now.slip_speed, now.pressure, now.temperature, on.speed}, wanted);
+      double most = 0, off = 0;
+      for (std::size_t k = 0; k < n; ++k) {
+        change[k] = wanted[k] - settled.share[k];
+        weight[k] = now.mu[k] * now.pressure[k];
+        most = std::max(most, weight[k]);
+        off = std::max(off, weight[k] * std::abs(change[k]));
+      }
+      settled.change = most > 0 ? off / most : 0;
+      if (!(settled.change <= slack * tolerance) || enough > tolerance) {
+        if (settled.rounds < most_rounds) {
+          before = settled.share;
+          if (settled.change > slack * tolerance) mixing.next(settled.share, change, weight);
+          // Where nothing touches there is nothing to mix.
+          for (std::size_t k = 0; k < n; ++k)
+            settled.share[k] = weight[k] > 0 ? std::clamp(settled.share[k], 0.0, 1.0) : wanted[k];
+          enough = std::clamp(rough * settled.change, tolerance, enough);
+          continue;
+        }
+        outcome = Outcome::not_converged;
+      }
+    }
+    sum.from_nothing = cold;
+    sum.saved = last.saved;
+    sum.refuted = last.refuted;
+    sum.residual_normal = last.residual_normal;
+    sum.residual_tangential = std::max(last.residual_tangential, outcome == Outcome::converged ? 0 : settled.change);
+    sum.residual_load = last.residual_load;
+    sum.share = last.share;
+    sum.outcome = outcome;
+    s.report = sum;
+    s.derived = false;
+    return;
+  }
+}
+
+void node_temperatures(SolverState& s, const BothHeats& heat, std::span<double> temperature) {
+  require_heat(s, heat);
+  AtNodes now;
+  read(s, now);
+  const StreamLines lines(s.prepared->frame);
+  surface_temperatures(heated(s, lines, now, heat), s.prepared->frame.x, temperature);
+}
+
+void temperatures_at(SolverState& s, const BothHeats& heat, std::span<const double> x, std::span<const double> y,
+                     std::span<double> temperature) {
+  require_heat(s, heat);
+  AtNodes now;
+  read(s, now);
+  const StreamLines lines(s.prepared->frame);
+  surface_temperatures(heated(s, lines, now, heat), x, y, temperature);
+}
+
+}  // namespace rollcon

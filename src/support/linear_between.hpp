@@ -1,0 +1,20 @@
+#pragma once
+/// Values given at points, linear between them and constant beyond.
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+namespace rollcon {
+
+/// point: ascending, at least one; as many values.
+inline double linear_between(std::span<const double> point, std::span<const double> value, double at) {
+  const auto next = std::upper_bound(point.begin(), point.end(), at);
+  if (next == point.begin()) return value.front();
+  if (next == point.end()) return value.back();
+  const auto i = static_cast<std::size_t>(next - point.begin());
+  const double part = (at - point[i - 1]) / (point[i] - point[i - 1]);
+  return (1 - part) * value[i - 1] + part * value[i];
+}
+
+}  // namespace rollcon
