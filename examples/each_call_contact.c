@@ -78,6 +78,28 @@ static void frames(rollcon_contact* contact) {
   printf("gap by a grid %.0f N\n", force_along(contact));
 }
 
+static void friction(rollcon_contact* contact) {
+  const double mu = 0.3, across[4] = {-2, 0.1, 2, 0.3}, falling[3] = {0.2, 0.2, 200}, centre[2] = {0, 0};
+  double warm[2];
+  must(rollcon_contact_set_friction_across(contact, 2, across));
+  printf("friction that changes across %.0f N\n", force_along(contact));
+  must(rollcon_contact_set_friction_across(contact, 0, NULL));
+  must(rollcon_contact_set_layer(contact, 1e-8));
+  must(rollcon_contact_set_layer_yield(contact, 100, 0));
+  printf("through a layer %.0f N\n", force_along(contact));
+  must(rollcon_contact_set_layer_yield(contact, 0, 0));
+  must(rollcon_contact_set_layer(contact, 0));
+  must(rollcon_contact_set_heat(contact, 1, 50, 3.6, 20)); /* W/(m K) = N/(s K), MJ/(m^3 K) = N/(mm^2 K), degrees */
+  must(rollcon_contact_set_heat(contact, 2, 50, 3.6, 20));
+  must(rollcon_contact_get_temperatures_at(contact, 1, centre, warm));
+  printf("its middle is %s\n", warm[0] > 20 ? "warmer than the rest" : "cold");
+  must(rollcon_contact_set_friction(contact, "exponential", 3, falling));
+  must(rollcon_contact_set_friction_memory(contact, 0.01, 0.1));
+  printf("falling friction with a memory %.0f N\n", force_along(contact));
+  must(rollcon_contact_set_friction_memory(contact, 0, 0));
+  must(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
+}
+
 static void fields(rollcon_contact* contact) {
   static double slip[2 * most_nodes], mu[most_nodes];
   const double rolling[3] = {-30000, 0, 0}, faster[3] = {-30030, 0, 0}, none[3] = {0, 0, 0};
@@ -186,6 +208,7 @@ int main(void) {
   fields(contact);
   options(contact);
   watching(contact);
+  friction(contact);
   results(contact);
   cases(contact);
   steps(contact);

@@ -90,8 +90,10 @@ static void wheels(rollcon_context* context) {
   const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
   const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
   double force[3], moment[3], pressure, totals[9], points[26], conicity[2], wavelength[2];
-  const double archard = 1e-9; /* mm^2/N */
-  double worn[100];
+  const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
+  const char* law = "archard";
+  const double i = 1e-9; /* mm^2/N */
+  double w[9];
   char text[64];
   int32_t status;
   rollcon_body *tread = steel(context, "s1002"), *rail = steel(context, "60e1");
@@ -121,8 +123,7 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_reset(copy));
   must(rollcon_wheelrail_solve_many(copy, 1, position, velocity, totals, &status));
   printf("a list of positions: status %d\n", (int)status);
-  must(rollcon_wheelrail_find_wear(copy, 1, position, velocity, NULL, "archard", 1, &archard, 100, worn, NULL, NULL,
-                                   NULL));
+  must(rollcon_wheelrail_find_wear(copy, 1, position, velocity, NULL, law, 1, &i, 9, w, NULL, NULL, NULL));
   must(rollcon_wheelrail_retain(copy));
   if (rollcon_wheelrail_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_wheelrail_release(copy);
@@ -134,6 +135,7 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_get_patch_stat(right, 0, "by_table", &looked_up));
   printf("by the table: %s\n", looked_up == 1 ? "yes" : "no");
   must(rollcon_wheelrail_forget_table(right));
+  must(rollcon_wheelrail_set_friction_by_angle(right, 2, by_angle)); /* a lubricated gauge face */
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));
   must(rollcon_wheelrail_find_conicity(left, right, 2, amplitude, conicity, wavelength));
   printf("conicity %.3f at 2 mm, %.3f at 4 mm\n", conicity[0], conicity[1]);

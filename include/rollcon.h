@@ -1853,7 +1853,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_fatigue_index(
  * other, the longitudinal creepage has the mean difference of these strains on top. A moment
  * about the contact's origin has center[0] F2 - center[1] F1 more than one about the centre.
  * ROLLCON_ERR_STATE: no solution, no load, several patches far apart, or a shift;
- * ROLLCON_ERR_UNSUPPORTED: a body has a mesh, or friction depends on the direction.
+ * ROLLCON_ERR_UNSUPPORTED: a body has a mesh, a layer is between the bodies, or friction depends
+ * on the direction.
  *   inputs   [9], out; shear modulus, Poisson's ratio, friction, semi-axes along and across the
  *            rolling direction, load, longitudinal and lateral creepage, spin
  *   center   [2], out; along t1 and t2

@@ -730,7 +730,8 @@ class ContactPlain:
         one body more than the other, the longitudinal creepage has the mean difference of these
         strains on top. A moment about the contact's origin has center[0] F2 - center[1] F1 more
         than one about the centre. ERR_STATE: no solution, no load, several patches far apart, or
-        a shift; ERR_UNSUPPORTED: a body has a mesh, or friction depends on the direction.
+        a shift; ERR_UNSUPPORTED: a body has a mesh, a layer is between the bodies, or friction
+        depends on the direction.
 
         inputs: shear modulus, Poisson's ratio, friction, semi-axes along and across the rolling
           direction, load, longitudinal and lateral creepage, spin.

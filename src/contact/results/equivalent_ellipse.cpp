@@ -21,6 +21,8 @@ void require_comparable(const SolverState& s) {
            i + 1);
   if (!s.prepared->problem.law->isotropic())
     fail(Status::err_unsupported, "friction is not the same in all directions, as that of a Hertzian contact is");
+  if (s.prepared->pair.layer > 0)
+    fail(Status::err_unsupported, "a layer lies between the bodies, which a Hertzian contact has not");
   if (s.prepared->step == StepKind::shift)
     fail(Status::err_state, "bodies are shifted, not rolled: there are no creepages");
 }
