@@ -206,9 +206,9 @@ TEST_F(inputs, arguments_of_results) {
   EXPECT_FAILS(rollcon_contact_get_tractions(contact, 2, frame.nodes, v.data()), ARGUMENT, "axes is 2", "1 (global)");
   EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, -1, v.data()), ARGUMENT, "capacity is -1");
   EXPECT_FAILS(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, frame.nodes, nullptr), ARGUMENT, "t is NULL");
-  for (const std::int32_t field : {0, 13, -1})
+  for (const std::int32_t field : {0, 14, -1})
     EXPECT_FAILS(rollcon_contact_get_field(contact, field, ROLLCON_LOCAL, 1, v.data(), &n), ARGUMENT, "field",
-                 "1 to 12");
+                 "1 to 13");
   EXPECT_FAILS(rollcon_contact_get_status(contact, frame.nodes, nullptr), ARGUMENT, "status is NULL");
   EXPECT_FAILS(rollcon_contact_get_resultant(contact, 7, v.data(), nullptr), ARGUMENT, "axes is 7");
   const double points[4] = {0, 0, 0, not_a_number};
