@@ -54,6 +54,7 @@ static void contexts(rollcon_context* context, int* lines) {
 
 static void mesh(rollcon_context* context) {
   const double traction[3] = {0, 0, 3};
+  const int32_t free_side = 3, side_face = 3;  /* its tag; nodes 2 3 7 6 of an element */
   const int32_t top_element = 1, top_face = 1; /* counting from 0: the second element, its face 5678 */
   int32_t groups, kind, ids[8];
   int64_t n, i, step;
@@ -67,6 +68,8 @@ static void mesh(rollcon_context* context) {
   must(rollcon_body_tag_group(bar, "steel", 1));
   must(rollcon_body_tag_group(bar, "high", 2));
   must(rollcon_body_tag_faces(bar, 1, &top_element, &top_face, 0, 2)); /* the same by number */
+  must(rollcon_body_tag_faces(bar, 1, &top_element, &side_face, 0, free_side));
+  must(rollcon_body_set_contact_faces(bar, 1, &free_side));
   must(rollcon_body_get_group_count(bar, &groups));
   for (i = 0; i < groups; ++i) {
     must(rollcon_body_get_group_name(bar, (int32_t)i, sizeof name, name, NULL));
@@ -105,20 +108,20 @@ static void mesh(rollcon_context* context) {
   rollcon_body_release(bar);
 }
 
-/* A rigid ball on the bar's end. */
+/* A rigid ball on the bar's side, in the middle of the upper element. */
 static void pressed(rollcon_context* context) {
-  const double end[3] = {0.5, 0.5, 2}, along[3] = {1, 0, 0}, up[3] = {0, 0, 1};
+  const double middle[3] = {1, 0.5, 1.5}, along[3] = {0, 1, 0}, outwards[3] = {1, 0, 0};
   double u[36];
   rollcon_body *bar, *ball;
   rollcon_contact* contact;
   must(rollcon_body_load(context, "each_call.body", &bar));
   must(rollcon_body_create(context, ROLLCON_BODY_RIGID, &ball));
   must(rollcon_contact_create(context, bar, ball, &contact));
-  must(rollcon_contact_set_axes(contact, end, along, up));
+  must(rollcon_contact_set_axes(contact, middle, along, outwards));
   must(rollcon_contact_frame_rectangle(contact, ROLLCON_QUAD4, 8, 8, -0.4, 0.4, -0.4, 0.4));
   must(rollcon_contact_set_gap_quadratic(contact, 0.1, 0.1, 0));
   must(rollcon_contact_set_friction(contact, "coulomb", 1, &frictionless));
-  must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 5));
+  must(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 0.5));
   must(rollcon_contact_solve(contact));
   must(rollcon_contact_get_body_displacements(contact, 1, 36, u, NULL));
   printf("its corner under a ball moves by %.4f\n", u[35]);
