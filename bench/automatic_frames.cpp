@@ -12,6 +12,7 @@
 
 #include "bench.hpp"
 #include "memory.hpp"
+#include "statistics.hpp"
 #include "support/closed_forms.hpp"
 #include "support/frames.hpp"
 #include "support/scene.hpp"
@@ -102,11 +103,6 @@ double mean(const std::vector<double>& v) {
   double sum = 0;
   for (const double x : v) sum += x;
   return sum / static_cast<double>(v.size());
-}
-
-double quantile(std::vector<double> v, double part) {
-  std::sort(v.begin(), v.end());
-  return v[static_cast<std::size_t>(part * static_cast<double>(v.size() - 1))];
 }
 
 void measure(const Scene& s, const std::array<double, 3>& exact, double accuracy, Figures& f) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "statistics.hpp"
 #include "support/closed_forms.hpp"
 #include "support/frames.hpp"
 #include "support/scene.hpp"
@@ -142,11 +143,6 @@ struct Errors {
     force.push_back(std::hypot(f[0] - exact[0], f[1] - exact[1]) / bound);
     moment.push_back(std::abs(f[2] - exact[2]) / (bound * arm));
   }
-  static double rms(const std::vector<double>& v) {
-    double sum = 0;
-    for (const double x : v) sum += x * x;
-    return std::sqrt(sum / static_cast<double>(v.size()));
-  }
   /// Numbers that a part of all does not exceed, for each of 0 .. parts over parts.
   static std::vector<double> quantiles(std::vector<double> v, std::size_t parts) {
     std::sort(v.begin(), v.end());
@@ -169,8 +165,8 @@ void emit(Runner& runner, const char* method, const char* model, const std::stri
   r.mesh = region;
   r.quantity = "root mean square error of the force over mu Fn";
   r.against = "frames of the library";
-  r.value = r.error = Errors::rms(e.force);
-  r.moment_error = Errors::rms(e.moment);
+  r.value = r.error = rms(e.force);
+  r.moment_error = rms(e.moment);
   r.seconds = times.forces;
   const auto force = Errors::quantiles(e.force, parts), moment = Errors::quantiles(e.moment, parts);
   r.extra = {{"cases", static_cast<double>(e.force.size())},
@@ -208,7 +204,7 @@ double cold_seconds(const rollcon_table* table, const std::vector<Draw>& drawn) 
     rollcon_table_evaluate(table, 1, drawn[i].input.data(), f.data());
     seconds.push_back(cpu_seconds() - began);
   }
-  return Errors::quantiles(seconds, 2)[1];
+  return quantile(seconds, 0.5);
 }
 
 Times time_table(const rollcon_table* table, const std::vector<Draw>& drawn) {

@@ -11,6 +11,7 @@
 
 #include "bench.hpp"
 #include "rollcon.h"
+#include "statistics.hpp"
 #include "support/frames.hpp"
 
 namespace rollcon::bench {
@@ -26,17 +27,6 @@ struct Errors {
   const char* patches;
   std::vector<double> force{}, moment{};
 };
-
-double rms(const std::vector<double>& v) {
-  double sum = 0;
-  for (const double x : v) sum += x * x;
-  return std::sqrt(sum / static_cast<double>(v.size()));
-}
-
-double quantile(std::vector<double> v, double part) {
-  std::sort(v.begin(), v.end());
-  return v[static_cast<std::size_t>(part * static_cast<double>(v.size() - 1))];
-}
 
 class Comparison {
  public:

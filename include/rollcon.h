@@ -2207,7 +2207,8 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_solve_many(
  * normal to the profiles, at points at equal arc lengths from end to end
  * (rollcon_body_get_profile_point); depth times the points' shares of the profile's length adds
  * up to the volume. Patches of a wheel count with their shares. Positions without a solution wear
- * nothing, and are told as rollcon_wheelrail_solve_many tells them.
+ * nothing, and are told as rollcon_wheelrail_solve_many tells them. ROLLCON_ERR_STATE: something
+ * is missing, or forces come from a table (rollcon_wheelrail_set_table), which knows of no slip.
  *   n_cases     1 to 100000
  *   positions   [n_cases][6]; as rollcon_wheelrail_set_position takes them
  *   velocities  [n_cases][6]; as rollcon_wheelrail_set_velocity takes them

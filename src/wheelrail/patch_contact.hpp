@@ -71,7 +71,7 @@ class PatchContact {
   /// Force on the wheel, and moment about the patch's reference.
   const Vec3& force() const { return now_.force; }
   const Vec3& moment() const { return now_.moment; }
-  /// Taken by friction; not negative.
+  /// Taken by friction.
   double friction_power() const;
   /// Forces along the surface come from a table, not from the contact, which has no friction then.
   bool by_table() const { return now_.by_table; }

@@ -134,6 +134,7 @@ Status solve_positions(WheelRail& wheel, const PositionList& list, double* total
 }
 
 Status find_wear(WheelRail& wheel, const PositionList& list, const WearOfPositions& wear, std::int32_t* status) {
+  wheel.require_solved_friction("wear");
   wheel.require_ready_for_positions();
   wheel.forget_cancel();
   const auto n = static_cast<std::size_t>(wear.points), cases = static_cast<std::size_t>(list.cases);

@@ -42,6 +42,8 @@ class WheelRail {
   /// Forces along the surfaces are looked up there from now on, for what it has. err_state: it is not made.
   void set_table(std::shared_ptr<const ForceTable> table);
   void forget_table() { in_.table.reset(); }
+  /// err_state, with what they are wanted for: contacts of patches have none where a table gives the forces.
+  void require_solved_friction(const char* wanted) const;
   /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
   /// set_friction().
   void set_friction_by_angle(std::int64_t n, const double* points);

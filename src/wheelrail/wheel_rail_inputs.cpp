@@ -107,6 +107,14 @@ void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
   in_.table = std::move(table);
 }
 
+void WheelRail::require_solved_friction(const char* wanted) const {
+  if (in_.table)
+    fail(Status::err_state,
+         "forces along the surfaces come from a table, which has no tractions and no slip: %s needs a solution; call "
+         "rollcon_wheelrail_forget_table first",
+         wanted);
+}
+
 void WheelRail::set_friction_by_angle(std::int64_t n, const double* points) {
   require_count(n, "n");
   if (n > 0) require_pointer(points, "points");

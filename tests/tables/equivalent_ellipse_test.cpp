@@ -1,6 +1,5 @@
 /// The Hertzian contact that stands for a contact, and creep forces of tables from it.
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -61,7 +60,7 @@ TEST(equivalent_ellipse, follows_its_contact) {
     gap.push_back(hertz.A * (nodes.x[k] - x) * (nodes.x[k] - x) + hertz.B * (nodes.y[k] - y) * (nodes.y[k] - y));
   pair.gap(gap).solve();
   const Case c = of(pair);
-  expect_error("center", std::hypot(c.center[0] - x, c.center[1] - y), 0.01);
+  expect_error("center", std::hypot(c.center[0] - x, c.center[1] - y), 1e-9);
   expect_error("longitudinal", c.input[6] - (1e-3 - spin * c.center[1]), 1e-12);
   expect_error("lateral", c.input[7] - (5e-4 + spin * c.center[0]), 1e-12);
   expect_error("spin", c.input[8] - spin, 1e-12);
@@ -102,18 +101,10 @@ TEST(equivalent_ellipse, takes_mean_flexibilities) {
 TEST(equivalent_ellipse, falling_friction_is_that_at_the_rigid_slip) {
   RollingPair pair(steel, steel);
   pair.rectangle(ElementType::quad4, 16, 16, 6, 6).gap_quadratic(2e-3, 2e-3).load(20000).creep(2e-3, 0, 0).speed(20);
-  const double law[] = {0.2, 0.4, 0.04};  // halves 0.2 in excess of 0.2 at a slip speed of 0.04
+  const double law[] = {0.2, 0.4, 0.04};  // 0.2 + 0.4 / 2 at a slip speed of 0.04, which is 20 times the creepage
   ASSERT_EQ(rollcon_contact_set_friction(pair.handle(), "exponential", 3, law), ROLLCON_OK) << rollcon_last_error();
   pair.solve();
-  std::vector<double> mu(pair.solution().nodes());
-  const auto count = static_cast<std::int64_t>(mu.size());
-  ASSERT_EQ(rollcon_contact_get_field(pair.handle(), ROLLCON_FIELD_FRICTION, ROLLCON_LOCAL, count, mu.data(), nullptr),
-            ROLLCON_OK)
-      << rollcon_last_error();
-  const double known = *std::max_element(mu.begin(), mu.end());
-  const double friction = of(pair).input[2];
-  EXPECT_LT(friction, known) << "nodes at rest have the greatest";
-  EXPECT_GT(friction, 0.2);
+  expect_error("friction", of(pair).input[2] - 0.4, 1e-12);
 }
 
 TEST(equivalent_ellipse, what_is_no_ellipse_is_refused) {

@@ -8,7 +8,8 @@ function varargout = wheelrail_find_wear(varargin)
 % profiles, at points at equal arc lengths from end to end (rollcon.body_get_profile_point); depth
 % times the points' shares of the profile's length adds up to the volume. Patches of a wheel count
 % with their shares. Positions without a solution wear nothing, and are told as
-% rollcon.wheelrail_solve_many tells them.
+% rollcon.wheelrail_solve_many tells them. ERR_STATE: something is missing, or forces come from a
+% table (rollcon.wheelrail_set_table), which knows of no slip.
 %
 %   wheelrail (wheelrail)
 %   n_cases (int64): 1 to 100000

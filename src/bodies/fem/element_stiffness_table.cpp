@@ -76,28 +76,8 @@ ElementTable make_table(VolumeType type, Hex8 hex8) {
 }  // namespace
 
 const ElementTable& element_table(VolumeType type, Hex8 hex8) {
-  constexpr Hex8 other = Hex8::enhanced;  // means nothing for the other types
-  static const ElementTable tet4 = make_table(VolumeType::tet4, other), tet10 = make_table(VolumeType::tet10, other),
-                            wedge6 = make_table(VolumeType::wedge6, other),
-                            wedge15 = make_table(VolumeType::wedge15, other),
-                            enhanced = make_table(VolumeType::hex8, Hex8::enhanced),
-                            b_bar = make_table(VolumeType::hex8, Hex8::b_bar),
-                            hex20 = make_table(VolumeType::hex20, other);
-  switch (type) {
-    case VolumeType::tet4:
-      return tet4;
-    case VolumeType::tet10:
-      return tet10;
-    case VolumeType::wedge6:
-      return wedge6;
-    case VolumeType::wedge15:
-      return wedge15;
-    case VolumeType::hex8:
-      return hex8 == Hex8::b_bar ? b_bar : enhanced;
-    case VolumeType::hex20:
-      break;
-  }
-  return hex20;
+  static const OfEachElement<ElementTable> made(&make_table);
+  return made.of(type, hex8);
 }
 
 }  // namespace rollcon::fem

@@ -28,6 +28,38 @@ struct ElementTable {
   int functions() const { return nodes + static_cast<int>(bubble.size()); }
 };
 
+/// What make(type, hex8) returns, of each formulation of an element.
+template <class T>
+class OfEachElement {
+ public:
+  explicit OfEachElement(T (*make)(VolumeType, Hex8))
+      : made_{make(VolumeType::tet4, Hex8::enhanced),   make(VolumeType::tet10, Hex8::enhanced),
+              make(VolumeType::wedge6, Hex8::enhanced), make(VolumeType::wedge15, Hex8::enhanced),
+              make(VolumeType::hex20, Hex8::enhanced),  make(VolumeType::hex8, Hex8::enhanced),
+              make(VolumeType::hex8, Hex8::b_bar)} {}
+  /// hex8 means nothing for the other types.
+  const T& of(VolumeType type, Hex8 hex8) const {
+    switch (type) {
+      case VolumeType::tet4:
+        return made_[0];
+      case VolumeType::tet10:
+        return made_[1];
+      case VolumeType::wedge6:
+        return made_[2];
+      case VolumeType::wedge15:
+        return made_[3];
+      case VolumeType::hex20:
+        return made_[4];
+      case VolumeType::hex8:
+        break;
+    }
+    return made_[hex8 == Hex8::b_bar ? 6 : 5];
+  }
+
+ private:
+  std::array<T, 7> made_;
+};
+
 /// Made once, on first use; thread-safe.
 const ElementTable& element_table(VolumeType type, Hex8 hex8);
 

@@ -158,29 +158,8 @@ double element_stress(VolumeType type, std::span<const Vec3> x, double poisson, 
 }
 
 const std::vector<double>& to_nodes(VolumeType type, Hex8 hex8) {
-  constexpr Hex8 other = Hex8::enhanced;
-  static const std::vector<double> tet4 = make_to_nodes(VolumeType::tet4, other),
-                                   tet10 = make_to_nodes(VolumeType::tet10, other),
-                                   wedge6 = make_to_nodes(VolumeType::wedge6, other),
-                                   wedge15 = make_to_nodes(VolumeType::wedge15, other),
-                                   enhanced = make_to_nodes(VolumeType::hex8, Hex8::enhanced),
-                                   b_bar = make_to_nodes(VolumeType::hex8, Hex8::b_bar),
-                                   hex20 = make_to_nodes(VolumeType::hex20, other);
-  switch (type) {
-    case VolumeType::tet4:
-      return tet4;
-    case VolumeType::tet10:
-      return tet10;
-    case VolumeType::wedge6:
-      return wedge6;
-    case VolumeType::wedge15:
-      return wedge15;
-    case VolumeType::hex8:
-      return hex8 == Hex8::b_bar ? b_bar : enhanced;
-    case VolumeType::hex20:
-      break;
-  }
-  return hex20;
+  static const OfEachElement<std::vector<double>> made(&make_to_nodes);
+  return made.of(type, hex8);
 }
 
 }  // namespace rollcon::fem
