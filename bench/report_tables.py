@@ -13,10 +13,10 @@ from report import load, of_case, processor, table
 
 BEGIN, END = "<!-- errors -->\n", "<!-- end of errors -->\n"
 TEXT = """
-{cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and spin),
-beside frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). Errors are over μFn,
-of the moment over μFn √(ab). Made by `{command}` on {processor}, a busy machine. Cold: after other data has filled all
-caches.
+{cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and
+spin), beside frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). Errors are over
+μFn, of the moment over μFn √(ab). Made by `{command}` on
+{processor}. Cold: after other data has filled all caches.
 
 {methods}
 ![share of cases with a larger error](images/tables_errors.png)
@@ -29,9 +29,9 @@ under the pressure added to the longitudinal creepage.
 
 {unlike}
 Patches of S1002 wheels on 60E1 rails, lateral shifts from 0 to 10 mm, yaw, spin and speed of rotation at random about
-those of free rolling: the table on the equivalent ellipse beside the patch's own solution, both from the same pressures.
-The worst are patches of two peaks at shifts of 0 and 0.5 mm, which fill 0.63 to 0.8 of the ellipse that has their
-pressures' second moments.
+those of free rolling: the table on the equivalent ellipse beside the patch's own solution, both from the same
+pressures. The worst are patches of two peaks at shifts of 0 and 0.5 mm, which fill 0.63 to 0.8 of the ellipse that
+has their pressures' second moments.
 
 {patches}
 """

@@ -50,8 +50,8 @@ struct CreepTable::Point {
   double s, cos_psi, sin_psi;
   double steps[3];  ///< intervals per unit of ratio's logarithm, magnitude, angle
   SplineWeights ratio, magnitude, angle;
-  // Of forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, and w.
-  double f[3], by_ratio[3], by_creepage[3][3], by_w[3];
+  // Of forces and moment: value; derivatives by logarithm of the ratio (creepages held), creepages, w, Poisson's ratio.
+  double f[3], by_ratio[3], by_creepage[3][3], by_w[3], by_poisson[3];
 };
 
 /// Of forces and moment: what the splines give, and derivatives by logarithm of the ratio, magnitude, angle; by
@@ -107,6 +107,14 @@ constexpr double right_angle = 1.5707963267948966;
 /// Value, and derivatives by the logarithm of the ratio, magnitude and angle, each of all harmonics.
 using HarmonicRow = float[3 * most_directions];
 
+/// Asks for memory that is read soon; where the compiler has no such call, nothing is lost but time.
+void prefetch([[maybe_unused]] const float* begin, [[maybe_unused]] std::int64_t count) {
+#if defined(__GNUC__)
+  constexpr std::int64_t line = 64 / sizeof(float);
+  for (std::int64_t i = 0; i < count + line - 1; i += line) __builtin_prefetch(begin + std::min(i, count - 1));
+#endif
+}
+
 template <bool rates>
 void sum_along_angle(const float* c, std::int64_t row, const SplineWeights& angle, HarmonicRow (&by_angle)[2]) {
   float v[4], d[4];
@@ -123,6 +131,11 @@ void sum_coefficients(const float* plane, std::int64_t stride_ratio, std::int64_
                       const SplineWeights& ratio, const SplineWeights& magnitude, const SplineWeights& angle,
                       HarmonicRow (&sums)[4]) {
   HarmonicRow by_angle[2], part[3];
+  // A vehicle code's own data fills the caches between two calls: all rows are asked for before the first is needed.
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
+      prefetch(plane + (ratio.first + i) * stride_ratio + (magnitude.first + j) * stride_magnitude + angle.first * row,
+               4 * row);
   for (std::int64_t m = 0; m < (rates ? 4 : 1); ++m) std::fill_n(sums[m], row, 0.0f);
   for (int i = 0; i < 4; ++i) {
     for (std::int64_t m = 0; m < (rates ? 3 : 1); ++m) std::fill_n(part[m], row, 0.0f);
@@ -192,7 +205,9 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
   sum_coefficients<rates>(coefficient_.data() + static_cast<std::int64_t>(plane) * nl * ns * na * row(),
                           ns * na * row(), na * row(), row(), point.ratio, point.magnitude, point.angle, row_sums);
   Sums sums{};
-  const double sine = point.t / point.r;
+  // Near pure spin, harmonics grow like the sine of the angle or faster.
+  constexpr double least_sine = 1e-3;
+  const double sine = point.t / point.r, by_sine = sine > least_sine ? 1 / sine : 0;
   double cos_h = 1, sin_h = 0;
   for (std::int64_t h = 0; h < n; ++h) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -205,9 +220,7 @@ void CreepTable::add_plane(std::size_t plane, double share, const TableInput& in
       sums.magnitude[i] += row_sums[2][k] * basis * point.steps[1];
       const double by_angle = row_sums[3][k] * point.steps[2];
       sums.angle[i] += by_angle * basis;
-      // Near pure spin, harmonics grow like the sine of the angle or faster.
-      constexpr double least_sine = 1e-3;
-      const double over_sine = sine > least_sine ? row_sums[0][k] / sine : h == 1 ? by_angle : 0;
+      const double over_sine = by_sine > 0 ? row_sums[0][k] * by_sine : h == 1 ? by_angle : 0;
       sums.turned[i] += over_sine * static_cast<double>(h) * (cosine ? -sin_h : cos_h);
     }
     const double next = cos_h * point.cos_psi - sin_h * point.sin_psi;
@@ -262,6 +275,7 @@ void CreepTable::add_rates(double share, const Sums& q, Point& point) const {
   }
 }
 
+// Linear between two planes.
 template <bool rates>
 CreepTable::Point CreepTable::at_poisson(const TableInput& in) const {
   const std::vector<double>& nu = grid_.poisson;
@@ -271,20 +285,26 @@ CreepTable::Point CreepTable::at_poisson(const TableInput& in) const {
       upper > 0 ? std::clamp((in.poisson - nu[upper - 1]) / (nu[upper] - nu[upper - 1]), 0.0, 1.0) : 1.0;
   Point point{};
   add_plane<rates>(upper, share, in, point);
-  if (share < 1) add_plane<rates>(upper - 1, 1 - share, in, point);
-  return point;
-}
-
-// Linear between two planes.
-void CreepTable::add_rate_of_poisson(const TableInput& in, double* rate) const {
-  const std::vector<double>& nu = grid_.poisson;
-  std::size_t k = 1;
-  while (k + 1 < nu.size() && nu[k] < in.poisson) ++k;
-  for (const std::size_t plane : {k - 1, k}) {
-    Point point{};
-    add_plane<false>(plane, (plane == k ? 1 : -1) / (nu[k] - nu[k - 1]), in, point);
-    for (std::size_t i = 0; i < 3; ++i) rate[i] += point.f[i];
+  const bool between = share < 1;
+  if (!between && !(rates && nu.size() > 1)) return point;
+  // Of a plane itself, the other one counts in the derivative alone.
+  const std::size_t other = upper > 0 ? upper - 1 : 1;
+  double of_upper[3], of_other[3];
+  std::copy_n(point.f, 3, of_upper);
+  if (between) {
+    std::fill_n(point.f, 3, 0.0);
+    add_plane<rates>(other, 1 - share, in, point);
+    std::copy_n(point.f, 3, of_other);
+    for (std::size_t i = 0; i < 3; ++i) point.f[i] += of_upper[i];
+  } else {
+    Point there{};
+    add_plane<false>(other, 1, in, there);
+    std::copy_n(there.f, 3, of_other);
   }
+  const double other_share = between ? 1 - share : 1;
+  for (std::size_t i = 0; i < 3; ++i)
+    point.by_poisson[i] = (of_upper[i] / share - of_other[i] / other_share) / (nu[upper] - nu[other]);
+  return point;
 }
 
 void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* result, double* derivative) const {
@@ -299,15 +319,13 @@ void CreepTable::evaluate(const TableInput& in, std::int64_t entry, double* resu
   for (std::size_t i = 0; i < 3; ++i) result[i] = unit[i] * f[i];
   if (!derivative) return;
 
-  double by_poisson[3] = {};
-  if (grid_.poisson.size() > 1) add_rate_of_poisson(in, by_poisson);
   // By shear, poisson, friction, a, b, load, longitudinal, lateral, spin.
   const double along_friction[2] = {size > 0 ? point.f[0] / size : 0, size > 0 ? point.f[1] / size : 0};
   double rate[table_inputs][3];
   for (std::size_t i = 0; i < 3; ++i) {
     const double by_size = point.by_w[i] * point.w, by_length = point.by_creepage[i][2] * in.spin / 2;
     rate[0][i] = -by_size / in.shear;
-    rate[1][i] = by_poisson[i];
+    rate[1][i] = point.by_poisson[i];
     rate[2][i] = in.friction > 0 ? by_size / in.friction : 0;
     rate[3][i] = (point.by_ratio[i] - by_size + by_length) / in.a;
     rate[4][i] = (-point.by_ratio[i] - by_size + by_length) / in.b;

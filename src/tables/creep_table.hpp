@@ -63,7 +63,6 @@ class CreepTable {
   /// At rest: linear theory.
   void add_rates_at_rest(double share, Point& point) const;
   void add_rates(double share, const Sums& q, Point& point) const;
-  void add_rate_of_poisson(const TableInput& input, double* rate) const;
 
   TableGrid grid_;
   /// By plane of poisson, ratio, magnitude and angle; then harmonics of Fx, Fy and Mz.

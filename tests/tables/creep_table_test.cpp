@@ -95,6 +95,32 @@ TEST(creep_table, derivatives_are_those_of_its_forces) {
   expect_error("change of a force beside its derivative, over mu Fn", worst, 5e-7);
 }
 
+// Forces are linear in Poisson's ratio between the table's, but for the bend at friction's limit.
+TEST(creep_table, derivatives_by_poisson_are_one_from_end_to_end) {
+  frames::Random random(8);
+  double worst = 0;
+  int compared = 0;
+  for (int n = 0; n < 300; ++n) {
+    TableInput in = draw(random);
+    const double bound = in.friction * in.load;
+    const auto at = [&](double poisson) {
+      in.poisson = poisson;
+      return ask(in);
+    };
+    const Answer first = at(0.28), middle = at(0.2863), last = at(0.3);
+    if (std::hypot(first.force[0], first.force[1]) > 0.99 * bound) continue;
+    ++compared;
+    for (int i = 0; i < 3; ++i) {
+      const double unit = bound * (i == 2 ? std::sqrt(in.a * in.b) : 1);
+      const double change = last.force[i] - first.force[i];
+      for (const Answer* a : {&first, &middle, &last})
+        worst = std::max(worst, std::abs(0.02 * a->by[i][1] - change) / unit);
+    }
+  }
+  EXPECT_GT(compared, 100);
+  expect_error("change over the table's Poisson's ratios beside its derivatives, over mu Fn", worst, 1e-12);
+}
+
 TEST(creep_table, friction_bounds_forces_and_symmetries_are_exact) {
   frames::Random random(11);
   for (int n = 0; n < 20000; ++n) {
