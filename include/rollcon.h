@@ -1167,12 +1167,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
 
 /*
  * Leaves the frame to the library, as in a new contact: solves then find the contact from the gap
- * (rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or approach,
- * fit two frames of strips to the edge of each patch, one twice as fine as the other, extrapolate
- * their results, and take finer pairs until the option frame_accuracy is met or
- * ROLLCON_INACCURATE says that it was not. Forces, moment, approach, creepages, their
- * sensitivities and the statistics contact_area and error_estimate are the extrapolated ones;
- * nodes and fields those of the finer frame, which the next solve may replace.
+ * (of the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic,
+ * rollcon_contact_set_gap_grid) and from load or approach, fit two frames of strips to the edge
+ * of each patch, one twice as fine as the other, extrapolate their results, and take finer pairs
+ * until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
+ * moment, approach, creepages, their sensitivities and the statistics contact_area and
+ * error_estimate are the extrapolated ones; nodes and fields those of the finer frame, which the
+ * next solve may replace. The error is that of the frame: what a body's own mesh adds is not
+ * counted.
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/theory.md, section 4.
  */

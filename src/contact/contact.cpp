@@ -339,9 +339,14 @@ double Contact::modulus() {
   return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }
 
+double Contact::dundurs_beta() {
+  prepare_bodies(*state_, *body1_, *body2_);
+  return rollcon::dundurs_beta({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
+}
+
 bool Contact::knows_gap_between_nodes() const {
-  if (scene.has_gap()) return scene.gap_grid() != nullptr;
-  return !meshed() && (body1_->has_surface() || body2_->has_surface());
+  if (scene.has_gap()) return scene.gap_grid() || (scene.quadratic_gap() && meshed());
+  return body1_->has_surface() || body2_->has_surface();
 }
 
 std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
@@ -351,6 +356,11 @@ std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
 
 bool Contact::meshed() const {
   return body1_->meshed() || body2_->meshed();
+}
+
+bool Contact::surfaces_deform() const {
+  const auto deforms = [](const Body& body) { return !body.has_surface() || (body.meshed() && !body.rigid()); };
+  return deforms(*body1_) && deforms(*body2_);
 }
 
 double Contact::error_estimate() const {

@@ -92,13 +92,16 @@ class Contact {
   void scale_tangential_loads(double factor) { load_factor_ = factor; }
   /// err_load, with what friction cannot carry.
   [[noreturn]] void refuse_loads(const FrictionShare& share) const;
-  /// E* of the pair; prepares the bodies.
+  /// E* and Dundurs' beta of the pair; prepare the bodies.
   double modulus();
+  double dundurs_beta();
   bool knows_gap_between_nodes() const;
   /// As known_gap(); prepares the bodies.
   std::unique_ptr<KnownGap> gap_between_nodes();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;
+  /// Whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
+  bool surfaces_deform() const;
   /// As the statistic error_estimate of the last solve.
   double error_estimate() const;
   /// Somebody asked this solve to stop.

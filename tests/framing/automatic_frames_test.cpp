@@ -185,17 +185,6 @@ TEST(automatic_frames, what_is_missing_is_told) {
             ROLLCON_ERR_STATE);
 }
 
-// Their contact is not that of half-spaces.
-TEST(automatic_frames, bodies_with_a_mesh_need_a_frame) {
-  const auto lines = frames::uniform_lines(-5, 5, 4);
-  scenes::MeshedBody rigid;
-  rigid.mesh = frames::rectangle(ElementType::quad4, lines, lines);
-  RollingPair pair(scenes::HalfspaceBody{steel}, rigid, 1);
-  pair.gap_quadratic(1e-3, 1e-3).load(100).friction(0.3);
-  EXPECT_EQ(rollcon_contact_solve(pair.handle()), ROLLCON_ERR_STATE);
-  EXPECT_NE(std::string(rollcon_last_error()).find("has a mesh"), std::string::npos) << rollcon_last_error();
-}
-
 TEST(automatic_frames, lists_of_cases_need_a_frame) {
   RollingPair pair(steel, steel);
   hertzian(pair, steady_rolling::hertz, 0.3);
