@@ -1,7 +1,7 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! FORTRAN 77 layer of rollcon 0.1.0: plain external subroutines. Name mangling, integer width and hidden CHARACTER
+! FORTRAN 77 layer of rollcon 1.0.0-rc1: plain external subroutines. Name mangling, integer width and hidden CHARACTER
 ! lengths are those of the compiler and the options that build this file, which must be the caller's. Handles are
 ! INTEGERs > 0, the last argument is always IERR, the status. README.md lists the names beside those of rollcon.h.
 

@@ -1,5 +1,5 @@
 /*
- * rollcon 0.1.0: frictional rolling contact of elastic bodies.
+ * rollcon 1.0.0-rc1: frictional rolling contact of elastic bodies.
  *
  * Generated from bindings/api.toml by bindings/generate.py; do not edit.
  * Copyright (c) the rollcon authors. BSD-3-Clause.
@@ -33,10 +33,11 @@
 
 #include <stdint.h>
 
-#define ROLLCON_VERSION_MAJOR 0
-#define ROLLCON_VERSION_MINOR 1
+#define ROLLCON_VERSION_MAJOR 1
+#define ROLLCON_VERSION_MINOR 0
 #define ROLLCON_VERSION_PATCH 0
-#define ROLLCON_VERSION_STRING "0.1.0"
+#define ROLLCON_VERSION_PRERELEASE "rc1" /* "rc1" and the like; empty: a release */
+#define ROLLCON_VERSION_STRING "1.0.0-rc1"
 /* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
 #define ROLLCON_ABI 1
 

@@ -1,12 +1,13 @@
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
-"""The C interface of rollcon 0.1.0 for ctypes: enumerators, callback types, prototypes.
+"""The C interface of rollcon 1.0.0-rc1 for ctypes: enumerators, callback types, prototypes.
 
 Handles are c_void_p, arrays are pointers; None passes NULL.
 """
 
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_int64, c_void_p
 
-VERSION = (0, 1, 0)
+VERSION = (1, 0, 0)
+VERSION_TEXT = "1.0.0-rc1"
 ABI = 1
 
 # status
