@@ -1544,6 +1544,14 @@ subroutine rcwnot(iwr, ierr)
   ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
 end subroutine
 
+!> With a creep-force table (rollcon_wheelrail_set_table.
+subroutine rcwhtz(iwr, ion, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ion, ierr
+  ierr = rollcon_wheelrail_set_hertzian(wheelrail_of(iwr), narrow(ion))
+end subroutine
+
 !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.
 subroutine rcwfra(iwr, n, points, ierr)
   use rollcon_f77_support

@@ -2131,6 +2131,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
     rollcon_wheelrail *wheelrail);
 
 /*
+ * With a creep-force table (rollcon_wheelrail_set_table; without one nothing changes): takes
+ * Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none. A step
+ * takes tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
+ * Patches have their statistics; their contacts have no solution (ROLLCON_ERR_STATE of what asks
+ * for one). A patch that the table does not have is solved in full; statistic hertzian of the
+ * patch is 0.
+ *   on         1: ellipses of the overlaps; 0: pressures are solved for, as in a new handle
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
+    rollcon_wheelrail *wheelrail, int32_t on);
+
+/*
  * Sets coefficients by the inclination of the rail's surface, linear between points and constant
  * beyond them, in place of that of rollcon_wheelrail_set_friction: lubricated gauge faces under
  * dry heads. The inclination is atan dz/dy of a right rail with y to the right and z down, its
