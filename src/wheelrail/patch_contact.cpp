@@ -129,8 +129,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
   Vec3 own{};
   now_.table_power = 0;
   if (h.load > 0) {
-    // The wheel's surface is as far inside the rail as both overlap: half of that is between the pressed surfaces and
-    // either. Least squares of the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
+    // Least squares of the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
     const Vec3 wheel = motion.velocity.at(h.centre), rail = motion.rail.at(h.centre), slip = wheel - rail;
     const Vec3 turning = motion.velocity.angular - motion.rail.angular;
     const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
@@ -157,7 +156,7 @@ bool PatchContact::take_hertzian_results(const PatchFriction& friction, double g
   const Vec3 arm = Vec3{off[0], 0, 0} + dot(off, now_.patch.lateral) * now_.patch.lateral;
   now_.force = from_axes(axes, {own[0], own[1], -h.load});
   now_.moment = own[2] * axes.n + cross(arm, now_.force);
-  contact_->forget_all_but_tractions();
+  contact_->reset();
   return true;
 }
 
