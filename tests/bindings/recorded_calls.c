@@ -152,6 +152,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_friction",
   "wheelrail_set_table",
   "wheelrail_forget_table",
+  "wheelrail_set_hertzian",
   "wheelrail_set_friction_by_angle",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
@@ -198,7 +199,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 191;
+const int recorded_number = 192;
 
 enum {
   recorded_rollcon_version,
@@ -348,6 +349,7 @@ enum {
   recorded_rollcon_wheelrail_set_friction,
   recorded_rollcon_wheelrail_set_table,
   recorded_rollcon_wheelrail_forget_table,
+  recorded_rollcon_wheelrail_set_hertzian,
   recorded_rollcon_wheelrail_set_friction_by_angle,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
@@ -1782,6 +1784,13 @@ rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
 rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
   record_begin(recorded_rollcon_wheelrail_forget_table);
   record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_hertzian(rollcon_wheelrail *wheelrail, int32_t on) {
+  record_begin(recorded_rollcon_wheelrail_set_hertzian);
+  record_handle(wheelrail);
+  record_integer(on);
   return record_end();
 }
 
