@@ -28,7 +28,7 @@ QuadraticGap gap_of(double ratio, double modulus) {
 
 }  // namespace
 
-RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across)
+RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine)
     : context_(std::make_shared<Context>()) {
   context_->set_threads(1);
   const double modulus = 1 / (1 - poisson);  // E* of equal bodies of shear modulus 1
@@ -43,6 +43,7 @@ RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along,
   }
   const double a = std::sqrt(ratio);
   for (const std::int64_t finer : {2, 1}) {
+    if (finer == 2 && !fine) continue;
     auto contact = std::make_unique<Contact>(context_, body[0], body[1]);
     Scene& scene = contact->scene;
     scene.set_gap_quadratic(gap.a, gap.b, gap.c);
@@ -54,7 +55,7 @@ RollingSampler::RollingSampler(double ratio, double poisson, std::int64_t along,
 }
 
 void RollingSampler::reset() {
-  fine_->reset();
+  if (fine_) fine_->reset();
   coarse_->reset();
 }
 
@@ -73,10 +74,12 @@ std::array<double, 3> RollingSampler::solve_on(Contact& contact, const std::arra
   return {force[0] / bound_, force[1] / bound_, moment[2] / bound_};
 }
 
-std::array<double, 3> RollingSampler::solve(const std::array<double, 3>& creepage) {
-  const auto fine = solve_on(*fine_, creepage), coarse = solve_on(*coarse_, creepage);
-  std::array<double, 3> f{};
-  for (std::size_t i = 0; i < 3; ++i) f[i] = (4 * fine[i] - coarse[i]) / 3;
+RollingSampler::Forces RollingSampler::solve(const std::array<double, 3>& creepage) {
+  Forces f{};
+  f.extrapolated = f.coarse = solve_on(*coarse_, creepage);
+  if (!fine_) return f;
+  const auto fine = solve_on(*fine_, creepage);
+  for (std::size_t i = 0; i < 3; ++i) f.extrapolated[i] = (4 * fine[i] - f.coarse[i]) / 3;
   return f;
 }
 

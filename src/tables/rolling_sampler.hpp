@@ -11,10 +11,14 @@ namespace rollcon {
 
 class RollingSampler {
  public:
-  /// Semi-axes sqrt(ratio) and 1 / sqrt(ratio), equal bodies of shear modulus 1.
-  RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across);
-  /// Creepages over mu Fn / (G a b). Forces and moment over mu Fn.
-  std::array<double, 3> solve(const std::array<double, 3>& creepage);
+  /// Semi-axes sqrt(ratio) and 1 / sqrt(ratio), equal bodies of shear modulus 1. fine: with the finer frame.
+  RollingSampler(double ratio, double poisson, std::int64_t along, std::int64_t across, bool fine = true);
+  /// Forces and moment over mu Fn.
+  struct Forces {
+    std::array<double, 3> extrapolated, coarse;  ///< the same without the finer frame
+  };
+  /// Creepages over mu Fn / (G a b).
+  Forces solve(const std::array<double, 3>& creepage);
   /// Forgets warm starts.
   void reset();
 
@@ -23,7 +27,7 @@ class RollingSampler {
 
   double bound_ = 0;  ///< mu Fn
   std::shared_ptr<Context> context_;
-  std::unique_ptr<Contact> fine_, coarse_;
+  std::unique_ptr<Contact> fine_, coarse_;  ///< fine_ may be null
 };
 
 }  // namespace rollcon

@@ -82,7 +82,7 @@ class TableFit {
       const double size = std::hypot(force[0], force[1]), scale = size > 0 ? unbend(size) / size : 1;
       force[0] *= scale;
       force[1] *= scale;
-      const double s = static_cast<double>(i) / static_cast<double>(grid_.magnitudes);
+      const double s = magnitude_of(grid_, i);
       for (std::size_t k = 0; k < 3; ++k)
         q[3 * at(i) + k] = (force[k] - half_magnitude * s * (1 - s) * linear[k]) / (s * s);
     }

@@ -14,46 +14,114 @@
 namespace rollcon {
 namespace {
 
-/// What one thread solves with: contacts of the plane it was at last, and linear theory's coefficients there.
-struct Worker {
-  std::int64_t plane = -1;
+/// A Poisson's ratio no further from one before it is solved on the coarser frame alone, as a difference: two
+/// hundredths change forces by 0.6 % of mu Fn, and the coarser frame gives that change to a tenth.
+constexpr double neighbours = 0.025;
+
+/// For each Poisson's ratio that which is solved on both frames for it: itself, or a neighbour.
+std::vector<std::size_t> solved_on_both(const std::vector<double>& poisson) {
+  std::vector<std::size_t> of(poisson.size());
+  for (std::size_t p = 1; p < poisson.size(); ++p)
+    of[p] = poisson[p] - poisson[of[p - 1]] <= neighbours ? of[p - 1] : p;
+  return of;
+}
+
+using Linear = std::array<double, linear_numbers>;
+
+/// Contacts of one ratio of semi-axes and Poisson's ratio.
+struct Sampled {
   std::unique_ptr<RollingSampler> sampler;
-  std::array<double, linear_numbers> linear{};
+  Linear linear{};         ///< linear theory's coefficients
+  Linear linear_coarse{};  ///< the same without the finer frame
+};
+
+/// What one thread solves with: contacts of the ratio it was at last, by Poisson's ratio.
+struct Worker {
+  std::int64_t ratio = -1;
+  std::vector<Sampled> sampled;
 };
 
 /// By creepages so small that nothing slips.
-std::array<double, linear_numbers> linear_theory(RollingSampler& sampler) {
+void find_linear_theory(Sampled& s) {
   constexpr double tiny = 1e-7;
-  const auto x = sampler.solve({tiny, 0, 0}), y = sampler.solve({0, tiny, 0}), z = sampler.solve({0, 0, tiny});
-  return {-x[0] / tiny, -y[1] / tiny, -z[1] / tiny, y[2] / tiny, -z[2] / tiny};
+  const auto x = s.sampler->solve({tiny, 0, 0}), y = s.sampler->solve({0, tiny, 0}), z = s.sampler->solve({0, 0, tiny});
+  const auto of = [](const auto& fx, const auto& fy, const auto& fz) {
+    return Linear{-fx[0] / tiny, -fy[1] / tiny, -fz[1] / tiny, fy[2] / tiny, -fz[2] / tiny};
+  };
+  s.linear = of(x.extrapolated, y.extrapolated, z.extrapolated);
+  s.linear_coarse = of(x.coarse, y.coarse, z.coarse);
 }
 
-void stand(const TableGrid& grid, std::int64_t plane, Worker& worker) {
-  if (worker.plane == plane) return;
-  const double ratio = std::exp(log_ratio_of(grid, plane % (grid.ratios + 1)));
-  const double poisson = grid.poisson[at(plane / (grid.ratios + 1))];
-  worker.plane = -1;
+void stand(const TableGrid& grid, std::int64_t at_ratio, Worker& worker) {
+  if (worker.ratio == at_ratio) return;
+  const double ratio = std::exp(log_ratio_of(grid, at_ratio));
   const StripsSize size = frame_of(grid, ratio);
-  worker.sampler = std::make_unique<RollingSampler>(ratio, poisson, size.along, size.across);
-  worker.linear = linear_theory(*worker.sampler);
-  worker.plane = plane;
+  const std::vector<std::size_t> both = solved_on_both(grid.poisson);
+  worker.ratio = -1;
+  worker.sampled.clear();
+  for (std::size_t p = 0; p < grid.poisson.size(); ++p) {
+    Sampled s;
+    s.sampler =
+        std::make_unique<RollingSampler>(ratio, grid.poisson[p], size.along, size.across, /*fine=*/both[p] == p);
+    find_linear_theory(s);
+    if (both[p] != p)
+      for (std::size_t k = 0; k < linear_numbers; ++k)
+        s.linear[k] = worker.sampled[both[p]].linear[k] + s.linear_coarse[k] - worker.sampled[both[p]].linear_coarse[k];
+    worker.sampled.push_back(std::move(s));
+  }
+  worker.ratio = at_ratio;
 }
 
-void solve_chain(const TableGrid& grid, std::int64_t chain, Worker& worker, double* to) {
-  const double log_ratio = log_ratio_of(grid, worker.plane % (grid.ratios + 1));
-  const double spin = worker.linear[1] * grid.spin_scale(log_ratio);
-  const std::int64_t angle = chain == 0 ? 0 : 1 + (chain - 1) / grid.directions;
-  const double theta = angle_of(grid, angle);
-  const double psi = chain == 0 ? 0 : direction_of(grid, (chain - 1) % grid.directions);
-  worker.sampler->reset();
-  const double turn = grid.stretch(log_ratio);
-  const double unit[3] = {std::sin(theta) * std::cos(psi) / (worker.linear[0] * turn),
-                          std::sin(theta) * std::sin(psi) * turn / worker.linear[1], std::cos(theta) / spin};
+struct ChainDirection {
+  double theta, psi;
+};
+
+/// Forces at the magnitudes of a chain. Where the pole of sliding lies inside the contact, its place among the cells
+/// counts. Of bodies that slide as rigid ones this error is known; the elastic displacements move the pole ever less as
+/// the creepages grow, so that this error, times s cubed, is taken off. Measured on 98 random cases of s above 0.5
+/// beside frames twice as fine: force 0.16 -> 0.11, 0.12 -> 0.05, 0.03 -> 0.04 % rms for a/b about 1, below 0.2, above
+/// 5.
+std::vector<RollingSampler::Forces> forces_of_chain(const TableGrid& grid, double log_ratio, const ChainDirection& to,
+                                                    const Sampled& plane) {
+  const double spin = plane.linear[1] * grid.spin_scale(log_ratio), turn = grid.stretch(log_ratio);
+  const double unit[3] = {std::sin(to.theta) * std::cos(to.psi) / (plane.linear[0] * turn),
+                          std::sin(to.theta) * std::sin(to.psi) * turn / plane.linear[1], std::cos(to.theta) / spin};
+  const auto solve = [&](double r) { return plane.sampler->solve({r * unit[0], r * unit[1], r * unit[2]}); };
+  plane.sampler->reset();
+  std::vector<RollingSampler::Forces> f;
   for (std::int64_t i = 1; i < grid.magnitudes; ++i) {
-    const double s = static_cast<double>(i) / static_cast<double>(grid.magnitudes);
-    const double r = half_magnitude * s / (1 - s);
-    const auto f = worker.sampler->solve({r * unit[0], r * unit[1], r * unit[2]});
-    std::copy(f.begin(), f.end(), to + 3 * (i - 1));
+    const double s = magnitude_of(grid, i);
+    f.push_back(solve(half_magnitude * s / (1 - s)));
+  }
+  constexpr double vast = 1e5;
+  const RollingSampler::Forces found = solve(vast);
+  double exact[3];
+  sliding_limit(std::exp(log_ratio), unit, exact);
+  for (std::size_t i = 0; i < f.size(); ++i) {
+    const double weight = std::pow(magnitude_of(grid, static_cast<std::int64_t>(i) + 1), 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      f[i].extrapolated[k] += weight * (exact[k] - found.extrapolated[k]);
+      f[i].coarse[k] += weight * (exact[k] - found.coarse[k]);
+    }
+  }
+  return f;
+}
+
+/// to[p]: where the numbers of the chain for Poisson's ratio p go.
+void solve_chain(const TableGrid& grid, std::int64_t chain, const Worker& worker, const std::vector<double*>& to) {
+  const double log_ratio = log_ratio_of(grid, worker.ratio);
+  const std::int64_t angle = chain == 0 ? 0 : 1 + (chain - 1) / grid.directions;
+  const ChainDirection direction{angle_of(grid, angle),
+                                 chain == 0 ? 0 : direction_of(grid, (chain - 1) % grid.directions)};
+  const std::vector<std::size_t> both = solved_on_both(grid.poisson);
+  std::vector<std::vector<RollingSampler::Forces>> f;
+  for (std::size_t p = 0; p < to.size(); ++p) {
+    f.push_back(forces_of_chain(grid, log_ratio, direction, worker.sampled[p]));
+    const auto &own = f[p], &base = f[both[p]];
+    for (std::size_t i = 0; i < own.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        to[p][3 * i + k] =
+            both[p] == p ? own[i].extrapolated[k] : base[i].extrapolated[k] + own[i].coarse[k] - base[i].coarse[k];
   }
 }
 
@@ -85,6 +153,10 @@ double angle_of(const TableGrid& grid, std::int64_t angle) {
   return std::numbers::pi / 2 * static_cast<double>(angle) / static_cast<double>(grid.angles);
 }
 
+double magnitude_of(const TableGrid& grid, std::int64_t magnitude) {
+  return static_cast<double>(magnitude) / static_cast<double>(grid.magnitudes);
+}
+
 double direction_of(const TableGrid& grid, std::int64_t direction) {
   return std::numbers::pi * ((static_cast<double>(direction) + 0.5) / static_cast<double>(grid.directions) - 0.5);
 }
@@ -94,14 +166,18 @@ void solve_samples(const TableGrid& grid, std::int64_t part, std::int64_t parts,
   const BlasThreads blas(1);
   const SampleLayout layout(grid);
   std::vector<Worker> worker(at(threads));
-  parallel_for(layout.planes * layout.chains, 1, threads, [&](std::int64_t i, int thread) {
-    const std::int64_t plane = i / layout.chains, chain = i % layout.chains;
-    double* const numbers = sample.data() + plane * layout.plane();
-    double* const to = numbers + linear_numbers + chain * layout.chain;
-    if (i % parts != part || mirrored(grid, chain) || !std::isnan(to[layout.chain - 1])) return;
+  parallel_for((grid.ratios + 1) * layout.chains, 1, threads, [&](std::int64_t i, int thread) {
+    const std::int64_t ratio = i / layout.chains, chain = i % layout.chains;
+    std::vector<double*> plane, to;
+    for (std::int64_t p = ratio; p < layout.planes; p += grid.ratios + 1) {
+      plane.push_back(sample.data() + p * layout.plane());
+      to.push_back(plane.back() + linear_numbers + chain * layout.chain);
+    }
+    if (i % parts != part || mirrored(grid, chain) || !std::isnan(to.back()[layout.chain - 1])) return;
     Worker& w = worker[at(thread)];
-    stand(grid, plane, w);
-    if (chain == 0) std::copy(w.linear.begin(), w.linear.end(), numbers);
+    stand(grid, ratio, w);
+    for (std::size_t p = 0; chain == 0 && p < plane.size(); ++p)
+      std::copy(w.sampled[p].linear.begin(), w.sampled[p].linear.end(), plane[p]);
     solve_chain(grid, chain, w, to);
   });
   for (std::int64_t plane = 0; plane < layout.planes; ++plane)

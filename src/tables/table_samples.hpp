@@ -21,6 +21,7 @@ struct SampleLayout {
 
 double log_ratio_of(const TableGrid& grid, std::int64_t ratio);
 double angle_of(const TableGrid& grid, std::int64_t angle);
+double magnitude_of(const TableGrid& grid, std::int64_t magnitude);
 double direction_of(const TableGrid& grid, std::int64_t direction);
 
 /// Solves part `part` of `parts` of the samples that are not there yet, over threads. May throw Cancelled: what was

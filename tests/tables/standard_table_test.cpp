@@ -22,7 +22,7 @@ TEST(standard_table, beside_contacts) {
       const auto hertz = closed_forms::hertz_from_axes(a, b, 1000, closed_forms::effective_modulus(steel, steel));
       RollingPair pair(steel, steel);
       pair.gap_quadratic(hertz.A, hertz.B).load(hertz.load).friction(0.3).creep(8e-4, 4e-4, spin);
-      pair.option("frame_accuracy", 0.002);
+      pair.option("frame_accuracy", 0.005);
       ASSERT_GE(pair.solve(), 0);
       const auto s = pair.solution();
       const double in[9] = {82000, 0.28, 0.3, a, b, hertz.load, 8e-4, 4e-4, spin};
