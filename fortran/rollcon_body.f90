@@ -276,7 +276,8 @@ contains
     call finish(status, self%handle(), 'rc_body%get_point_stresses', stat, errmsg)
   end subroutine
 
-  !> Displacements displacement(3,n) and smoothed stresses stress(6,n) at points xyz(3,n) inside finite elements.
+  !> Displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside finite elements, or boundary
+  !> elements under their own loads.
   subroutine get_fields_at(self, xyz, displacement, stress, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), intent(in), contiguous :: xyz(:, :)
@@ -298,7 +299,7 @@ contains
     call finish(status, self%handle(), 'rc_body%get_fields_at', stat, errmsg)
   end subroutine
 
-  !> Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  !> Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
   subroutine write_body(self, path, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     character(len=*), intent(in) :: path

@@ -1386,6 +1386,29 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
 
+    function rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress) &
+        result(rc) bind(C, name="rollcon_contact_get_body_fields_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xyz(*)
+      real(c_double), intent(out) :: displacement(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_body_fields_at
+
+    function rollcon_contact_write_body(contact, body, path) &
+        result(rc) bind(C, name="rollcon_contact_write_body")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_write_body
+
     function rollcon_contact_get_temperatures_at(contact, n, xy, temperature) &
         result(rc) bind(C, name="rollcon_contact_get_temperatures_at")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

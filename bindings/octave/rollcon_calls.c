@@ -1477,6 +1477,35 @@ static void call_contact_get_body_displacements(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_get_body_fields_at(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const double *xyz = take_reals(self, "xyz", &n, 3, 0);
+  double *displacement = NULL;
+  double *stress = NULL;
+  no_more(self);
+  displacement = room(n * (3), sizeof *displacement);
+  stress = room(n * (6), sizeof *stress);
+  rc = rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, displacement, n, 3);
+  give_reals(self, stress, n, 6);
+  finish(self, rc);
+}
+
+static void call_contact_write_body(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const char *path = take_text(self, "path");
+  no_more(self);
+  rc = rollcon_contact_write_body(contact, body, path);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_contact_get_temperatures_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -2356,6 +2385,8 @@ const entry calls[] = {
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
   {"contact_get_stresses_at", call_contact_get_stresses_at, 2},
   {"contact_get_body_displacements", call_contact_get_body_displacements, 1},
+  {"contact_get_body_fields_at", call_contact_get_body_fields_at, 2},
+  {"contact_write_body", call_contact_write_body, 1},
   {"contact_get_temperatures_at", call_contact_get_temperatures_at, 1},
   {"contact_get_fatigue_index", call_contact_get_fatigue_index, 1},
   {"contact_get_equivalent_ellipse", call_contact_get_equivalent_ellipse, 2},

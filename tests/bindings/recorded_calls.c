@@ -127,6 +127,8 @@ const char* const recorded_names[] = {
   "contact_get_displacements_at",
   "contact_get_stresses_at",
   "contact_get_body_displacements",
+  "contact_get_body_fields_at",
+  "contact_write_body",
   "contact_get_temperatures_at",
   "contact_get_fatigue_index",
   "contact_get_equivalent_ellipse",
@@ -198,7 +200,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 191;
+const int recorded_number = 193;
 
 enum {
   recorded_rollcon_version,
@@ -323,6 +325,8 @@ enum {
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
   recorded_rollcon_contact_get_body_displacements,
+  recorded_rollcon_contact_get_body_fields_at,
+  recorded_rollcon_contact_write_body,
   recorded_rollcon_contact_get_temperatures_at,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_contact_get_equivalent_ellipse,
@@ -1534,6 +1538,29 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact *con
   record_room(n_values);
   give_reals(u, capacity, 3);
   give_count(n_values, RECORD_VALUES);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact *contact, int32_t body,
+    int64_t n, const double *xyz, double *displacement, double *stress) {
+  record_begin(recorded_rollcon_contact_get_body_fields_at);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(n);
+  record_reals(xyz, n * 3);
+  record_room(displacement);
+  record_room(stress);
+  give_reals(displacement, n * 3, 4);
+  give_reals(stress, n * 6, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_write_body(const rollcon_contact *contact, int32_t body,
+    const char *path) {
+  record_begin(recorded_rollcon_contact_write_body);
+  record_handle(contact);
+  record_integer(body);
+  record_text(path);
   return record_end();
 }
 

@@ -18,6 +18,7 @@ class Counted final : public ResponseCache {
   std::shared_ptr<const BodyEquations> equations(int /*threads*/) override { return nullptr; }
   std::span<const double> own_displacement() const override { return {}; }
   Resultant support_reaction() const override { return {}; }
+  void solve_everywhere(std::span<double> /*load*/, SurfaceState& /*state*/, int /*threads*/) override {}
   BodyStatistics statistics() const override {
     const std::lock_guard lock(mutex_);
     BodyStatistics s;

@@ -243,6 +243,10 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_body_displacements", false,
         rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
+  check("rollcon_contact_get_body_fields_at", false,
+        rollcon_contact_get_body_fields_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_write_body", false,
+        rollcon_contact_write_body(object, 1, "never_written"));
   check("rollcon_contact_get_temperatures_at", false,
         rollcon_contact_get_temperatures_at(object, 1, a.reals, a.out));
   check("rollcon_contact_get_fatigue_index", false,

@@ -107,6 +107,8 @@ program mapping_77_test
   call test_rcdisp()
   call test_rcstrs()
   call test_rcbodu()
+  call test_rcbfat()
+  call test_rcwbod()
   call test_rctmps()
   call test_rcfati()
   call test_rcelli()
@@ -1654,6 +1656,36 @@ contains
     call rcbodu(icon, 11, 6, u, nv, stat)
     call rclerr(message)
     call failed('contact_get_body_displacements', stat, message)
+  end subroutine
+
+  subroutine test_rcbfat()
+    double precision :: displacement(6)
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfat(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], displacement, stress, stat)
+    call told('contact_get_body_fields_at', 'contact1 11 2 [3.125 3.25 3.375 3.5 3.625 3.75] room room', stat)
+    call gave_reals('displacement', displacement, 400.5_rc_real)
+    call gave_reals('stress', stress, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfat(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], displacement, stress, stat)
+    call rclerr(message)
+    call failed('contact_get_body_fields_at', stat, message)
+  end subroutine
+
+  subroutine test_rcwbod()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwbod(icon, 11, 'text 2', stat)
+    call told('contact_write_body', 'contact1 11 <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwbod(icon, 11, 'text 2', stat)
+    call rclerr(message)
+    call failed('contact_write_body', stat, message)
   end subroutine
 
   subroutine test_rctmps()

@@ -348,6 +348,10 @@ FUNCTIONS = {
     "rollcon_contact_get_body_displacements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_get_body_fields_at": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_write_body": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_contact_get_temperatures_at": (c_int32, [
         c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double)]),
@@ -708,6 +712,11 @@ ARGUMENTS = {
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
     ],
+    "rollcon_contact_get_body_fields_at": [
+        ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("displacement", ""), ("stress",
+        "")
+    ],
+    "rollcon_contact_write_body": [("contact", ""), ("body", ""), ("path", "")],
     "rollcon_contact_get_temperatures_at": [
         ("contact", ""), ("n", ""), ("xy", ""), ("temperature", "")
     ],

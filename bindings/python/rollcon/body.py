@@ -117,7 +117,8 @@ class Body(Settings, BodyPlain, Handle):
 
     def node_stresses(self, u: ArrayLike | None = None) -> np.ndarray:
         """Smoothed stresses [nodes, 6] (s11, s22, s33, s12, s13, s23) of finite elements under
-        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads'."""
+        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads', of boundary
+        elements too."""
         nodes, u, given = self._nodal(u)
         stress, address = room(nodes, 6)
         self._call("get_node_stresses", nodes, given, address)
@@ -134,7 +135,8 @@ class Body(Settings, BodyPlain, Handle):
         return stress, xyz
 
     def fields_at(self, xyz: ArrayLike, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements [n, 3] and smoothed stresses [n, 6] at points xyz[n, 3] inside finite elements."""
+        """Displacements [n, 3] and stresses [n, 6] at points xyz[n, 3] inside finite elements, or boundary elements
+        under their own loads."""
         nodes, u, given = self._nodal(u)
         xyz, points = reals(xyz, 3)
         displacement, first = room(len(xyz), 3)
@@ -143,7 +145,7 @@ class Body(Settings, BodyPlain, Handle):
         return displacement, stress
 
     def write(self, path: str | os.PathLike, u: ArrayLike | None = None) -> None:
-        """Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        """Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
         nodes, u, given = self._nodal(u)
         self._call("write", c_path(path), nodes, given)
 

@@ -4,6 +4,7 @@
 
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/lifted_surface.hpp"
+#include "bodies/bem/somigliana.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/imbalance.hpp"
@@ -28,6 +29,8 @@ class System final : public ResponseCache, public MayMissLoads {
   Imbalances imbalances() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
+  void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
+  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState state) override;
   void save(SectionWriter& file) const override;
 
  private:
@@ -76,6 +79,7 @@ class System final : public ResponseCache, public MayMissLoads {
   FactoredMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
+  std::shared_ptr<const SomiglianaBody> inside_;  ///< made when fields inside are asked for
   std::vector<double> own_displacement_, own_traction_;
   bool own_solved_ = false;
 

@@ -247,7 +247,7 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   felt.tell(rows);
 }
 
-bool System::solve_everywhere(std::span<double> load, double* u, int threads) {
+void System::solve_everywhere(std::span<double> load, SurfaceState& state, int threads) {
   const std::lock_guard lock(mutex_);
   const BlasThreads blas(threads);
   if (!whole_) {
@@ -256,9 +256,10 @@ bool System::solve_everywhere(std::span<double> load, double* u, int threads) {
     if (!kept) matrix_ = {};
   }
   whole_->solve(load.data(), 1);
-  for (std::size_t k = 0; k < unknowns_.of.size(); ++k) u[k] = unknowns_.of[k] >= 0 ? load[at(unknowns_.of[k])] : 0;
+  state.u.resize(unknowns_.of.size());
+  for (std::size_t k = 0; k < unknowns_.of.size(); ++k)
+    state.u[k] = unknowns_.of[k] >= 0 ? load[at(unknowns_.of[k])] : 0;
   if (options_.keep_factors == 0) whole_.reset();
-  return true;
 }
 
 BodyStatistics System::statistics() const {

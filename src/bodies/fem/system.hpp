@@ -31,7 +31,7 @@ class System final : public ResponseCache {
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
   void save(SectionWriter& file) const override;
-  bool solve_everywhere(std::span<double> load, double* u, int threads) override;
+  void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
   const BodyInterior* interior() const override { return &interior_; }
 
  private:

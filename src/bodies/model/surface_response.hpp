@@ -9,6 +9,7 @@
 
 #include "bodies/model/body_interior.hpp"
 #include "bodies/model/expanded_compliance.hpp"
+#include "bodies/model/surface_state.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/surface_mesh.hpp"
 
@@ -84,9 +85,12 @@ class SurfaceResponse {
   /// The matrix to these right sides, assembled once: shared like them, and kept by the body itself until it is
   /// factorised (unless option keep_factors is 0).
   virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
-  /// Displacements of every node, u[3 * node + c], under a right side of the equations, which is overwritten; own loads
-  /// and given displacements apart. Factorises at most once. False: has no such displacements, nothing is done.
-  virtual bool solve_everywhere(std::span<double> /*load*/, double* /*u*/, int /*threads*/) { return false; }
+  /// Displacements of every node, and the reactions of supports as tractions of boundary elements, under a right side
+  /// of the equations, which is overwritten; own loads and given displacements apart. Factorises at most once.
+  virtual void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) = 0;
+  /// Boundary elements: fields inside under this state and the body's own loads; an empty one is those alone. Null:
+  /// the body has elements inside.
+  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState /*state*/) { return nullptr; }
   /// Null: the body has no elements inside.
   virtual const BodyInterior* interior() const { return nullptr; }
   /// Displacement of every node under the body's own loads and given displacements, u[3 * node + c]; empty when there
