@@ -59,7 +59,8 @@ std::span<const double> displacements_of(const Body& body, const NodalDisplaceme
 /// Of boundary elements under their own loads.
 std::unique_ptr<const SurfaceFields> own_fields(const Body& body, const NodalDisplacements& given) {
   std::vector<double> zero;
-  const std::span<const double> u = displacements_of(body, given, zero), own = displacements_of(body, {given.nodes, nullptr}, zero);
+  const std::span<const double> u = displacements_of(body, given, zero),
+                                own = displacements_of(body, {given.nodes, nullptr}, zero);
   // Layers that cannot pass NULL give the body's own.
   if (!std::equal(u.begin(), u.end(), own.begin()))
     fail(Status::err_unsupported,

@@ -101,8 +101,10 @@ TEST_F(boundary_fields_long, under_a_contact_are_those_of_a_half_space) {
   contact = press(block);
   for (const double depth : {1e-4, 0.05, 0.2, 0.5, 1.2, 2.0}) {
     const Error error = beside_halfspace({depth});
-    std::printf("boundary elements beside a half-space, %g deep: stress %.1e of the pressure, displacement %.1e\n", depth,
-                error.stress, error.displacement);
+    std::printf("boundary elements beside a half-space, %g deep: stress %.1e of the pressure, displacement %.1e\n",
+                depth, error.stress, error.displacement);
+    EXPECT_LE(error.stress, depth > 1 ? 4e-3 : depth > 0.1 ? 0.06 : 0.25);
+    EXPECT_LE(error.displacement, depth > 1 ? 6e-3 : 0.02);
   }
 }
 
@@ -110,10 +112,42 @@ TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
   give_block(Surface8(Block20(4, 3, 4, 4)));
   contact = press(block);
   const Error error = beside_halfspace({1.2, 1.5, 2.0, 2.5});
-  std::printf("boundary elements beside a half-space: stress %.1e of the pressure, displacement %.1e\n", error.stress,
-              error.displacement);
-  EXPECT_LE(error.stress, 1e-2);
-  EXPECT_LE(error.displacement, 1e-2);
+  std::printf(
+      "boundary elements beside a half-space: stress %.1e of the pressure, displacement %.1e (bounds .015, .03)\n",
+      error.stress, error.displacement);
+  EXPECT_LE(error.stress, 0.015);
+  EXPECT_LE(error.displacement, 0.03);
+  // On its surface stresses have the tractions of the contact in them; written as a file.
+  const double place[] = {0.1, 0.05, 0};
+  double s[6], t[3];
+  ASSERT_OK(rollcon_contact_get_body_fields_at(contact, 1, 1, place, nullptr, s));
+  ASSERT_OK(rollcon_contact_write_body(contact, 1, "boundary_fields.vtu"));
+  std::ifstream file("boundary_fields.vtu");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  for (const char* part : {"von_mises", "stress", "displacement"}) EXPECT_NE(text.find(part), std::string::npos);
+  std::remove("boundary_fields.vtu");
+  std::int64_t nodes = 0;
+  ASSERT_OK(rollcon_contact_get_size(contact, &nodes, nullptr));
+  std::vector<double> tractions(static_cast<std::size_t>(3 * nodes));
+  ASSERT_OK(rollcon_contact_get_tractions(contact, ROLLCON_LOCAL, nodes, tractions.data()));
+  double nearest = 1e30;
+  for (std::int64_t k = 0; k < nodes; ++k) {
+    const double away = std::hypot(frame.x[static_cast<std::size_t>(3 * k)] - place[0],
+                                   frame.x[static_cast<std::size_t>(3 * k + 1)] - place[1]);
+    if (away >= nearest) continue;
+    nearest = away;
+    std::copy_n(tractions.data() + 3 * k, 3, t);
+  }
+  std::printf("s33 on the surface %.4g, pressure of the nearest node %.4g\n", s[2], -t[2]);
+  EXPECT_NEAR(s[2], t[2], 0.05 * std::abs(t[2]));
+
+  // What it refuses, and that it stays usable.
+  const double outside[] = {0, 0, -1, 0, 0, 0.5};
+  EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 1, 2, outside, nullptr, s), ARGUMENT, "point 1");
+  EXPECT_FAILS(rollcon_contact_get_body_fields_at(contact, 2, 1, place, nullptr, s), UNSUPPORTED, "rigid");
+  EXPECT_FAILS(rollcon_contact_get_body_fields_at(on_halfspace, 1, 1, place, nullptr, s), UNSUPPORTED, "half-space");
+  EXPECT_FAILS(rollcon_contact_write_body(contact, 1, "/nowhere/at/all.vtu"), IO, "/nowhere");
+  ASSERT_OK(rollcon_contact_get_body_fields_at(contact, 1, 1, place, nullptr, s));
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ TEST_F(wear, volumes_are_those_of_the_law_on_any_points) {
   ASSERT_OK(rollcon_contact_set_friction(contact, "coulomb", 1, &mu));
   ASSERT_OK(solve(0.5 * (1 / 32.5 + 1 / 32.3), 0.5 / 32.5));
   double power = 0, speed = 3, worst = 0, whole = 0;
-  ASSERT_OK(rollcon_contact_get_stat(contact, "friction_power", &power));
+  ASSERT_OK(rollcon_contact_get_stat(contact, "friction_power_balance", &power));
   for (const std::size_t points : {2U, 7U, 21U, 23U, 500U}) {
     const std::vector<double> at = even(-0.6, 0.58, points), d = depth("archard", {i}, at, &whole);
     worst = std::max({worst, std::abs(volume_of(d, at) / whole - 1), std::abs(whole / (i * power / (mu * speed)) - 1)});

@@ -76,8 +76,8 @@ std::unique_ptr<const SurfaceFields> System::surface_fields(SurfaceState state) 
   {
     const std::lock_guard lock(mutex_);
     if (!inside_)
-      inside_ = std::make_shared<const SomiglianaBody>(lifted_, shear_, poisson_, options_.accuracy,
-                                                       options_.edge_angle);
+      inside_ =
+          std::make_shared<const SomiglianaBody>(lifted_, shear_, poisson_, options_.accuracy, options_.edge_angle);
     inside = inside_;
   }
   return std::make_unique<Somigliana>(std::move(inside), mesh_.surface, state);

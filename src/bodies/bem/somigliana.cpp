@@ -21,6 +21,7 @@ namespace {
 /// up to ten times as large, and errors add up.
 constexpr double element_share = 0.3;
 /// Nearer to the surface than these parts of the element, points are on it: of those inside, and of those outside.
+/// (Straight faces of linear elements, too: the equations' surface bulges beyond them, or they beyond it.)
 constexpr double on_surface = 1e-9, just_outside = 1e-6;
 
 double power_of_two_near(double size) {
@@ -51,6 +52,21 @@ std::vector<ElementGeometry> geometries(const SurfaceMesh& mesh, double scale) {
   std::vector<ElementGeometry> all;
   for (std::int64_t e = 0; e < mesh.elements(); ++e) all.push_back(element_geometry(mesh, e, scale));
   return all;
+}
+
+std::vector<double> bulges(const LiftedSurface& lifted) {
+  const SurfaceMesh& mesh = lifted.mesh;
+  std::vector<double> most(at(mesh.elements()), 0.0);
+  for (std::int64_t e = 0; e < mesh.elements(); ++e) {
+    const auto node = mesh.element(e);
+    const auto corners = static_cast<std::size_t>(corner_count(mesh.type[at(e)]));
+    for (std::size_t k = corners; k < std::min(node.size(), 2 * corners); ++k)
+      if (node[k] >= lifted.nodes) {
+        const Vec3 middle = 0.5 * (mesh.node[at(node[k - corners])] + mesh.node[at(node[(k + 1) % corners])]);
+        most[at(e)] = std::max(most[at(e)], length(mesh.node[at(node[k])] - middle));
+      }
+  }
+  return most;
 }
 
 /// The body's displacements with those of midside nodes.
@@ -132,7 +148,8 @@ SomiglianaBody::SomiglianaBody(const LiftedSurface& surface_given, double shear_
       edge_angle(edge_angle_given),
       size(power_of_two_near(box_of(surface_given.mesh.node).longest())),
       search(surface_given.mesh, {}),
-      surface(surface_given.mesh, size, accuracy_given) {}
+      surface(surface_given.mesh, size, accuracy_given),
+      bulge(bulges(surface_given)) {}
 
 Somigliana::Somigliana(std::shared_ptr<const SomiglianaBody> body, const SurfaceMesh& surface,
                        const SurfaceState& state)
@@ -187,17 +204,17 @@ bool Somigliana::evaluate(const Vec3& x, SomiglianaSurface::Workspace& w, Result
     for (std::size_t j = 0; j < 3; ++j) linear.u[i] += linear.gradient[i][j] * from[j];
   }
   double sum[somigliana_count] = {};
-  const Vec3 at = 1 / body_->size * x;
-  body_->surface.add(faces_, at, body_->poisson, linear, w, sum);
-  if (!(sum[9] > 2 * std::numbers::pi)) return foot.distance <= just_outside * reach;
-  if (layer_surface_) layer_surface_->add(layer_faces_, at, body_->poisson, {}, w, sum);
+  const Vec3 place = 1 / body_->size * x;
+  body_->surface.add(faces_, place, body_->poisson, linear, w, sum);
+  if (!(sum[9] > 2 * std::numbers::pi))
+    return foot.distance <= just_outside * reach + 2 * body_->bulge[at(foot.element)];
+  if (layer_surface_) layer_surface_->add(layer_faces_, place, body_->poisson, {}, w, sum);
   for (std::size_t s = 0; s < 6; ++s) result.stress[s] = linear.stress[s] + sum[s];
   for (std::size_t c = 0; c < 3; ++c) result.u[c] = body_->size * (linear.u[c] + sum[6 + c]);
   return true;
 }
 
-void Somigliana::at_points(std::int64_t n, const double* xyz, double* displacement, double* stress,
-                           int threads) const {
+void Somigliana::at_points(std::int64_t n, const double* xyz, double* displacement, double* stress, int threads) const {
   line_rule(1);  // tables are made before the threads start
   symmetric_triangle_rules();
   std::vector<Result> found(at(n));

@@ -66,8 +66,7 @@ LinearField SurfaceValues::field(std::int64_t element, double xi, double eta, co
   }
   constexpr std::size_t row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
   for (std::size_t s = 0; s < 6; ++s)
-    result.stress[s] =
-        (s < 3 ? press : 0) + gradient.row[row[s]][column[s]] + gradient.row[column[s]][row[s]];
+    result.stress[s] = (s < 3 ? press : 0) + gradient.row[row[s]][column[s]] + gradient.row[column[s]][row[s]];
   return result;
 }
 

@@ -79,7 +79,7 @@ class System final : public ResponseCache, public MayMissLoads {
   FactoredMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
-  std::shared_ptr<const SomiglianaBody> inside_;  ///< made when fields inside are asked for
+  std::shared_ptr<const SomiglianaBody> inside_;         ///< made when fields inside are asked for
   std::vector<double> own_displacement_, own_traction_;
   bool own_solved_ = false;
 
