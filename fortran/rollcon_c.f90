@@ -341,6 +341,14 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_load
 
+    function rollcon_body_copy(body, copy) result(rc) bind(C, name="rollcon_body_copy")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      type(c_ptr), intent(out) :: copy
+      integer(c_int32_t) :: rc
+    end function rollcon_body_copy
+
     function rollcon_body_set_nodes(body, n, x, node_stride, component_stride) &
         result(rc) bind(C, name="rollcon_body_set_nodes")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -445,6 +453,20 @@ module rollcon_c
       real(c_double), value :: pressure
       integer(c_int32_t) :: rc
     end function rollcon_body_set_pressure
+
+    function rollcon_body_set_node_tractions(body, tag, n, nodes, index_base, along, tractions) &
+        result(rc) bind(C, name="rollcon_body_set_node_tractions")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: nodes(*)
+      integer(c_int32_t), value :: index_base
+      real(c_double), intent(in) :: along(*)
+      real(c_double), intent(in) :: tractions(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_node_tractions
 
     function rollcon_body_set_contact_faces(body, n, tags) &
         result(rc) bind(C, name="rollcon_body_set_contact_faces")

@@ -214,6 +214,17 @@ subroutine rcblod(ictx, path, ibody, ierr)
   if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
 end subroutine
 
+!> Makes another body that was given the same and is not prepared, from one that is or is not.
+subroutine rcbcpy(ibody, icopy, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, icopy, ierr
+  type(c_ptr) :: p
+  icopy = 0
+  ierr = rollcon_body_copy(body_of(ibody), p)
+  if (ierr == ROLLCON_OK) icopy = rollcon_id_of(p)
+end subroutine
+
 !> Sets the nodes and forgets elements, supports, loads and contact faces.
 subroutine rcbnod(ibody, n, x, ldx, ierr)
   use rollcon_f77_support
@@ -349,6 +360,19 @@ subroutine rcbprs(ibody, itag, pressure, ierr)
   integer :: ibody, itag, ierr
   double precision :: pressure
   ierr = rollcon_body_set_pressure(body_of(ibody), narrow(itag), pressure)
+end subroutine
+
+!> Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape functions have them, .
+subroutine rcbtrn(ibody, itag, n, nodes, along, tractions, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, n, nodes(*), ierr
+  double precision :: along(3), tractions(*)
+  integer(c_int32_t), allocatable :: packed_nodes(:)
+  call pack_list_77(body_of(ibody), 'RCBTRN', n, nodes, packed_nodes, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_set_node_tractions(body_of(ibody), narrow(itag), int(n, c_int64_t), packed_nodes, &
+    1_c_int32_t, along, tractions)
 end subroutine
 
 !> Says which faces may come into contact.

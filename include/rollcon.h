@@ -500,6 +500,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *context,
     const char *path, rollcon_body **body);
 
+/*
+ * Makes another body that was given the same and is not prepared, from one that is or is not.
+ * Changed in its loads and prescribed displacements alone, and prepared, it takes the equations
+ * of the first, and their factors: so several load cases of one body cost one assembly and
+ * factorisation. (Finite elements factorise once more, with nothing condensed, for all cases
+ * after the first, unless option keep_factors is 0; boundary elements are assembled again for
+ * each, since loads have integrals of their own.)
+ *   copy  new handle
+ * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
+ * Also returns: ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_copy(const rollcon_body *body,
+    rollcon_body **copy);
+
 /* ------------------------------------------------------------ Body: mesh, supports and loads */
 /* What bodies with a mesh are made of, in the body's own axes (rollcon_contact_set_pose says
    where it stands). Nodes first, then elements, then what refers to them; nothing after
@@ -628,6 +643,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_rotation(rollcon_body *
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *body,
     int32_t tag, double pressure);
+
+/*
+ * Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape
+ * functions have them, zero at nodes not named; replaces what an earlier call gave for the tag,
+ * and adds to its traction and pressure. With a direction, `along`, the three components act
+ * along its part in the surface, across (the outward normal times that), and along the outward
+ * normal. At rollcon_body_prepare, ROLLCON_ERR_MESH: a node is on no face with the tag, or the
+ * direction is normal to one.
+ *   tag         of some face (else ROLLCON_ERR_ARGUMENT)
+ *   n           nodes, >= 0; 0: none any more
+ *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
+ *   index_base  0 or 1: id of the first node
+ *   along       [3]; direction of the first component; NULL or 0 0 0: components along x y z
+ *   tractions   [n][3]; force/length^2, -1e100 to 1e100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_node_tractions(rollcon_body *body,
+    int32_t tag, int64_t n, const int32_t *nodes, int32_t index_base, const double *along,
+    const double *tractions);
 
 /*
  * Says which faces may come into contact: on them gaps are computed and frames laid. Standard:

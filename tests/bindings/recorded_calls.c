@@ -29,6 +29,7 @@ const char* const recorded_names[] = {
   "body_get_kind",
   "body_save",
   "body_load",
+  "body_copy",
   "body_set_nodes",
   "body_add_elements",
   "body_tag_faces",
@@ -38,6 +39,7 @@ const char* const recorded_names[] = {
   "body_set_body_force",
   "body_set_rotation",
   "body_set_pressure",
+  "body_set_node_tractions",
   "body_set_contact_faces",
   "body_read_mesh",
   "body_tag_group",
@@ -200,7 +202,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 193;
+const int recorded_number = 195;
 
 enum {
   recorded_rollcon_version,
@@ -227,6 +229,7 @@ enum {
   recorded_rollcon_body_get_kind,
   recorded_rollcon_body_save,
   recorded_rollcon_body_load,
+  recorded_rollcon_body_copy,
   recorded_rollcon_body_set_nodes,
   recorded_rollcon_body_add_elements,
   recorded_rollcon_body_tag_faces,
@@ -236,6 +239,7 @@ enum {
   recorded_rollcon_body_set_body_force,
   recorded_rollcon_body_set_rotation,
   recorded_rollcon_body_set_pressure,
+  recorded_rollcon_body_set_node_tractions,
   recorded_rollcon_body_set_contact_faces,
   recorded_rollcon_body_read_mesh,
   recorded_rollcon_body_tag_group,
@@ -557,6 +561,14 @@ rollcon_status rollcon_body_load(rollcon_context *context, const char *path, rol
   return record_end();
 }
 
+rollcon_status rollcon_body_copy(const rollcon_body *body, rollcon_body **copy) {
+  record_begin(recorded_rollcon_body_copy);
+  record_handle(body);
+  record_room(copy);
+  if (copy) *copy = (rollcon_body*)give_handle(2);
+  return record_end();
+}
+
 rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
     int64_t node_stride, int64_t component_stride) {
   record_begin(recorded_rollcon_body_set_nodes);
@@ -645,6 +657,19 @@ rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double
   record_handle(body);
   record_integer(tag);
   record_real(pressure);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_node_tractions(rollcon_body *body, int32_t tag, int64_t n,
+    const int32_t *nodes, int32_t index_base, const double *along, const double *tractions) {
+  record_begin(recorded_rollcon_body_set_node_tractions);
+  record_handle(body);
+  record_integer(tag);
+  record_integer(n);
+  record_integers(nodes, n);
+  record_integer(index_base);
+  record_reals(along, 3);
+  record_reals(tractions, n * 3);
   return record_end();
 }
 

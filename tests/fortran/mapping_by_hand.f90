@@ -122,6 +122,13 @@ contains
     call one%load(context, 'a path', stat, message)
     call failed('body_load', stat, message)
     call demand(.not. c_associated(one%handle()), 'a failure leaves no body')
+    call body%copy(one, stat, message)
+    call told('body_copy', 'body1 room', stat)
+    call demand(one%id() /= body%id(), 'a copy of its own')
+    call answers(ROLLCON_ERR_STATE)
+    call body%copy(one, stat, message)
+    call failed('body_copy', stat, message)
+    call demand(.not. c_associated(one%handle()), 'a failure leaves no copy')
     call context%set_threads(11, stat)
     call told('context_set_threads', 'context1 11', stat)
     call context%set_latch(21, stat)
@@ -262,6 +269,12 @@ contains
     call told('body_set_support', 'body1 2 [5 0] 1 7 [0 0 0 0 0 0]', stat)
     call body%set_support(one, ROLLCON_DOF_Y, x, stat, message)
     call refused('body1', stat, message, 'rc_body%set_support: the extents of values must be 3 and the number of nodes')
+    call body%set_node_tractions(9, pair, x, [7.5_rc_real, 8.5_rc_real, 9.5_rc_real], stat, message)
+    call told('body_set_node_tractions', 'body1 9 2 [5 6] 1 [7.5 8.5 9.5] '//written, stat)
+    call body%set_node_tractions(9, pair, x, stat=stat)
+    call told('body_set_node_tractions', 'body1 9 2 [5 6] 1 [0 0 0] '//written, stat)
+    call body%set_node_tractions(9, one, x, stat=stat, errmsg=message)
+    call refused('body1', stat, message, 'rc_body%set_node_tractions: the extents of tractions must be 3 and the number of nodes')
   end subroutine
 
   !> Settings by name, of a value's type.

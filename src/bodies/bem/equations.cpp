@@ -20,7 +20,7 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
     const Stopwatch watch(statistics_.seconds_assembly);
     equations->dense.resize(at(unknowns_.columns * unknowns_.columns));
     std::vector<double> no_load;
-    assemble(threads, equations->dense.data(), no_load);
+    assemble(mesh_, threads, equations->dense.data(), no_load);
     ++statistics_.assemblies;
   }
   statistics_.peak_bytes =
@@ -66,12 +66,12 @@ void System::solve_everywhere(std::span<double> load, SurfaceState& state, int t
   if (options_.keep_factors == 0) matrix_.release();
 }
 
-std::unique_ptr<const SurfaceFields> System::surface_fields(SurfaceState state) {
+std::unique_ptr<const SurfaceFields> System::surface_fields(SurfaceState state, const OwnLoads& own) {
   state.u.resize(unknowns_.displacement.size(), 0.0);
   state.traction.resize(3 * fans_.of.size(), 0.0);
-  for (std::size_t k = 0; k < own_displacement_.size(); ++k) state.u[k] += own_displacement_[k];
-  for (std::size_t k = 0; k < state.traction.size() && !own_traction_.empty(); ++k)
-    state.traction[k] += own_traction_[3 * at(fans_.of[k / 3]) + k % 3];
+  for (std::size_t k = 0; k < own.displacement.size(); ++k) state.u[k] += own.displacement[k];
+  for (std::size_t k = 0; k < state.traction.size() && !own.traction.empty(); ++k)
+    state.traction[k] += own.traction[3 * at(fans_.of[k / 3]) + k % 3];
   std::shared_ptr<const SomiglianaBody> inside;
   {
     const std::lock_guard lock(mutex_);
