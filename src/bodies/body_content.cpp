@@ -300,7 +300,7 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   if (model.profile.curve) profile_content(ar, model.profile);
   if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
   if (!has_node_loads(model.mesh)) return;
-  file.begin("node_loads");
+  file.begin("by node");
   node_loads(ar, model.mesh);
 }
 
@@ -316,8 +316,8 @@ void read_content(SectionReader& file, BodyModel& model) {
         profile_content(ar, model.profile);
     }
     file.end();
-    if (file.has("node_loads")) {
-      file.begin("node_loads");
+    if (file.has("by node")) {
+      file.begin("by node");
       node_loads(ar, model.mesh);
       file.end();
     }

@@ -110,7 +110,7 @@ TEST_P(load_cases, tractions_by_node_add_up) {
   double worst = 0;
   for (std::size_t c = 0; c < 3; ++c)
     worst = std::max({worst, std::abs(force[c] - expected[c]), std::abs(moment[c] - expected[3 + c])});
-  const double bound = GetParam() == ROLLCON_BODY_FEM ? 1e-12 : 0.02;
+  const double bound = GetParam() == ROLLCON_BODY_FEM ? 1e-12 : 0.04;
   std::printf("uniform by node: %.1e (bound 1e-12); reaction and its moment: %.1e (bound %.0e)\n", same, worst, bound);
   EXPECT_LE(same, 1e-12);
   EXPECT_LE(worst, bound);

@@ -93,23 +93,27 @@ NodalWear wear_at_nodes(const SolverState& state, const WearLaw& law) {
   return found;
 }
 
-/// Energy that is missed, as slip beside the traction all over a node's area.
+/// Energy that is missed, as slip against friction at its bound all over a node's area.
 double volume_of_missed(const SolverState& state, const WearLaw& law, std::size_t k, double energy) {
   const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
-  const double length = std::hypot(t[0], t[1]), weight = state.prepared->problem.weight[k];
-  const double slip = energy / (weight * length);
-  return weight * law.rate(-state.iterate.lambda[2][k], t, {-slip * t[0] / length, -slip * t[1] / length});
+  const double pressure = -state.iterate.lambda[2][k], weight = state.prepared->problem.weight[k];
+  const double length = std::hypot(t[0], t[1]),
+               bound = state.given.coefficient(state.prepared->problem.mu, k) * pressure;
+  if (!(length > 0 && bound > 0)) return 0;
+  const double direction[2] = {t[0] / length, t[1] / length}, slip = -energy / (weight * bound);
+  return weight *
+         law.rate(pressure, {bound * direction[0], bound * direction[1]}, {slip * direction[0], slip * direction[1]});
 }
 
 /// Brings the whole to what the balance of work says. Nodes that slide miss the strip before the contact's edge: up to
 /// a half more is theirs. Where little slides, nodes know no more than where rigid slip is at work.
 void meet_balance(SolverState& state, const WearLaw& law, NodalWear& wear) {
-  constexpr double least = 0.8, theirs = 1.5;
+  constexpr double least = 0.8, theirs = 1.5, noise = 1e-3;
   if (!power_is_balanced(state)) return;
   const Problem& p = state.prepared->problem;
   const double energy = power_put_in(state) / state.prepared->speed;
   if (!(energy > least * wear.all_energy)) return;
-  const double per_energy = wear.all_energy > 0 ? wear.all_volume / wear.all_energy : 0;
+  const double per_energy = wear.all_energy > noise * energy ? wear.all_volume / wear.all_energy : 0;
   if (wear.all_energy > 0) wear.scale(std::min(energy / wear.all_energy, theirs));
   const double missed = energy - wear.all_energy;
   if (!(missed > 1e-12 * energy)) return;
