@@ -65,9 +65,9 @@ list(REMOVE_DUPLICATES _external_folders)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/rollconConfig.cmake.in"
   "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   INSTALL_DESTINATION "${_package_dir}" PATH_VARS _fortran_dir)
-# Before 1.0 a minor version may change the source interface.
+# A minor version only adds to the interface.
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/rollconConfig.cmake"
   "${PROJECT_BINARY_DIR}/rollconConfigVersion.cmake"
   "${PROJECT_SOURCE_DIR}/cmake/rollconFortranTarget.cmake"

@@ -5,10 +5,17 @@ if(NOT ROLLCON_GZIP OR NOT PROJECT_IS_TOP_LEVEL OR NOT ROLLCON_SHARED OR NOT ROL
   return()
 endif()
 
+# Who makes a package maintains it, by the variables that Debian's own tools take. Without them the address says that
+# there is none: no mail reaches the domain "invalid".
+set(_maintainer "The rollcon authors <nobody@rollcon.invalid>")
+if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
+  set(_maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+endif()
+set(ROLLCON_MAINTAINER "${_maintainer}" CACHE STRING "Maintainer of Debian packages")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rollcon)
 set(CPACK_PACKAGE_VENDOR "The rollcon authors")
-set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_VERSION ${ROLLCON_VERSION_DEBIAN})
 set(CPACK_PACKAGE_CONTACT "${ROLLCON_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "frictional rolling contact of elastic bodies")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -42,8 +49,6 @@ macro(rollcon_package component name section summary text)
     COMPONENT ${component} EXCLUDE_FROM_ALL)
 endmacro()
 
-set(ROLLCON_MAINTAINER "The rollcon authors <rollcon@example.org>" CACHE STRING "Maintainer of Debian packages")
-set(CPACK_PACKAGE_CONTACT "${ROLLCON_MAINTAINER}")
 rollcon_package(library ${_shared} libs "frictional rolling contact - shared library"
   "This package holds the shared library and its creep-force table for steel.")
 rollcon_package(development librollcon-dev libdevel "frictional rolling contact - development files"
@@ -54,14 +59,14 @@ rollcon_package(documents rollcon-doc doc "frictional rolling contact - document
   "This package holds documents as plain files and example programs.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
-file(WRITE "${PROJECT_BINARY_DIR}/packages/shlibs" "librollcon ${ROLLCON_ABI} ${_shared} (>= ${PROJECT_VERSION})\n")
+file(WRITE "${PROJECT_BINARY_DIR}/packages/shlibs" "librollcon ${ROLLCON_ABI} ${_shared} (>= ${ROLLCON_VERSION_DEBIAN})\n")
 file(WRITE "${PROJECT_BINARY_DIR}/packages/triggers" "activate-noawait ldconfig\n")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA
   "${PROJECT_BINARY_DIR}/packages/shlibs" "${PROJECT_BINARY_DIR}/packages/triggers")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${_shared} (= ${PROJECT_VERSION}-1)")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${_shared} (= ${ROLLCON_VERSION_DEBIAN}-1)")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
   "rollcon-doc, libopenblas-dev, libsuitesparse-dev, libfftw3-dev, gfortran")
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${_shared} (>= ${PROJECT_VERSION}), python3:any, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${_shared} (>= ${ROLLCON_VERSION_DEBIAN}), python3:any, python3-numpy")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS python3-matplotlib)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTS_PACKAGE_ARCHITECTURE all)

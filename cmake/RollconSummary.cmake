@@ -8,7 +8,7 @@ if(PROJECT_IS_TOP_LEVEL)
     list(APPEND _kinds static)
   endif()
   list(JOIN _kinds ", " _kinds)
-  message(STATUS "rollcon ${PROJECT_VERSION}")
+  message(STATUS "rollcon ${ROLLCON_VERSION_TEXT}")
   message(STATUS "  library     ${_kinds}; ${CMAKE_BUILD_TYPE}, "
     "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}")
   set(_built "")

@@ -189,5 +189,6 @@ int main(void) {
   remove("each_call.inp");
   remove("each_call.body");
   remove("each_call.txt");
+  remove("each_call.vtu");
   return 0;
 }

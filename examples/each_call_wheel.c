@@ -134,6 +134,11 @@ static void wheels(rollcon_context* context) {
   must(rollcon_wheelrail_solve(right));
   must(rollcon_wheelrail_get_patch_stat(right, 0, "by_table", &looked_up));
   printf("by the table: %s\n", looked_up == 1 ? "yes" : "no");
+  must(rollcon_wheelrail_set_hertzian(right, 1));
+  must(rollcon_wheelrail_solve(right));
+  must(rollcon_wheelrail_get_patch_stat(right, 0, "hertzian", &looked_up));
+  printf("without solving for pressures: %s\n", looked_up == 1 ? "yes" : "no");
+  must(rollcon_wheelrail_set_hertzian(right, 0));
   must(rollcon_wheelrail_forget_table(right));
   must(rollcon_wheelrail_set_friction_by_angle(right, 2, by_angle)); /* a lubricated gauge face */
   must(rollcon_wheelrail_find_contact_points(left, right, 2, shift, points));

@@ -1,7 +1,7 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! The C functions of rollcon 0.1.0, argument by argument; rollcon.h documents them. Handles are
+! The C functions of rollcon 1.0.0-rc1, argument by argument; rollcon.h documents them. Handles are
 ! type(c_ptr), texts are arrays of characters ended by c_null_char. Callbacks must be bind(C)
 ! module procedures, passed by c_funloc: a contained procedure would need an executable stack.
 module rollcon_c
@@ -9,7 +9,7 @@ module rollcon_c
   implicit none
   public
 
-  integer(c_int32_t), parameter :: rollcon_header_version = 100_c_int32_t
+  integer(c_int32_t), parameter :: rollcon_header_version = 10000_c_int32_t
   integer(c_int32_t), parameter :: rollcon_header_abi = 1_c_int32_t
 
   ! status
@@ -1684,6 +1684,15 @@ module rollcon_c
       type(c_ptr), value :: wheelrail
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_forget_table
+
+    function rollcon_wheelrail_set_hertzian(wheelrail, on) &
+        result(rc) bind(C, name="rollcon_wheelrail_set_hertzian")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: on
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_set_hertzian
 
     function rollcon_wheelrail_set_friction_by_angle(wheelrail, n, points) &
         result(rc) bind(C, name="rollcon_wheelrail_set_friction_by_angle")

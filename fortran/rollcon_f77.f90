@@ -1,7 +1,7 @@
 ! Generated from bindings/api.toml by bindings/generate.py; do not edit.
 ! Copyright (c) the rollcon authors. BSD-3-Clause.
 !
-! FORTRAN 77 layer of rollcon 0.1.0: plain external subroutines. Name mangling, integer width and hidden CHARACTER
+! FORTRAN 77 layer of rollcon 1.0.0-rc1: plain external subroutines. Name mangling, integer width and hidden CHARACTER
 ! lengths are those of the compiler and the options that build this file, which must be the caller's. Handles are
 ! INTEGERs > 0, the last argument is always IERR, the status. README.md lists the names beside those of rollcon.h.
 
@@ -1585,6 +1585,14 @@ subroutine rcwnot(iwr, ierr)
   implicit none
   integer :: iwr, ierr
   ierr = rollcon_wheelrail_forget_table(wheelrail_of(iwr))
+end subroutine
+
+!> With a creep-force table (rollcon_wheelrail_set_table.
+subroutine rcwhtz(iwr, ion, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ion, ierr
+  ierr = rollcon_wheelrail_set_hertzian(wheelrail_of(iwr), narrow(ion))
 end subroutine
 
 !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in.

@@ -28,6 +28,7 @@ module rollcon_wheelrail_plain
     procedure :: prescribe_vertical => wheelrail_prescribe_vertical
     procedure :: set_friction => wheelrail_set_friction
     procedure :: forget_table => wheelrail_forget_table
+    procedure :: set_hertzian => wheelrail_set_hertzian
     procedure :: set_friction_by_angle => wheelrail_set_friction_by_angle
     procedure :: set_accuracy => wheelrail_set_accuracy
     procedure :: solve => wheelrail_solve
@@ -204,6 +205,20 @@ contains
     integer, intent(out), optional :: stat
     character(len=*), intent(inout), optional :: errmsg
     call finish(rollcon_wheelrail_forget_table(self%p), self%p, 'rc_wheelrail%forget_table', stat, errmsg)
+  end subroutine
+
+  !> With a creep-force table (rollcon_wheelrail_set_table; without one nothing changes): takes Hertz's pressures on an
+  !> ellipse that each patch's overlap gives, and solves for none. A step takes tens of microseconds instead of about a
+  !> millisecond; docs/wheelrail.md has the errors. Patches have their statistics; their contacts have no solution
+  !> (ROLLCON_ERR_STATE of what asks for one). A patch that the table does not have is solved in full; statistic
+  !> hertzian of the patch is 0.
+  subroutine wheelrail_set_hertzian(self, on, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: on
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_wheelrail_set_hertzian(self%p, int(on, rc_int)), self%p, 'rc_wheelrail%set_hertzian', stat, &
+      errmsg)
   end subroutine
 
   !> Sets coefficients by the inclination of the rail's surface, linear between points and constant beyond them, in

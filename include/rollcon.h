@@ -1,5 +1,5 @@
 /*
- * rollcon 0.1.0: frictional rolling contact of elastic bodies.
+ * rollcon 1.0.0-rc1: frictional rolling contact of elastic bodies.
  *
  * Generated from bindings/api.toml by bindings/generate.py; do not edit.
  * Copyright (c) the rollcon authors. BSD-3-Clause.
@@ -33,10 +33,11 @@
 
 #include <stdint.h>
 
-#define ROLLCON_VERSION_MAJOR 0
-#define ROLLCON_VERSION_MINOR 1
+#define ROLLCON_VERSION_MAJOR 1
+#define ROLLCON_VERSION_MINOR 0
 #define ROLLCON_VERSION_PATCH 0
-#define ROLLCON_VERSION_STRING "0.1.0"
+#define ROLLCON_VERSION_PRERELEASE "rc1" /* "rc1" and the like; empty: a release */
+#define ROLLCON_VERSION_STRING "1.0.0-rc1"
 /* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
 #define ROLLCON_ABI 1
 
@@ -2211,6 +2212,19 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_table(rollcon_whee
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_forget_table(
     rollcon_wheelrail *wheelrail);
+
+/*
+ * With a creep-force table (rollcon_wheelrail_set_table; without one nothing changes): takes
+ * Hertz's pressures on an ellipse that each patch's overlap gives, and solves for none. A step
+ * takes tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
+ * Patches have their statistics; their contacts have no solution (ROLLCON_ERR_STATE of what asks
+ * for one). A patch that the table does not have is solved in full; statistic hertzian of the
+ * patch is 0.
+ *   on         1: ellipses of the overlaps; 0: pressures are solved for, as in a new handle
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_set_hertzian(
+    rollcon_wheelrail *wheelrail, int32_t on);
 
 /*
  * Sets coefficients by the inclination of the rail's surface, linear between points and constant

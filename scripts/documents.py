@@ -81,8 +81,19 @@ def functions_without_example():
             yield f"docs/api.md: no program in examples/ calls {name}: add a line to examples/each_call_*.c"
 
 
+def other_versions():
+    """Recipes and citation whose version is not the header's."""
+    header = (ROOT / "include/rollcon.h").read_text(encoding="utf-8")
+    version = re.search(r'#define ROLLCON_VERSION_STRING "([^"]+)"', header).group(1)
+    for name, wanted in (("CITATION.cff", f"\nversion: {version}\n"), ("packaging/vcpkg/vcpkg.json", f'-semver": "{version}"'),
+                         ("packaging/spack/package.py", f"rollcon-{version}.tar.xz"),
+                         ("packaging/conda-forge/meta.yaml", f'version = "{version.replace("-", "")}"')):
+        if wanted not in (ROOT / name).read_text(encoding="utf-8"):
+            yield f"{name} has another version than include/rollcon.h, {version}"
+
+
 def check():
-    wrong = list(dead_links()) + list(undocumented_options()) + list(functions_without_example())
+    wrong = list(dead_links()) + list(undocumented_options()) + list(functions_without_example()) + list(other_versions())
     readme = (ROOT / "README.md").read_text(encoding="utf-8")
     if readme.count("\n") > README_LINES:
         wrong.append(f"README.md has {readme.count(chr(10))} lines; allowed: {README_LINES}")

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Debian packages and a Python wheel, in out/packages, looked at by lintian.
-#   package.sh [--try]      --try, as root: installs the packages, uses them from C, Fortran 2008, FORTRAN 77 and Python,
-#                           and removes them
+#   package.sh [--try]      --try, as root: installs the packages, uses them from C, Fortran 2008, FORTRAN 77, Python and
+#                           (where it is installed) Octave, removes them, and uses the wheel in an environment of its own
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 cd "$root"
@@ -66,8 +66,21 @@ fortran/build/six_steps_77_f >six_steps_77.txt
 for text in six_steps_77.txt six_steps_py.txt; do
   cmp six_steps_f90.txt "$text" || fail "$text differs from six_steps_f90.txt"
 done
+languages="C, Fortran 2008, FORTRAN 77 and Python"
+if command -v mkoctfile >/dev/null; then
+  # Users may not write where the package is: they build in a copy.
+  cp -r /usr/share/rollcon/octave octave
+  octave-cli -q --no-history --eval "addpath('octave'); rollcon_build(); context = rollcon.context_create();
+    table = rollcon.table_standard(context); disp(rollcon.version_string())"
+  languages="$languages, and Octave"
+fi
 say "remove"
 dpkg --purge rollcon-doc python3-rollcon librollcon-dev librollcon1 >/dev/null
-left=$(find /usr/lib /usr/share /usr/include -iname '*rollcon*' -not -path "$root/*" || true)
+left=$(find /usr/lib /usr/share /usr/include -iname '*rollcon*' -not -name rollconv.ps -not -path "$root/*" || true)
 [ -z "$left" ] || fail "left behind: $left"
-say "packages: installed, used from C, Fortran 2008, FORTRAN 77 and Python, removed without a trace"
+say "wheel, in an environment of its own"
+"$python" -m venv --system-site-packages environment
+environment/bin/pip install --quiet --no-index --no-deps "$out"/*.whl
+environment/bin/python six_steps.py | cmp - six_steps_f90.txt || fail "the wheel's results differ"
+environment/bin/python -c 'import rollcon; print(rollcon.__version__, rollcon.library_path, rollcon.Table.standard(rollcon.Context()))'
+say "packages: installed, used from $languages, removed without a trace; the wheel is used, too"

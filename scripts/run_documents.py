@@ -23,7 +23,7 @@ NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
 
 
 def pages():
-    found = [ROOT / "README.md", ROOT / "bindings/python/README.md", *sorted((ROOT / "docs").rglob("*.md"))]
+    found = [ROOT / "README.md", ROOT / "bindings/python/README.md", ROOT / "fortran/README.md", *sorted((ROOT / "docs").rglob("*.md"))]
     return [page for page in found if any(b[0] == "sh" for b in BLOCK.findall(page.read_text(encoding="utf-8")))]
 
 

@@ -4,7 +4,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 folder=${1:-$root/out}
-version=$(awk '/^#define ROLLCON_VERSION_(MAJOR|MINOR|PATCH) / { printf "%s%s", dot, $3; dot = "." }' "$root/include/rollcon.h")
+version=$(sed -n 's/^#define ROLLCON_VERSION_STRING "\(.*\)"/\1/p' "$root/include/rollcon.h")
 mkdir -p "$folder"
 packed=$(realpath "$folder")/rollcon-$version.tar.xz
 cd "$root"

@@ -48,6 +48,7 @@ OPENING = """\
 #define ROLLCON_VERSION_MAJOR {major}
 #define ROLLCON_VERSION_MINOR {minor}
 #define ROLLCON_VERSION_PATCH {patch}
+#define ROLLCON_VERSION_PRERELEASE "{prerelease}" /* "rc1" and the like; empty: a release */
 #define ROLLCON_VERSION_STRING "{version}"
 /* Number of the binary interface: of the shared library's SONAME; for rollcon_context_create. */
 #define ROLLCON_ABI {abi}
@@ -203,7 +204,7 @@ def callback_block(callback):
 def write(table):
     major, minor, patch = table.version
     out = [OPENING.format(handles="\n".join(f"typedef struct rollcon_{h} rollcon_{h};" for h in HANDLES),
-                          version=table.version_text, major=major, minor=minor, patch=patch,
+                          version=table.version_text, prerelease=table.prerelease, major=major, minor=minor, patch=patch,
                           abi=table.abi)]
     out += [enum_block(enum) for enum in table.enums]
     out += [callback_block(callback) for callback in table.callbacks]

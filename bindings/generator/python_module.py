@@ -15,6 +15,7 @@ Handles are c_void_p, arrays are pointers; None passes NULL.
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_int64, c_void_p
 
 VERSION = {version_tuple}
+VERSION_TEXT = "{version}"
 ABI = {abi}
 '''
 

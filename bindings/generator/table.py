@@ -84,6 +84,7 @@ class Group:
 @dataclass
 class Table:
     version: tuple
+    prerelease: str
     abi: int
     features: list  # (name, built, doc)
     enums: list
@@ -101,7 +102,7 @@ class Table:
 
     @property
     def version_text(self):
-        return ".".join(str(part) for part in self.version)
+        return ".".join(str(part) for part in self.version) + ("-" + self.prerelease if self.prerelease else "")
 
 
 def parse_argument(row, where):
@@ -191,8 +192,8 @@ def load(path):
     groups = [Group(g["title"], g["doc"], [parse_function(f, statuses) for f in g["function"]])
               for g in raw["group"]]
     features = [(f["name"], f["built"], f["doc"]) for f in raw["feature"]]
-    table = Table(tuple(raw["library"]["version"]), raw["library"]["abi"], features, enums,
-                  callbacks, groups)
+    table = Table(tuple(raw["library"]["version"]), raw["library"]["prerelease"], raw["library"]["abi"], features,
+                  enums, callbacks, groups)
     for function in table.functions:
         check_common_errors(function)
     known = {enum.name for enum in enums}

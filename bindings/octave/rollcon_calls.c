@@ -1851,6 +1851,16 @@ static void call_wheelrail_forget_table(call *self) {
   finish(self, rc);
 }
 
+static void call_wheelrail_set_hertzian(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t on = take_enumerator(self, "on", no_names, 0);
+  no_more(self);
+  rc = rollcon_wheelrail_set_hertzian(wheelrail, on);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_wheelrail_set_friction_by_angle(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -2439,6 +2449,7 @@ const entry calls[] = {
   {"wheelrail_set_friction", call_wheelrail_set_friction, 1},
   {"wheelrail_set_table", call_wheelrail_set_table, 1},
   {"wheelrail_forget_table", call_wheelrail_forget_table, 1},
+  {"wheelrail_set_hertzian", call_wheelrail_set_hertzian, 1},
   {"wheelrail_set_friction_by_angle", call_wheelrail_set_friction_by_angle, 1},
   {"wheelrail_set_accuracy", call_wheelrail_set_accuracy, 1},
   {"wheelrail_solve", call_wheelrail_solve, 1},

@@ -23,10 +23,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "bindings/python/rollcon"
 
 
-def version():
+def version_text():
     text = (ROOT / "include/rollcon.h").read_text(encoding="utf-8")
-    return ".".join(re.search(rf"#define ROLLCON_VERSION_{part} +(\d+)", text).group(1)
-                    for part in ("MAJOR", "MINOR", "PATCH"))
+    return re.search(r'#define ROLLCON_VERSION_STRING "([^"]+)"', text).group(1)
+
+
+def version():
+    """As PEP 440 writes it: 1.0.0rc1."""
+    return version_text().replace("-", "")
 
 
 def metadata():
@@ -95,12 +99,13 @@ def build_sdist(sdist_directory, config_settings=None):
     """The sources as scripts/tarball.sh packs them, with the file that pip asks for."""
     name = f"rollcon-{version()}"
     with tempfile.TemporaryDirectory() as work:
+        packed_as = pathlib.Path(work) / f"rollcon-{version_text()}"
         subprocess.run(["bash", ROOT / "scripts/tarball.sh", work], check=True, stdout=subprocess.DEVNULL)
         with tarfile.open(next(pathlib.Path(work).glob("*.tar.*"))) as packed:
             packed.extractall(work)
-        (pathlib.Path(work) / name / "PKG-INFO").write_text(metadata(), encoding="utf-8")
+        (packed_as / "PKG-INFO").write_text(metadata(), encoding="utf-8")
         with tarfile.open(pathlib.Path(sdist_directory) / f"{name}.tar.gz", "w:gz") as made:
-            made.add(pathlib.Path(work) / name, name)
+            made.add(packed_as, name)
     return f"{name}.tar.gz"
 
 

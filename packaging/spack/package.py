@@ -5,11 +5,11 @@ from spack.package import *
 class Rollcon(CMakePackage):
     """Frictional rolling contact of elastic bodies: C library with interfaces for Fortran and Python."""
 
-    homepage = "https://example.org/rollcon"
-    url = "https://example.org/rollcon/rollcon-0.1.0.tar.xz"
+    homepage = "https://RELEASES"
+    url = "https://RELEASES/rollcon-1.0.0-rc1.tar.xz"
     license("BSD-3-Clause")
 
-    # version("0.1.0", sha256="...")  when it is published
+    # version("1.0.0-rc1", sha256="...")  when it is published
 
     variant("shared", default=True, description="Build the shared library")
     variant("fem", default=True, description="Finite-element bodies, by CHOLMOD (GPL)")

@@ -1,5 +1,5 @@
 vcpkg_download_distfile(ARCHIVE
-  URLS "https://example.org/rollcon/rollcon-${VERSION}.tar.xz"
+  URLS "https://RELEASES/rollcon-${VERSION}.tar.xz"
   FILENAME "rollcon-${VERSION}.tar.xz"
   SHA512 0) # when it is published
 vcpkg_extract_source_archive(SOURCE_PATH ARCHIVE "${ARCHIVE}")

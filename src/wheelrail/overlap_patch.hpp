@@ -2,11 +2,24 @@
 /// What overlaps of a wheel's outline and a rail are to a contact: where, how deep and how large; and which of them are
 /// one patch.
 
+#include <array>
 #include <vector>
 
 #include "wheelrail/profile_gap.hpp"
 
 namespace rollcon {
+
+/// Integrals over an overlap across the rail, weighted with depth^2.5: of 1, and of the wheel's points from a pole and
+/// their products xx, xy, xz, yy, yz, zz.
+struct DepthMoments {
+  double weight = 0;
+  Vec3 first{};
+  std::array<double, 6> second{};
+
+  void add(double w, const Vec3& from_pole);
+  /// Those of others, taken about a pole that is at `pole` here.
+  void add(const DepthMoments& other, const Vec3& pole);
+};
 
 struct OverlapPatch {
   Vec3 reference{};          ///< on the rail: the centre of the overlap, weighted by its depth to the power of 2.5
@@ -21,6 +34,13 @@ struct OverlapPatch {
   double wheel_y = 0;          ///< of the wheel's profile, its own y, at the reference
   double rolling_radius = 0;   ///< there
   LocusCurvature curvature{};  ///< of both surfaces together there
+  Vec3 wheel{};                ///< the wheel's point there
+  /// What a Hertzian contact that stands for the patch is made of. A paraboloid has fullness 1 and the spread of its
+  /// half-width squared over 8.
+  double fullness = 0;  ///< mean depth, as depth^2.5 weighs it, over that of a paraboloid of this overlap and spread
+  double spread = 0;    ///< mean square of the lateral distance from the centre of depth^2.5
+  Vec3 centre{};        ///< of the wheel's points
+  Vec3 lean{};          ///< by how much these move with the lateral distance: regression
 };
 
 /// An interval of s in which the gap is negative, and has one least value.
@@ -30,6 +50,7 @@ struct Overlap {
   bool cut = false, grown = false;  ///< the second: together with the one before
   // Of the interval, filled by measure():
   double weight = 0, y = 0, x = 0, angle = 0;  ///< integrals of depth^2.5, and of y, x and the angle with it
+  DepthMoments moments;                        ///< about the deepest point
   double back = 0, front = 0;                  ///< x of what overlaps
   double size = 0;                             ///< mean radius of contact
 };

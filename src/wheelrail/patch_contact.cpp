@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "framing/hertz.hpp"
 #include "framing/makers.hpp"
+#include "wheelrail/hertzian_patch.hpp"
 
 namespace rollcon {
 namespace {
@@ -44,15 +46,21 @@ void set_velocity(Scene& scene, std::int32_t which, const Axes& axes, const Velo
 }  // namespace
 
 PatchContact::PatchContact(std::shared_ptr<Context> context, std::shared_ptr<Body> wheel, std::shared_ptr<Body> rail)
-    : contact_(std::make_shared<Contact>(std::move(context), std::move(wheel), std::move(rail))) {}
+    : wheel_(std::move(wheel)),
+      rail_(std::move(rail)),
+      contact_(std::make_shared<Contact>(std::move(context), wheel_, rail_)) {}
 
 Status PatchContact::solve(const OverlapPatch& patch, const WheelMotion& motion, const PatchFriction& friction,
                            const LatticeSize& size, double give_way) {
   now_.solves = ++solves_;
   now_.patch = patch;
-  stand(motion);
+  now_.motion = motion;
+  lay_axes();
   take_creepages();
-  now_.by_table = false;
+  now_.by_table = now_.hertzian = false;
+  now_.give_way = give_way;
+  if (friction.table && friction.hertzian && take_hertzian_results(friction, give_way)) return now_.status;
+  stand(motion);
   if (friction.table) {
     prescribe(give_way, {});
     solve_on_frame(size);
@@ -112,6 +120,54 @@ bool PatchContact::take_table_results(const PatchFriction& friction) {
   return true;
 }
 
+// False: the table does not have this patch.
+bool PatchContact::take_hertzian_results(const PatchFriction& friction, double give_way) {
+  const CommonElasticity common = common_elasticity(*wheel_, *rail_);
+  const HertzianPatch h = hertzian_patch(now_.patch, common.shear / (1 - common.poisson), give_way);
+  const WheelMotion& motion = now_.motion;
+  const Axes& axes = now_.axes;
+  Vec3 own{};
+  now_.table_power = 0;
+  if (h.load > 0) {
+    // Least squares of the slip over Hertz's pressure, whose second moments are a^2 / 5 and b^2 / 5.
+    const Vec3 wheel = motion.velocity.at(h.centre), rail = motion.rail.at(h.centre), slip = wheel - rail;
+    const Vec3 turning = motion.velocity.angular - motion.rail.angular;
+    const double speed = std::abs(motion.speed - 0.5 * (wheel[0] + rail[0]));
+    const double side = dot(axes.t2, now_.patch.lateral);
+    const double sheared = -side * dot(cross(turning, h.lean), axes.t1), turned = dot(turning, axes.n);
+    const double spin = (h.a * h.a * turned + h.b * h.b * sheared) / (h.a * h.a + h.b * h.b);
+    const double longitudinal = dot(slip, axes.t1) / speed + strain_creepage(common.strained, h.load, h.a, h.b);
+    const double input[table_inputs] = {common.shear, common.poisson, friction.mu,  h.a,
+                                        h.b,          h.load,         longitudinal, dot(slip, axes.t2) / speed,
+                                        spin / speed};
+    try {
+      friction.table->evaluate(1, input, own.data(), nullptr);
+    } catch (const Error& e) {
+      if (e.status() != Status::err_argument && e.status() != Status::err_state) throw;
+      return false;
+    }
+    now_.table_power = -speed * (own[0] * input[6] + own[1] * input[7] + own[2] * input[8]);
+  }
+  now_.status = h.load > 0 ? Status::ok : Status::no_contact;
+  now_.by_table = now_.hertzian = true;
+  now_.hertzian_pressure = h.max_pressure;
+  now_.hertzian_area = std::numbers::pi * h.a * h.b;
+  const Vec3 off = h.load > 0 ? h.centre - now_.patch.reference : Vec3{0, 0, 0};
+  const Vec3 arm = Vec3{off[0], 0, 0} + dot(off, now_.patch.lateral) * now_.patch.lateral;
+  now_.force = from_axes(axes, {own[0], own[1], -h.load});
+  now_.moment = own[2] * axes.n + cross(arm, now_.force);
+  contact_->reset();
+  return true;
+}
+
+double PatchContact::max_pressure() const {
+  return now_.hertzian ? now_.hertzian_pressure : contact_->stat("max_pressure");
+}
+
+double PatchContact::area() const {
+  return now_.hertzian ? now_.hertzian_area : contact_->stat("contact_area");
+}
+
 double PatchContact::friction_power() const {
   return now_.by_table ? now_.table_power : contact_->stat("friction_power");
 }
@@ -169,13 +225,17 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
 }
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.
-void PatchContact::stand(const WheelMotion& motion) {
-  now_.motion = motion;
+void PatchContact::lay_axes() {
   now_.axes.n = -1.0 * now_.patch.normal;
-  now_.axes.t1 = {motion.speed > 0 ? 1.0 : -1.0, 0, 0};
+  now_.axes.t1 = {now_.motion.speed > 0 ? 1.0 : -1.0, 0, 0};
   now_.axes.t2 = cross(now_.axes.n, now_.axes.t1);
   const double x = 0.5 * (now_.patch.back + now_.patch.front), y = 0.5 * (now_.patch.low + now_.patch.high);
   now_.axes.origin = now_.patch.reference + Vec3{x, 0, 0} + y * now_.patch.lateral;
+}
+
+void PatchContact::stand(const WheelMotion& motion) {
+  now_.motion = motion;
+  lay_axes();
   Scene& scene = contact_->scene;
   set_pose(scene, 1, now_.axes, motion.pose);
   set_pose(scene, 2, now_.axes, Pose{});

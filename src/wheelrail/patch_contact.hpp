@@ -36,6 +36,8 @@ struct PatchFriction {
   std::array<double, most> at{};
   /// Not null: forces along the surface are what it has for the patch's equivalent ellipse, with mu.
   const ForceTable* table = nullptr;
+  /// With a table: the ellipse is that of the overlap, and no pressures are solved for.
+  bool hertzian = false;
 };
 
 class PatchContact {
@@ -75,6 +77,10 @@ class PatchContact {
   double friction_power() const;
   /// Forces along the surface come from a table, not from the contact, which has no friction then.
   bool by_table() const { return now_.by_table; }
+  /// Pressures are those of Hertz for the overlap; the contact has no solution then.
+  bool hertzian() const { return now_.hertzian; }
+  double max_pressure() const;
+  double area() const;
   /// Longitudinal, lateral, spin: of the wheel's surface relative to the rail's at the reference, over the speed
   /// at which both run through the contact, on average.
   const Vec3& creepages() const { return now_.creepages; }
@@ -100,7 +106,8 @@ class PatchContact {
     Vec3 force{}, moment{}, creepages{};
     Status status = Status::ok;
     std::int64_t grown = 0;
-    bool by_table = false;
+    bool by_table = false, hertzian = false;
+    double hertzian_pressure = 0, hertzian_area = 0;
     double table_power = 0;       ///< friction's, by the table
     const void* owner = nullptr;  ///< with the number of its solve: tells whether there was one in between
     std::int64_t solves = 0;
@@ -108,7 +115,9 @@ class PatchContact {
   static constexpr double usual_margin = 1.05;
 
   void prescribe(double give_way, const PatchFriction& friction);
+  void lay_axes();
   void stand(const WheelMotion& motion);
+  bool take_hertzian_results(const PatchFriction& friction, double give_way);
   void lay_frame(const LatticeSize& size);
   void put_frame(const LatticeSize& size, const FramePlace& place);
   FramePlace place();
@@ -118,6 +127,7 @@ class PatchContact {
   void take_results(const Vec3& force, const Vec3& moment);
   void take_creepages();
 
+  std::shared_ptr<Body> wheel_, rail_;
   std::shared_ptr<Contact> contact_;
   State now_;
   std::int64_t solves_ = 0;  ///< ever

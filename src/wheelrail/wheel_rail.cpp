@@ -201,7 +201,7 @@ Status WheelRail::solve_at(double z) {
 
 // Where inclinations are given: at places across the overlap.
 PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
-  PatchFriction friction{.mu = in_.friction, .table = in_.table.get()};
+  PatchFriction friction{.mu = in_.friction, .table = in_.table.get(), .hertzian = in_.hertzian};
   if (in_.friction_angle.empty()) return friction;
   friction.mu = linear_between(in_.friction_angle, in_.friction_at_angle, search_->rail_angle(patch.reference[1]));
   friction.points = PatchFriction::most;

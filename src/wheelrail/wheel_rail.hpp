@@ -42,6 +42,8 @@ class WheelRail {
   /// Forces along the surfaces are looked up there from now on, for what it has. err_state: it is not made.
   void set_table(std::shared_ptr<const ForceTable> table);
   void forget_table() { in_.table.reset(); }
+  /// With a table: pressures are Hertz's for each overlap, from now on or (0) no longer.
+  void set_hertzian(std::int32_t on);
   /// err_state, with what they are wanted for: contacts of patches have none where a table gives the forces.
   void require_solved_friction(const char* wanted) const;
   /// By the inclination of the rail, linear between points (angle, mu) with ascending angles; n = 0: that of
@@ -120,6 +122,7 @@ class WheelRail {
     WheelsetState position, velocity;
     RailDeviation deviation, rate;
     bool position_given = false, velocity_given = false, friction_given = false, by_force = false;
+    bool hertzian = false;
     double load = 0, friction = 0, accuracy = 0.01;
     std::shared_ptr<const ForceTable> table;
     std::vector<double> friction_angle, friction_at_angle;

@@ -107,6 +107,11 @@ void WheelRail::set_table(std::shared_ptr<const ForceTable> table) {
   in_.table = std::move(table);
 }
 
+void WheelRail::set_hertzian(std::int32_t on) {
+  if (on != 0 && on != 1) fail(Status::err_argument, "on is %d; allowed: 0, 1", on);
+  in_.hertzian = on == 1;
+}
+
 void WheelRail::require_solved_friction(const char* wanted) const {
   if (in_.table)
     fail(Status::err_state,

@@ -80,10 +80,11 @@ const WheelRail::PatchStat WheelRail::patch_stats[] = {
     {"overlap", [](const WheelRail&, const PatchContact& p) { return p.overlap().overlap; }},
     {"cut", [](const WheelRail&, const PatchContact& p) { return p.overlap().cut ? 1.0 : 0.0; }},
     {"share", [](const WheelRail&, const PatchContact& p) { return p.overlap().share; }},
-    {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("max_pressure"); }},
-    {"area", [](const WheelRail&, const PatchContact& p) { return p.contact()->stat("contact_area"); }},
+    {"max_pressure", [](const WheelRail&, const PatchContact& p) { return p.max_pressure(); }},
+    {"area", [](const WheelRail&, const PatchContact& p) { return p.area(); }},
     {"friction_power", [](const WheelRail&, const PatchContact& p) { return p.friction_power(); }},
     {"by_table", [](const WheelRail&, const PatchContact& p) { return p.by_table() ? 1.0 : 0.0; }},
+    {"hertzian", [](const WheelRail&, const PatchContact& p) { return p.hertzian() ? 1.0 : 0.0; }},
     {"status", [](const WheelRail&, const PatchContact& p) { return static_cast<double>(p.status()); }},
 };
 

@@ -156,6 +156,7 @@ const char* const recorded_names[] = {
   "wheelrail_set_friction",
   "wheelrail_set_table",
   "wheelrail_forget_table",
+  "wheelrail_set_hertzian",
   "wheelrail_set_friction_by_angle",
   "wheelrail_set_accuracy",
   "wheelrail_solve",
@@ -202,7 +203,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 195;
+const int recorded_number = 196;
 
 enum {
   recorded_rollcon_version,
@@ -356,6 +357,7 @@ enum {
   recorded_rollcon_wheelrail_set_friction,
   recorded_rollcon_wheelrail_set_table,
   recorded_rollcon_wheelrail_forget_table,
+  recorded_rollcon_wheelrail_set_hertzian,
   recorded_rollcon_wheelrail_set_friction_by_angle,
   recorded_rollcon_wheelrail_set_accuracy,
   recorded_rollcon_wheelrail_solve,
@@ -1834,6 +1836,13 @@ rollcon_status rollcon_wheelrail_set_table(rollcon_wheelrail *wheelrail,
 rollcon_status rollcon_wheelrail_forget_table(rollcon_wheelrail *wheelrail) {
   record_begin(recorded_rollcon_wheelrail_forget_table);
   record_handle(wheelrail);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_set_hertzian(rollcon_wheelrail *wheelrail, int32_t on) {
+  record_begin(recorded_rollcon_wheelrail_set_hertzian);
+  record_handle(wheelrail);
+  record_integer(on);
   return record_end();
 }
 

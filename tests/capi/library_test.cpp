@@ -10,7 +10,8 @@
 TEST(library, version_text_and_number_agree) {
   const std::string text = std::to_string(ROLLCON_VERSION_MAJOR) + "." + std::to_string(ROLLCON_VERSION_MINOR) + "." +
                            std::to_string(ROLLCON_VERSION_PATCH);
-  EXPECT_EQ(rollcon_version_string(), text);
+  const std::string prerelease = ROLLCON_VERSION_PRERELEASE;
+  EXPECT_EQ(rollcon_version_string(), prerelease.empty() ? text : text + "-" + prerelease);
   EXPECT_EQ(rollcon_version(), 10000 * ROLLCON_VERSION_MAJOR + 100 * ROLLCON_VERSION_MINOR + ROLLCON_VERSION_PATCH);
   EXPECT_EQ(rollcon_abi(), ROLLCON_ABI);
 }

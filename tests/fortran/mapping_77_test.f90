@@ -133,6 +133,7 @@ program mapping_77_test
   call test_rcwfri()
   call test_rcwtab()
   call test_rcwnot()
+  call test_rcwhtz()
   call test_rcwfra()
   call test_rcwacc()
   call test_rcwslv()
@@ -2048,6 +2049,19 @@ contains
     call rcwnot(iwr, stat)
     call rclerr(message)
     call failed('wheelrail_forget_table', stat, message)
+  end subroutine
+
+  subroutine test_rcwhtz()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwhtz(iwr, 11, stat)
+    call told('wheelrail_set_hertzian', 'wheelrail1 11', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwhtz(iwr, 11, stat)
+    call rclerr(message)
+    call failed('wheelrail_set_hertzian', stat, message)
   end subroutine
 
   subroutine test_rcwfra()

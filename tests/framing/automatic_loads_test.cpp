@@ -59,7 +59,7 @@ TEST(automatic_loads, spin_moments_up_to_all_that_friction_can_carry) {
   }
 }
 
-TEST(automatic_loads, spin_moments_lead_to_spins_that_lead_back) {
+TEST(automatic_loads_long, spin_moments_lead_to_spins_that_lead_back) {
   const Ellipse e{1, 1.5};
   const auto hertz = e.hertz(steel);
   const double limit = mu * hertz.load * e.arm();

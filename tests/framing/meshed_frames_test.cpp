@@ -79,7 +79,7 @@ TEST(meshed_frames, a_ball_on_a_block_of_finite_elements) {
 }
 
 // Its contact is a fifth smaller than that of a half-space, whose frame would have open nodes all around.
-TEST(meshed_frames, a_layer_thinner_than_its_contact_is_wide) {
+TEST(meshed_frames_long, a_layer_thinner_than_its_contact_is_wide) {
   const surfaces::ZoneBlock shape{.side = 14, .depth = 2, .zone = 10, .n = 12, .grade = 1, .deep = 2};
   RollingPair pair(block(shape, VolumeType::hex20), scenes::RigidBody{}, 1);
   roll(pair, 1500);

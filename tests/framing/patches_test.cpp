@@ -125,7 +125,7 @@ TEST(patches, two_bumps) {
   for (const Scene& scene : scenes) expect_lattice(scene);
 }
 
-TEST(patches, cut_by_an_edge_of_a_body) {
+TEST(patches_long, cut_by_an_edge_of_a_body) {
   const Scene scenes[] = {
       {"across the rolling direction",
        [](double x, double y) { return x > 0.5 + 1e-9 ? none : 1e-3 * (x * x + y * y); }, 5, 101, 7e-3, 5e-3},

@@ -80,7 +80,7 @@ void lay_crowned_roller(RollingPair& pair, double tilt) {
 }
 
 // Pressure rises without bound towards both ends; frames end there, and their last nodes carry.
-TEST(profile_frames, a_straight_roller_is_pressed_to_its_ends) {
+TEST(profile_frames_long, a_straight_roller_is_pressed_to_its_ends) {
   RollingPair pair(steel, steel);
   lay_straight_roller(pair);
   ASSERT_EQ(pair.solve(), ROLLCON_OK) << rollcon_last_error();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "framing/hertz.hpp"
 #include "wheel_rail_fixture.hpp"
 #include "wheelrail/solve_positions.hpp"
 
@@ -15,30 +16,45 @@ class wheels_by_table : public wheels {
   std::shared_ptr<const ForceTable> table{ForceTable::standard(context)};
 };
 
+// Shifts with one patch and with two.
 TEST_F(wheels_by_table, forces_are_nearly_those_of_full_solutions) {
-  auto full = make(), fast = make();
+  auto full = make(), fast = make(), faster = make();
   fast->set_table(table);
-  for (WheelRail* w : {full.get(), fast.get()}) w->prescribe_vertical(2, 10000);
-  for (const double y : {1.0, 2.0, 3.0, 5.0, 6.5}) {
-    for (WheelRail* w : {full.get(), fast.get()}) {
+  faster->set_table(table);
+  faster->set_hertzian(1);
+  for (WheelRail* w : {full.get(), fast.get(), faster.get()}) {
+    w->set_accuracy(0.02);
+    w->prescribe_vertical(2, 10000);
+  }
+  for (const double y : {1.0, 2.0, 5.0, 6.5}) {
+    for (WheelRail* w : {full.get(), fast.get(), faster.get()}) {
       place(*w, y);
       EXPECT_EQ(w->solve(), Status::ok);
     }
     ASSERT_EQ(full->patches(), fast->patches());
+    ASSERT_EQ(full->patches(), faster->patches());
     for (std::int64_t i = 0; i < full->patches(); ++i) {
-      const double bound = mu * full->patch_stat(i, "normal_force");
-      const auto off = [&](const char* name) { return fast->patch_stat(i, name) - full->patch_stat(i, name); };
-      EXPECT_EQ(fast->patch_stat(i, "by_table"), 1);
+      const double bound = mu * full->patch_stat(i, "normal_force"),
+                   arm = std::sqrt(full->patch_stat(i, "area") / 3.14), creep = 1e-2;
       EXPECT_EQ(full->patch_stat(i, "by_table"), 0);
-      const std::string at = "y " + std::to_string(y) + ", patch " + std::to_string(i) + ": ";
-      expect_error(at + "normal force", off("normal_force") / full->patch_stat(i, "normal_force"), 1e-3);
-      expect_error(at + "force", std::hypot(off("longitudinal_force"), off("lateral_force")) / bound, 0.01);
-      const double arm = std::sqrt(full->patch_stat(i, "area") / 3.14);
-      expect_error(at + "moment", off("spin_moment") / (bound * arm), 0.015);
-      const double power = full->patch_stat(i, "friction_power"), greatest = bound * 2000 * 1e-2;
-      expect_error(at + "friction power over mu Fn V / 100", (fast->patch_stat(i, "friction_power") - power) / greatest,
-                   0.01);
+      for (const WheelRail* w : {fast.get(), faster.get()}) {
+        const bool hertzian = w == faster.get();
+        EXPECT_EQ(w->patch_stat(i, "by_table"), 1);
+        EXPECT_EQ(w->patch_stat(i, "hertzian"), hertzian ? 1 : 0);
+        const auto off = [&](const char* name) { return w->patch_stat(i, name) - full->patch_stat(i, name); };
+        const std::string at =
+            (hertzian ? "hertzian, y " : "y ") + std::to_string(y) + ", patch " + std::to_string(i) + ": ";
+        expect_error(at + "normal force", off("normal_force") / full->patch_stat(i, "normal_force"),
+                     hertzian ? 0.06 : 1e-3);
+        expect_error(at + "force", std::hypot(off("longitudinal_force"), off("lateral_force")) / bound,
+                     hertzian ? 0.06 : 0.015);
+        expect_error(at + "moment", off("spin_moment") / (bound * arm), hertzian ? 0.06 : 0.015);
+        expect_error(at + "friction power over mu Fn V / 100", off("friction_power") / (bound * 2000 * creep),
+                     hertzian ? 0.15 : 0.02);
+        expect_error(at + "area", off("area") / full->patch_stat(i, "area"), hertzian ? 0.1 : 1e-3);
+      }
     }
+    expect_error("height over overlap", (faster->stat("z") - full->stat("z")) / full->patch_stat(0, "overlap"), 0.06);
   }
 }
 
@@ -59,6 +75,54 @@ TEST_F(wheels_by_table, contacts_have_no_friction) {
   ASSERT_EQ(w->solve(), Status::ok);
   contact->resultant(InAxes::local, force, nullptr);
   EXPECT_GT(std::hypot(force[0], force[1]), 0);
+}
+
+// A ball's wheel and rail head are paraboloids to (size / radius)^2: Hertz's load in closed form.
+TEST_F(wheels_by_table, hertzian_load_of_round_profiles_is_that_of_hertz) {
+  const double radius = 300, head[] = {-radius, 0.99 * radius}, line[] = {80, 0};
+  rail->set_profile_shape("arc", 2, head);
+  wheel->set_profile_shape("line", 2, line);
+  auto w = std::make_unique<WheelRail>(context, wheel, rail, 1);
+  w->set_track(1500, 0.01 * radius, 0);
+  w->set_wheelset(1360, -100, 460);
+  w->set_friction(mu);
+  w->set_table(table);
+  w->set_hertzian(1);
+  const double velocity[6] = {2000, 0, 0, 0, 0, -4.3459};
+  w->set_velocity(velocity);
+  w->prescribe_vertical(2, 10000);
+  place(*w, 0);
+  ASSERT_EQ(w->solve(), Status::ok);
+  ASSERT_EQ(w->patches(), 1);
+  const double modulus = 82000 / (1 - 0.28);
+  const HertzContact hertz = hertz_by_load({0.5 / 460, 0.5 / radius, 0}, modulus, 10000);
+  expect_error("overlap", w->patch_stat(0, "overlap") / hertz.approach - 1, 1e-4);
+  expect_error("largest pressure", w->patch_stat(0, "max_pressure") / hertz.pressure - 1, 1e-4);
+  expect_error("area", w->patch_stat(0, "area") / (3.14159265358979 * hertz.larger * hertz.smaller) - 1, 1e-4);
+}
+
+TEST_F(wheels_by_table, hertzian_patches_have_no_solution_of_their_own) {
+  auto w = make();
+  w->set_table(table);
+  w->prescribe_vertical(2, 10000);
+  ASSERT_EQ(w->solve(), Status::ok);
+  w->set_hertzian(1);
+  ASSERT_EQ(w->solve(), Status::ok);
+  const auto contact = w->contact(0);
+  double force[3];
+  refused([&] { contact->resultant(InAxes::local, force, nullptr); }, Status::err_state, {"no solution"});
+  refused([&] { w->set_hertzian(2); }, Status::err_argument, {"on is 2"});
+  w->save(0);
+  const double expected = w->patch_stat(0, "lateral_force");
+  place(*w, 3);
+  ASSERT_EQ(w->solve(), Status::ok);
+  w->restore(0);
+  EXPECT_EQ(w->patch_stat(0, "lateral_force"), expected);
+  EXPECT_EQ(w->patch_stat(0, "hertzian"), 1);
+  w->forget_table();
+  ASSERT_EQ(w->solve(), Status::ok);
+  EXPECT_EQ(w->patch_stat(0, "hertzian"), 0);
+  contact->resultant(InAxes::local, force, nullptr);
 }
 
 TEST_F(wheels_by_table, states_go_back_and_copies_go_on) {

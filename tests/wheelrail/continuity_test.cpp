@@ -56,7 +56,7 @@ double jump_between(ContactSearch& search, const Motion& m, std::size_t k, doubl
 
 }  // namespace
 
-TEST(contact_search_continuity, sums_over_patches_do_not_jump) {
+TEST(contact_search_continuity_long, sums_over_patches_do_not_jump) {
   constexpr int steps = 2000;
   constexpr std::size_t greatest = 50;
   ContactSearch search(wheel(), rail());

@@ -1,12 +1,13 @@
 # Generated from bindings/api.toml by bindings/generate.py; do not edit.
-"""The C interface of rollcon 0.1.0 for ctypes: enumerators, callback types, prototypes.
+"""The C interface of rollcon 1.0.0-rc1 for ctypes: enumerators, callback types, prototypes.
 
 Handles are c_void_p, arrays are pointers; None passes NULL.
 """
 
 from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int32, c_int64, c_void_p
 
-VERSION = (0, 1, 0)
+VERSION = (1, 0, 0)
+VERSION_TEXT = "1.0.0-rc1"
 ABI = 1
 
 # status
@@ -399,6 +400,7 @@ FUNCTIONS = {
     "rollcon_wheelrail_set_friction": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_set_table": (c_int32, [c_void_p, c_void_p]),
     "rollcon_wheelrail_forget_table": (c_int32, [c_void_p]),
+    "rollcon_wheelrail_set_hertzian": (c_int32, [c_void_p, c_int32]),
     "rollcon_wheelrail_set_friction_by_angle": (c_int32, [c_void_p, c_int64, POINTER(c_double)]),
     "rollcon_wheelrail_set_accuracy": (c_int32, [c_void_p, c_double]),
     "rollcon_wheelrail_solve": (c_int32, [c_void_p]),
@@ -771,6 +773,7 @@ ARGUMENTS = {
     "rollcon_wheelrail_set_friction": [("wheelrail", ""), ("mu", "")],
     "rollcon_wheelrail_set_table": [("wheelrail", ""), ("table", "")],
     "rollcon_wheelrail_forget_table": [("wheelrail", "")],
+    "rollcon_wheelrail_set_hertzian": [("wheelrail", ""), ("on", "")],
     "rollcon_wheelrail_set_friction_by_angle": [("wheelrail", ""), ("n", ""), ("points", "")],
     "rollcon_wheelrail_set_accuracy": [("wheelrail", ""), ("accuracy", "")],
     "rollcon_wheelrail_solve": [("wheelrail", "")],

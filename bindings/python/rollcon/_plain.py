@@ -843,6 +843,18 @@ class WheelrailPlain:
         """Solves all patches in full again, as a new handle does."""
         self._call("forget_table")
 
+    def set_hertzian(self, on: int) -> None:
+        """With a creep-force table (set_table(); without one nothing changes): takes Hertz's
+        pressures on an ellipse that each patch's overlap gives, and solves for none. A step takes
+        tens of microseconds instead of about a millisecond; docs/wheelrail.md has the errors.
+        Patches have their statistics; their contacts have no solution (ERR_STATE of what asks for
+        one). A patch that the table does not have is solved in full; statistic hertzian of the
+        patch is 0.
+
+        on: 1: ellipses of the overlaps; 0: pressures are solved for, as in a new handle.
+        """
+        self._call("set_hertzian", on)
+
     def set_friction_by_angle(self, points: ArrayLike | None) -> None:
         """Sets coefficients by the inclination of the rail's surface, linear between points and
         constant beyond them, in place of that of set_friction(): lubricated gauge faces under dry

@@ -27,24 +27,6 @@ void require_comparable(const SolverState& s) {
     fail(Status::err_state, "bodies are shifted, not rolled: there are no creepages");
 }
 
-// Mean flexibilities 1 / G and nu / G are what two bodies have in common with two equal ones. Returns by how much more
-// pressure strains body 1 along the surface: the difference of (1 - 2 nu) / (2 G).
-double combine(const SolverState& s, EquivalentEllipse& to) {
-  double flexible = 0, sideways = 0, strained = 0, sign = 1;
-  for (const Body* body : s.prepared->pair.body) {
-    if (!body->rigid()) {
-      const double of_one = 2 * (1 + body->poisson()) / body->young();
-      flexible += of_one / 2;
-      sideways += body->poisson() * of_one / 2;
-      strained += sign * (1 - 2 * body->poisson()) * of_one / 2;
-    }
-    sign = -sign;
-  }
-  to.shear = 1 / flexible;
-  to.poisson = sideways / flexible;
-  return strained;
-}
-
 struct Moments {
   double load = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
@@ -97,11 +79,36 @@ void add_slip(const SolverState& s, const Moments& m, EquivalentEllipse& to) {
 
 }  // namespace
 
+// By the means of 1 / G and nu / G.
+CommonElasticity common_elasticity(const Body& body1, const Body& body2) {
+  double flexible = 0, sideways = 0, strained = 0, sign = 1;
+  for (const Body* body : {&body1, &body2}) {
+    if (!body->rigid()) {
+      const double of_one = 2 * (1 + body->poisson()) / body->young();
+      flexible += of_one / 2;
+      sideways += body->poisson() * of_one / 2;
+      strained += sign * (1 - 2 * body->poisson()) * of_one / 2;
+    }
+    sign = -sign;
+  }
+  return {1 / flexible, sideways / flexible, strained};
+}
+
+// Under the pressure of Hertz the strain along the rolling direction is, weighted with that pressure, (1 - 2 nu) / (2
+// G) b / (a + b) 3/4 of the greatest: by the transform of Boussinesq's solution, (1 - 2 nu) / (2 G) kx^2 / k^2.
+double strain_creepage(double strained, double load, double a, double b) {
+  const double greatest = 3 * load / (2 * std::numbers::pi * a * b);
+  return 0.75 * greatest * b / (a + b) * strained;
+}
+
 EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
   require_comparable(state);
   const Moments m = moments_of(state);
   EquivalentEllipse e;
-  const double strained = combine(state, e);
+  const auto& body = state.prepared->pair.body;
+  const CommonElasticity common = common_elasticity(*body[0], *body[1]);
+  e.shear = common.shear;
+  e.poisson = common.poisson;
   // The pressure of Hertz has the second moments a^2 / 5 and b^2 / 5.
   const double a = std::sqrt(5 * m.xx), b = std::sqrt(5 * m.yy), filled = area / (std::numbers::pi * a * b);
   if (!(filled > least_filled))
@@ -114,10 +121,7 @@ EquivalentEllipse equivalent_ellipse(const SolverState& state, double area) {
   e.a = a * std::sqrt(filled);
   e.b = b * std::sqrt(filled);
   add_slip(state, m, e);
-  // Under the pressure of Hertz the strain along the rolling direction is, weighted with that pressure, (1 - 2 nu) / (2
-  // G) b / (a + b) 3/4 of the greatest: by the transform of Boussinesq's solution, (1 - 2 nu) / (2 G) kx^2 / k^2.
-  const double greatest = 3 * e.load / (2 * std::numbers::pi * e.a * e.b);
-  e.creepage[0] += 0.75 * greatest * e.b / (e.a + e.b) * strained;
+  e.creepage[0] += strain_creepage(common.strained, e.load, e.a, e.b);
   return e;
 }
 

@@ -8,6 +8,19 @@ namespace rollcon {
 
 struct SolverState;
 
+class Body;
+
+/// What two bodies have in common with two equal ones.
+struct CommonElasticity {
+  double shear = 0, poisson = 0;
+  /// By how much more pressure strains body 1 along the surface: the difference of (1 - 2 nu) / (2 G).
+  double strained = 0;
+};
+CommonElasticity common_elasticity(const Body& body1, const Body& body2);
+
+/// Longitudinal creepage that this strain amounts to under the pressure of Hertz, on average.
+double strain_creepage(double strained, double load, double a, double b);
+
 struct EquivalentEllipse {
   double shear = 0, poisson = 0;  ///< of two equal bodies
   double friction = 0;            ///< at the speed of the rigid slip, mean over the pressure

@@ -72,12 +72,12 @@ constexpr auto ring_part_name = [](const auto& param) {
 // Bounds: 2 % (linear) and 0.5 % (quadratic) as asked of meshes that fit 4000 nodes; coarser ones as measured. Wholes
 // of 2816 nodes (quad4) and 3456 (quad8), too long for here: 0.7 % and 0.4 %.
 INSTANTIATE_TEST_SUITE_P(Ring, PatchLoad,
-                         ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.011},
-                                           Case{Part::quarter, VolumeType::hex8, {8, 20, 6, 14}, 0.02},
+                         ::testing::Values(Case{Part::quarter, VolumeType::hex8, {8, 20, 6, 14}, 0.02},
                                            Case{Part::quarter, VolumeType::hex20, {4, 10, 3, 8}, 0.005}),
                          ring_part_name);
 INSTANTIATE_TEST_SUITE_P(Ring_long, PatchLoad,
-                         ::testing::Values(Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085, 0.03},
+                         ::testing::Values(Case{Part::whole, ElementType::quad4, {4, 16, 3, 8}, 0.018, 0.011},
+                                           Case{Part::whole, ElementType::quad8, {2, 8, 3, 5}, 0.0085, 0.03},
                                            Case{Part::quarter, ElementType::tri3, {6, 20, 3, 12}, 0.02, 0.006},
                                            Case{Part::quarter, ElementType::quad4, {6, 20, 3, 12}, 0.02, 0.006},
                                            Case{Part::quarter, ElementType::tri6, {2, 8, 3, 6}, 0.0075, 0.012},
