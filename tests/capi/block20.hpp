@@ -51,8 +51,9 @@ struct Surface8 {
   std::vector<std::int32_t> connectivity, rim, top;
 
   explicit Surface8(const Block20& block) {
-    constexpr int side[6][8] = {{0, 3, 2, 1, 11, 10, 9, 8},   {4, 5, 6, 7, 12, 13, 14, 15}, {0, 1, 5, 4, 8, 17, 12, 16},
-                                {1, 2, 6, 5, 9, 18, 13, 17},  {2, 3, 7, 6, 10, 19, 14, 18}, {3, 0, 4, 7, 11, 16, 15, 19}};
+    constexpr int side[6][8] = {{0, 3, 2, 1, 11, 10, 9, 8},   {4, 5, 6, 7, 12, 13, 14, 15},
+                                {0, 1, 5, 4, 8, 17, 12, 16},  {1, 2, 6, 5, 9, 18, 13, 17},
+                                {2, 3, 7, 6, 10, 19, 14, 18}, {3, 0, 4, 7, 11, 16, 15, 19}};
     std::map<std::set<std::int32_t>, std::vector<std::int32_t>> once;
     for (std::size_t e = 0; e < block.connectivity.size(); e += 20)
       for (const auto& face : side) {
