@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _api
 from ._arrays import elements, integers, nodes, reals, room, vector
-from ._library import Handle, RollconError, c_text, call, check, enumerator, lib, shown
+from ._library import Handle, RollconError, c_path, c_text, call, check, enumerator, lib, shown
 from ._plain import ContactPlain
 from ._settings import Settings
 
