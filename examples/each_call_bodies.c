@@ -101,6 +101,13 @@ static void mesh(rollcon_context* context) {
   must(rollcon_body_load(context, "each_call.body", &copy));
   must(rollcon_body_get_displacements(copy, 12, u));
   printf("its copy's end moves by %.4f\n", u[35]);
+  rollcon_body_release(copy);
+  must(rollcon_body_copy(bar, &copy)); /* another load case: its end is pulled at one corner */
+  must(rollcon_body_get_group_nodes(bar, "high", 0, 8, ids, &n));
+  must(rollcon_body_set_node_tractions(copy, 2, 1, ids, 0, NULL, traction));
+  must(rollcon_body_prepare(copy));
+  must(rollcon_body_get_displacements(copy, 12, u));
+  printf("pulled harder at a corner it moves by %.4f\n", u[35]);
   must(rollcon_body_retain(copy));
   if (rollcon_body_from_id(rollcon_id_of(copy)) != copy) exit(1);
   rollcon_body_release(copy);
@@ -111,7 +118,8 @@ static void mesh(rollcon_context* context) {
 /* A rigid ball on the bar's side, in the middle of the upper element. */
 static void pressed(rollcon_context* context) {
   const double middle[3] = {1, 0.5, 1.5}, along[3] = {0, 1, 0}, outwards[3] = {1, 0, 0};
-  double u[36];
+  const double inside[3] = {0.7, 0.5, 1.5};
+  double u[36], stress[6];
   rollcon_body *bar, *ball;
   rollcon_contact* contact;
   must(rollcon_body_load(context, "each_call.body", &bar));
@@ -125,6 +133,9 @@ static void pressed(rollcon_context* context) {
   must(rollcon_contact_solve(contact));
   must(rollcon_contact_get_body_displacements(contact, 1, 36, u, NULL));
   printf("its corner under a ball moves by %.4f\n", u[35]);
+  must(rollcon_contact_get_body_fields_at(contact, 1, 1, inside, NULL, stress));
+  printf("below the ball it is pressed by %.2f\n", -stress[0]);
+  must(rollcon_contact_write_body(contact, 1, "each_call.vtu"));
   rollcon_contact_release(contact);
   rollcon_body_release(ball);
   rollcon_body_release(bar);

@@ -1,10 +1,13 @@
-"""A wheel wears on a rail over 10,000 km of hunting: S1002 on 60E1, both wheels alike. Its profile, what is worn off and
-its equivalent conicity are printed every 1000 km; the worn profile is written to worn_wheel.txt and, where matplotlib
-is there, pictures to worn_wheel.png. An argument is another distance, in km. Units: mm, N, s.
+"""A wheel and a rail wear each other over 10,000 km of hunting: S1002 on 60E1, both wheels alike. What is worn off and
+the equivalent conicity are printed every 1000 km; the worn profiles are written to worn_wheel.txt and worn_rail.txt
+and, where matplotlib is there, pictures to worn_wheel.png. An argument is another distance, in km. Units: mm, N, s.
+
+The line is short and busy: 4 km, on which 240 such wheels run, so that each place of the rail sees 60 wheels for every
+km that one of them runs.
 
 The motion is a sine of the wheelset, of its own wavelength at each amplitude, sampled at equal phases; amplitudes have
 weights. Wear: rates of the steel R8T by regimes of T-gamma (Braghin, Lewis, Dwyer-Joyce and Bruni, Wear 261, 2006). The
-profile is worn in steps of at most 0.02 mm and smoothed over 4 mm, which keeps the volume."""
+profiles are worn in steps of at most 0.02 mm and smoothed over 4 mm, which keeps the volume."""
 
 import sys
 import time
@@ -16,6 +19,7 @@ PRINT_EVERY = 1e9  # 1000 km
 RADIUS, LOAD, SPEED, FRICTION = 460.0, 80e3, 30e3, 0.3
 AMPLITUDES, SHARES, PHASES = (1.5, 3.0, 4.5), (0.5, 0.35, 0.15), 8
 POINTS, DEEPEST, SMOOTHING = 401, 0.02, 4.0
+LINE, WHEELS = 4e6, 240
 # Over the density: 5.3 T-gamma/A ug/m/mm^2 at first, 55.12 between T-gamma/A = 10.4 and 77.2 N/mm^2, then 61.9 more for each N/mm^2.
 MASS = 7850e3  # ug/mm^3 times mm/m
 T_GAMMA = [10.4, 55.12 / MASS, 77.2, 55.12 / MASS, 87.2, (55.12 + 619) / MASS]
@@ -63,57 +67,85 @@ def points_of(body):
     return np.array([body.profile_point(s)[0] for s in np.linspace(0, body.profile_length(), POINTS)])
 
 
+class Worn:
+    """A body's profile as it wears."""
+
+    def __init__(self, context, shape, side, passes):
+        """side: of the body, as rc.wear_profile takes it; passes: of the other body, per length that a wheel runs."""
+        self.body, self.side, self.passes = half_space(context), side, passes
+        self.body.set_profile_shape(shape, [1.0])
+        self.context, self.volume = context, 0.0
+        self.fresh = self.points = points_of(self.body)
+
+    def step(self, depth, distance):
+        """What would be worn over the distance, and as much of it as the deepest step allows."""
+        return rc.wear_profile(self.points, depth * self.passes, self.side, distance, DEEPEST, SMOOTHING)
+
+    def take(self, depth, volume, distance):
+        self.points, _ = self.step(depth, distance)
+        self.volume += distance * volume * self.passes
+        self.body = half_space(self.context)
+        self.body.set_profile(self.points)
+        self.points = points_of(self.body)
+
+    def worn(self, points):
+        """Depth along z at the places of the fresh profile; z points down."""
+        order = np.argsort(points[:, 0])
+        return self.side * (np.interp(self.fresh[:, 0], points[order, 0], points[order, 1]) - self.fresh[:, 1])
+
+
 def wear(context, distance):
-    rail = half_space(context)
-    rail.set_profile_shape("60e1", [1.0])
-    wheel = half_space(context)
-    wheel.set_profile_shape("s1002", [1.0])
-    fresh = points_of(wheel)
-    gone, volume, steps, history = 0.0, 0.0, 0, []
-    rows, profiles = [], []
-    print("   km    worn off, mm^2   deepest, mm   conicity at 1.5, 3, 4.5 mm")
+    wheel = Worn(context, "s1002", -1, 1 / (2 * np.pi * RADIUS))
+    rail = Worn(context, "60e1", 1, WHEELS / LINE)
+    gone, steps, conicities, profiles = 0.0, 0, [], []
+    print("   km   worn off, mm^2: wheel, rail   deepest, mm: wheel, rail   conicity at 1.5, 3, 4.5 mm")
     while True:
-        left, right = wheelset(context, wheel, rail)
+        left, right = wheelset(context, wheel.body, rail.body)
         conicity, _ = rc.conicity(left, right, AMPLITUDES)
-        history.append((gone, *conicity))
-        points = points_of(wheel)
-        if gone >= PRINT_EVERY * len(rows):
-            depth = np.max(np.interp(points[:, 0], fresh[:, 0], fresh[:, 1]) - points[:, 1])
-            rows.append((gone / 1e6, volume, depth, *conicity))
-            print("{:6.0f} {:13.3f} {:13.3f} {:13.4f} {:7.4f} {:7.4f}".format(*rows[-1]), flush=True)
-            profiles.append((gone / 1e6, points))
+        conicities.append((gone, *conicity))
+        if gone >= PRINT_EVERY * len(profiles):
+            profiles.append((gone / 1e6, wheel.points, rail.points))
+            print("{:6.0f} {:14.3f} {:11.3f} {:14.3f} {:9.3f} {:12.4f} {:7.4f} {:7.4f}".format(
+                gone / 1e6, wheel.volume, rail.volume, wheel.worn(wheel.points).max() + 0, rail.worn(rail.points).max() + 0,
+                *conicity), flush=True)
         if gone >= distance:
-            return fresh, wheel, profiles, np.array(history), steps
-        spectrum = hunting(left, right)
-        found = right.find_wear(*spectrum[:2], "t_gamma", T_GAMMA, POINTS, weights=spectrum[2])
-        # Both wheels run through the same positions; a pass of each point is one revolution.
-        revolution = 2 * np.pi * RADIUS
-        until = min(PRINT_EVERY * len(rows), distance)
-        points, taken = rc.wear_profile(points, found.wheel / revolution, -1, until - gone, DEEPEST, SMOOTHING)
-        gone = until if taken == until - gone else gone + taken
-        volume += taken * found.volumes[0] / revolution
+            return wheel, rail, profiles, np.array(conicities), steps
+        positions, velocities, weights = hunting(left, right)
+        # Both wheels run through the same positions.
+        found = right.find_wear(positions, velocities, "t_gamma", T_GAMMA, POINTS, weights=weights)
+        goal = min(PRINT_EVERY * len(profiles), distance)
+        until = goal - gone
+        taken = min(wheel.step(found.wheel, until)[1], rail.step(found.rail, until)[1])
+        wheel.take(found.wheel, found.volumes[0], taken)
+        rail.take(found.rail, found.volumes[1], taken)
+        gone = goal if taken == until else gone + taken
         steps += 1
-        wheel = half_space(context)
-        wheel.set_profile(points)
 
 
-def draw(fresh, profiles, history):
+def draw(wheel, rail, profiles, conicities):
     import matplotlib
     matplotlib.use("Agg")
     import matplotlib.pyplot as pyplot
-    figure, (profile, worn, conicity) = pyplot.subplots(3, 1, figsize=(7, 9), layout="constrained")
+    figure, axes = pyplot.subplots(3, 2, figsize=(11, 9), layout="constrained")
     shades = pyplot.get_cmap("viridis")
-    for km, points in profiles[::2]:
-        colour = shades(0.9 * km / 1e4)
-        profile.plot(points[:, 0], -points[:, 1], color=colour, lw=0.8)
-        worn.plot(points[:, 0], np.interp(points[:, 0], fresh[:, 0], fresh[:, 1]) - points[:, 1], color=colour, lw=1,
-                  label=f"{km:.0f} km")
-    profile.set(xlabel="y, mm", ylabel="height, mm", title="profile", aspect="equal")
-    worn.set(xlabel="y, mm", ylabel="worn, mm", title="wear", xlim=(-45, 50))
-    worn.legend(fontsize=7)
-    for amplitude, column in zip(AMPLITUDES, history[:, 1:].T):
-        conicity.plot(history[:, 0] / 1e6, column, label=f"{amplitude} mm")
+    for column, (body, name) in enumerate(((wheel, "wheel"), (rail, "rail"))):
+        profile, worn = axes[0, column], axes[1, column]
+        for km, *points in profiles[::2]:
+            colour = shades(0.9 * km / max(profiles[-1][0], 1))
+            points = points[column]
+            profile.plot(points[:, 0], -points[:, 1], color=colour, lw=0.8)
+            worn.plot(body.fresh[:, 0], body.worn(points), color=colour, lw=1, label=f"{km:.0f} km")
+        profile.set(xlabel="y, mm", ylabel="height, mm", title=f"profile of the {name}", aspect="equal")
+        worn.set(xlabel="y, mm", ylabel="worn, mm", title=f"wear of the {name}")
+        worn.legend(fontsize=7)
+    axes[1, 0].set(xlim=(-45, 50))
+    axes[1, 1].set(xlim=(-36, 36), ylim=(0, None))
+    conicity, change = axes[2]
+    for amplitude, column in zip(AMPLITUDES, conicities[:, 1:].T):
+        conicity.plot(conicities[:, 0] / 1e6, column, label=f"{amplitude} mm")
+        change.plot(conicities[:, 0] / 1e6, column - column[0], label=f"{amplitude} mm")
     conicity.set(xlabel="distance, km", ylabel="equivalent conicity", title="conicity at amplitudes of", ylim=(0, None))
+    change.set(xlabel="distance, km", ylabel="change", title="its change")
     conicity.legend(fontsize=7)
     figure.savefig("worn_wheel.png", dpi=110)
 
@@ -122,11 +154,12 @@ def main():
     distance = 1e6 * float(sys.argv[1]) if len(sys.argv) > 1 else 1e10
     began = time.perf_counter()
     with rc.Context() as context:
-        fresh, wheel, profiles, history, steps = wear(context, distance)
-        wheel.write_profile("worn_wheel.txt", 1.0)
+        wheel, rail, profiles, conicities, steps = wear(context, distance)
+        wheel.body.write_profile("worn_wheel.txt", 1.0)
+        rail.body.write_profile("worn_rail.txt", 1.0)
     print(f"{steps} steps, {time.perf_counter() - began:.0f} s", file=sys.stderr)
     try:
-        draw(fresh, profiles, history)
+        draw(wheel, rail, profiles, conicities)
     except ImportError:
         print("no pictures without matplotlib", file=sys.stderr)
 

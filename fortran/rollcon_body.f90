@@ -1,7 +1,7 @@
 !> Bodies: what the generated type rc_body_plain does not have. Vectors are xyz by columns: x(3,n); node numbers count from
 !> 1. Every call takes `stat` (absent: a failure prints its message and stops) and `errmsg` (set on failure).
 module rollcon_body
-  use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t
+  use, intrinsic :: iso_c_binding, only: c_int32_t, c_int64_t, c_null_ptr, c_ptr
   use rollcon_c
   use rollcon_support
   use rollcon_body_plain
@@ -25,6 +25,10 @@ module rollcon_body
     procedure, private :: set_support_int32
     procedure, private :: set_support_int64
     generic :: set_support => set_support_int32, set_support_int64
+    procedure, private :: set_node_tractions_int32
+    procedure, private :: set_node_tractions_int64
+    generic :: set_node_tractions => set_node_tractions_int32, set_node_tractions_int64
+    procedure :: copy => copy_body
     procedure :: get_group_nodes
     procedure :: get_displacements
     procedure :: get_node_stresses
@@ -198,6 +202,60 @@ contains
     call self%set_support_int32(narrow_ids(nodes), dof_mask, values, stat, errmsg)
   end subroutine
 
+  !> Tractions(3,n) at nodes, numbered from 1, of the faces with a tag, linear or quadratic between as the faces are, added
+  !> to the tag's traction and pressure. With a direction, along(3): components along its part in the surface, across, and
+  !> along the outward normal; else x y z.
+  subroutine set_node_tractions_int32(self, tag, nodes, tractions, along, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer, intent(in) :: tag
+    integer(c_int32_t), intent(in), contiguous :: nodes(:)
+    real(rc_real), intent(in), contiguous :: tractions(:, :)
+    real(rc_real), intent(in), optional :: along(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    real(rc_real) :: direction(3)
+    direction = 0
+    if (present(along)) direction = along
+    if (size(tractions, 1) /= 3 .or. size(tractions, 2) /= size(nodes)) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_body%set_node_tractions', stat, errmsg, &
+        'the extents of tractions must be 3 and the number of nodes')
+      return
+    end if
+    call finish(rollcon_body_set_node_tractions(self%handle(), int(tag, rc_int), size(nodes, kind=rc_long), nodes, 1_rc_int, &
+      direction, tractions), self%handle(), 'rc_body%set_node_tractions', stat, errmsg)
+  end subroutine
+
+  subroutine set_node_tractions_int64(self, tag, nodes, tractions, along, stat, errmsg)
+    class(rc_body), intent(inout) :: self
+    integer, intent(in) :: tag
+    integer(c_int64_t), intent(in) :: nodes(:)
+    real(rc_real), intent(in), contiguous :: tractions(:, :)
+    real(rc_real), intent(in), optional :: along(3)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call self%set_node_tractions_int32(tag, narrow_ids(nodes), tractions, along, stat, errmsg)
+  end subroutine
+
+  !> Another body that was given the same, not prepared. With other loads alone it takes the equations of this one and
+  !> their factors when it is prepared: a load case.
+  subroutine copy_body(self, other, stat, errmsg)
+    class(rc_body), intent(in) :: self
+    class(rc_body), intent(inout) :: other
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    type(c_ptr) :: p
+    integer(rc_int) :: status
+    integer :: kept
+    call other%free()
+    p = c_null_ptr
+    status = rollcon_body_copy(self%handle(), p)
+    if (status == ROLLCON_OK) then
+      call other%from_id(int(rollcon_id_of(p)), kept)  ! a reference of its own
+      call rollcon_body_release(p)
+    end if
+    call finish(status, self%handle(), 'rc_body%copy', stat, errmsg)
+  end subroutine
+
   !> The nodes of all that a group of the mesh's file has, ascending: after read_mesh.
   subroutine get_group_nodes(self, group, nodes, stat, errmsg)
     class(rc_body), intent(in) :: self
@@ -276,7 +334,8 @@ contains
     call finish(status, self%handle(), 'rc_body%get_point_stresses', stat, errmsg)
   end subroutine
 
-  !> Displacements displacement(3,n) and smoothed stresses stress(6,n) at points xyz(3,n) inside finite elements.
+  !> Displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside finite elements, or boundary
+  !> elements under their own loads.
   subroutine get_fields_at(self, xyz, displacement, stress, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     real(rc_real), intent(in), contiguous :: xyz(:, :)
@@ -298,7 +357,7 @@ contains
     call finish(status, self%handle(), 'rc_body%get_fields_at', stat, errmsg)
   end subroutine
 
-  !> Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  !> Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file.
   subroutine write_body(self, path, u, stat, errmsg)
     class(rc_body), intent(in) :: self
     character(len=*), intent(in) :: path

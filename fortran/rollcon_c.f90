@@ -341,6 +341,14 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_body_load
 
+    function rollcon_body_copy(body, copy) result(rc) bind(C, name="rollcon_body_copy")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      type(c_ptr), intent(out) :: copy
+      integer(c_int32_t) :: rc
+    end function rollcon_body_copy
+
     function rollcon_body_set_nodes(body, n, x, node_stride, component_stride) &
         result(rc) bind(C, name="rollcon_body_set_nodes")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
@@ -445,6 +453,20 @@ module rollcon_c
       real(c_double), value :: pressure
       integer(c_int32_t) :: rc
     end function rollcon_body_set_pressure
+
+    function rollcon_body_set_node_tractions(body, tag, n, nodes, index_base, along, tractions) &
+        result(rc) bind(C, name="rollcon_body_set_node_tractions")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: body
+      integer(c_int32_t), value :: tag
+      integer(c_int64_t), value :: n
+      integer(c_int32_t), intent(in) :: nodes(*)
+      integer(c_int32_t), value :: index_base
+      real(c_double), intent(in) :: along(*)
+      real(c_double), intent(in) :: tractions(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_body_set_node_tractions
 
     function rollcon_body_set_contact_faces(body, n, tags) &
         result(rc) bind(C, name="rollcon_body_set_contact_faces")
@@ -1385,6 +1407,29 @@ module rollcon_c
       integer(c_int64_t), intent(inout) :: n_values
       integer(c_int32_t) :: rc
     end function rollcon_contact_get_body_displacements
+
+    function rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress) &
+        result(rc) bind(C, name="rollcon_contact_get_body_fields_at")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      integer(c_int64_t), value :: n
+      real(c_double), intent(in) :: xyz(*)
+      real(c_double), intent(out) :: displacement(*)
+      real(c_double), intent(out) :: stress(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_get_body_fields_at
+
+    function rollcon_contact_write_body(contact, body, path) &
+        result(rc) bind(C, name="rollcon_contact_write_body")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: contact
+      integer(c_int32_t), value :: body
+      character(kind=c_char), intent(in) :: path(*)
+      integer(c_int32_t) :: rc
+    end function rollcon_contact_write_body
 
     function rollcon_contact_get_temperatures_at(contact, n, xy, temperature) &
         result(rc) bind(C, name="rollcon_contact_get_temperatures_at")

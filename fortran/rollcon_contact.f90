@@ -29,6 +29,8 @@ module rollcon_contact
     procedure :: get_displacements_at
     procedure :: get_stresses_at
     procedure :: get_body_displacements
+    procedure :: get_body_fields_at
+    procedure :: write_body_vtu
     procedure :: get_wear
     procedure :: get_temperatures_at
     procedure :: get_history
@@ -384,7 +386,7 @@ contains
     if (present(u)) call move_alloc(displacement, u)
   end subroutine
 
-  !> Displacements u(3,n) of all nodes of body 1 or 2, of finite elements, in its axes.
+  !> Displacements u(3,n) of all nodes of body 1 or 2, of finite or boundary elements, in its axes.
   subroutine get_body_displacements(self, body, u, stat, errmsg)
     class(rc_contact), intent(in) :: self
     integer, intent(in) :: body
@@ -401,6 +403,38 @@ contains
     if (status == ROLLCON_OK) &
       status = rollcon_contact_get_body_displacements(self%handle(), int(body, rc_int), n, u, n)
     call finish(status, self%handle(), 'rc_contact%get_body_displacements', stat, errmsg)
+  end subroutine
+
+  !> Displacements displacement(3,n) and stresses stress(6,n) at points xyz(3,n) inside body 1 or 2, of finite or boundary
+  !> elements, in its axes.
+  subroutine get_body_fields_at(self, body, xyz, displacement, stress, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer, intent(in) :: body
+    real(rc_real), intent(in), contiguous :: xyz(:, :)
+    real(rc_real), allocatable, intent(out) :: displacement(:, :), stress(:, :)
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    if (size(xyz, 1) /= 3) then
+      call finish(ROLLCON_ERR_ARGUMENT, self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg, &
+        'the first extent of xyz must be 3')
+      return
+    end if
+    allocate (displacement(3, size(xyz, 2)), stress(6, size(xyz, 2)))
+    displacement = 0
+    stress = 0
+    call finish(rollcon_contact_get_body_fields_at(self%handle(), int(body, rc_int), size(xyz, 2, rc_long), xyz, &
+      displacement, stress), self%handle(), 'rc_contact%get_body_fields_at', stat, errmsg)
+  end subroutine
+
+  !> Elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file.
+  subroutine write_body_vtu(self, body, path, stat, errmsg)
+    class(rc_contact), intent(in) :: self
+    integer, intent(in) :: body
+    character(len=*), intent(in) :: path
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    call finish(rollcon_contact_write_body(self%handle(), int(body, rc_int), c_text(path)), self%handle(), &
+      'rc_contact%write_body_vtu', stat, errmsg)
   end subroutine
 
   !> Depth depth(n) that a pass of the contact wears off at places y(n) along t2, and the volume per length rolled, by a law,

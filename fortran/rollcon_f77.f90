@@ -214,6 +214,17 @@ subroutine rcblod(ictx, path, ibody, ierr)
   if (ierr == ROLLCON_OK) ibody = rollcon_id_of(p)
 end subroutine
 
+!> Makes another body that was given the same and is not prepared, from one that is or is not.
+subroutine rcbcpy(ibody, icopy, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, icopy, ierr
+  type(c_ptr) :: p
+  icopy = 0
+  ierr = rollcon_body_copy(body_of(ibody), p)
+  if (ierr == ROLLCON_OK) icopy = rollcon_id_of(p)
+end subroutine
+
 !> Sets the nodes and forgets elements, supports, loads and contact faces.
 subroutine rcbnod(ibody, n, x, ldx, ierr)
   use rollcon_f77_support
@@ -349,6 +360,19 @@ subroutine rcbprs(ibody, itag, pressure, ierr)
   integer :: ibody, itag, ierr
   double precision :: pressure
   ierr = rollcon_body_set_pressure(body_of(ibody), narrow(itag), pressure)
+end subroutine
+
+!> Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape functions have them, .
+subroutine rcbtrn(ibody, itag, n, nodes, along, tractions, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: ibody, itag, n, nodes(*), ierr
+  double precision :: along(3), tractions(*)
+  integer(c_int32_t), allocatable :: packed_nodes(:)
+  call pack_list_77(body_of(ibody), 'RCBTRN', n, nodes, packed_nodes, ierr)
+  if (ierr /= ROLLCON_OK) return
+  ierr = rollcon_body_set_node_tractions(body_of(ibody), narrow(itag), int(n, c_int64_t), packed_nodes, &
+    1_c_int32_t, along, tractions)
 end subroutine
 
 !> Says which faces may come into contact.
@@ -622,7 +646,7 @@ subroutine rcbdis(ibody, maxn, u, ierr)
   ierr = rollcon_body_get_displacements(body_of(ibody), int(maxn, c_int64_t), u)
 end subroutine
 
-!> Smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or under i.
+!> Smoothed stresses at all nodes of a body of finite elements under given displacements of its nodes, or of fini.
 subroutine rcbnds(ibody, nodes, u, stress, ierr)
   use rollcon_f77_support
   implicit none
@@ -631,7 +655,7 @@ subroutine rcbnds(ibody, nodes, u, stress, ierr)
   ierr = rollcon_body_get_node_stresses(body_of(ibody), int(nodes, c_int64_t), u, stress)
 end subroutine
 
-!> Stresses at the integration points of all elements, element by element, as the elements themselves balance loa.
+!> Stresses at the integration points of all finite elements, element by element, as the elements themselves bala.
 subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
   use rollcon_f77_support
   implicit none
@@ -644,7 +668,7 @@ subroutine rcbpts(ibody, nodes, u, maxn, stress, xyz, nr, ierr)
   nr = int(n_rows_c)
 end subroutine
 
-!> Displacements and smoothed stresses at any points inside a body of finite elements, between nodes as the eleme.
+!> Displacements and stresses at any points inside a body.
 subroutine rcbfld(ibody, nodes, u, n, xyz, displacement, stress, ierr)
   use rollcon_f77_support
   implicit none
@@ -654,7 +678,7 @@ subroutine rcbfld(ibody, nodes, u, n, xyz, displacement, stress, ierr)
     stress)
 end subroutine
 
-!> Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy, zz, xy, yz, xz.
+!> Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses (xx, yy, zz.
 subroutine rcbwri(ibody, path, nodes, u, ierr)
   use rollcon_f77_support
   implicit none
@@ -1289,7 +1313,7 @@ subroutine rcstrs(icon, ibody, n, xyz, stress, u, ierr)
   ierr = rollcon_contact_get_stresses_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, stress, u)
 end subroutine
 
-!> Displacements of all nodes of a body of finite elements under the tractions of the last solve and the body's o.
+!> Displacements of all nodes of a body of finite or boundary elements under the tractions of the last solve and .
 subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
   use rollcon_f77_support
   implicit none
@@ -1300,6 +1324,25 @@ subroutine rcbodu(icon, ibody, maxn, u, nv, ierr)
   ierr = rollcon_contact_get_body_displacements(contact_of(icon), narrow(ibody), int(maxn, c_int64_t), u, &
     n_values_c)
   nv = int(n_values_c)
+end subroutine
+
+!> Displacements and stresses at any points inside a body of finite or boundary elements under the tractions of t.
+subroutine rcbfat(icon, ibody, n, xyz, displacement, stress, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, n, ierr
+  double precision :: xyz(*), displacement(*), stress(*)
+  ierr = rollcon_contact_get_body_fields_at(contact_of(icon), narrow(ibody), int(n, c_int64_t), xyz, displacement, &
+    stress)
+end subroutine
+
+!> Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses (xx, yy, zz.
+subroutine rcwbod(icon, ibody, path, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: icon, ibody, ierr
+  character(len=*) :: path
+  ierr = rollcon_contact_write_body(contact_of(icon), narrow(ibody), c_text(path))
 end subroutine
 
 !> Temperatures of the surfaces of both bodies at any points of the plane of the axes by the frictional heat of t.

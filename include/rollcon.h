@@ -501,6 +501,21 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_save(rollcon_body *body, co
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_load(rollcon_context *context,
     const char *path, rollcon_body **body);
 
+/*
+ * Makes another body that was given the same and is not prepared, from one that is or is not.
+ * Changed in its loads and prescribed displacements alone, and prepared, it takes the equations
+ * of the first, and their factors: so several load cases of one body cost one assembly and
+ * factorisation. (Finite elements factorise once more, with nothing condensed, for all cases
+ * after the first, unless option keep_factors is 0; boundary elements are assembled again for
+ * each, since loads have integrals of their own.)
+ *   copy  new handle
+ * Ownership: The caller owns the new handle: release it. *copy is NULL after a failure.
+ * Also returns: ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_copy(const rollcon_body *body,
+    rollcon_body **copy);
+
 /* ------------------------------------------------------------ Body: mesh, supports and loads */
 /* What bodies with a mesh are made of, in the body's own axes (rollcon_contact_set_pose says
    where it stands). Nodes first, then elements, then what refers to them; nothing after
@@ -629,6 +644,26 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_rotation(rollcon_body *
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_pressure(rollcon_body *body,
     int32_t tag, double pressure);
+
+/*
+ * Prescribes tractions at nodes of the faces with a tag, between nodes as the faces' shape
+ * functions have them, zero at nodes not named; replaces what an earlier call gave for the tag,
+ * and adds to its traction and pressure. With a direction, `along`, the three components act
+ * along its part in the surface, across (the outward normal times that), and along the outward
+ * normal. At rollcon_body_prepare, ROLLCON_ERR_MESH: a node is on no face with the tag, or the
+ * direction is normal to one.
+ *   tag         of some face (else ROLLCON_ERR_ARGUMENT)
+ *   n           nodes, >= 0; 0: none any more
+ *   nodes       [n]; node ids; ROLLCON_ERR_MESH if out of range
+ *   index_base  0 or 1: id of the first node
+ *   along       [3]; direction of the first component; NULL or 0 0 0: components along x y z
+ *   tractions   [n][3]; force/length^2, -1e100 to 1e100
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, section 10.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_set_node_tractions(rollcon_body *body,
+    int32_t tag, int64_t n, const int32_t *nodes, int32_t index_base, const double *along,
+    const double *tractions);
 
 /*
  * Says which faces may come into contact: on them gaps are computed and frames laid. Standard:
@@ -924,10 +959,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_displacements(const rol
 
 /*
  * Smoothed stresses at all nodes of a body of finite elements under given displacements of its
- * nodes, or under its own loads. Each element's stresses are taken as the nearest function that
- * is linear in the element (in a hexahedron: in each direction), and averaged at its nodes by
- * volume, also across materials. Tension is positive; axes of the body. ROLLCON_ERR_UNSUPPORTED:
- * another kind of body; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses overflow.
+ * nodes, or of finite or boundary elements under its own loads. Each element's stresses are taken
+ * as the nearest function that is linear in the element (in a hexahedron: in each direction), and
+ * averaged at its nodes by volume, also across materials. Those of boundary elements follow from
+ * tractions and displacements along the surface, averaged by area, over edges as well. Tension is
+ * positive; axes of the body. ROLLCON_ERR_UNSUPPORTED: another kind of body, or u for boundary
+ * elements; ROLLCON_ERR_ARGUMENT: another number of nodes, or stresses overflow.
  *   nodes   as many as the body has
  *   u       [nodes][3]; as from rollcon_contact_get_body_displacements, length; NULL: those of
  *           rollcon_body_get_displacements
@@ -940,7 +977,7 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_node_stresses(const rol
     int64_t nodes, const double *u, double *stress);
 
 /*
- * Stresses at the integration points of all elements, element by element, as the elements
+ * Stresses at the integration points of all finite elements, element by element, as the elements
  * themselves balance loads with them, and the points' places. Otherwise like
  * rollcon_body_get_node_stresses.
  *   nodes     as many as the body has
@@ -959,10 +996,11 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_point_stresses(const ro
     int64_t *n_rows);
 
 /*
- * Displacements and smoothed stresses at any points inside a body of finite elements, between
- * nodes as the elements' shape functions have them. Otherwise like
- * rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is in no element (a
- * millionth of its size beyond its faces is still inside).
+ * Displacements and stresses at any points inside a body: of finite elements the smoothed ones of
+ * nodes, between them as the elements' shape functions have them, of boundary elements by
+ * Somigliana's identities, as near to the surface as wanted, and on it. Otherwise like
+ * rollcon_body_get_node_stresses. ROLLCON_ERR_ARGUMENT also: a point is outside (a millionth of
+ * the element's size beyond its faces is still inside).
  *   nodes         as many as the body has
  *   u             [nodes][3]; displacements of the nodes; NULL: those of
  *                 rollcon_body_get_displacements
@@ -979,9 +1017,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_body_get_fields_at(const rollcon
     double *stress);
 
 /*
- * Writes the elements of a body of finite elements with displacements, smoothed stresses (xx, yy,
- * zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes as a VTU file for
- * ParaView and meshio. Otherwise like rollcon_body_get_node_stresses.
+ * Writes the elements of a body of finite or boundary elements with displacements, smoothed
+ * stresses (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes
+ * as a VTU file for ParaView and meshio. Otherwise like rollcon_body_get_node_stresses.
  *   path   name of the file; an existing one is replaced
  *   nodes  as many as the body has
  *   u      [nodes][3]; displacements of the nodes; NULL: those of rollcon_body_get_displacements
@@ -1800,12 +1838,12 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
     double *u);
 
 /*
- * Displacements of all nodes of a body of finite elements under the tractions of the last solve
- * and the body's own loads, in the body's axes. Under a frame of its own finer than the body's
- * faces these are tractions as the elements feel them (docs/theory.md, section 10). The first
- * call for a body factorises its stiffness once more, with nothing condensed; contacts and solves
- * after that share the factors (unless its option keep_factors is 0). ROLLCON_ERR_UNSUPPORTED:
- * another kind of body.
+ * Displacements of all nodes of a body of finite or boundary elements under the tractions of the
+ * last solve and the body's own loads, in the body's axes. Under a frame of its own finer than
+ * the body's faces these are tractions as the elements feel them (docs/theory.md, section 10).
+ * The first call for a body factorises its stiffness once more, with nothing condensed; contacts
+ * and solves after that share the factors (unless its option keep_factors is 0); boundary
+ * elements have theirs. ROLLCON_ERR_UNSUPPORTED: another kind of body.
  *   body      1 or 2
  *   capacity  doubles that fit into u; 0 asks for their number
  *   u         [capacity], out, may be NULL; displacement x y z of each node, length
@@ -1818,6 +1856,43 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_stresses_at(
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_displacements(
     const rollcon_contact *contact, int32_t body, int64_t capacity, double *u,
     int64_t *n_values);
+
+/*
+ * Displacements and stresses at any points inside a body of finite or boundary elements under the
+ * tractions of the last solve and the body's own loads, in the body's axes; tension is positive.
+ * Of finite elements as rollcon_body_get_fields_at has them of
+ * rollcon_contact_get_body_displacements. Of boundary elements by Somigliana's identities, as
+ * near to the surface as wanted, and on it: errors there are those of the solution, and largest
+ * where tractions jump. ROLLCON_ERR_UNSUPPORTED: another kind of body (of half-spaces:
+ * rollcon_contact_get_stresses_at); ROLLCON_ERR_ARGUMENT: a point is outside, and by how much of
+ * a surface of boundary elements (a millionth of the element's size beyond its faces is still
+ * inside).
+ *   body          1 or 2
+ *   n             points, >= 0
+ *   xyz           [n][3]; in the body's axes, length
+ *   displacement  [n][3], out; x y z, length; NULL: not wanted
+ *   stress        [n][6], out; s11, s22, s33, s12, s13, s23, force/length^2; NULL: not wanted
+ * Also returns: ROLLCON_ERR_NONFINITE, ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR,
+ *   ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of boundary elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_body_fields_at(
+    const rollcon_contact *contact, int32_t body, int64_t n, const double *xyz,
+    double *displacement, double *stress);
+
+/*
+ * Writes the elements of a body of finite or boundary elements with displacements, smoothed
+ * stresses (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes,
+ * under the tractions of the last solve and the body's own loads, as a VTU file for ParaView and
+ * meshio. Otherwise like rollcon_contact_get_body_fields_at.
+ *   body     1 or 2
+ *   path     name of the file; an existing one is replaced
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_UNSUPPORTED, ROLLCON_ERR_IO,
+ *   ROLLCON_ERR_MEMORY.
+ * Source: docs/theory.md, inside of boundary elements.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_write_body(
+    const rollcon_contact *contact, int32_t body, const char *path);
 
 /*
  * Temperatures of the surfaces of both bodies at any points of the plane of the axes by the
@@ -1876,11 +1951,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_get_equivalent_ellipse(
  * what that step takes off. Material is given to the points by the functions that are 1 at a
  * point and linear to its neighbours: the sum of depth times the point's share of y is the volume
  * exactly. A body that comes by once per revolution has this depth per revolution, and the same
- * law may be asked for each body with its own coefficients. Laws: "archard": rate = i p |s|/V;
- * with i1, i2 and an angle p |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2.
- * "t_gamma": pairs (e, r) of energy density e = |t s|/V, ascending, and rate r (depth per length
- * rolled), linear between, from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does
- * not cover the nodes in contact.
+ * law may be asked for each body with its own coefficients. Half-spaces and rigid bodies in
+ * steady rolling, with all of the contact on the frame, lose what the balance of work says
+ * (statistic friction_power_balance), which misses nothing on coarse frames; others what slip at
+ * nodes takes (friction_power). Laws: "archard": rate = i p |s|/V; with i1, i2 and an angle p
+ * |(i1 s1, i2 s2)|/V, in axes turned by the angle from t1 towards t2. "t_gamma": pairs (e, r) of
+ * energy density e = |t s|/V, ascending, and rate r (depth per length rolled), linear between,
+ * from (0, 0), and beyond the last pair. ROLLCON_ERR_ARGUMENT: y does not cover the nodes in
+ * contact.
  *   law         archard or t_gamma
  *   n           parameters of the law
  *   parameters  [n]; i; i1, i2, angle (length^2/force, radian); e, r, e, r, ... (force/length^2,

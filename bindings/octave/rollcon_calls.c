@@ -258,6 +258,17 @@ static void call_body_load(call *self) {
   finish(self, rc);
 }
 
+static void call_body_copy(call *self) {
+  int32_t rc = 0;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  rollcon_body *copy = NULL;
+  no_more(self);
+  rc = rollcon_body_copy(body, &copy);
+  if (rc < 0) finish(self, rc);
+  give_real(self, rollcon_id_of(copy));
+  finish(self, rc);
+}
+
 static void call_body_set_nodes(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -366,6 +377,21 @@ static void call_body_set_pressure(call *self) {
   const double pressure = take_real(self, "pressure");
   no_more(self);
   rc = rollcon_body_set_pressure(body, tag, pressure);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
+static void call_body_set_node_tractions(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_body *body = rollcon_body_from_id(take_handle(self, "body"));
+  const int32_t tag = take_enumerator(self, "tag", no_names, 0);
+  const int32_t *nodes = take_integers(self, "nodes", &n, 0);
+  int64_t along_rows = 3;
+  const double *along = take_reals(self, "along", &along_rows, 0, 1);
+  const double *tractions = take_reals(self, "tractions", &n, 3, 0);
+  no_more(self);
+  rc = rollcon_body_set_node_tractions(body, tag, n, nodes, 1, along, tractions);
   if (rc < 0) finish(self, rc);
   finish(self, rc);
 }
@@ -1477,6 +1503,35 @@ static void call_contact_get_body_displacements(call *self) {
   finish(self, rc);
 }
 
+static void call_contact_get_body_fields_at(call *self) {
+  int32_t rc = 0;
+  int64_t n = -1;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const double *xyz = take_reals(self, "xyz", &n, 3, 0);
+  double *displacement = NULL;
+  double *stress = NULL;
+  no_more(self);
+  displacement = room(n * (3), sizeof *displacement);
+  stress = room(n * (6), sizeof *stress);
+  rc = rollcon_contact_get_body_fields_at(contact, body, n, xyz, displacement, stress);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, displacement, n, 3);
+  give_reals(self, stress, n, 6);
+  finish(self, rc);
+}
+
+static void call_contact_write_body(call *self) {
+  int32_t rc = 0;
+  rollcon_contact *contact = rollcon_contact_from_id(take_handle(self, "contact"));
+  const int32_t body = take_enumerator(self, "body", no_names, 0);
+  const char *path = take_text(self, "path");
+  no_more(self);
+  rc = rollcon_contact_write_body(contact, body, path);
+  if (rc < 0) finish(self, rc);
+  finish(self, rc);
+}
+
 static void call_contact_get_temperatures_at(call *self) {
   int32_t rc = 0;
   int64_t n = -1;
@@ -2272,6 +2327,7 @@ const entry calls[] = {
   {"body_get_kind", call_body_get_kind, 1},
   {"body_save", call_body_save, 1},
   {"body_load", call_body_load, 1},
+  {"body_copy", call_body_copy, 1},
   {"body_set_nodes", call_body_set_nodes, 1},
   {"body_add_elements", call_body_add_elements, 1},
   {"body_tag_faces", call_body_tag_faces, 1},
@@ -2281,6 +2337,7 @@ const entry calls[] = {
   {"body_set_body_force", call_body_set_body_force, 1},
   {"body_set_rotation", call_body_set_rotation, 1},
   {"body_set_pressure", call_body_set_pressure, 1},
+  {"body_set_node_tractions", call_body_set_node_tractions, 1},
   {"body_set_contact_faces", call_body_set_contact_faces, 1},
   {"body_read_mesh", call_body_read_mesh, 1},
   {"body_tag_group", call_body_tag_group, 1},
@@ -2366,6 +2423,8 @@ const entry calls[] = {
   {"contact_get_displacements_at", call_contact_get_displacements_at, 1},
   {"contact_get_stresses_at", call_contact_get_stresses_at, 2},
   {"contact_get_body_displacements", call_contact_get_body_displacements, 1},
+  {"contact_get_body_fields_at", call_contact_get_body_fields_at, 2},
+  {"contact_write_body", call_contact_write_body, 1},
   {"contact_get_temperatures_at", call_contact_get_temperatures_at, 1},
   {"contact_get_fatigue_index", call_contact_get_fatigue_index, 1},
   {"contact_get_equivalent_ellipse", call_contact_get_equivalent_ellipse, 2},

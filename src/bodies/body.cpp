@@ -37,6 +37,19 @@ Body::Body(std::shared_ptr<Context> context, std::int32_t kind)
   model_->kind = traits_.kind;
 }
 
+std::shared_ptr<Body> Body::copy() const {
+  auto body = std::make_shared<Body>(context_, static_cast<std::int32_t>(traits_.kind));
+  const std::lock_guard lock(mutex_);
+  BodyModel& to = *body->model_;
+  to.material = model_->material;
+  to.mesh = model_->mesh;
+  to.profile = model_->profile;
+  to.contact_material = model_->contact_material;
+  body->options_ = options_;
+  body->group_ = group_;
+  return body;
+}
+
 void Body::set_elastic(std::int32_t tag, double young, double poisson) {
   if (rigid()) fail(Status::err_state, "a rigid body has no elastic constants");
   require_elastic_constants(young, poisson);
@@ -70,10 +83,17 @@ void Body::prepare(SectionReader* saved) {
   if (given().surface.nodes() > 0) {
     const int threads = context_->threads();
     EqualBodies& bodies = context_->bodies([] { return std::make_shared<EqualBodies>(); });
-    const auto make = [&](BodyModel& model) { prepare_model(model, threads, saved); };
+    const auto make = [&](BodyModel& model) {
+      if (saved || !traits_.make_response) return prepare_model(model, threads, {saved, nullptr});
+      bodies.share_equations(model_, [&](BodyModel& own, std::shared_ptr<BodyModel> known) {
+        shared_equations_ = known != nullptr;
+        prepare_model(own, threads, {nullptr, std::move(known)});
+      });
+    };
     const auto serves = [&](const BodyModel& known) { return !saved || serves_for(known, *saved); };
     std::shared_ptr<BodyModel> model = bodies.share(model_, make, serves);
     shared_ = model != model_;
+    shared_equations_ = shared_equations_ && !shared_;
     model_ = std::move(model);
     if (shared_ && saved && response()) response()->add_kept(*saved);
   } else if (model_->profile.curve) {
@@ -90,6 +110,9 @@ void Body::log_preparation() const {
   const auto unknowns = static_cast<long long>(s.unknowns);
   if (shared_)
     context_->log(LogLevel::info, "%s body: %lld unknowns, equal to a body of this context: nothing assembled", model,
+                  unknowns);
+  else if (shared_equations_)
+    context_->log(LogLevel::info, "%s body: %lld unknowns, those of a body of this context under other loads", model,
                   unknowns);
   else if (loaded())
     context_->log(LogLevel::info, "%s body: %lld unknowns, from a file: nothing assembled", model, unknowns);

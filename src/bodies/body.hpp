@@ -53,6 +53,9 @@ class Body {
                    const double* value);
   void set_traction(std::int32_t tag, const double* traction);
   void set_pressure(std::int32_t tag, double pressure);
+  /// By node, in the body's axes; along not null: see FaceLoad.
+  void set_node_tractions(std::int32_t tag, std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                          const double* along, const double* traction);
   // On the finite elements with a tag: force per volume, and that of a rotation with this vector about an axis through
   // origin.
   void set_body_force(std::int32_t tag, const double* force);
@@ -93,6 +96,8 @@ class Body {
   void save(const std::string& path);
   /// A prepared body from such a file; nothing is assembled or factorised. err_io, err_unsupported.
   static std::shared_ptr<Body> load(std::shared_ptr<Context> context, const std::string& path);
+  /// Another body of this context that was given the same, not prepared.
+  std::shared_ptr<Body> copy() const;
 
   BodyKind kind() const { return traits_.kind; }
   const BodyTraits& traits() const { return traits_; }
@@ -158,6 +163,7 @@ class Body {
   mutable std::mutex mutex_;  ///< of everything below until prepared
   std::atomic<bool> prepared_{false};
   bool shared_ = false, loaded_ = false;
+  bool shared_equations_ = false;     ///< of a body under other loads
   std::shared_ptr<BodyModel> model_;  ///< its own until prepared
   BodyOptions options_;
   std::vector<BodyGroup> group_;  ///< of the file that the mesh came from

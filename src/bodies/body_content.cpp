@@ -162,6 +162,20 @@ void profile_content(Archive& ar, Profile& profile) {
   }
 }
 
+bool has_node_loads(const BodyMesh& mesh) {
+  return std::any_of(mesh.load.begin(), mesh.load.end(), [](const FaceLoad& load) { return !load.node.empty(); });
+}
+
+/// Tractions by node, one entry for each load; a section of its own.
+template <class Archive, class Mesh>
+void node_loads(Archive& ar, Mesh& mesh) {
+  for (auto& load : mesh.load) {
+    ar(load.node);
+    ar(load.of_node);
+    ar(load.along);
+  }
+}
+
 template <class Type>
 std::vector<std::int64_t> offsets(const std::vector<Type>& types, const std::vector<std::int32_t>& tags,
                                   const std::vector<std::int32_t>& connectivity) {
@@ -232,6 +246,10 @@ void check_mesh(BodyModel& model) {
   for (const FaceLoad& load : mesh.load) {
     require_all_finite({load.traction});
     require(std::isfinite(load.pressure), "a number is not finite");
+    require(load.node.size() == load.of_node.size(), "counts of nodes and tractions do not match");
+    require_ids(load.node, nodes);
+    require_all_finite(load.of_node);
+    require_all_finite({load.along});
   }
   for (const BodyForce& load : mesh.body_force) {
     require_all_finite({load.force, load.origin, load.rate});
@@ -258,7 +276,21 @@ ContentDigest digest_of(const BodyModel& model) {
   content(ar, model);
   if (model.profile.curve) profile_content(ar, model.profile);
   if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
+  if (has_node_loads(model.mesh)) node_loads(ar, model.mesh);
   return digest.value();
+}
+
+ContentDigest digest_without_loads(const BodyModel& model) {
+  BodyModel bare;
+  bare.kind = model.kind;
+  bare.material = model.material;
+  bare.mesh = model.mesh;
+  bare.profile = model.profile;
+  bare.options = model.options;
+  bare.mesh.load.clear();
+  bare.mesh.body_force.clear();
+  bare.mesh.held_value.assign(bare.mesh.held.size(), Vec3{0, 0, 0});
+  return digest_of(bare);
 }
 
 void write_content(const BodyModel& model, SectionWriter& file) {
@@ -267,6 +299,9 @@ void write_content(const BodyModel& model, SectionWriter& file) {
   content(ar, model);
   if (model.profile.curve) profile_content(ar, model.profile);
   if (!model.mesh.body_force.empty()) body_forces(ar, model.mesh);
+  if (!has_node_loads(model.mesh)) return;
+  file.begin("by node");
+  node_loads(ar, model.mesh);
 }
 
 void read_content(SectionReader& file, BodyModel& model) {
@@ -281,6 +316,11 @@ void read_content(SectionReader& file, BodyModel& model) {
         profile_content(ar, model.profile);
     }
     file.end();
+    if (file.has("by node")) {
+      file.begin("by node");
+      node_loads(ar, model.mesh);
+      file.end();
+    }
     check_materials(model);
     check_mesh(model);
   } catch (const Error& e) {

@@ -9,6 +9,7 @@
 #include "bodies/body.hpp"
 #include "bodies/body_options.hpp"
 #include "mesh/mesh_inputs.hpp"
+#include "mesh/surface_geometry.hpp"
 #include "mesh/volume_shape.hpp"
 #include "support/input_checks.hpp"
 
@@ -262,6 +263,37 @@ void Body::set_pressure(std::int32_t tag, double pressure) {
   require_unprepared("loads are");
   require_tag(tag, "tag");
   load_of(given().load, tag).pressure = pressure;
+}
+
+void Body::set_node_tractions(std::int32_t tag, std::int64_t n, const std::int32_t* node, std::int32_t index_base,
+                              const double* along, const double* traction) {
+  require_elastic_mesh_kind(traits_, "tractions");
+  const std::lock_guard lock(mutex_);
+  require_unprepared("loads are");
+  require_node_ids(n, node, index_base, given().surface.nodes(), "tractions");
+  require_tag(tag, "tag");
+  if (along) require_moderate(along, "along");
+  if (n > 0) require_pointer(traction, "tractions");
+  for (std::int64_t i = 0; i < 3 * n; ++i) {
+    const auto entry = static_cast<long long>(i / 3) + index_base;
+    if (!std::isfinite(traction[i]))
+      fail(Status::err_nonfinite, "component %lld of entry %lld of tractions (counting from %d) is %g",
+           static_cast<long long>(i % 3), entry, index_base, traction[i]);
+    if (std::abs(traction[i]) > most_given)
+      fail(Status::err_argument,
+           "component %lld of entry %lld of tractions (counting from %d) is %g; allowed: -%g to %g",
+           static_cast<long long>(i % 3), entry, index_base, traction[i], most_given, most_given);
+  }
+  FaceLoad& load = load_of(given().load, tag);
+  load.node.clear();
+  load.of_node.clear();
+  for (std::int64_t i = 0; i < n; ++i) {
+    load.node.push_back(node[i] - index_base);
+    load.of_node.push_back({traction[3 * i], traction[3 * i + 1], traction[3 * i + 2]});
+  }
+  load.along = Vec3{0, 0, 0};
+  if (along && (along[0] != 0 || along[1] != 0 || along[2] != 0))
+    load.along = normalized({along[0], along[1], along[2]});
 }
 
 void Body::set_body_force(std::int32_t tag, const double* force) {

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "bodies/body_model.hpp"
+#include "bodies/load_case.hpp"
 #include "bodies/model/supports.hpp"
+#include "mesh/shape.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
@@ -31,6 +33,33 @@ void require_tagged_faces(const BodyMesh& mesh) {
   for (const std::int32_t tag : mesh.contact_tag) require(tag, "rollcon_body_set_contact_faces");
 }
 
+// Tractions by node act on faces of their tag, and the direction that they are told along has a part in each.
+void require_node_tractions(const BodyMesh& mesh) {
+  constexpr double least = 1e-6;
+  const SurfaceMesh& surface = mesh.surface;
+  for (const FaceLoad& load : mesh.load) {
+    if (load.node.empty()) continue;
+    std::vector<std::uint8_t> there(surface.node.size(), 0);
+    for (std::int64_t e = 0; e < surface.elements(); ++e) {
+      if (surface.tag[static_cast<std::size_t>(e)] != load.tag) continue;
+      const auto at_nodes = reference_nodes(surface.type[static_cast<std::size_t>(e)]);
+      for (std::size_t k = 0; k < surface.element(e).size(); ++k) {
+        there[static_cast<std::size_t>(surface.element(e)[k])] = 1;
+        if (load.along != Vec3{0, 0, 0} &&
+            length(cross(load.along, unit_normal(surface, e, at_nodes[k].xi, at_nodes[k].eta))) < least)
+          fail(Status::err_mesh,
+               "tractions by node on faces with tag %d are told along a direction that is normal to %s: give its faces "
+               "a tag of their own and another direction",
+               load.tag, face_name(mesh, e).c_str());
+      }
+    }
+    for (const std::int32_t node : load.node)
+      if (there[static_cast<std::size_t>(node)] == 0)
+        fail(Status::err_mesh, "node %d (counting from %d) has a traction for tag %d, but is on no face with that tag",
+             node + surface.index_base, surface.index_base, load.tag);
+  }
+}
+
 // The half-space field between nodes, and first guesses, need one material.
 void choose_contact_material(BodyModel& model) {
   const BodyMesh& mesh = model.mesh;
@@ -48,7 +77,7 @@ void choose_contact_material(BodyModel& model) {
 
 }  // namespace
 
-void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
+void prepare_model(BodyModel& model, int threads, const EquationSource& from) {
   BodyMesh& mesh = model.mesh;
   const BodyTraits& traits = model.traits();
   if (traits.volume) {
@@ -58,6 +87,7 @@ void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
   }
   if (mesh.surface.elements() == 0) return;
   check_surface(mesh.surface, traits.surface);
+  require_node_tractions(mesh);
 
   // Held faces and free ones with the same tag carry tractions of their own.
   SurfaceMesh parts = mesh.surface;
@@ -76,7 +106,8 @@ void prepare_model(BodyModel& model, int threads, SectionReader* saved) {
   require_supports(mesh);
   model.thin = thinness(mesh, traits.thin_linear, traits.thin_quadratic);
   if (traits.volume) choose_contact_material(model);
-  model.response = traits.make_response(model, threads, saved);
+  model.response = from.unlike_loads ? make_load_case(from.unlike_loads, mesh, threads)
+                                     : traits.make_response(model, threads, from.saved);
 }
 
 }  // namespace rollcon

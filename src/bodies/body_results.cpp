@@ -75,7 +75,7 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u) {
     fail(Status::err_capacity, "capacity is %lld nodes; needed: %lld", static_cast<long long>(capacity),
          static_cast<long long>(nodes));
   std::span<const double> own;
-  if (body.response()) own = body.response()->own_displacement();
+  if (body.response()) own = body.response()->own().displacement;
   if (own.empty())
     std::fill_n(u, 3 * nodes, 0.0);
   else
@@ -85,7 +85,7 @@ void body_displacements(const Body& body, std::int64_t capacity, double* u) {
 void body_reaction(const Body& body, Vec3& force, Vec3& moment) {
   require_prepared_mesh(body);
   Resultant r;
-  if (body.response()) r = body.response()->support_reaction();
+  if (body.response()) r = body.response()->own().reaction;
   force = r.force;
   moment = r.moment;
 }

@@ -2,6 +2,7 @@
 /// What a prepared body can tell: statics under its own loads and supports, without any contact.
 
 #include <cstdint>
+#include <vector>
 
 #include "bodies/body.hpp"
 
@@ -21,9 +22,10 @@ struct NodalDisplacements {
   const double* u = nullptr;
 };
 
-// Of finite-element bodies under such displacements; 11, 22, 33, 12, 13, 23 in the body's axes. err_unsupported:
-// another kind; err_state: not prepared; err_argument: not as many nodes as the body has, or stresses overflow;
-// err_nonfinite.
+// Of finite-element bodies under such displacements, and of boundary-element bodies under their own loads alone; 11,
+// 22, 33, 12, 13, 23 in the body's axes. err_unsupported: another kind, or displacements of boundary elements, from
+// which no stresses follow; err_state: not prepared; err_argument: not as many nodes as the body has, or stresses
+// overflow; err_nonfinite.
 
 /// Smoothed, stress[6 * node + c]; see BodyInterior.
 void body_node_stresses(const Body& body, const NodalDisplacements& given, double* stress);
@@ -34,7 +36,14 @@ void body_point_stresses(const Body& body, const NodalDisplacements& given, doub
 void body_fields_at(const Body& body, const NodalDisplacements& given, std::int64_t n, const double* xyz,
                     double* displacement, double* stress);
 
-/// Volume elements with displacements, smoothed stresses and von Mises's stress at the nodes, as a VTU file. err_io.
+// The same under tractions of a contact (Compliance::everywhere) and the body's own loads.
+
+std::vector<double> body_displacements(const Body& body, SurfaceState state);
+void body_fields_at(const Body& body, SurfaceState state, std::int64_t n, const double* xyz, double* displacement,
+                    double* stress);
+void write_body(const Body& body, SurfaceState state, const char* path);
+
+/// Elements with displacements, smoothed stresses and von Mises's stress at the nodes, as a VTU file. err_io.
 void write_body(const Body& body, const NodalDisplacements& given, const char* path);
 
 /// A number about the prepared body by name; 0 for bodies without equations. err_option: unknown name.

@@ -1,6 +1,7 @@
 #pragma once
 /// The prepared bodies of a context by their content: of several equal ones, one is assembled, factorised and kept.
-/// (Poses do not count: they are the contacts'.) A body that nobody holds any more is forgotten.
+/// (Poses do not count: they are the contacts'.) Bodies that differ in their loads alone have the equations of the
+/// first. A body that nobody holds any more is forgotten.
 
 #include <functional>
 #include <map>
@@ -19,16 +20,21 @@ class EqualBodies {
   std::shared_ptr<BodyModel> share(
       std::shared_ptr<BodyModel> model, const std::function<void(BodyModel&)>& make,
       const std::function<bool(const BodyModel&)>& serves = [](const BodyModel&) { return true; });
+  /// Calls make with a prepared body that differs in its loads at most, or with null, after which this one is such a
+  /// body to others. Threads wait as above.
+  void share_equations(const std::shared_ptr<BodyModel>& model,
+                       const std::function<void(BodyModel&, std::shared_ptr<BodyModel>)>& make);
 
  private:
   struct Slot {
     std::mutex turn;
     std::weak_ptr<BodyModel> model;
   };
-  std::shared_ptr<Slot> slot_of(const BodyModel& model);
+  using Slots = std::map<ContentDigest, std::shared_ptr<Slot>>;
+  std::shared_ptr<Slot> slot_of(const ContentDigest& digest, Slots& slots);
 
   std::mutex mutex_;
-  std::map<ContentDigest, std::shared_ptr<Slot>> slot_;
+  Slots slot_, equations_;
   std::size_t clean_at_ = 16;
 };
 

@@ -183,7 +183,7 @@ void MeshedCompliance::apply(Points points, const double* traction, double* disp
 }
 
 bool MeshedCompliance::offset(Points points, double* u) const {
-  const std::span<const double> own = body_.response()->own_displacement();
+  const std::span<const double> own = body_.response()->own().displacement;
   if (own.empty()) return false;
   const SurfaceMesh& mesh = body_.mesh().surface;
   const double sign = which_ == 0 ? 1 : -1;  // u1 - u2

@@ -28,7 +28,7 @@ class MeshedCompliance final : public Compliance {
   void block(Points points, const ComplianceBlock& out) const override;
   void apply(Points points, const double* traction, double* displacement) const override;
   bool offset(Points points, double* u) const override;
-  bool everywhere(const double* traction, double* u) const override;
+  bool everywhere(const double* traction, SurfaceState& state) const override;
   bool expand(Points points, ExpandedCompliance& out) const override;
   std::string description() const override;
   bool resolves_frame() const override;
@@ -119,6 +119,8 @@ class MeshedCompliance final : public Compliance {
   Between between(bool beyond) const;
   void require_halfspace_on_zone() const;
   SparseMatrix local_loads() const;
+  /// Adds tractions in the body's axes, by column of the loads, to a state of boundary elements.
+  void add_tractions(const std::vector<Vec3>& on_body, SurfaceState& state) const;
   SparseMatrix local_displacements(Points points) const;
   /// As asked for; and on a boundary-element body's own faces where it is thin: a half-space between their nodes would
   /// be far softer than the body.

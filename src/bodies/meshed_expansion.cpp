@@ -1,6 +1,7 @@
 /// A meshed body's compliance with the body's unknowns written out.
 
 #include <algorithm>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -61,17 +62,42 @@ void MeshedCompliance::subtract_interpolated(const Others& group, RowMatrix<doub
     }
 }
 
-bool MeshedCompliance::everywhere(const double* traction, double* u) const {
+bool MeshedCompliance::everywhere(const double* traction, SurfaceState& state) const {
   SurfaceResponse& body = *body_.response();
-  if (!body.interior()) return false;
   if (!loads_) loads_ = body.loads(on_body_, threads_);
-  const SparseMatrix load = local_loads();
-  std::vector<double> b(at(load.rows), 0.0);
   const double sign = which_ == 0 ? 1 : -1;  // the second body has the opposite tractions
-  for (std::int64_t k = 0; k < load.columns; ++k)
-    for (std::int64_t i = load.start[at(k)]; i < load.start[at(k) + 1]; ++i)
-      b[at(load.row[at(i)])] += sign * traction[k] * load.value[at(i)];
-  return body.solve_everywhere(b, u, threads_);
+  const std::vector<std::int64_t> column = columns(*loads_);
+  std::vector<Vec3> on_body(loads_->column.size(), Vec3{0, 0, 0});
+  for (std::size_t k = 0; k < column.size(); ++k) {
+    if (column[k] < 0) continue;
+    const LocalAxes local = local_axes(frame_.x[k], frame_.y[k]);
+    for (std::size_t i = 0; i < 3; ++i)
+      on_body[at(column[k])] = on_body[at(column[k])] + sign * traction[3 * k + i] * local[i];
+  }
+  const SparseMatrix& load = loads_->load;
+  std::vector<double> b(at(load.rows), 0.0);
+  for (std::size_t k = 0; k < 3 * on_body.size(); ++k)
+    for (std::int64_t i = load.start[k]; i < load.start[k + 1]; ++i)
+      b[at(load.row[at(i)])] += on_body[k / 3][k % 3] * load.value[at(i)];
+  body.solve_everywhere(b, state, threads_);
+  if (!state.traction.empty()) add_tractions(on_body, state);
+  return true;
+}
+
+void MeshedCompliance::add_tractions(const std::vector<Vec3>& on_body, SurfaceState& state) const {
+  if (!on_body_.of_faces()) {
+    state.layer = on_body_.layer;
+    for (const Vec3& t : on_body) state.layer_traction.insert(state.layer_traction.end(), t.begin(), t.end());
+    return;
+  }
+  const SurfaceMesh& surface = body_.mesh().surface;
+  std::map<std::int32_t, std::size_t> column_of_node;
+  for (std::size_t k = 0; k < on_body.size(); ++k) column_of_node[loads_->column[k]] = k;
+  for (const std::int64_t e : on_body_.face)
+    for (std::int64_t k = surface.offset[at(e)]; k < surface.offset[at(e) + 1]; ++k) {
+      const Vec3& t = on_body[column_of_node.at(surface.connectivity[at(k)])];
+      for (std::size_t c = 0; c < 3; ++c) state.traction[3 * at(k) + c] += t[c];
+    }
 }
 
 bool MeshedCompliance::expand(Points points, ExpandedCompliance& out) const {

@@ -48,6 +48,14 @@ rollcon_status rollcon_body_load(rollcon_context* context, const char* path, rol
   });
 }
 
+rollcon_status rollcon_body_copy(const rollcon_body* body, rollcon_body** copy) {
+  if (copy) *copy = nullptr;
+  return with_object(__func__, Kind::body, body, [&](Object& from) {
+    require_pointer(copy, "copy");
+    *copy = handle_of(from.context, from.body->copy());
+  });
+}
+
 rollcon_status rollcon_body_retain(rollcon_body* body) {
   return retain(__func__, Kind::body, body);
 }

@@ -148,6 +148,26 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact* con
   });
 }
 
+rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact* contact, int32_t body, int64_t n,
+                                                  const double* xyz, double* displacement, double* stress) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(body);
+    require_points(n, 6);
+    if (n > 0) require_pointer(xyz, "xyz");
+    require_finite_points(n, xyz, 3, "xyz");
+    c.body_fields_at(body, n, xyz, displacement, stress);
+  });
+}
+
+rollcon_status rollcon_contact_write_body(const rollcon_contact* contact, int32_t body, const char* path) {
+  return with_contact(__func__, contact, [&](const Contact& c) {
+    require_body_number(body);
+    require_pointer(path, "path");
+    if (*path == '\0') fail(Status::err_argument, "path is empty");
+    c.write_body(body, path);
+  });
+}
+
 rollcon_status rollcon_contact_get_temperatures_at(const rollcon_contact* contact, int64_t n, const double* xy,
                                                    double* temperature) {
   return with_contact(__func__, contact, [&](const Contact& c) {

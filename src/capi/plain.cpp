@@ -87,6 +87,13 @@ rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double
   });
 }
 
+rollcon_status rollcon_body_set_node_tractions(rollcon_body *body, int32_t tag, int64_t n,
+    const int32_t *nodes, int32_t index_base, const double *along, const double *tractions) {
+  return with_body(__func__, body, [&](Body& self) {
+    self.set_node_tractions(tag, n, nodes, index_base, along, tractions);
+  });
+}
+
 rollcon_status rollcon_body_set_contact_faces(rollcon_body *body, int64_t n, const int32_t *tags) {
   return with_body(__func__, body, [&](Body& self) {
     self.set_contact_faces(n, tags);

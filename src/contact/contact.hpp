@@ -145,9 +145,15 @@ class Contact {
   /// Inside body 1 or 2, a half-space, at points (t1, t2, n): six stresses and three displacements a point; either may
   /// be null. See rollcon_contact_get_stresses_at.
   void stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const;
-  /// Displacements of all nodes of body 1 or 2, of finite elements, in its axes: under the contact's tractions and the
-  /// body's own loads. err_unsupported: another kind. Returns how many numbers they are; null: no more than that.
+  // Of body 1 or 2, of finite or boundary elements, in its axes: under the contact's tractions and the body's own
+  // loads. err_unsupported: another kind.
+
+  /// Displacements of all nodes. Returns how many numbers they are; null: no more than that.
   std::int64_t body_displacements(std::int32_t body, double* u) const;
+  /// Three displacements and six stresses at each point; either may be null. err_argument: a point is outside.
+  void body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const;
+  /// Its elements and fields as a VTU file. err_io.
+  void write_body(std::int32_t body, const char* path) const;
   /// See add_wear, after which it is named.
   double wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const;
   /// Least and greatest t2 of nodes in contact; the first above the second where there is none.
@@ -173,6 +179,7 @@ class Contact {
   void write(const char* path) const;  ///< VTU; err_io
 
  private:
+  SurfaceState surface_state(std::int32_t body) const;
   Status solve_scene();
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host);
   const Rates& rates(Parameter parameter) const;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "bodies/body_results.hpp"
 #include "contact/contact.hpp"
 #include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/extrapolation.hpp"
@@ -246,22 +247,44 @@ void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* 
     for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
 }
 
-std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
+namespace {
+
+void require_elements(const Body& body, std::int32_t number) {
+  if (body.kind() == BodyKind::fem || body.kind() == BodyKind::bem) return;
+  fail(Status::err_unsupported,
+       "body %d is a %s body: displacements of all nodes and fields inside are those of finite and boundary elements "
+       "(of half-spaces: rollcon_contact_get_stresses_at)",
+       number, body.traits().name);
+}
+
+}  // namespace
+
+SurfaceState Contact::surface_state(std::int32_t body) const {
   SolverState& s = *state_;
   require_solution(s, scene);
   const Body& which = body == 1 ? *body1_ : *body2_;
-  if (which.kind() != BodyKind::fem)
-    fail(Status::err_unsupported, "body %d is a %s body: displacements of all nodes are those of finite elements", body,
-         which.traits().name);
-  const std::int64_t count = 3 * which.mesh().surface.nodes();
-  if (!u) return count;
-  const Compliance& compliance = compliance_of(s, body, context_->threads());
-  std::vector<double> moved(static_cast<std::size_t>(count));
-  compliance.everywhere(tractions_by_node(s).data(), moved.data());
-  const std::span<const double> own = which.response()->own_displacement();
-  for (std::size_t k = 0; k < own.size(); ++k) moved[k] += own[k];
+  require_elements(which, body);
+  SurfaceState state;
+  compliance_of(s, body, context_->threads()).everywhere(tractions_by_node(s).data(), state);
+  return state;
+}
+
+std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
+  require_solution(*state_, scene);
+  const Body& which = body == 1 ? *body1_ : *body2_;
+  require_elements(which, body);
+  if (!u) return 3 * which.mesh().surface.nodes();
+  const std::vector<double> moved = rollcon::body_displacements(which, surface_state(body));
   std::copy(moved.begin(), moved.end(), u);
-  return count;
+  return std::ssize(moved);
+}
+
+void Contact::body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const {
+  rollcon::body_fields_at(body == 1 ? *body1_ : *body2_, surface_state(body), n, xyz, u, stress);
+}
+
+void Contact::write_body(std::int32_t body, const char* path) const {
+  rollcon::write_body(body == 1 ? *body1_ : *body2_, surface_state(body), path);
 }
 
 void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {

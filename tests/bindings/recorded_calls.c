@@ -29,6 +29,7 @@ const char* const recorded_names[] = {
   "body_get_kind",
   "body_save",
   "body_load",
+  "body_copy",
   "body_set_nodes",
   "body_add_elements",
   "body_tag_faces",
@@ -38,6 +39,7 @@ const char* const recorded_names[] = {
   "body_set_body_force",
   "body_set_rotation",
   "body_set_pressure",
+  "body_set_node_tractions",
   "body_set_contact_faces",
   "body_read_mesh",
   "body_tag_group",
@@ -127,6 +129,8 @@ const char* const recorded_names[] = {
   "contact_get_displacements_at",
   "contact_get_stresses_at",
   "contact_get_body_displacements",
+  "contact_get_body_fields_at",
+  "contact_write_body",
   "contact_get_temperatures_at",
   "contact_get_fatigue_index",
   "contact_get_equivalent_ellipse",
@@ -199,7 +203,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 192;
+const int recorded_number = 196;
 
 enum {
   recorded_rollcon_version,
@@ -226,6 +230,7 @@ enum {
   recorded_rollcon_body_get_kind,
   recorded_rollcon_body_save,
   recorded_rollcon_body_load,
+  recorded_rollcon_body_copy,
   recorded_rollcon_body_set_nodes,
   recorded_rollcon_body_add_elements,
   recorded_rollcon_body_tag_faces,
@@ -235,6 +240,7 @@ enum {
   recorded_rollcon_body_set_body_force,
   recorded_rollcon_body_set_rotation,
   recorded_rollcon_body_set_pressure,
+  recorded_rollcon_body_set_node_tractions,
   recorded_rollcon_body_set_contact_faces,
   recorded_rollcon_body_read_mesh,
   recorded_rollcon_body_tag_group,
@@ -324,6 +330,8 @@ enum {
   recorded_rollcon_contact_get_displacements_at,
   recorded_rollcon_contact_get_stresses_at,
   recorded_rollcon_contact_get_body_displacements,
+  recorded_rollcon_contact_get_body_fields_at,
+  recorded_rollcon_contact_write_body,
   recorded_rollcon_contact_get_temperatures_at,
   recorded_rollcon_contact_get_fatigue_index,
   recorded_rollcon_contact_get_equivalent_ellipse,
@@ -555,6 +563,14 @@ rollcon_status rollcon_body_load(rollcon_context *context, const char *path, rol
   return record_end();
 }
 
+rollcon_status rollcon_body_copy(const rollcon_body *body, rollcon_body **copy) {
+  record_begin(recorded_rollcon_body_copy);
+  record_handle(body);
+  record_room(copy);
+  if (copy) *copy = (rollcon_body*)give_handle(2);
+  return record_end();
+}
+
 rollcon_status rollcon_body_set_nodes(rollcon_body *body, int64_t n, const double *x,
     int64_t node_stride, int64_t component_stride) {
   record_begin(recorded_rollcon_body_set_nodes);
@@ -643,6 +659,19 @@ rollcon_status rollcon_body_set_pressure(rollcon_body *body, int32_t tag, double
   record_handle(body);
   record_integer(tag);
   record_real(pressure);
+  return record_end();
+}
+
+rollcon_status rollcon_body_set_node_tractions(rollcon_body *body, int32_t tag, int64_t n,
+    const int32_t *nodes, int32_t index_base, const double *along, const double *tractions) {
+  record_begin(recorded_rollcon_body_set_node_tractions);
+  record_handle(body);
+  record_integer(tag);
+  record_integer(n);
+  record_integers(nodes, n);
+  record_integer(index_base);
+  record_reals(along, 3);
+  record_reals(tractions, n * 3);
   return record_end();
 }
 
@@ -1536,6 +1565,29 @@ rollcon_status rollcon_contact_get_body_displacements(const rollcon_contact *con
   record_room(n_values);
   give_reals(u, capacity, 3);
   give_count(n_values, RECORD_VALUES);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_get_body_fields_at(const rollcon_contact *contact, int32_t body,
+    int64_t n, const double *xyz, double *displacement, double *stress) {
+  record_begin(recorded_rollcon_contact_get_body_fields_at);
+  record_handle(contact);
+  record_integer(body);
+  record_integer(n);
+  record_reals(xyz, n * 3);
+  record_room(displacement);
+  record_room(stress);
+  give_reals(displacement, n * 3, 4);
+  give_reals(stress, n * 6, 5);
+  return record_end();
+}
+
+rollcon_status rollcon_contact_write_body(const rollcon_contact *contact, int32_t body,
+    const char *path) {
+  record_begin(recorded_rollcon_contact_write_body);
+  record_handle(contact);
+  record_integer(body);
+  record_text(path);
   return record_end();
 }
 

@@ -16,8 +16,9 @@ class Counted final : public ResponseCache {
  public:
   Counted(const SurfaceMesh& surface, std::int64_t most_bytes) : ResponseCache(surface, most_bytes) {}
   std::shared_ptr<const BodyEquations> equations(int /*threads*/) override { return nullptr; }
-  std::span<const double> own_displacement() const override { return {}; }
-  Resultant support_reaction() const override { return {}; }
+  const OwnLoads& own() const override { return none_; }
+  OwnLoads solve_loads(const BodyMesh& /*loaded*/, int /*threads*/) override { return {}; }
+  void solve_everywhere(std::span<double> /*load*/, SurfaceState& /*state*/, int /*threads*/) override {}
   BodyStatistics statistics() const override {
     const std::lock_guard lock(mutex_);
     BodyStatistics s;
@@ -27,7 +28,7 @@ class Counted final : public ResponseCache {
     return s;
   }
   std::int64_t solvable() const override { return 0; }
-  void save(SectionWriter& file) const override { save_kept(file); }
+  void save(SectionWriter& file, const OwnLoads& /*own*/) const override { save_kept(file); }
 
  private:
   void respond(const LoadedSurface& on, SurfaceRows& rows, int /*threads*/) override {
@@ -41,6 +42,7 @@ class Counted final : public ResponseCache {
   }
 
   std::int64_t asked = 0;
+  OwnLoads none_;
 };
 
 class Cache : public ::testing::Test {

@@ -1,6 +1,9 @@
 #pragma once
 /// A block of serendipity hexahedra for tests of fields and loads.
 
+#include <map>
+#include <set>
+
 #include "fixture.hpp"
 
 namespace capi_test {
@@ -38,6 +41,36 @@ struct Block20 {
       for (int j = 0; j < nx; j += 2)
         for (int i = 0; i < nx; i += 2)
           for (const auto& c : at) connectivity.push_back(id[key(i + c[0], j + c[1], k + c[2])]);
+  }
+  std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
+};
+
+/// The surface of such a block in serendipity quadrilaterals.
+struct Surface8 {
+  std::vector<double> x;
+  std::vector<std::int32_t> connectivity, rim, top;
+
+  explicit Surface8(const Block20& block) {
+    constexpr int side[6][8] = {{0, 3, 2, 1, 11, 10, 9, 8},   {4, 5, 6, 7, 12, 13, 14, 15},
+                                {0, 1, 5, 4, 8, 17, 12, 16},  {1, 2, 6, 5, 9, 18, 13, 17},
+                                {2, 3, 7, 6, 10, 19, 14, 18}, {3, 0, 4, 7, 11, 16, 15, 19}};
+    std::map<std::set<std::int32_t>, std::vector<std::int32_t>> once;
+    for (std::size_t e = 0; e < block.connectivity.size(); e += 20)
+      for (const auto& face : side) {
+        std::vector<std::int32_t> nodes;
+        for (const int k : face) nodes.push_back(block.connectivity[e + static_cast<std::size_t>(k)]);
+        const std::set<std::int32_t> key(nodes.begin(), nodes.end());
+        if (!once.try_emplace(key, nodes).second) once.erase(key);
+      }
+    std::map<std::int32_t, std::int32_t> number;
+    for (const auto& [key, nodes] : once)
+      for (const std::int32_t k : nodes) {
+        if (number.try_emplace(k, static_cast<std::int32_t>(number.size())).second)
+          x.insert(x.end(), block.x.begin() + 3 * k, block.x.begin() + 3 * k + 3);
+        connectivity.push_back(number[k]);
+      }
+    for (const std::int32_t k : block.rim) rim.push_back(number.at(k));
+    for (const std::int32_t k : block.top) top.push_back(number.at(k));
   }
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
 };

@@ -65,6 +65,8 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_get_kind(object, &a.kind));
   check("rollcon_body_save", false,
         rollcon_body_save(object, "never_written"));
+  check("rollcon_body_copy", false,
+        rollcon_body_copy(object, &a.body));
   check("rollcon_body_set_nodes", false,
         rollcon_body_set_nodes(object, 1, a.reals, 1, 1));
   check("rollcon_body_add_elements", false,
@@ -83,6 +85,8 @@ void with_each_body_call(const void* handle, Check&& check) {
         rollcon_body_set_rotation(object, 1, 1, a.reals, a.reals));
   check("rollcon_body_set_pressure", false,
         rollcon_body_set_pressure(object, 1, 1));
+  check("rollcon_body_set_node_tractions", false,
+        rollcon_body_set_node_tractions(object, 1, 1, a.integers, 1, a.reals, a.reals));
   check("rollcon_body_set_contact_faces", false,
         rollcon_body_set_contact_faces(object, 1, a.integers));
   check("rollcon_body_read_mesh", false,
@@ -243,6 +247,10 @@ void with_each_contact_call(const void* handle, Check&& check) {
         rollcon_contact_get_stresses_at(object, 1, 1, a.reals, a.out, a.out));
   check("rollcon_contact_get_body_displacements", false,
         rollcon_contact_get_body_displacements(object, 1, 1, a.out, &a.n));
+  check("rollcon_contact_get_body_fields_at", false,
+        rollcon_contact_get_body_fields_at(object, 1, 1, a.reals, a.out, a.out));
+  check("rollcon_contact_write_body", false,
+        rollcon_contact_write_body(object, 1, "never_written"));
   check("rollcon_contact_get_temperatures_at", false,
         rollcon_contact_get_temperatures_at(object, 1, a.reals, a.out));
   check("rollcon_contact_get_fatigue_index", false,

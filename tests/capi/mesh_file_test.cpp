@@ -10,7 +10,7 @@ using namespace capi_test;
 namespace {
 
 std::string from_gmsh(const std::string& name) {
-  return std::string(ROLLCON_TEST_DATA) + "/meshes/" + name;
+  return ROLLCON_TEST_DATA "/meshes/" + name;
 }
 
 }  // namespace

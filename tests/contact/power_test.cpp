@@ -83,8 +83,8 @@ TEST(power, does_not_depend_on_the_kind_of_element) {
     pair.contact->scene.set_creep(1e-3, 0, 0);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const double balance = pair.contact->stat("friction_power_balance") / limit - 1;
-    std::printf("%d: %+.3f (bound 0.15)\n", static_cast<int>(type), balance);
-    EXPECT_LT(std::abs(balance), 0.15);
+    std::printf("%d: %+.3f (bound 0.25)\n", static_cast<int>(type), balance);
+    EXPECT_LT(std::abs(balance), 0.25);
   }
 }
 

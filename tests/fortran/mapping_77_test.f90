@@ -15,6 +15,7 @@ program mapping_77_test
   call test_rckind()
   call test_rcbsav()
   call test_rcblod()
+  call test_rcbcpy()
   call test_rcbnod()
   call test_rcbndt()
   call test_rcbelm()
@@ -26,6 +27,7 @@ program mapping_77_test
   call test_rcbfor()
   call test_rcbrot()
   call test_rcbprs()
+  call test_rcbtrn()
   call test_rcbfac()
   call test_rcbmsh()
   call test_rcbtgr()
@@ -107,6 +109,8 @@ program mapping_77_test
   call test_rcdisp()
   call test_rcstrs()
   call test_rcbodu()
+  call test_rcbfat()
+  call test_rcwbod()
   call test_rctmps()
   call test_rcfati()
   call test_rcelli()
@@ -305,6 +309,21 @@ contains
     call failed('body_load', stat, message)
   end subroutine
 
+  subroutine test_rcbcpy()
+    integer :: ih
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbcpy(ibody, ih, stat)
+    call told('body_copy', 'body1 room', stat)
+    call gave_kind(ih, 2)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbcpy(ibody, ih, stat)
+    call rclerr(message)
+    call failed('body_copy', stat, message)
+  end subroutine
+
   subroutine test_rcbnod()
     double precision :: xyz(4, 2)
     integer :: stat
@@ -461,6 +480,22 @@ contains
     call rcbprs(ibody, 11, 2.5d0, stat)
     call rclerr(message)
     call failed('body_set_pressure', stat, message)
+  end subroutine
+
+  subroutine test_rcbtrn()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbtrn(ibody, 11, 2, [31, 32], [5.125d0, 5.25d0, 5.375d0], [6.125d0, 6.25d0, 6.375d0, 6.5d0, 6.625d0, &
+      6.75d0], stat)
+    call told('body_set_node_tractions', &
+      'body1 11 2 [31 32] 1 [5.125 5.25 5.375] [6.125 6.25 6.375 6.5 6.625 6.75]', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbtrn(ibody, 11, 2, [31, 32], [5.125d0, 5.25d0, 5.375d0], [6.125d0, 6.25d0, 6.375d0, 6.5d0, 6.625d0, &
+      6.75d0], stat)
+    call rclerr(message)
+    call failed('body_set_node_tractions', stat, message)
   end subroutine
 
   subroutine test_rcbfac()
@@ -1655,6 +1690,36 @@ contains
     call rcbodu(icon, 11, 6, u, nv, stat)
     call rclerr(message)
     call failed('contact_get_body_displacements', stat, message)
+  end subroutine
+
+  subroutine test_rcbfat()
+    double precision :: displacement(6)
+    double precision :: stress(12)
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcbfat(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], displacement, stress, stat)
+    call told('contact_get_body_fields_at', 'contact1 11 2 [3.125 3.25 3.375 3.5 3.625 3.75] room room', stat)
+    call gave_reals('displacement', displacement, 400.5_rc_real)
+    call gave_reals('stress', stress, 500.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcbfat(icon, 11, 2, [3.125d0, 3.25d0, 3.375d0, 3.5d0, 3.625d0, 3.75d0], displacement, stress, stat)
+    call rclerr(message)
+    call failed('contact_get_body_fields_at', stat, message)
+  end subroutine
+
+  subroutine test_rcwbod()
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwbod(icon, 11, 'text 2', stat)
+    call told('contact_write_body', 'contact1 11 <text 2>', stat)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwbod(icon, 11, 'text 2', stat)
+    call rclerr(message)
+    call failed('contact_write_body', stat, message)
   end subroutine
 
   subroutine test_rctmps()

@@ -94,7 +94,14 @@ void set_loads(World& w) {
   const std::vector<double> traction = w.in.reals(3);
   const std::int64_t n = array_size(w.in, 3);
   const std::vector<std::int32_t> tags = ids(w.in, n, 8);
-  switch (w.in.below(5)) {
+  switch (w.in.below(6)) {
+    case 5: {
+      const std::vector<std::int32_t> nodes = ids(w.in, n, nodes_of(b));
+      const std::vector<double> values = w.in.reals(3 * nodes.size());
+      FUZZ_CALL(w, rollcon_body_set_node_tractions, b, w.in.below(8), n, maybe_null(w.in, nodes), w.in.below(2),
+                w.in.one_in(2) ? nullptr : traction.data(), maybe_null(w.in, values));
+      break;
+    }
     case 3:
       FUZZ_CALL(w, rollcon_body_set_body_force, b, w.in.below(3), maybe_null(w.in, traction));
       break;
@@ -201,13 +208,22 @@ void load(World& w) {
     require(made == nullptr, "a handle of nothing");
 }
 
+void copy(World& w) {
+  if (w.bodies.size() >= 8) return;
+  rollcon_body *from = w.body(), *made = nullptr;
+  if (FUZZ_CALL(w, rollcon_body_copy, from, &made) == ROLLCON_OK)
+    w.add(made, const_cast<rollcon_context*>(w.context_of(from)));
+  else
+    require(made == nullptr, "a handle of nothing");
+}
+
 }  // namespace
 
 std::span<const Call> body_calls() {
   static const Call calls[] = {
       create,      retain,    release, set_elastic, set_nodes, add_elements, give_box, tag_faces, tag_faces_of_nodes,
       set_support, set_loads, options, set_elastic, prepare,   results,      fields,   results,   save,
-      load};
+      load,        copy};
   return calls;
 }
 

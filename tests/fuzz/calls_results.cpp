@@ -125,6 +125,18 @@ void body_displacements(World& w) {
   require(good ? all_finite(u.values()) : u.untouched(), "displacements of a body under a contact");
 }
 
+void body_fields_under_contact(World& w) {
+  const rollcon_contact* c = w.contact();
+  const std::int32_t body = w.in.below(4);
+  const std::int64_t n = array_size(w.in, 4);
+  const std::vector<double> x = w.in.reals(static_cast<std::size_t>(n > 0 ? 3 * n : 0));
+  Output<double> u(n > 0 ? 3 * n : 0), stress(n > 0 ? 6 * n : 0);
+  const bool good = FUZZ_CALL(w, rollcon_contact_get_body_fields_at, c, body, n, w.in.one_in(8) ? nullptr : x.data(),
+                              u.data(), stress.data()) == ROLLCON_OK;
+  require(good ? all_finite(u.values()) && all_finite(stress.values()) : u.untouched() && stress.untouched(),
+          "fields of a body under a contact");
+}
+
 void wear(World& w) {
   const rollcon_contact* c = w.contact();
   const std::int64_t points = array_size(w.in, 5);
@@ -220,6 +232,7 @@ std::span<const Call> result_calls() {
                                displacements_at,
                                stresses_at,
                                body_displacements,
+                               body_fields_under_contact,
                                wear,
                                worn_profile,
                                stress_invariants,

@@ -47,7 +47,7 @@ class StaticBody {
   Vec3 displacement(std::int32_t node) const;
   Vec3 displacement(const Vec3& near) const;  ///< of the node nearest to it
   /// What the supports exert, about the origin.
-  Resultant reaction() const { return body_->response()->support_reaction(); }
+  Resultant reaction() const { return body_->response()->own().reaction; }
   /// Of a traction node (boundary elements).
   Vec3 traction_at(std::int64_t fan) const;
   /// Sum over all elements of integral t, and of x cross t about the origin (boundary elements).

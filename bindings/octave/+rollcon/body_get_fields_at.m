@@ -1,9 +1,11 @@
 function varargout = body_get_fields_at(varargin)
 % BODY_GET_FIELDS_AT  [displacement, stress] = rollcon.body_get_fields_at(body, nodes, u, xyz)
 %
-% Displacements and smoothed stresses at any points inside a body of finite elements, between nodes as
-% the elements' shape functions have them. Otherwise like rollcon.body_get_node_stresses. ERR_ARGUMENT
-% also: a point is in no element (a millionth of its size beyond its faces is still inside).
+% Displacements and stresses at any points inside a body: of finite elements the smoothed ones of
+% nodes, between them as the elements' shape functions have them, of boundary elements by Somigliana's
+% identities, as near to the surface as wanted, and on it. Otherwise like
+% rollcon.body_get_node_stresses. ERR_ARGUMENT also: a point is outside (a millionth of the element's
+% size beyond its faces is still inside).
 %
 %   body (body)
 %   nodes (int64): as many as the body has

@@ -1,8 +1,9 @@
 function varargout = body_get_point_stresses(varargin)
 % BODY_GET_POINT_STRESSES  [stress, xyz] = rollcon.body_get_point_stresses(body, nodes, u)
 %
-% Stresses at the integration points of all elements, element by element, as the elements themselves
-% balance loads with them, and the points' places. Otherwise like rollcon.body_get_node_stresses.
+% Stresses at the integration points of all finite elements, element by element, as the elements
+% themselves balance loads with them, and the points' places. Otherwise like
+% rollcon.body_get_node_stresses.
 %
 %   body (body)
 %   nodes (int64): as many as the body has

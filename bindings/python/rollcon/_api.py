@@ -189,6 +189,7 @@ FUNCTIONS = {
     "rollcon_body_get_kind": (c_int32, [c_void_p, POINTER(c_int32)]),
     "rollcon_body_save": (c_int32, [c_void_p, c_char_p]),
     "rollcon_body_load": (c_int32, [c_void_p, c_char_p, POINTER(c_void_p)]),
+    "rollcon_body_copy": (c_int32, [c_void_p, POINTER(c_void_p)]),
     "rollcon_body_set_nodes": (c_int32, [c_void_p, c_int64, POINTER(c_double), c_int64, c_int64]),
     "rollcon_body_add_elements": (c_int32, [
         c_void_p, c_int32, c_int64,
@@ -208,6 +209,9 @@ FUNCTIONS = {
         c_void_p, c_int32, c_double,
         POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_set_pressure": (c_int32, [c_void_p, c_int32, c_double]),
+    "rollcon_body_set_node_tractions": (c_int32, [
+        c_void_p, c_int32, c_int64, POINTER(c_int32),
+        c_int32, POINTER(c_double), POINTER(c_double)]),
     "rollcon_body_set_contact_faces": (c_int32, [c_void_p, c_int64, POINTER(c_int32)]),
     "rollcon_body_read_mesh": (c_int32, [c_void_p, c_char_p, c_char_p]),
     "rollcon_body_tag_group": (c_int32, [c_void_p, c_char_p, c_int32]),
@@ -349,6 +353,10 @@ FUNCTIONS = {
     "rollcon_contact_get_body_displacements": (c_int32, [
         c_void_p, c_int32, c_int64,
         POINTER(c_double), POINTER(c_int64)]),
+    "rollcon_contact_get_body_fields_at": (c_int32, [
+        c_void_p, c_int32, c_int64,
+        POINTER(c_double), POINTER(c_double), POINTER(c_double)]),
+    "rollcon_contact_write_body": (c_int32, [c_void_p, c_int32, c_char_p]),
     "rollcon_contact_get_temperatures_at": (c_int32, [
         c_void_p, c_int64,
         POINTER(c_double), POINTER(c_double)]),
@@ -530,6 +538,7 @@ ARGUMENTS = {
     "rollcon_body_get_kind": [("body", ""), ("kind", "")],
     "rollcon_body_save": [("body", ""), ("path", "")],
     "rollcon_body_load": [("context", ""), ("path", ""), ("body", "")],
+    "rollcon_body_copy": [("body", ""), ("copy", "")],
     "rollcon_body_set_nodes": [
         ("body", ""), ("n", ""), ("x", ""), ("node_stride", ""), ("component_stride", "")
     ],
@@ -553,6 +562,10 @@ ARGUMENTS = {
         ("body", ""), ("tag", ""), ("density", ""), ("origin", ""), ("rate", "")
     ],
     "rollcon_body_set_pressure": [("body", ""), ("tag", ""), ("pressure", "")],
+    "rollcon_body_set_node_tractions": [
+        ("body", ""), ("tag", ""), ("n", ""), ("nodes", ""), ("index_base", ""), ("along", ""),
+        ("tractions", "")
+    ],
     "rollcon_body_set_contact_faces": [("body", ""), ("n", ""), ("tags", "")],
     "rollcon_body_read_mesh": [("body", ""), ("path", ""), ("part", "")],
     "rollcon_body_tag_group": [("body", ""), ("group", ""), ("tag", "")],
@@ -710,6 +723,11 @@ ARGUMENTS = {
     "rollcon_contact_get_body_displacements": [
         ("contact", ""), ("body", ""), ("capacity", ""), ("u", ""), ("n_values", "")
     ],
+    "rollcon_contact_get_body_fields_at": [
+        ("contact", ""), ("body", ""), ("n", ""), ("xyz", ""), ("displacement", ""), ("stress",
+        "")
+    ],
+    "rollcon_contact_write_body": [("contact", ""), ("body", ""), ("path", "")],
     "rollcon_contact_get_temperatures_at": [
         ("contact", ""), ("n", ""), ("xy", ""), ("temperature", "")
     ],

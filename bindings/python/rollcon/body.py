@@ -7,7 +7,7 @@ from ctypes import byref, c_int64
 from typing import TYPE_CHECKING
 
 from . import _api
-from ._arrays import VOLUME_TYPES, elements, integer_list, nodes, reals, room
+from ._arrays import VOLUME_TYPES, elements, integer_list, nodes, reals, room, vector
 from ._library import Handle, c_path, c_text, call, check, lib
 from ._plain import BodyPlain
 from ._settings import Settings
@@ -38,6 +38,15 @@ class Body(Settings, BodyPlain, Handle):
         check(call(lib.rollcon_body_load, context.handle, c_path(path), byref(made)))
         body = cls.__new__(cls)
         Handle.__init__(body, made.value, context)
+        return body
+
+    def copy(self) -> Body:
+        """Another body that was given the same, not prepared. With other loads alone it takes the equations of
+        this one and their factors when it is prepared: a load case."""
+        made = ctypes.c_void_p()
+        self._call("copy", byref(made))
+        body = type(self).__new__(type(self))
+        Handle.__init__(body, made.value, self._context)
         return body
 
     # -------------------------------------------------------------- mesh, supports and loads
@@ -87,6 +96,18 @@ class Body(Settings, BodyPlain, Handle):
                 raise ValueError(f"{len(values)} values for {len(ids)} nodes")
         self._call("set_support", len(ids), address, index_base, dof_mask, at)
 
+    def set_node_tractions(self, tag: int, ids: ArrayLike, tractions: ArrayLike, along: ArrayLike | None = None,
+                           index_base: int = 0) -> None:
+        """Tractions[n, 3] at nodes of the faces with a tag, linear or quadratic between as the faces are, added to
+        the tag's traction and pressure. With a direction, along: components along its part in the
+        surface, across, and along the outward normal; else x y z."""
+        ids, address = integer_list(ids, "node ids")
+        tractions, at = reals(tractions, 3)
+        if len(tractions) != len(ids):
+            raise ValueError(f"{len(tractions)} tractions for {len(ids)} nodes")
+        direction, along_at = (None, None) if along is None else vector(along)
+        self._call("set_node_tractions", tag, len(ids), address, index_base, along_at, at)
+
     @property
     def groups(self) -> list[str]:
         """Names of what the mesh's file has names for, after read_mesh()."""
@@ -117,7 +138,8 @@ class Body(Settings, BodyPlain, Handle):
 
     def node_stresses(self, u: ArrayLike | None = None) -> np.ndarray:
         """Smoothed stresses [nodes, 6] (s11, s22, s33, s12, s13, s23) of finite elements under
-        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads'."""
+        displacements u[nodes, 3], as Contact.body_displacements() has them; None: its own loads', of boundary
+        elements too."""
         nodes, u, given = self._nodal(u)
         stress, address = room(nodes, 6)
         self._call("get_node_stresses", nodes, given, address)
@@ -134,7 +156,8 @@ class Body(Settings, BodyPlain, Handle):
         return stress, xyz
 
     def fields_at(self, xyz: ArrayLike, u: ArrayLike | None = None) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements [n, 3] and smoothed stresses [n, 6] at points xyz[n, 3] inside finite elements."""
+        """Displacements [n, 3] and stresses [n, 6] at points xyz[n, 3] inside finite elements, or boundary elements
+        under their own loads."""
         nodes, u, given = self._nodal(u)
         xyz, points = reals(xyz, 3)
         displacement, first = room(len(xyz), 3)
@@ -143,7 +166,7 @@ class Body(Settings, BodyPlain, Handle):
         return displacement, stress
 
     def write(self, path: str | os.PathLike, u: ArrayLike | None = None) -> None:
-        """Finite elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        """Elements with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
         nodes, u, given = self._nodal(u)
         self._call("write", c_path(path), nodes, given)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _api
 from ._arrays import elements, integers, nodes, reals, room, vector
-from ._library import Handle, RollconError, c_text, call, check, enumerator, lib, shown
+from ._library import Handle, RollconError, c_path, c_text, call, check, enumerator, lib, shown
 from ._plain import ContactPlain
 from ._settings import Settings
 
@@ -248,12 +248,25 @@ class Contact(Settings, ContactPlain, Handle):
         return depth, volume.value
 
     def body_displacements(self, body: int) -> np.ndarray:
-        """Displacements [nodes, 3] of all nodes of body 1 or 2, of finite elements, in its axes."""
+        """Displacements [nodes, 3] of all nodes of body 1 or 2, of finite or boundary elements, in its axes."""
         need = c_int64()
         self._call("get_body_displacements", body, 0, None, byref(need))
         u, address = room(need.value // 3, 3)
         self._call("get_body_displacements", body, u.size, address, byref(need))
         return u
+
+    def body_fields_at(self, body: int, xyz: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements [n, 3] and stresses [n, 6] (s11, s22, s33, s12, s13, s23) at points xyz[n, 3] inside body 1 or
+        2, of finite or boundary elements, in its axes."""
+        xyz, points = reals(xyz, 3)
+        displacement, first = room(len(xyz), 3)
+        stress, second = room(len(xyz), 6)
+        self._call("get_body_fields_at", body, len(xyz), points, first, second)
+        return displacement, stress
+
+    def write_body(self, body: int, path: str | os.PathLike) -> None:
+        """Elements of body 1 or 2 with displacements, smoothed stresses and von Mises's stress, as a VTU file."""
+        self._call("write_body", body, c_path(path))
 
     def temperatures_at(self, xy: ArrayLike) -> np.ndarray:
         """Temperatures [n, 2] of the surfaces of bodies 1 and 2 at points xy[n, 2] of the plane of the axes."""

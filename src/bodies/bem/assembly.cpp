@@ -27,18 +27,22 @@ void for_packs(std::int64_t points, int threads, Work work) {
 }  // namespace
 
 // Traction over G that the caller prescribed, by traction node and component.
-std::vector<double> System::given_tractions() const {
+std::vector<double> System::given_tractions(const BodyMesh& loaded) const {
   std::vector<double> given;
-  for (std::int64_t e = 0; e < mesh_.surface.elements(); ++e)
-    for (const FaceLoad& load : mesh_.load) {
-      if (load.tag != mesh_.surface.tag[at(e)]) continue;
+  const SurfaceMesh& surface = mesh_.surface;
+  for (const FaceLoad& load : loaded.load) {
+    const std::vector<Vec3> by_node = load.by_node(surface.node.size());
+    for (std::int64_t e = 0; e < surface.elements(); ++e) {
+      if (load.tag != surface.tag[at(e)]) continue;
       if (given.empty()) given.assign(3 * at(fans_.size()), 0.0);
-      for (std::int64_t k = mesh_.surface.offset[at(e)]; k < mesh_.surface.offset[at(e) + 1]; ++k) {
+      for (std::int64_t k = surface.offset[at(e)]; k < surface.offset[at(e) + 1]; ++k) {
         const auto f = at(fans_.of[at(k)]);
-        for (std::size_t c = 0; c < 3; ++c)
-          given[3 * f + c] = (load.traction[c] - load.pressure * fans_.normal[f][c]) / shear_;
+        Vec3 t = load.traction - load.pressure * fans_.normal[f];
+        if (!by_node.empty()) t = t + load.turned(by_node[at(surface.connectivity[at(k)])], fans_.normal[f]);
+        for (std::size_t c = 0; c < 3; ++c) given[3 * f + c] = t[c] / shear_;
       }
     }
+  }
   return given;
 }
 
@@ -86,13 +90,13 @@ struct System::PackTarget {
 };
 
 void System::place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
-                   const std::vector<double>& given, const PackTarget& to) const {
+                   const std::vector<double>& given, const std::vector<Vec3>& held_value, const PackTarget& to) const {
   for (std::size_t k = 0; k < unknowns_.displacement.size(); ++k) {
     const double* block = h + k * 3 * lanes;
     if (const std::int32_t column = unknowns_.displacement[k]; column >= 0)
       to.set(block, 1, column);
     else
-      to.load(block, -mesh_.held_value[k / 3][k % 3]);
+      to.load(block, -held_value[k / 3][k % 3]);
   }
   const auto block_of = [&](std::int32_t fan, int c) {
     return g + (3 * at(column_of_fan[at(fan)]) + at(c)) * 3 * lanes;
@@ -117,9 +121,9 @@ void System::place(const double* h, const double* g, const std::vector<std::int3
   }
 }
 
-void System::assemble(int threads, double* matrix, std::vector<double>& own_load) {
+void System::assemble(const BodyMesh& loaded, int threads, double* matrix, std::vector<double>& own_load) {
   const SurfaceMesh& surface = mesh_.surface;
-  const std::vector<double> given = given_tractions();
+  const std::vector<double> given = given_tractions(loaded);
   std::int32_t own_columns = 0;
   const std::vector<std::int32_t> column_of_fan = needed_fans(given, own_columns);
   std::vector<std::int32_t> g_column(fans_.of.size());
@@ -128,16 +132,17 @@ void System::assemble(int threads, double* matrix, std::vector<double>& own_load
 
   const std::int64_t n = unknowns_.columns;
   const auto points = static_cast<std::int64_t>(unknowns_.point.size());
-  for_packs(
-      points, threads, [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
-        h.resize(at(lifted_.mesh.nodes()) * 9 * lanes);
-        g.resize(at(g_columns.size()) * 9 * lanes);
-        integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_columns.of.data(), g_columns.size(),
-                        g_columns.size() > 0 ? g.data() : nullptr);
-        fold_displacements(lifted_, h.data());
-        fold_tractions(g_columns, g.data());
-        place(h.data(), g.data(), column_of_fan, given, {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
-      });
+  for_packs(points, threads,
+            [&](std::int64_t first, std::int64_t count, std::vector<double>& h, std::vector<double>& g) {
+              h.resize(at(lifted_.mesh.nodes()) * 9 * lanes);
+              g.resize(at(g_columns.size()) * 9 * lanes);
+              integrals_.rows({unknowns_.point.data() + first, at(count)}, h.data(), g_columns.of.data(),
+                              g_columns.size(), g_columns.size() > 0 ? g.data() : nullptr);
+              fold_displacements(lifted_, h.data());
+              fold_tractions(g_columns, g.data());
+              place(h.data(), g.data(), column_of_fan, given, loaded.held_value,
+                    {unknowns_.row.data() + 3 * first, count, matrix, n, own_load});
+            });
 }
 
 std::vector<double> System::right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads) {

@@ -81,10 +81,8 @@ Resultant System::resultant(std::span<const double> traction) const {
 
 // What is there beyond the given tractions. (The reaction of a node held alone is spread over its neighbours, which are
 // not held.)
-Resultant System::support_reaction() const {
-  if (own_traction_.empty()) return {};
-  std::vector<double> support = own_traction_;
-  const std::vector<double> given = given_tractions();
+Resultant System::support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const {
+  std::vector<double> support = traction;
   for (std::size_t k = 0; k < std::min(support.size(), given.size()); ++k) support[k] -= shear_ * given[k];
   return resultant(support);
 }
@@ -95,14 +93,14 @@ double System::imbalance(const Resultant& sum, const Vec3& centre, double force)
   return std::max(length(sum.force), moment / arm) / force;
 }
 
-void System::note_own_imbalance(std::span<const double> load) {
+double System::missed(std::span<const double> load, std::span<const double> traction) const {
   double force = 0;
   Vec3 first{0, 0, 0};
   for_forces(surface_, lifted_.mesh, fans_, load, [&](const Vec3& part, const Vec3& x) {
     force += length(part);
     first = first + length(part) * x;
   });
-  if (force > 0) imbalances_.loads = imbalance(resultant(own_traction_), (1 / force) * first, force);
+  return force > 0 ? imbalance(resultant(traction), (1 / force) * first, force) : 0;
 }
 
 void System::check_balance(const std::vector<double>& b, const LoadedSurface& loaded) {

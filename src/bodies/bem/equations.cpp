@@ -1,9 +1,10 @@
-/// Boundary elements written out: matrix and right sides, nothing factorised.
+/// Boundary elements written out: matrix and right sides, nothing factorised; and what all of the surface does.
 
 #include <algorithm>
 #include <utility>
 
 #include "bodies/bem/system.hpp"
+#include "linalg/blas_threads.hpp"
 #include "support/clock.hpp"
 #include "support/index.hpp"
 
@@ -19,7 +20,7 @@ std::shared_ptr<const BodyEquations> System::equations(int threads) {
     const Stopwatch watch(statistics_.seconds_assembly);
     equations->dense.resize(at(unknowns_.columns * unknowns_.columns));
     std::vector<double> no_load;
-    assemble(threads, equations->dense.data(), no_load);
+    assemble(mesh_, threads, equations->dense.data(), no_load);
     ++statistics_.assemblies;
   }
   statistics_.peak_bytes =
@@ -48,6 +49,38 @@ void System::write_loads(const std::vector<double>& b, SurfaceLoads& loads) cons
 
 void System::load(const LoadedSurface& surface, SurfaceLoads& loads, int threads) {
   write_loads(right_sides(surface, loads, threads), loads);
+}
+
+void System::solve_everywhere(std::span<double> load, SurfaceState& state, int threads) {
+  const std::lock_guard lock(mutex_);
+  const BlasThreads blas(threads);
+  if (!matrix_.factored()) factorize(threads);
+  matrix_.solve(load.data(), 1);
+  state.u.resize(unknowns_.displacement.size());
+  for (std::size_t k = 0; k < state.u.size(); ++k)
+    state.u[k] = unknowns_.displacement[k] >= 0 ? load[at(unknowns_.displacement[k])] : 0;
+  std::vector<double> reaction(unknowns_.traction.size(), 0.0);
+  add_reactions(load.data(), reaction);
+  state.traction.resize(3 * fans_.of.size());
+  for (std::size_t k = 0; k < state.traction.size(); ++k) state.traction[k] = reaction[3 * at(fans_.of[k / 3]) + k % 3];
+  if (options_.keep_factors == 0) matrix_.release();
+}
+
+std::unique_ptr<const SurfaceFields> System::surface_fields(SurfaceState state, const OwnLoads& own) {
+  state.u.resize(unknowns_.displacement.size(), 0.0);
+  state.traction.resize(3 * fans_.of.size(), 0.0);
+  for (std::size_t k = 0; k < own.displacement.size(); ++k) state.u[k] += own.displacement[k];
+  for (std::size_t k = 0; k < state.traction.size() && !own.traction.empty(); ++k)
+    state.traction[k] += own.traction[3 * at(fans_.of[k / 3]) + k % 3];
+  std::shared_ptr<const SomiglianaBody> inside;
+  {
+    const std::lock_guard lock(mutex_);
+    if (!inside_)
+      inside_ =
+          std::make_shared<const SomiglianaBody>(lifted_, shear_, poisson_, options_.accuracy, options_.edge_angle);
+    inside = inside_;
+  }
+  return std::make_unique<Somigliana>(std::move(inside), mesh_.surface, state);
 }
 
 }  // namespace rollcon::bem

@@ -31,15 +31,15 @@ std::int64_t System::solvable() const {
   return matrix_.factored() ? unknowns_.columns : 0;
 }
 
-void System::save(SectionWriter& file) const {
+void System::save(SectionWriter& file, const OwnLoads& own) const {
   const std::lock_guard lock(mutex_);
   OutArchive ar(file);
   file.begin("response");
   ar(matrix_.factored() ? unknowns_.columns : std::int64_t{0});
   ar(numbering());
   ar(statistics_.condition);
-  ar(own_displacement_);
-  ar(own_traction_);
+  ar(own.displacement);
+  ar(own.traction);
   if (matrix_.factored()) {
     file.begin("factors");
     const auto pivots = matrix_.pivots();
@@ -58,14 +58,15 @@ void System::restore(SectionReader& file) {
   ar(solvable);
   ar(numbers);
   ar(statistics_.condition);
-  ar(own_displacement_);
-  ar(own_traction_);
+  ar(own_.displacement);
+  ar(own_.traction);
   file.end();
   if (numbers != numbering())
     file.fail_here("this library numbers the unknowns of the body differently: save it again");
-  const std::size_t u = own_displacement_.size(), t = own_traction_.size();
+  const std::size_t u = own_.displacement.size(), t = own_.traction.size();
   if ((u != 0 || t != 0) && (u != unknowns_.displacement.size() || t != unknowns_.traction.size()))
     file.fail_here("the displacements under loads do not fit the mesh");
+  if (t != 0) own_.reaction = support_reaction(own_.traction, given_tractions(mesh_));
   if (solvable > 0) {
     file.begin("factors");
     const std::int64_t n = unknowns_.columns;

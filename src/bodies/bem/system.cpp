@@ -83,7 +83,7 @@ void System::factorize(int threads) {
     statistics_.peak_bytes = std::max(statistics_.peak_bytes, 2 * matrix_.bytes());
   } else {
     const Stopwatch watch(statistics_.seconds_assembly);
-    assemble(threads, a, own_load);
+    assemble(mesh_, threads, a, own_load);
     ++statistics_.assemblies;
   }
   kept_equations_.reset();
@@ -101,32 +101,51 @@ void System::factorize(int threads) {
          "supports and its mesh",
          statistics_.condition);
   }
-  if (!own_solved_) solve_own_load(own_load);
+  if (own_solved_) return;
+  own_ = solve_own_load(mesh_, own_load);
+  imbalances_.loads = own_.missed;
 }
 
-void System::solve_own_load(std::vector<double>& b) {
-  const std::vector<double> given = given_tractions();
-  const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+OwnLoads System::solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const {
+  OwnLoads own;
+  const std::vector<double> given = given_tractions(loaded);
+  const bool moved = std::any_of(loaded.held_value.begin(), loaded.held_value.end(), [](const Vec3& v) {
     return v != Vec3{0, 0, 0};
   });
-  if (given.empty() && !moved) return;
+  if (given.empty() && !moved) return own;
   matrix_.solve(b.data(), 1);
   if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
     fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
-  own_displacement_.resize(unknowns_.displacement.size());
-  for (std::size_t k = 0; k < own_displacement_.size(); ++k) {
+  own.displacement.resize(unknowns_.displacement.size());
+  for (std::size_t k = 0; k < own.displacement.size(); ++k) {
     const std::int32_t column = unknowns_.displacement[k];
-    own_displacement_[k] = column >= 0 ? b[at(column)] : mesh_.held_value[k / 3][k % 3];
+    own.displacement[k] = column >= 0 ? b[at(column)] : loaded.held_value[k / 3][k % 3];
   }
-  own_traction_.assign(unknowns_.traction.size(), 0.0);
+  own.traction.assign(unknowns_.traction.size(), 0.0);
   for (std::size_t k = 0; k < given.size(); ++k)
-    if (unknowns_.traction[k] < 0) own_traction_[k] = shear_ * given[k];
+    if (unknowns_.traction[k] < 0) own.traction[k] = shear_ * given[k];
   for (const SpreadReaction& spread : unknowns_.spread)
-    if (const std::size_t own = 3 * at(spread.fan) + at(spread.component); !given.empty())
-      own_traction_[own] = shear_ * given[own];
-  const std::vector<double> loaded = own_traction_;
-  add_reactions(b.data(), own_traction_);
-  if (!moved) note_own_imbalance(loaded);
+    if (const std::size_t k = 3 * at(spread.fan) + at(spread.component); !given.empty())
+      own.traction[k] = shear_ * given[k];
+  const std::vector<double> load = own.traction;
+  add_reactions(b.data(), own.traction);
+  if (!moved) own.missed = missed(load, own.traction);
+  own.reaction = support_reaction(own.traction, given);
+  return own;
+}
+
+OwnLoads System::solve_loads(const BodyMesh& loaded, int threads) {
+  const std::lock_guard lock(mutex_);
+  const BlasThreads blas(threads);
+  if (!matrix_.factored()) factorize(threads);
+  std::vector<double> load(at(unknowns_.columns), 0.0);
+  {
+    const Stopwatch watch(statistics_.seconds_assembly);
+    std::vector<double> matrix(at(unknowns_.columns * unknowns_.columns));
+    assemble(loaded, threads, matrix.data(), load);
+    ++statistics_.assemblies;
+  }
+  return solve_own_load(loaded, load);
 }
 
 void System::condense(std::vector<double> b, const LoadedSurface& surface, SurfaceRows& rows, int threads) {

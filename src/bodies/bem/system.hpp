@@ -4,6 +4,7 @@
 
 #include "bodies/bem/boundary_integrals.hpp"
 #include "bodies/bem/lifted_surface.hpp"
+#include "bodies/bem/somigliana.hpp"
 #include "bodies/bem/unknowns.hpp"
 #include "bodies/model/body_mesh.hpp"
 #include "bodies/model/imbalance.hpp"
@@ -21,14 +22,16 @@ class System final : public ResponseCache, public MayMissLoads {
   System(const BodyMesh& mesh, const TractionNodes& fans, double young, double poisson, const BodyOptions& options,
          int threads, SectionReader* saved);
 
-  std::span<const double> own_displacement() const override { return own_displacement_; }
-  std::span<const double> own_traction() const override { return own_traction_; }
-  Resultant support_reaction() const override;
+  const OwnLoads& own() const override { return own_; }
+  OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
   Imbalances imbalances() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
-  void save(SectionWriter& file) const override;
+  void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
+  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState state, const OwnLoads& own) override;
+  using SurfaceResponse::save;
+  void save(SectionWriter& file, const OwnLoads& own) const override;
 
  private:
   void respond(const LoadedSurface& surface, SurfaceRows& rows, int threads) override;
@@ -40,10 +43,10 @@ class System final : public ResponseCache, public MayMissLoads {
   struct PackTarget;
   std::vector<std::int32_t> needed_fans(const std::vector<double>& given, std::int32_t& columns) const;
   void place(const double* h, const double* g, const std::vector<std::int32_t>& column_of_fan,
-             const std::vector<double>& given, const PackTarget& to) const;
+             const std::vector<double>& given, const std::vector<Vec3>& held_value, const PackTarget& to) const;
   /// matrix: unknowns squared, column-major, not cleared.
-  void assemble(int threads, double* matrix, std::vector<double>& own_load);
-  void solve_own_load(std::vector<double>& b);
+  void assemble(const BodyMesh& loaded, int threads, double* matrix, std::vector<double>& own_load);
+  OwnLoads solve_own_load(const BodyMesh& loaded, std::vector<double>& b) const;
   /// Adds what a solution has of tractions, by traction node and component.
   void add_reactions(const double* b, std::vector<double>& traction) const;
   /// Of tractions on the whole surface, by traction node and component.
@@ -51,11 +54,13 @@ class System final : public ResponseCache, public MayMissLoads {
   /// How far loads and reactions are from a balance, beside a force and its moment about what is held; centre: where it
   /// acts.
   double imbalance(const Resultant& sum, const Vec3& centre, double force) const;
-  void note_own_imbalance(std::span<const double> load);
+  /// Of own loads, what the reactions miss.
+  double missed(std::span<const double> load, std::span<const double> traction) const;
   /// Of uniform tractions on the surface that b was made for, right sides after elimination; err_mesh where a pressure
   /// gets no answer that can be trusted. (No load may act along the faces.)
   void check_balance(const std::vector<double>& b, const LoadedSurface& loaded);
-  std::vector<double> given_tractions() const;
+  std::vector<double> given_tractions(const BodyMesh& loaded) const;
+  Resultant support_reaction(const std::vector<double>& traction, const std::vector<double>& given) const;
   LiftedColumns columns_of_faces(std::span<const std::int64_t> face, const SurfaceOutline& outline) const;
   /// Of unit tractions: unknowns x (3 columns).
   std::vector<double> right_sides(const LoadedSurface& surface, const SurfaceOutline& outline, int threads);
@@ -76,7 +81,8 @@ class System final : public ResponseCache, public MayMissLoads {
   FactoredMatrix matrix_;
   std::weak_ptr<const BodyEquations> equations_;
   std::shared_ptr<const BodyEquations> kept_equations_;  ///< until factorised
-  std::vector<double> own_displacement_, own_traction_;
+  std::shared_ptr<const SomiglianaBody> inside_;         ///< made when fields inside are asked for
+  OwnLoads own_;
   bool own_solved_ = false;
 
   Imbalances imbalances_;

@@ -38,7 +38,7 @@ std::int64_t System::solvable() const {
   return factor_ ? static_cast<std::int64_t>(condensed_.size()) : 0;
 }
 
-void System::save(SectionWriter& file) const {
+void System::save(SectionWriter& file, const OwnLoads& own) const {
   const std::lock_guard lock(mutex_);
   OutArchive ar(file);
   file.begin("response");
@@ -46,9 +46,9 @@ void System::save(SectionWriter& file) const {
   ar(numbering());
   ar(statistics_.condition);
   ar(statistics_.nonzeros);
-  ar(own_displacement_);
-  ar(reaction_.force);
-  ar(reaction_.moment);
+  ar(own.displacement);
+  ar(own.reaction.force);
+  ar(own.reaction.moment);
   if (factor_) {
     const CondensedView view = factor_->condensed();
     file.begin("factors");
@@ -100,13 +100,13 @@ void System::restore(SectionReader& file) {
   ar(numbers);
   ar(statistics_.condition);
   ar(statistics_.nonzeros);
-  ar(own_displacement_);
-  ar(reaction_.force);
-  ar(reaction_.moment);
+  ar(own_.displacement);
+  ar(own_.reaction.force);
+  ar(own_.reaction.moment);
   file.end();
   if (numbers != numbering())
     file.fail_here("this library numbers the unknowns of the body differently: save it again");
-  if (!own_displacement_.empty() && own_displacement_.size() != unknowns_.of.size())
+  if (!own_.displacement.empty() && own_.displacement.size() != unknowns_.of.size())
     file.fail_here("the displacements under loads do not fit the mesh");
   if (file.has("factors")) restore_factor(file);
   add_kept(file);

@@ -129,7 +129,7 @@ void System::factorize(std::vector<std::int64_t> condensed, int threads) {
   statistics_.condition = s.condition;
   statistics_.condensed = static_cast<std::int64_t>(condensed.size());
   place_condensed(std::move(condensed));
-  if (own_displacement_.empty()) solve_own_load();
+  if (own_.displacement.empty()) own_ = solve_own_load(mesh_, assembly_, *factor_);
   factor_->keep_condensed();
   const bool all_of_contact =
       std::all_of(contact_.begin(), contact_.end(), [&](std::int64_t u) { return condensed_at_[at(u)] >= 0; });
@@ -159,32 +159,46 @@ void System::place_condensed(std::vector<std::int64_t> condensed) {
   for (std::size_t k = 0; k < condensed_.size(); ++k) condensed_at_[at(condensed_[k])] = static_cast<std::int64_t>(k);
 }
 
-void System::solve_own_load() {
-  const bool moved = std::any_of(mesh_.held_value.begin(), mesh_.held_value.end(), [](const Vec3& v) {
+OwnLoads System::solve_own_load(const BodyMesh& loaded, const Assembly& assembly, SparseFactor& factor) const {
+  OwnLoads own;
+  const bool moved = std::any_of(loaded.held_value.begin(), loaded.held_value.end(), [](const Vec3& v) {
     return v != Vec3{0, 0, 0};
   });
-  if (mesh_.load.empty() && mesh_.body_force.empty() && !moved) return;
-  const std::vector<double> load = assembly_.loads(reference_);
+  if (loaded.load.empty() && loaded.body_force.empty() && !moved) return own;
+  const std::vector<double> load = assembly.loads(reference_);
   std::vector<double> u(load.size(), 0.0), b(at(unknowns_.count));
   for (std::size_t k = 0; k < u.size(); ++k)
-    if (unknowns_.of[k] < 0) u[k] = mesh_.held_value[k / 3][k % 3];
-  const std::vector<double> moved_force = moved ? assembly_.forces_at_supports(u) : std::vector<double>(u.size(), 0.0);
+    if (unknowns_.of[k] < 0) u[k] = loaded.held_value[k / 3][k % 3];
+  const std::vector<double> moved_force = moved ? assembly.forces_at_supports(u) : std::vector<double>(u.size(), 0.0);
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) b[at(unknowns_.of[k])] = load[k] - moved_force[k];
-  factor_->solve(b.data(), 1);
+  factor.solve(b.data(), 1);
   if (!std::all_of(b.begin(), b.end(), [](double v) { return std::isfinite(v); }))
     fail(Status::err_argument, "the body's loads are too large for its elastic constants: its displacements overflow");
   for (std::size_t k = 0; k < u.size(); ++k)
     if (unknowns_.of[k] >= 0) u[k] = b[at(unknowns_.of[k])];
-  const std::vector<double> force = assembly_.forces_at_supports(u);
+  const std::vector<double> force = assembly.forces_at_supports(u);
   for (std::size_t k = 0; k < u.size(); ++k) {
     if (unknowns_.of[k] >= 0) continue;
     Vec3 part{0, 0, 0};
     part[k % 3] = reference_ * (force[k] - load[k]);
-    reaction_.force = reaction_.force + part;
-    reaction_.moment = reaction_.moment + cross(surface_.node[k / 3], part);
+    own.reaction.force = own.reaction.force + part;
+    own.reaction.moment = own.reaction.moment + cross(surface_.node[k / 3], part);
   }
-  own_displacement_ = std::move(u);
+  own.displacement = std::move(u);
+  return own;
+}
+
+OwnLoads System::solve_loads(const BodyMesh& loaded, int threads) {
+  const std::lock_guard lock(mutex_);
+  const BlasThreads blas(threads);
+  require_whole(threads);
+  std::vector<Material> material;
+  for (std::int64_t e = 0; e < mesh_.volume.elements(); ++e) material.push_back(assembly_.material(e));
+  const Assembly assembly(loaded, std::move(material), hex8_of(options_));
+  OwnLoads own = solve_own_load(loaded, assembly, *whole_);
+  if (options_.keep_factors == 0) whole_.reset();
+  return own;
 }
 
 void System::require_condensed(const std::vector<std::int32_t>& node, int threads) {
@@ -247,18 +261,22 @@ void System::respond(const LoadedSurface& surface, SurfaceRows& rows, int thread
   felt.tell(rows);
 }
 
-bool System::solve_everywhere(std::span<double> load, double* u, int threads) {
+void System::require_whole(int threads) {
+  if (whole_) return;
+  const bool kept = matrix_.columns > 0 && options_.keep_factors != 0;
+  whole_ = factor_of({}, threads);
+  if (!kept) matrix_ = {};
+}
+
+void System::solve_everywhere(std::span<double> load, SurfaceState& state, int threads) {
   const std::lock_guard lock(mutex_);
   const BlasThreads blas(threads);
-  if (!whole_) {
-    const bool kept = matrix_.columns > 0 && options_.keep_factors != 0;
-    whole_ = factor_of({}, threads);
-    if (!kept) matrix_ = {};
-  }
+  require_whole(threads);
   whole_->solve(load.data(), 1);
-  for (std::size_t k = 0; k < unknowns_.of.size(); ++k) u[k] = unknowns_.of[k] >= 0 ? load[at(unknowns_.of[k])] : 0;
+  state.u.resize(unknowns_.of.size());
+  for (std::size_t k = 0; k < unknowns_.of.size(); ++k)
+    state.u[k] = unknowns_.of[k] >= 0 ? load[at(unknowns_.of[k])] : 0;
   if (options_.keep_factors == 0) whole_.reset();
-  return true;
 }
 
 BodyStatistics System::statistics() const {

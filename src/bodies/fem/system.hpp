@@ -25,13 +25,14 @@ class System final : public ResponseCache {
   System(const BodyMesh& mesh, const TractionNodes& fans, const std::map<std::int32_t, Elastic>& material,
          const BodyOptions& options, int threads, SectionReader* saved);
 
-  std::span<const double> own_displacement() const override { return own_displacement_; }
-  Resultant support_reaction() const override { return reaction_; }
+  const OwnLoads& own() const override { return own_; }
+  OwnLoads solve_loads(const BodyMesh& loaded, int threads) override;
   BodyStatistics statistics() const override;
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
-  void save(SectionWriter& file) const override;
-  bool solve_everywhere(std::span<double> load, double* u, int threads) override;
+  using SurfaceResponse::save;
+  void save(SectionWriter& file, const OwnLoads& own) const override;
+  void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
   const BodyInterior* interior() const override { return &interior_; }
 
  private:
@@ -51,7 +52,8 @@ class System final : public ResponseCache {
   std::uint64_t numbering() const;
   void require_condensed(const std::vector<std::int32_t>& node, int threads);
   std::vector<std::int64_t> unknowns_at(const std::vector<std::int32_t>& node) const;
-  void solve_own_load();
+  OwnLoads solve_own_load(const BodyMesh& loaded, const Assembly& assembly, SparseFactor& factor) const;
+  void require_whole(int threads);
   /// load: at nodes `loaded` for each column of rows.
   void condense(const std::vector<std::int32_t>& loaded, const RowMatrix<double>& load, SurfaceRows& rows, int threads);
   std::vector<std::int64_t> facing(const Vec3& normal) const;
@@ -66,8 +68,7 @@ class System final : public ResponseCache {
   Assembly assembly_;
   Interior interior_;
   Unknowns unknowns_;
-  std::vector<double> own_displacement_;
-  Resultant reaction_;
+  OwnLoads own_;
 
   /// Empty until needed, once freed, and once all that contact may need is condensed.
   SparseMatrix matrix_;

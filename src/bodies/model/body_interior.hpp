@@ -15,8 +15,8 @@ class BodyInterior {
   virtual std::int64_t points() const = 0;
   /// Of the elements' own stresses there, stress[6 * point + c], and the points' places; either may be null.
   virtual void at_points(const double* u, double* stress, double* xyz, int threads) const = 0;
-  /// Smoothed: what linear functions, nearest to each element's own stresses, have at the nodes, averaged over the
-  /// elements of a node by their volumes. stress[6 * node + c].
+  /// Smoothed: of polynomials over the elements around nodes inside, or of linear functions, nearest to each element's
+  /// own stresses, averaged over the elements of a node by their volumes. stress[6 * node + c].
   virtual void at_nodes(const double* u, double* stress, int threads) const = 0;
   /// u, and smoothed stresses at nodes, interpolated by the elements' shape functions. Arrays may be null. False: the
   /// point is outside, nothing is written.

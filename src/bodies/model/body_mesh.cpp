@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "mesh/surface_geometry.hpp"
 #include "support/error.hpp"
 
 namespace rollcon {
@@ -50,6 +51,20 @@ void tag_by_elements(const FaceNaming& naming, const FaceOfNodes& face_of_nodes,
 }
 
 }  // namespace
+
+std::vector<Vec3> FaceLoad::by_node(std::size_t nodes) const {
+  std::vector<Vec3> all;
+  if (node.empty()) return all;
+  all.assign(nodes, Vec3{0, 0, 0});
+  for (std::size_t k = 0; k < node.size(); ++k) all[static_cast<std::size_t>(node[k])] = of_node[k];
+  return all;
+}
+
+Vec3 FaceLoad::turned(const Vec3& v, const Vec3& normal) const {
+  if (along == Vec3{0, 0, 0}) return v;
+  const Vec3 tangent = normalized(along - dot(along, normal) * normal);
+  return v[0] * tangent + v[1] * cross(normal, tangent) + v[2] * normal;
+}
 
 void tag_by_nodes(const FaceNaming& naming, SurfaceMesh& surface) {
   std::vector<std::uint8_t> named(static_cast<std::size_t>(surface.nodes()), 0);

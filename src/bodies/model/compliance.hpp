@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bodies/model/expanded_compliance.hpp"
+#include "bodies/model/surface_state.hpp"
 
 namespace rollcon {
 
@@ -68,9 +69,9 @@ class Compliance {
   /// Displacement without any traction on the frame, u[3*p+i]: from loads and given displacements of the bodies
   /// elsewhere. False: zero everywhere, u not written.
   virtual bool offset(Points /*points*/, double* /*u*/) const { return false; }
-  /// Displacements of all nodes of a body with a mesh inside, in its axes, under tractions on its surface of the frame,
-  /// without loads of its own: u[3 * node + c]. False: it has none, nothing is written.
-  virtual bool everywhere(const double* /*traction*/, double* /*u*/) const { return false; }
+  /// What a body with a mesh does under tractions on its surface of the frame, in its axes, without loads of its own.
+  /// False: it is none, nothing is written.
+  virtual bool everywhere(const double* /*traction*/, SurfaceState& /*state*/) const { return false; }
   /// False when the frame has more nodes than the displacements of this body can tell apart: alone it makes singular
   /// equations.
   virtual bool resolves_frame() const { return true; }

@@ -9,6 +9,7 @@
 
 #include "bodies/model/body_interior.hpp"
 #include "bodies/model/expanded_compliance.hpp"
+#include "bodies/model/surface_state.hpp"
 #include "linalg/dense.hpp"
 #include "mesh/surface_mesh.hpp"
 
@@ -57,6 +58,16 @@ struct Resultant {
   Vec3 force{0, 0, 0}, moment{0, 0, 0};
 };
 
+/// What a body's own loads and given displacements do.
+struct OwnLoads {
+  std::vector<double> displacement;  ///< of every node, u[3 * node + c]; empty: there are none
+  /// Boundary elements: tractions that go with it, by traction node of the body (see TractionNodes), t[3 * k + c]: what
+  /// was given, and the reactions of the supports. Empty when displacement is.
+  std::vector<double> traction;
+  Resultant reaction;  ///< what the supports exert on the body
+  double missed = 0;   ///< boundary elements: see Imbalances
+};
+
 struct BodyStatistics {
   std::int64_t unknowns = 0, assemblies = 0, factorizations = 0, condensations = 0;
   std::int64_t kernel_evaluations = 0;
@@ -69,6 +80,7 @@ struct BodyStatistics {
   std::size_t bytes = 0, peak_bytes = 0;
 };
 
+struct BodyMesh;
 class SectionReader;
 class SectionWriter;
 
@@ -84,26 +96,29 @@ class SurfaceResponse {
   /// The matrix to these right sides, assembled once: shared like them, and kept by the body itself until it is
   /// factorised (unless option keep_factors is 0).
   virtual std::shared_ptr<const BodyEquations> equations(int threads) = 0;
-  /// Displacements of every node, u[3 * node + c], under a right side of the equations, which is overwritten; own loads
-  /// and given displacements apart. Factorises at most once. False: has no such displacements, nothing is done.
-  virtual bool solve_everywhere(std::span<double> /*load*/, double* /*u*/, int /*threads*/) { return false; }
+  /// Displacements of every node, and the reactions of supports as tractions of boundary elements, under a right side
+  /// of the equations, which is overwritten; own loads and given displacements apart. Factorises at most once.
+  virtual void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) = 0;
+  /// Boundary elements: fields inside under this state and own loads; an empty one is those alone. Null: the body has
+  /// elements inside.
+  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState /*state*/, const OwnLoads& /*own*/) {
+    return nullptr;
+  }
   /// Null: the body has no elements inside.
   virtual const BodyInterior* interior() const { return nullptr; }
-  /// Displacement of every node under the body's own loads and given displacements, u[3 * node + c]; empty when there
-  /// are none.
-  virtual std::span<const double> own_displacement() const = 0;
-  /// Boundary elements: tractions that go with it, by traction node of the body (see TractionNodes), t[3 * k + c]: what
-  /// was given, and the reactions of the supports. Empty when own_displacement is.
-  virtual std::span<const double> own_traction() const { return {}; }
-  /// What the supports exert on the body then.
-  virtual Resultant support_reaction() const = 0;
+  /// Those that the body was prepared with.
+  virtual const OwnLoads& own() const = 0;
+  /// Those of a mesh that differs from the body's in loads and given displacements alone. Factorises at most once for
+  /// all that ask, finite elements with nothing condensed; boundary elements are assembled anew. err_argument.
+  virtual OwnLoads solve_loads(const BodyMesh& loaded, int threads) = 0;
   virtual BodyStatistics statistics() const = 0;
 
   /// Unknowns for whose loads nothing needs to be assembled or factorised any more.
   virtual std::int64_t solvable() const = 0;
   /// Writes what is kept: sections "response", "factors" when there are any, "kept". What can be found again from the
   /// mesh without factorising is left out.
-  virtual void save(SectionWriter& file) const = 0;
+  void save(SectionWriter& file) const { save(file, own()); }
+  virtual void save(SectionWriter& file, const OwnLoads& own) const = 0;
   /// Adds what section "kept" has and is not kept yet.
   virtual void add_kept(SectionReader& file) = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/results/power.hpp"
 #include "support/index.hpp"
 
 namespace rollcon {
@@ -62,22 +63,94 @@ std::vector<double> half_widths(const Frame& frame) {
   return half;
 }
 
+/// What slip takes of each node, over the speed, and what the law makes of that.
+struct NodalWear {
+  std::vector<double> energy, volume;
+  double all_energy = 0, all_volume = 0;
+
+  void scale(double factor) {
+    for (double& v : energy) v *= factor;
+    for (double& v : volume) v *= factor;
+    all_energy *= factor;
+    all_volume *= factor;
+  }
+};
+
+NodalWear wear_at_nodes(const SolverState& state, const WearLaw& law) {
+  const Prepared& on = *state.prepared;
+  const std::size_t n = on.problem.weight.size();
+  NodalWear found{std::vector<double>(n, 0.0), std::vector<double>(n, 0.0)};
+  for (std::size_t k = 0; k < n; ++k) {
+    const double pressure = -state.iterate.lambda[2][k];
+    if (!(pressure > 0)) continue;
+    const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
+    const double slip[2] = {state.slip[0][k] / on.speed, state.slip[1][k] / on.speed};
+    found.volume[k] = on.problem.weight[k] * law.rate(pressure, t, slip);
+    found.energy[k] = on.problem.weight[k] * std::max(0.0, -(t[0] * slip[0] + t[1] * slip[1]));
+    found.all_volume += found.volume[k];
+    found.all_energy += found.energy[k];
+  }
+  return found;
+}
+
+/// Energy that is missed, as slip against friction at its bound all over a node's area.
+double volume_of_missed(const SolverState& state, const WearLaw& law, std::size_t k, double energy) {
+  const double t[2] = {state.iterate.lambda[0][k], state.iterate.lambda[1][k]};
+  const double pressure = -state.iterate.lambda[2][k], weight = state.prepared->problem.weight[k];
+  const double length = std::hypot(t[0], t[1]),
+               bound = state.given.coefficient(state.prepared->problem.mu, k) * pressure;
+  if (!(length > 0 && bound > 0)) return 0;
+  const double direction[2] = {t[0] / length, t[1] / length}, slip = -energy / (weight * bound);
+  return weight *
+         law.rate(pressure, {bound * direction[0], bound * direction[1]}, {slip * direction[0], slip * direction[1]});
+}
+
+/// Brings the whole to what the balance of work says. Nodes that slide miss the strip before the contact's edge: up to
+/// a half more is theirs. Where little slides, nodes know no more than where rigid slip is at work.
+void meet_balance(SolverState& state, const WearLaw& law, NodalWear& wear) {
+  constexpr double least = 0.8, theirs = 1.5, noise = 1e-3;
+  if (!power_is_balanced(state)) return;
+  const Problem& p = state.prepared->problem;
+  const double energy = power_put_in(state) / state.prepared->speed;
+  if (!(energy > least * wear.all_energy)) return;
+  const double per_energy = wear.all_energy > noise * energy ? wear.all_volume / wear.all_energy : 0;
+  if (wear.all_energy > 0) wear.scale(std::min(energy / wear.all_energy, theirs));
+  const double missed = energy - wear.all_energy;
+  if (!(missed > 1e-12 * energy)) return;
+  std::vector<double> share(wear.energy.size(), 0.0);
+  double whole = 0;
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    if (!(state.iterate.lambda[2][k] < 0) || !(p.weight[k] > 0)) continue;
+    const auto i = static_cast<std::int64_t>(k);
+    const double put_in = -p.weight[k] * (state.iterate.lambda[0][k] * p.rigid_slip1(i, state.iterate.motion) +
+                                          state.iterate.lambda[1][k] * p.rigid_slip2(i, state.iterate.motion));
+    share[k] = std::max(0.0, put_in - wear.energy[k]);
+    whole += share[k];
+  }
+  if (!(whole > 0)) {
+    if (wear.all_energy > 0) wear.scale(energy / wear.all_energy);
+    return;
+  }
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    if (share[k] == 0) continue;
+    const double more = missed * share[k] / whole;
+    wear.volume[k] += per_energy > 0 ? per_energy * more : volume_of_missed(state, law, k, more);
+  }
+}
+
 }  // namespace
 
 double add_wear(SolverState& state, const WearLaw& law, std::span<const double> y, double share, double* volume) {
   derive_fields(state);
   const Prepared& on = *state.prepared;
   const std::vector<double> half = half_widths(on.frame);
+  NodalWear wear = wear_at_nodes(state, law);
+  meet_balance(state, law, wear);
   double total = 0;
-  for (std::size_t k = 0; k < on.problem.weight.size(); ++k) {
-    const double pressure = -state.iterate.lambda[2][k];
-    if (!(pressure > 0)) continue;
-    const double amount =
-        on.problem.weight[k] * law.rate(pressure, {state.iterate.lambda[0][k], state.iterate.lambda[1][k]},
-                                        {state.slip[0][k] / on.speed, state.slip[1][k] / on.speed});
-    if (amount == 0) continue;
-    total += amount;
-    if (!y.empty()) spread(on.frame.y[k], half[k], share * amount, y, volume);
+  for (std::size_t k = 0; k < wear.volume.size(); ++k) {
+    if (wear.volume[k] == 0) continue;
+    total += wear.volume[k];
+    if (!y.empty()) spread(on.frame.y[k], half[k], share * wear.volume[k], y, volume);
   }
   return total;
 }

@@ -11,7 +11,9 @@ namespace rollcon {
 
 /// Adds share times the volume per length rolled that belongs to the function that is 1 at y[j], 0 at the other y and
 /// linear between; y ascending, along t2. Each node's volume is spread over as much of t2 as its elements cover, and
-/// what lies beyond the ends is given to them: no volume is lost. Returns the whole volume (without the share).
+/// what lies beyond the ends is given to them: no volume is lost. Where the balance of work holds (power_is_balanced),
+/// the whole is the law's share of its power: slip at nodes misses much of it on coarse frames. Returns the whole
+/// volume (without the share).
 double add_wear(SolverState& state, const WearLaw& law, std::span<const double> y, double share, double* volume);
 
 /// Least and greatest t2 of nodes in contact; the first above the second where there is none.

@@ -125,13 +125,13 @@ TEST_P(LameStresses, converge) {
 
 constexpr auto type_name = [](const auto& param) { return name_of(param.param.type); };
 INSTANTIATE_TEST_SUITE_P(Bodies, LameStresses,
-                         ::testing::Values(Bounds{VolumeType::hex8, 4, 0.2, 0.2, 0.8},
-                                           Bounds{VolumeType::hex20, 2, 0.045, 0.012, 1.5}),
+                         ::testing::Values(Bounds{VolumeType::hex8, 4, 0.09, 0.2, 1.4},
+                                           Bounds{VolumeType::hex20, 2, 0.027, 0.012, 2}),
                          type_name);
 INSTANTIATE_TEST_SUITE_P(Bodies_long, LameStresses,
-                         ::testing::Values(Bounds{VolumeType::tet10, 2, 0.07, 0.05, 1.4},
-                                           Bounds{VolumeType::wedge15, 2, 0.045, 0.012, 1.5},
-                                           Bounds{VolumeType::wedge6, 4, 0.2, 0.15, 0.8},
+                         ::testing::Values(Bounds{VolumeType::tet10, 2, 0.055, 0.05, 1.5},
+                                           Bounds{VolumeType::wedge15, 2, 0.027, 0.012, 2},
+                                           Bounds{VolumeType::wedge6, 4, 0.1, 0.15, 1.4},
                                            Bounds{VolumeType::tet4, 4, 0.32, 0.35, 0.7}),
                          type_name);
 

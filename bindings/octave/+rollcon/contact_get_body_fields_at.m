@@ -1,0 +1,24 @@
+function varargout = contact_get_body_fields_at(varargin)
+% CONTACT_GET_BODY_FIELDS_AT  [displacement, stress] = rollcon.contact_get_body_fields_at(contact,
+%     body, xyz)
+%
+% Displacements and stresses at any points inside a body of finite or boundary elements under the
+% tractions of the last solve and the body's own loads, in the body's axes; tension is positive. Of
+% finite elements as rollcon.body_get_fields_at has them of rollcon.contact_get_body_displacements. Of
+% boundary elements by Somigliana's identities, as near to the surface as wanted, and on it: errors
+% there are those of the solution, and largest where tractions jump. ERR_UNSUPPORTED: another kind of
+% body (of half-spaces: rollcon.contact_get_stresses_at); ERR_ARGUMENT: a point is outside, and by how
+% much of a surface of boundary elements (a millionth of the element's size beyond its faces is still
+% inside).
+%
+%   contact (contact)
+%   body (int32): 1 or 2
+%   xyz(n,3) (real): in the body's axes, length
+% Results:
+%   displacement: x y z, length; []: not wanted
+%   stress: s11, s22, s33, s12, s13, s23, force/length^2; []: not wanted
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+[varargout{1:max(nargout, 1)}] = rollcon_mex('contact_get_body_fields_at', varargin{:});
+end

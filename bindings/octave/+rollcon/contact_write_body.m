@@ -1,0 +1,16 @@
+function varargout = contact_write_body(varargin)
+% CONTACT_WRITE_BODY  rollcon.contact_write_body(contact, body, path)
+%
+% Writes the elements of a body of finite or boundary elements with displacements, smoothed stresses
+% (xx, yy, zz, xy, yz, xz, as ParaView counts them) and von Mises's stress at the nodes, under the
+% tractions of the last solve and the body's own loads, as a VTU file for ParaView and meshio.
+% Otherwise like rollcon.contact_get_body_fields_at.
+%
+%   contact (contact)
+%   body (int32): 1 or 2
+%   path (name of a file): name of the file; an existing one is replaced
+%
+% Nodes, elements and rows count from 1. Failures are errors rollcon:ERR_..., caveats are warnings.
+% Generated from bindings/api.toml; do not edit.
+rollcon_mex('contact_write_body', varargin{:});
+end
