@@ -16,8 +16,9 @@ TEXT = """
 {cases} random cases of the standard table's whole range (magnitudes evenly from 0.03 to 0.97; any direction and
 spin), beside frames that the library makes (`frame_accuracy` 0.003, themselves known to 0.2 or 0.3 %). Errors are over
 μFn, of the moment over μFn √(ab). Made by `{command}` on
-{processor}. A table that is not in the caches: one of 80 copies in turn; code that is not either: after other data has
-filled all caches.
+{processor}.
+A table that is not in the caches: one of 80 copies in turn; code that is not either: after other data has filled all
+caches.
 
 {methods}
 ![share of cases with a larger error](images/tables_errors.png)
