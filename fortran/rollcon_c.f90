@@ -1816,6 +1816,18 @@ module rollcon_c
       integer(c_int32_t) :: rc
     end function rollcon_wheelrail_get_resultant
 
+    function rollcon_wheelrail_get_derivative(wheelrail, entry, force, moment, z) &
+        result(rc) bind(C, name="rollcon_wheelrail_get_derivative")
+      import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr
+      implicit none
+      type(c_ptr), value :: wheelrail
+      integer(c_int32_t), value :: entry
+      real(c_double), intent(out) :: force(*)
+      real(c_double), intent(out) :: moment(*)
+      real(c_double), intent(inout) :: z
+      integer(c_int32_t) :: rc
+    end function rollcon_wheelrail_get_derivative
+
     function rollcon_wheelrail_get_stat(wheelrail, name, value) &
         result(rc) bind(C, name="rollcon_wheelrail_get_stat")
       import :: c_int32_t, c_int64_t, c_double, c_char, c_ptr, c_funptr

@@ -1713,6 +1713,15 @@ subroutine rcwres(iwr, iaxes, force, xmoment, ierr)
   ierr = rollcon_wheelrail_get_resultant(wheelrail_of(iwr), narrow(iaxes), force, xmoment)
 end subroutine
 
+!> Derivatives of the totals of the last solve by one entry of its position or velocity.
+subroutine rcwder(iwr, ientry, force, xmoment, z, ierr)
+  use rollcon_f77_support
+  implicit none
+  integer :: iwr, ientry, ierr
+  double precision :: force(3), xmoment(3), z
+  ierr = rollcon_wheelrail_get_derivative(wheelrail_of(iwr), narrow(ientry), force, xmoment, z)
+end subroutine
+
 !> One number about the last solve.
 subroutine rcwsta(iwr, name, value, ierr)
   use rollcon_f77_support

@@ -38,6 +38,7 @@ module rollcon_wheelrail_plain
     procedure :: reset => wheelrail_reset
     procedure :: get_patch_count => wheelrail_get_patch_count
     procedure :: get_resultant => wheelrail_get_resultant
+    procedure :: get_derivative => wheelrail_get_derivative
     procedure :: get_stat => wheelrail_get_stat
     procedure :: get_patch_stat => wheelrail_get_patch_stat
     procedure :: free => release
@@ -327,6 +328,27 @@ contains
     moment = 0
     call finish(rollcon_wheelrail_get_resultant(self%p, axes_or_standard, force, moment), self%p, &
       'rc_wheelrail%get_resultant', stat, errmsg)
+  end subroutine
+
+  !> Derivatives of the totals of the last solve by one entry of its position or velocity: of what
+  !> rollcon_wheelrail_get_resultant gives in the track, and of the wheelset's z. Where the height was found from a
+  !> vertical force, that force stays and z follows; entry 2 has none then. They are those of Newton's systems at the
+  !> solutions of the patches, whose axes move with the overlap; with a creep-force table, central differences of
+  !> solves. The first call finds all twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one
+  !> that did not converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+  subroutine wheelrail_get_derivative(self, entry, force, moment, z, stat, errmsg)
+    class(rc_wheelrail_plain), intent(inout) :: self
+    integer, intent(in) :: entry
+    real(rc_real), intent(out) :: force(3)
+    real(rc_real), intent(out) :: moment(3)
+    real(rc_real), intent(out) :: z
+    integer, intent(out), optional :: stat
+    character(len=*), intent(inout), optional :: errmsg
+    force = 0
+    moment = 0
+    z = 0
+    call finish(rollcon_wheelrail_get_derivative(self%p, int(entry, rc_int), force, moment, z), self%p, &
+      'rc_wheelrail%get_derivative', stat, errmsg)
   end subroutine
 
   !> One number about the last solve: height, vertical force, frictional power, counts. Names:

@@ -2387,6 +2387,25 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_resultant(
     const rollcon_wheelrail *wheelrail, int32_t axes, double *force, double *moment);
 
 /*
+ * Derivatives of the totals of the last solve by one entry of its position or velocity: of what
+ * rollcon_wheelrail_get_resultant gives in the track, and of the wheelset's z. Where the height
+ * was found from a vertical force, that force stays and z follows; entry 2 has none then. They
+ * are those of Newton's systems at the solutions of the patches, whose axes move with the
+ * overlap; with a creep-force table, central differences of solves. The first call finds all
+ * twelve and keeps them until the next solve. ROLLCON_ERR_STATE: no solution, or one that did not
+ * converge. ROLLCON_ERR_SINGULAR: a patch begins or ends here.
+ *   entry      0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity
+ *   force      [3], out, may be NULL; of the force on the wheel
+ *   moment     [3], out, may be NULL; of its moment about the wheelset's centre, which moves
+ *              along
+ *   z          out, may be NULL; of the wheelset's z
+ * Also returns: ROLLCON_ERR_STATE, ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY.
+ * Source: docs/wheelrail.md.
+ */
+ROLLCON_API rollcon_status ROLLCON_CALL rollcon_wheelrail_get_derivative(
+    rollcon_wheelrail *wheelrail, int32_t entry, double *force, double *moment, double *z);
+
+/*
  * One number about the last solve: height, vertical force, frictional power, counts. Names:
  * rollcon_wheelrail_stat_name; meanings: docs/wheelrail.md.
  *   value      out

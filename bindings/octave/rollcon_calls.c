@@ -2018,6 +2018,24 @@ static void call_wheelrail_get_resultant(call *self) {
   finish(self, rc);
 }
 
+static void call_wheelrail_get_derivative(call *self) {
+  int32_t rc = 0;
+  rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
+  const int32_t entry = take_enumerator(self, "entry", no_names, 0);
+  double *force = NULL;
+  double *moment = NULL;
+  double z = 0;
+  no_more(self);
+  force = room(1 * (3), sizeof *force);
+  moment = room(1 * (3), sizeof *moment);
+  rc = rollcon_wheelrail_get_derivative(wheelrail, entry, force, moment, &z);
+  if (rc < 0) finish(self, rc);
+  give_reals(self, force, 1, 3);
+  give_reals(self, moment, 1, 3);
+  give_real(self, (double)z);
+  finish(self, rc);
+}
+
 static void call_wheelrail_get_stat(call *self) {
   int32_t rc = 0;
   rollcon_wheelrail *wheelrail = rollcon_wheelrail_from_id(take_handle(self, "wheelrail"));
@@ -2462,6 +2480,7 @@ const entry calls[] = {
   {"wheelrail_reset", call_wheelrail_reset, 1},
   {"wheelrail_get_patch_count", call_wheelrail_get_patch_count, 1},
   {"wheelrail_get_resultant", call_wheelrail_get_resultant, 2},
+  {"wheelrail_get_derivative", call_wheelrail_get_derivative, 3},
   {"wheelrail_get_stat", call_wheelrail_get_stat, 1},
   {"wheelrail_stat_count", call_wheelrail_stat_count, 1},
   {"wheelrail_stat_name", call_wheelrail_stat_name, 1},

@@ -107,6 +107,16 @@ rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail* wheelrai
   });
 }
 
+rollcon_status rollcon_wheelrail_get_derivative(rollcon_wheelrail* wheelrail, int32_t entry, double* force,
+                                                double* moment, double* z) {
+  return with_wheelrail(__func__, wheelrail, [&](WheelRail& w) {
+    const WheelRail::Derivative d = w.derivative(entry);
+    if (force) std::copy(d.force.begin(), d.force.end(), force);
+    if (moment) std::copy(d.moment.begin(), d.moment.end(), moment);
+    if (z) *z = d.z;
+  });
+}
+
 rollcon_status rollcon_wheelrail_get_stat(const rollcon_wheelrail* wheelrail, const char* name, double* value) {
   return with_wheelrail(__func__, wheelrail, [&](const WheelRail& w) {
     require_pointer(name, "name");

@@ -25,6 +25,7 @@ struct CaseResults;    // contact/cases/solve_many.hpp
 struct FrictionShare;  // contact/newton/friction_limit.hpp
 struct FrameFamily;    // contact/results/extrapolation.hpp
 class KnownGap;        // contact/scene/known_gap.hpp
+struct NodeGivens;     // contact/solution.hpp
 struct Rates;          // contact/solution.hpp
 class WearLaw;         // contact/laws/wear_law.hpp
 struct SolverState;    // solution, caches and workspaces; contact/solution.hpp
@@ -139,6 +140,12 @@ class Contact {
   /// Derivatives of what resultant(local) and motion() give; any pointer may be null. err_state: the last solve did not
   /// converge, or a tangential load is prescribed without friction.
   void sensitivity(Parameter parameter, double* force, double* moment, double* approach, double* creep) const;
+  /// Gap, rigid slip and friction at the nodes of a flat frame as the scene, motions all prescribed, has them now. The
+  /// last solution has to be gone back to (return_to()).
+  void read_givens(NodeGivens& now);
+  /// Derivatives of the last solution's force and moment (local axes) where these givens change at such rates and the
+  /// frame stays. err_state, err_singular, err_unsupported: as sensitivity().
+  void rates_by_givens(const NodeGivens& rate, double* force, double* moment) const;
   /// Displacement of body 1 or 2 at any points of the contact surface, by (t1, t2) pairs; on a curved frame in the
   /// local directions there.
   void displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const;

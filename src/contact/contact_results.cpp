@@ -204,6 +204,15 @@ void Contact::motion(double* depth, double* creep) const {
   if (creep) creep[0] = m[xi1], creep[1] = m[xi2], creep[2] = m[spin];
 }
 
+namespace {
+
+void require_converged(const SolverState& s) {
+  if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
+    fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
+}
+
+}  // namespace
+
 const Rates& Contact::rates(Parameter parameter) const {
   require_operators(*state_);
   return find_rates(*state_, parameter);
@@ -212,8 +221,7 @@ const Rates& Contact::rates(Parameter parameter) const {
 void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth, double* creep) const {
   SolverState& s = *state_;
   require_solution(s, scene);
-  if (s.outcome == Outcome::not_converged || s.outcome == Outcome::cancelled)
-    fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
+  require_converged(s);
   const BlasThreads blas(context_->threads());
   require_operators(s);
   Rates r = find_rates(s, parameter);
@@ -222,6 +230,34 @@ void Contact::sensitivity(Parameter parameter, double* force, double* moment, do
   if (moment) std::copy(r.moment.begin(), r.moment.end(), moment);
   if (depth) *depth = r.motion[approach];
   if (creep) creep[0] = r.motion[xi1], creep[1] = r.motion[xi2], creep[2] = r.motion[spin];
+}
+
+void Contact::read_givens(NodeGivens& now) {
+  SolverState& s = *state_;
+  const BlasThreads blas(context_->threads());
+  prepare(s, scene, *body1_, *body2_, context_->threads());
+  const Problem& p = s.prepared->problem;
+  const auto n = static_cast<std::size_t>(p.nodes);
+  now.gap.resize(n);
+  for (auto& slip : now.slip) slip.resize(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto i = static_cast<std::int64_t>(k);
+    now.gap[k] = p.gap[k] - p.closing(k) * s.given.value[approach];
+    now.slip[0][k] = p.rigid_slip1(i, s.given.value);
+    now.slip[1][k] = p.rigid_slip2(i, s.given.value);
+  }
+  now.mu = p.mu;
+}
+
+void Contact::rates_by_givens(const NodeGivens& rate, double* force, double* moment) const {
+  SolverState& s = *state_;
+  require_solution(s, scene);
+  require_converged(s);
+  const BlasThreads blas(context_->threads());
+  require_operators(s);
+  const Rates r = find_rates(s, rate);
+  std::copy(r.force.begin(), r.force.end(), force);
+  std::copy(r.moment.begin(), r.moment.end(), moment);
 }
 
 void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const {

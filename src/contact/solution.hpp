@@ -64,6 +64,13 @@ struct Rates {
   std::array<double, 4> motion{};  ///< by Motion
 };
 
+/// What scene, poses and velocities prescribe at the nodes of a frame, or how fast that changes.
+struct NodeGivens {
+  std::vector<double> gap;      ///< at the approach that is prescribed
+  std::vector<double> slip[2];  ///< rigid slip over speed, motions included
+  std::vector<double> mu;
+};
+
 struct Sensitivities {
   static constexpr std::size_t parameters = 5;
   std::array<bool, parameters> known{};  ///< by Parameter, minus one

@@ -226,11 +226,17 @@ void PatchContact::prescribe(double give_way, const PatchFriction& friction) {
 
 // Space of the contact is that of its axes: they never change, and what belongs to the frame stays.
 void PatchContact::lay_axes() {
-  now_.axes.n = -1.0 * now_.patch.normal;
-  now_.axes.t1 = {now_.motion.speed > 0 ? 1.0 : -1.0, 0, 0};
-  now_.axes.t2 = cross(now_.axes.n, now_.axes.t1);
-  const double x = 0.5 * (now_.patch.back + now_.patch.front), y = 0.5 * (now_.patch.low + now_.patch.high);
-  now_.axes.origin = now_.patch.reference + Vec3{x, 0, 0} + y * now_.patch.lateral;
+  now_.axes = axes_of(now_.patch);
+}
+
+Axes PatchContact::axes_of(const OverlapPatch& patch) const {
+  Axes axes;
+  axes.n = -1.0 * patch.normal;
+  axes.t1 = {now_.motion.speed > 0 ? 1.0 : -1.0, 0, 0};
+  axes.t2 = cross(axes.n, axes.t1);
+  const double x = 0.5 * (patch.back + patch.front), y = 0.5 * (patch.low + patch.high);
+  axes.origin = patch.reference + Vec3{x, 0, 0} + y * patch.lateral;
+  return axes;
 }
 
 void PatchContact::stand(const WheelMotion& motion) {

@@ -64,6 +64,23 @@ class PatchContact {
   void keep(Kept& kept) const;
   void return_to(const Kept& kept);
 
+  /// A place nearby, a step before or behind that of the last solve.
+  struct Nearby {
+    OverlapPatch patch;
+    WheelMotion motion;
+    PatchFriction friction;
+  };
+  /// Derivatives of force and of the moment about the patch's reference.
+  struct Rate {
+    Vec3 force{}, moment{};
+  };
+  /// By what steps over this distance are of, from Newton's system at the solution: gap, slip, friction and axes follow
+  /// from what is nearby, the frame keeps its place in the axes. The last solution stays. err_state: it did not
+  /// converge, or its forces come from a table.
+  Rate rate(const Nearby& before, const Nearby& behind, double distance);
+  /// By what the surfaces give way.
+  Rate rate_of_giving_way() const;
+
   const OverlapPatch& overlap() const { return now_.patch; }
   Status status() const { return now_.status; }
   /// Of the contact: origin in the middle of its frame, t1 along the rolling direction, n into the rail.
@@ -115,6 +132,7 @@ class PatchContact {
   static constexpr double usual_margin = 1.05;
 
   void prescribe(double give_way, const PatchFriction& friction);
+  Axes axes_of(const OverlapPatch& patch) const;
   void lay_axes();
   void stand(const WheelMotion& motion);
   bool take_hertzian_results(const PatchFriction& friction, double give_way);
@@ -122,6 +140,7 @@ class PatchContact {
   void put_frame(const LatticeSize& size, const FramePlace& place);
   FramePlace place();
   int rim_reached(const LatticeSize& size);
+  void read_nearby(const Nearby& nearby, NodeGivens& givens);
   void solve_on_frame(const LatticeSize& size);
   bool take_table_results(const PatchFriction& friction);
   void take_results(const Vec3& force, const Vec3& moment);
@@ -132,6 +151,7 @@ class PatchContact {
   State now_;
   std::int64_t solves_ = 0;  ///< ever
   std::vector<double> gap_;
+  std::unique_ptr<Kept> here_;  ///< storage of rate()
 };
 
 struct PatchContact::Kept {

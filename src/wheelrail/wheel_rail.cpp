@@ -109,19 +109,19 @@ Pose WheelRail::wheel_pose(const WheelsetState& position, double z) const {
   return wheel;
 }
 
-WheelMotion WheelRail::motion_at(double z) const {
-  const Pose set = attitude_of(in_.position), wheel = wheel_pose(in_.position, z);
-  const Vec3 centre{0, in_.position.y, z - radius_};
-  const Pose rail = rail_pose(in_.deviation);
-  const Pose yawed = attitude(0, in_.position.yaw);
-  const Vec3 turning = in_.velocity.yaw * Vec3{0, 0, 1} + in_.velocity.roll * yawed.turn({1, 0, 0}) +
-                       in_.velocity.pitch * set.turn({0, 1, 0});
+WheelMotion WheelRail::motion_at(double z, const Inputs& in) const {
+  const Pose set = attitude_of(in.position), wheel = wheel_pose(in.position, z);
+  const Vec3 centre{0, in.position.y, z - radius_};
+  const Pose rail = rail_pose(in.deviation);
+  const Pose yawed = attitude(0, in.position.yaw);
+  const Vec3 turning = in.velocity.yaw * Vec3{0, 0, 1} + in.velocity.roll * yawed.turn({1, 0, 0}) +
+                       in.velocity.pitch * set.turn({0, 1, 0});
   WheelMotion motion;
   motion.pose = relative(rail, wheel);
-  motion.velocity = seen_from(rail, {{in_.velocity.x, in_.velocity.y, in_.velocity.z}, turning, centre});
+  motion.velocity = seen_from(rail, {{in.velocity.x, in.velocity.y, in.velocity.z}, turning, centre});
   motion.rail =
-      seen_from(rail, {{0, in_.rate.y, in_.rate.z}, {in_.rate.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
-  motion.speed = in_.velocity.x;
+      seen_from(rail, {{0, in.rate.y, in.rate.z}, {in.rate.roll, 0, 0}, rail.place({0, 0.5 * track_->gauge, 0})});
+  motion.speed = in.velocity.x;
   return motion;
 }
 
@@ -216,18 +216,22 @@ PatchFriction WheelRail::friction_of(const OverlapPatch& patch) const {
 }
 
 // By Boussinesq's point load; tangential loads and tilted normals are left out.
+double WheelRail::give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const {
+  const double distance = length(here.reference - there.reference), along = dot(here.normal, there.normal);
+  // Patches with shares below one may be parts of each other.
+  const double beside = std::max(here.high - here.low, there.high - there.low) / 2;
+  return distance > beside && along > 0 ? there.share * along / (distance * std::numbers::pi * modulus) : 0;
+}
+
 double WheelRail::give_way_under_others(const Slot& slot) const {
-  const OverlapPatch& here = slot.contact.overlap();
+  const double modulus = slot.contact.contact()->modulus();
   double sum = 0;
   for (const Slot* other : active_) {
     const OverlapPatch& there = other->contact.overlap();
-    const double distance = length(here.reference - there.reference), along = dot(here.normal, there.normal);
-    // Patches with shares below one may be parts of each other.
-    const double beside = std::max(here.high - here.low, there.high - there.low) / 2;
-    if (other == &slot || !(distance > beside) || !(along > 0)) continue;
-    sum += there.share * along * dot(other->contact.force(), there.normal) / distance;
+    if (other != &slot)
+      sum += give_way_per_load(slot.contact.overlap(), there, modulus) * dot(other->contact.force(), there.normal);
   }
-  return sum > 0 ? sum / (std::numbers::pi * slot.contact.contact()->modulus()) : 0;
+  return std::max(sum, 0.0);
 }
 
 double WheelRail::vertical_force() const {
@@ -299,9 +303,10 @@ Status WheelRail::solve() {
   prepare();
   for (const auto& slot : slot_) slot->contact.contact()->forget_cancel();
   solved_.reset();
+  derived_ = false;
   for (const auto& slot : slot_) slot->contact.hold_shape(false);
   const Status status = in_.by_force ? meet_force() : solve_at(in_.position.z);
-  solved_ = Solved{in_.position, in_.deviation, z_};
+  solved_ = Solved{in_.position, in_.velocity, in_.deviation, in_.rate, in_.by_force, z_, status};
   tell(status);
   return status;
 }

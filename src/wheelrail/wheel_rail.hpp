@@ -91,6 +91,13 @@ class WheelRail {
   std::shared_ptr<Contact> contact(std::int64_t i) const;
   /// On the wheel, in the axes of the track or of the wheelset; the moment about the wheelset's centre.
   void resultant(bool of_wheelset, double* force, double* moment) const;
+  /// How totals of the last solve change with entry i of its position (0 to 5) or velocity (6 to 11): in the track, and
+  /// z of the wheelset. err_state: that solve did not converge; err_singular: patches begin or end there.
+  struct Derivative {
+    Vec3 force{}, moment{};
+    double z = 0;
+  };
+  Derivative derivative(std::int32_t i);
   /// y and z of n points at equal arc lengths from end to end of the profile of body 1 (the wheel) or 2 (the rail).
   std::vector<Vec2> profile_points(std::int32_t body, std::int64_t n) const;
   /// Adds weight times what the last solve takes off body 1 or 2 at these points of its profile, in volume per length
@@ -113,9 +120,11 @@ class WheelRail {
   };
   /// What the last solve was of; what is set later does not change its results.
   struct Solved {
-    WheelsetState position;
-    RailDeviation deviation;
+    WheelsetState position, velocity;
+    RailDeviation deviation, rate;
+    bool by_force = false;
     double z = 0;
+    Status status = Status::ok;
   };
   /// What may change between two solves.
   struct Inputs {
@@ -136,7 +145,8 @@ class WheelRail {
   void prepare();
   void prepare_search();
   Pose wheel_pose(const WheelsetState& position, double z) const;
-  WheelMotion motion_at(double z) const;
+  WheelMotion motion_at(double z) const { return motion_at(z, in_); }
+  WheelMotion motion_at(double z, const Inputs& in) const;
   Status solve_at(double z);
   PatchFriction friction_of(const OverlapPatch& patch) const;
   Status meet_force();
@@ -144,6 +154,17 @@ class WheelRail {
   double first_sink(double touch);
   double vertical_force() const;
   double give_way_under_others(const Slot& slot) const;
+  double give_way_per_load(const OverlapPatch& here, const OverlapPatch& there, double modulus) const;
+  static constexpr std::size_t entries = 12;
+  /// What the totals are at one place.
+  struct Totals {
+    Vec3 force{}, moment{};
+    double vertical = 0;
+  };
+  Totals totals(const Vec3& centre) const;
+  void differentiate(const Inputs& in, std::size_t entry, double step, Totals& rate);
+  void differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate);
+  Inputs solved_inputs() const;
   Slot& slot_for(const OverlapPatch& patch);
   void require_solved() const;
   static Pose attitude_of(const WheelsetState& position);
@@ -151,6 +172,7 @@ class WheelRail {
   Slot& add_slot();
   const Slot& active(std::int64_t i) const;
   void keep(Kept& kept) const;
+  std::shared_ptr<Kept> keep_here() const;
   void return_to(const Kept& kept);
 
   std::shared_ptr<Context> context_;
@@ -173,6 +195,8 @@ class WheelRail {
   double sink_ = 0;                      ///< beyond first touch, of the last solve with a force; 0: none
   std::int64_t solves_ = 0, grown_ = 0;  ///< the second: frames of slots that a reset took out
   std::optional<Solved> solved_;
+  bool derived_ = false;  ///< derivative_ belongs to the last solve
+  std::array<Derivative, entries> derivative_{};
   std::atomic<bool> cancel_{false};
   std::vector<std::shared_ptr<Kept>> kept_;  ///< by place
 };

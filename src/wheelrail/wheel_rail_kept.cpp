@@ -48,9 +48,16 @@ void WheelRail::keep(Kept& kept) const {
   kept.solved = solved_;
 }
 
+std::shared_ptr<WheelRail::Kept> WheelRail::keep_here() const {
+  auto kept = std::make_shared<Kept>();
+  keep(*kept);
+  return kept;
+}
+
 void WheelRail::return_to(const Kept& kept) {
   in_ = kept.in;
   solved_.reset();
+  derived_ = false;
   active_.clear();
   if (kept.slots > 0) prepare_search();
   while (slot_.size() > kept.slots) {

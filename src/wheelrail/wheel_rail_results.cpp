@@ -113,17 +113,24 @@ const char* WheelRail::patch_stat_name(std::int64_t i) {
   return patch_stats[static_cast<std::size_t>(i)].name;
 }
 
-void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const {
-  require_solved();
-  const Pose rail = rail_pose(solved_->deviation);
-  const Vec3 centre{0, solved_->position.y, solved_->z - radius_};
-  Vec3 f{0, 0, 0}, m{0, 0, 0};
+// In the track, of what was solved: in the mirror for a left wheel.
+WheelRail::Totals WheelRail::totals(const Vec3& centre) const {
+  const Pose rail = rail_pose(solved_ ? solved_->deviation : in_.deviation);
+  Totals sum;
   for (const Slot* slot : active_) {
     const PatchContact& p = slot->contact;
     const Vec3 own = p.overlap().share * rail.turn(p.force());
-    f = f + own;
-    m = m + p.overlap().share * rail.turn(p.moment()) + cross(rail.place(p.overlap().reference) - centre, own);
+    sum.force = sum.force + own;
+    sum.moment =
+        sum.moment + p.overlap().share * rail.turn(p.moment()) + cross(rail.place(p.overlap().reference) - centre, own);
   }
+  sum.vertical = vertical_force();
+  return sum;
+}
+
+void WheelRail::resultant(bool of_wheelset, double* force, double* moment) const {
+  require_solved();
+  auto [f, m, vertical] = totals({0, solved_->position.y, solved_->z - radius_});
   if (of_wheelset) {
     const Pose set = attitude_of(solved_->position);
     f = set.turn_back(f);

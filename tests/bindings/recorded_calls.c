@@ -169,6 +169,7 @@ const char* const recorded_names[] = {
   "wheelrail_reset",
   "wheelrail_get_patch_count",
   "wheelrail_get_resultant",
+  "wheelrail_get_derivative",
   "wheelrail_get_stat",
   "wheelrail_stat_count",
   "wheelrail_stat_name",
@@ -203,7 +204,7 @@ const char* const recorded_names[] = {
   "table_evaluate_derivatives",
 };
 
-const int recorded_number = 196;
+const int recorded_number = 197;
 
 enum {
   recorded_rollcon_version,
@@ -370,6 +371,7 @@ enum {
   recorded_rollcon_wheelrail_reset,
   recorded_rollcon_wheelrail_get_patch_count,
   recorded_rollcon_wheelrail_get_resultant,
+  recorded_rollcon_wheelrail_get_derivative,
   recorded_rollcon_wheelrail_get_stat,
   recorded_rollcon_wheelrail_stat_count,
   recorded_rollcon_wheelrail_stat_name,
@@ -1960,6 +1962,20 @@ rollcon_status rollcon_wheelrail_get_resultant(const rollcon_wheelrail *wheelrai
   record_room(moment);
   give_reals(force, 3, 2);
   give_reals(moment, 3, 3);
+  return record_end();
+}
+
+rollcon_status rollcon_wheelrail_get_derivative(rollcon_wheelrail *wheelrail, int32_t entry,
+    double *force, double *moment, double *z) {
+  record_begin(recorded_rollcon_wheelrail_get_derivative);
+  record_handle(wheelrail);
+  record_integer(entry);
+  record_room(force);
+  record_room(moment);
+  record_room(z);
+  give_reals(force, 3, 2);
+  give_reals(moment, 3, 3);
+  give_reals(z, 1, 4);
   return record_end();
 }
 

@@ -321,6 +321,8 @@ void with_each_wheelrail_call(const void* handle, Check&& check) {
         rollcon_wheelrail_get_patch_count(object, &a.n));
   check("rollcon_wheelrail_get_resultant", false,
         rollcon_wheelrail_get_resultant(object, 1, a.out, a.out));
+  check("rollcon_wheelrail_get_derivative", false,
+        rollcon_wheelrail_get_derivative(object, 1, a.out, a.out, a.out));
   check("rollcon_wheelrail_get_stat", false,
         rollcon_wheelrail_get_stat(object, "never_written", a.out));
   check("rollcon_wheelrail_get_patch_stat", false,

@@ -146,6 +146,7 @@ program mapping_77_test
   call test_rcwrst()
   call test_rcwnpa()
   call test_rcwres()
+  call test_rcwder()
   call test_rcwsta()
   call test_rcwstn()
   call test_rcwpst()
@@ -2252,6 +2253,25 @@ contains
     call rcwres(iwr, 11, force, xmoment, stat)
     call rclerr(message)
     call failed('wheelrail_get_resultant', stat, message)
+  end subroutine
+
+  subroutine test_rcwder()
+    double precision :: force(3)
+    double precision :: xmoment(3)
+    double precision :: z
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call rcwder(iwr, 11, force, xmoment, z, stat)
+    call told('wheelrail_get_derivative', 'wheelrail1 11 room room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('xmoment', xmoment, 300.5_rc_real)
+    call gave_reals('z', [z], 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call rcwder(iwr, 11, force, xmoment, z, stat)
+    call rclerr(message)
+    call failed('wheelrail_get_derivative', stat, message)
   end subroutine
 
   subroutine test_rcwsta()

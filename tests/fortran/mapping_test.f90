@@ -86,6 +86,7 @@ program mapping_test
   call wheelrail_reset()
   call wheelrail_get_patch_count()
   call wheelrail_get_resultant()
+  call wheelrail_get_derivative()
   call wheelrail_get_stat()
   call wheelrail_get_patch_stat()
   call table_set_ratios()
@@ -1175,6 +1176,24 @@ contains
     message = ''
     call wheelrail%get_resultant(force, moment, 11_rc_int, stat, message)
     call failed('wheelrail_get_resultant', stat, message)
+  end subroutine
+
+  subroutine wheelrail_get_derivative()
+    real(rc_real) :: force(3)
+    real(rc_real) :: moment(3)
+    real(rc_real) :: z
+    integer :: stat
+    character(len=80) :: message
+    call answers(ROLLCON_OK)
+    call wheelrail%get_derivative(11, force, moment, z, stat, message)
+    call told('wheelrail_get_derivative', 'wheelrail1 11 room room room', stat)
+    call gave_reals('force', force, 200.5_rc_real)
+    call gave_reals('moment', moment, 300.5_rc_real)
+    call gave_reals('z', [z], 400.5_rc_real)
+    call answers(ROLLCON_ERR_STATE)
+    message = ''
+    call wheelrail%get_derivative(11, force, moment, z, stat, message)
+    call failed('wheelrail_get_derivative', stat, message)
   end subroutine
 
   subroutine wheelrail_get_stat()

@@ -103,6 +103,7 @@ ROWS = list(starmap(Row, [
     ('wheelrail', 'patch_count', True, (), 'wheelrail_get_patch_count', 'wheelrail1 room', 100),
     ('wheelrail', 'resultant', False, (11,), 'wheelrail_get_resultant', 'wheelrail1 11 room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5])),
     ('wheelrail', 'resultant', False, (), 'wheelrail_get_resultant', 'wheelrail1 0 room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5])),
+    ('wheelrail', 'derivative', False, (11,), 'wheelrail_get_derivative', 'wheelrail1 11 room room room', ([200.5, 201.5, 202.5], [300.5, 301.5, 302.5], 400.5)),
     ('wheelrail', 'stat', False, ('text 1',), 'wheelrail_get_stat', 'wheelrail1 <text 1> room', 200.5),
     ('wheelrail', 'patch_stat', False, (11, 'text 2'), 'wheelrail_get_patch_stat', 'wheelrail1 11 <text 2> room', 300.5),
     ('table', 'set_ratios', False, (11, 2.5, 3.5), 'table_set_ratios', 'table1 11 2.5 3.5', None),

@@ -419,6 +419,9 @@ FUNCTIONS = {
     "rollcon_wheelrail_get_resultant": (c_int32, [
         c_void_p, c_int32,
         POINTER(c_double), POINTER(c_double)]),
+    "rollcon_wheelrail_get_derivative": (c_int32, [
+        c_void_p, c_int32, POINTER(c_double),
+        POINTER(c_double), POINTER(c_double)]),
     "rollcon_wheelrail_get_stat": (c_int32, [c_void_p, c_char_p, POINTER(c_double)]),
     "rollcon_wheelrail_stat_count": (c_int32, []),
     "rollcon_wheelrail_stat_name": (c_int32, [c_int32, c_int64, c_char_p, POINTER(c_int64)]),
@@ -794,6 +797,9 @@ ARGUMENTS = {
     "rollcon_wheelrail_get_patch_count": [("wheelrail", ""), ("patches", "")],
     "rollcon_wheelrail_get_resultant": [
         ("wheelrail", ""), ("axes", "axes of the track"), ("force", ""), ("moment", "")
+    ],
+    "rollcon_wheelrail_get_derivative": [
+        ("wheelrail", ""), ("entry", ""), ("force", ""), ("moment", ""), ("z", "")
     ],
     "rollcon_wheelrail_get_stat": [("wheelrail", ""), ("name", ""), ("value", "")],
     "rollcon_wheelrail_stat_count": [],

@@ -940,6 +940,25 @@ class WheelrailPlain:
         self._call("get_resultant", axes, force_at, moment_at)
         return force, moment
 
+    def derivative(self, entry: int) -> tuple[ndarray, ndarray, float]:
+        """Derivatives of the totals of the last solve by one entry of its position or velocity:
+        of what resultant() gives in the track, and of the wheelset's z. Where the height was
+        found from a vertical force, that force stays and z follows; entry 2 has none then. They
+        are those of Newton's systems at the solutions of the patches, whose axes move with the
+        overlap; with a creep-force table, central differences of solves. The first call finds all
+        twelve and keeps them until the next solve. ERR_STATE: no solution, or one that did not
+        converge. ERR_SINGULAR: a patch begins or ends here.
+
+        entry: 0 to 5: of the position (rollcon_wheelrail_set_position); 6 to 11: of the velocity.
+        force: of the force on the wheel.
+        moment: of its moment about the wheelset's centre, which moves along.
+        """
+        force, force_at = room(3)
+        moment, moment_at = room(3)
+        z = c_double()
+        self._call("get_derivative", entry, force_at, moment_at, byref(z))
+        return force, moment, z.value
+
     def stat(self, name: str) -> float:
         """One number about the last solve: height, vertical force, frictional power, counts.
         Names: stat_name(); meanings: docs/wheelrail.md.

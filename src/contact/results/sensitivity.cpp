@@ -17,24 +17,41 @@ int motion_of(Parameter parameter) {
   return parameter == Parameter::friction ? no_motion : static_cast<int>(parameter) - 1;
 }
 
-// What the parameter does to the part's equations while the unknowns stay. The rate of pressures that the part holds
-// given is in w.lambda[2] already.
-void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter parameter) {
+/// What changes: a parameter, or (not null) what is given at the nodes.
+struct Change {
+  Parameter parameter = Parameter::friction;
+  const NodeGivens* nodes = nullptr;
+
+  /// Motion that changes itself; no_motion: none.
+  int motion() const { return nodes ? no_motion : motion_of(parameter); }
+  /// Growth of the coefficient over itself.
+  double friction(const Problem& p, std::size_t k) const {
+    if (nodes) return p.mu[k] > 0 ? nodes->mu[k] / p.mu[k] : 0;
+    return parameter == Parameter::friction ? 1 : 0;
+  }
+};
+
+// What the change does to the part's equations while the unknowns stay. The rate of pressures that the part holds given
+// is in w.lambda[2] already.
+void fill_right_side(SolverState& s, const ReducedSystem& system, const Change& change) {
   const Problem& p = s.prepared->problem;
   Sensitivities& w = s.sensitivities;
   const std::size_t na = at(system.active());
   for (std::vector<double>* v : {&w.gap, &w.slip[0], &w.slip[1], &w.bound[0], &w.bound[1]}) v->assign(na, 0.0);
-  const int m = motion_of(parameter);
+  const int m = change.motion();
   const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   for (std::size_t a = 0; a < na; ++a) {
     const auto k = static_cast<std::size_t>(system.nodes()[a]);
     if (given && m == approach) w.gap[a] = -p.closing(k);
+    if (change.nodes) w.gap[a] = change.nodes->gap[k];
     if (system.part() == Part::normal) continue;
     // mu p e grows by mu e (p dmu/mu + dp); own[i][2] is mu e_i.
-    const double pressure = (parameter == Parameter::friction ? -s.iterate.lambda[2][k] : 0) -
-                            (system.part() == Part::tangential ? w.lambda[2][k] : 0);
+    const double pressure =
+        -change.friction(p, k) * s.iterate.lambda[2][k] - (system.part() == Part::tangential ? w.lambda[2][k] : 0);
     const TangentialLaw& law = system.law(static_cast<std::int64_t>(a));
     for (std::size_t c = 0; c < 2; ++c) w.bound[c][a] = law.own[c][2] * pressure;
+    if (change.nodes)
+      for (std::size_t c = 0; c < 2; ++c) w.slip[c][a] = change.nodes->slip[c][k];
     if (!given) continue;
     const std::array<double, 2> column = p.slip_column(m, k);
     for (std::size_t c = 0; c < 2; ++c) w.slip[c][a] = column[c];
@@ -46,10 +63,10 @@ void fill_right_side(SolverState& s, const ReducedSystem& system, Parameter para
   system.rate_side(w.gap, w.slip[0], w.slip[1], w.bound[0], w.bound[1], load, w.b);
 }
 
-void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
+void solve_part(SolverState& s, Part part, const Change& change, Rates& rates) {
   Sensitivities& w = s.sensitivities;
   ReducedSystem& system = s.newton.linearise(s.prepared->problem, s.given, s.iterate, part);
-  fill_right_side(s, system, parameter);
+  fill_right_side(s, system, change);
   // Nothing slides, or nothing is there that the parameter acts on.
   if (std::all_of(w.b.begin(), w.b.end(), [](double v) { return v == 0; })) return;
   ++w.right_sides;
@@ -69,11 +86,11 @@ void solve_part(SolverState& s, Part part, Parameter parameter, Rates& rates) {
   }
 }
 
-void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
+void solve_rates(SolverState& s, const Change& change, Rates& rates) {
   const Problem& p = s.prepared->problem;
   Sensitivities& w = s.sensitivities;
   rates = {};
-  const int m = motion_of(parameter);
+  const int m = change.motion();
   const bool given = m != no_motion && !s.given.by_force[static_cast<std::size_t>(m)];
   if (given) rates.motion[static_cast<std::size_t>(m)] = 1;
   if (s.outcome == Outcome::no_contact) return;
@@ -87,12 +104,32 @@ void solve_rates(SolverState& s, Parameter parameter, Rates& rates) {
   for (auto& v : w.lambda) v.assign(at(p.nodes), 0.0);
   const Part goal = Newton::goal(p, s.given, s.frictionless);
   if (goal == Part::full) {
-    solve_part(s, Part::full, parameter, rates);
+    solve_part(s, Part::full, change, rates);
   } else {
-    if (m == approach) solve_part(s, Part::normal, parameter, rates);
-    if (goal == Part::tangential) solve_part(s, Part::tangential, parameter, rates);
+    if (m == approach || change.nodes) solve_part(s, Part::normal, change, rates);
+    if (goal == Part::tangential) solve_part(s, Part::tangential, change, rates);
   }
   sum_tractions(p, s.prepared->frame, w.lambda, rates.force, rates.moment);
+}
+
+// Counts the work.
+void find_rates_of(SolverState& s, const Change& change, Rates& rates) {
+  Sensitivities& w = s.sensitivities;
+  if (!s.frictionless && s.prepared->problem.law->of_field())
+    fail(Status::err_unsupported,
+         "friction follows the whole solution (its temperature, or its past): derivatives are not known then");
+  const Stopwatch watch(w.seconds);
+  LinearSolver& linear = s.newton.linear();
+  const std::int64_t factors = linear.factorizations, iterations = linear.iterations;
+  try {
+    solve_rates(s, change, rates);
+  } catch (...) {
+    s.newton.operators_changed();  // what was gathered may be half done
+    throw;
+  }
+  w.factorizations += linear.factorizations - factors;
+  w.linear_iterations += linear.iterations - iterations;
+  s.peak_bytes = std::max(s.peak_bytes, s.bytes());
 }
 
 }  // namespace
@@ -114,23 +151,15 @@ const Rates& find_rates(SolverState& s, Parameter parameter) {
   Sensitivities& w = s.sensitivities;
   const auto which = static_cast<std::size_t>(parameter) - 1;
   if (w.known[which]) return w.rates[which];
-  if (!s.frictionless && s.prepared->problem.law->of_field())
-    fail(Status::err_unsupported,
-         "friction follows the whole solution (its temperature, or its past): derivatives are not known then");
-  const Stopwatch watch(w.seconds);
-  LinearSolver& linear = s.newton.linear();
-  const std::int64_t factors = linear.factorizations, iterations = linear.iterations;
-  try {
-    solve_rates(s, parameter, w.rates[which]);
-  } catch (...) {
-    s.newton.operators_changed();  // what was gathered may be half done
-    throw;
-  }
-  w.factorizations += linear.factorizations - factors;
-  w.linear_iterations += linear.iterations - iterations;
-  s.peak_bytes = std::max(s.peak_bytes, s.bytes());
+  find_rates_of(s, {parameter, nullptr}, w.rates[which]);
   w.known[which] = true;
   return w.rates[which];
+}
+
+Rates find_rates(SolverState& s, const NodeGivens& rate) {
+  Rates rates;
+  find_rates_of(s, {Parameter::friction, &rate}, rates);
+  return rates;
 }
 
 }  // namespace rollcon

@@ -6,11 +6,14 @@
 
 namespace rollcon {
 
-struct Rates;  // contact/solution.hpp
+struct NodeGivens;  // contact/solution.hpp
+struct Rates;       // contact/solution.hpp
 struct SolverState;
 
 /// Of a solution that converged or has no contact. err_state: a tangential load is prescribed where there is no
 /// friction. err_singular: the linearised system has no solution.
 const Rates& find_rates(SolverState& state, Parameter parameter);
+/// Likewise, where what is given at the nodes changes at these rates; not kept.
+Rates find_rates(SolverState& state, const NodeGivens& rate);
 
 }  // namespace rollcon

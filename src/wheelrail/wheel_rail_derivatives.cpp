@@ -1,0 +1,171 @@
+/// Derivatives of the totals of a wheel on its rail by position and velocity.
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/error.hpp"
+#include "wheelrail/wheel_rail.hpp"
+
+namespace rollcon {
+
+WheelRail::Inputs WheelRail::solved_inputs() const {
+  Inputs in = in_;
+  in.position = solved_->position;
+  in.velocity = solved_->velocity;
+  in.deviation = solved_->deviation;
+  in.rate = solved_->rate;
+  in.by_force = false;
+  in.position.z = solved_->z;
+  return in;
+}
+
+namespace {
+
+double& entry_of(WheelsetState& state, std::size_t i) {
+  double* const all[] = {&state.x, &state.y, &state.z, &state.roll, &state.yaw, &state.pitch};
+  return *all[i];
+}
+
+}  // namespace
+
+// Patches change by Newton's systems at their solutions, and by how much they give way under each other.
+void WheelRail::differentiate(const Inputs& in, std::size_t entry, double step, Totals& rate) {
+  struct Side {
+    Inputs in;
+    WheelMotion motion;
+    Vec3 centre{};
+    std::vector<OverlapPatch> found;
+  };
+  Side side[2];
+  for (std::size_t s = 0; s < 2; ++s) {
+    side[s].in = in;
+    entry_of(entry < 6 ? side[s].in.position : side[s].in.velocity, entry % 6) += s == 0 ? -step : step;
+    const double z = side[s].in.position.z;
+    side[s].motion = motion_at(z, side[s].in);
+    side[s].centre = {0, side[s].in.position.y, z - radius_};
+    search_->find(side[s].motion.pose, side[s].found);
+    if (side[s].found.size() != active_.size())
+      fail(Status::err_singular, "a patch begins or ends here: the totals have no derivative by entry %d",
+           static_cast<int>(entry));
+  }
+  const std::size_t n = active_.size();
+  const double distance = 2 * step;
+  const double modulus = n > 0 ? active_.front()->contact.contact()->modulus() : 1;
+  std::vector<PatchContact::Rate> own(n), yield(n);
+  std::vector<double> settled(n, 0.0), given(n, 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    PatchContact::Nearby near[2];
+    for (std::size_t s = 0; s < 2; ++s) near[s] = {side[s].found[i], side[s].motion, friction_of(side[s].found[i])};
+    own[i] = active_[i]->contact.rate(near[0], near[1], distance);
+    if (n > 1 && active_[i]->give_way > 0) yield[i] = active_[i]->contact.rate_of_giving_way();
+  }
+  const auto pressing = [&](std::size_t k) {
+    const PatchContact& p = active_[k]->contact;
+    return dot(p.force(), p.overlap().normal);
+  };
+  const auto pressing_rate = [&](std::size_t k) {
+    const PatchContact& p = active_[k]->contact;
+    const Vec3 turned = side[1].found[k].normal - side[0].found[k].normal;
+    return dot(own[k].force + settled[k] * yield[k].force, p.overlap().normal) + dot(p.force(), turned) / distance;
+  };
+  constexpr int most_rounds = 60;
+  for (int round = 0; n > 1 && round < most_rounds; ++round) {
+    for (std::size_t i = 0; i < n; ++i) {
+      given[i] = 0;
+      if (active_[i]->give_way <= 0) continue;
+      const OverlapPatch& here = active_[i]->contact.overlap();
+      for (std::size_t k = 0; k < n; ++k) {
+        if (k == i) continue;
+        const double change = give_way_per_load(side[1].found[i], side[1].found[k], modulus) -
+                              give_way_per_load(side[0].found[i], side[0].found[k], modulus);
+        given[i] += change / distance * pressing(k) +
+                    give_way_per_load(here, active_[k]->contact.overlap(), modulus) * pressing_rate(k);
+      }
+    }
+    settled = given;
+  }
+  const Pose rail = rail_pose(in.deviation);
+  rate = {};
+  for (std::size_t i = 0; i < n; ++i) {
+    const PatchContact& p = active_[i]->contact;
+    const Vec3 force = rail.turn(p.force()), moment = rail.turn(p.moment());
+    const Vec3 force_rate = rail.turn(own[i].force + settled[i] * yield[i].force),
+               moment_rate = rail.turn(own[i].moment + settled[i] * yield[i].moment);
+    const auto arm = [&](std::size_t s) { return rail.place(side[s].found[i].reference) - side[s].centre; };
+    const Vec3 middle = 0.5 * (arm(0) + arm(1)), moved = (1 / distance) * (arm(1) - arm(0));
+    const double share = p.overlap().share, grown = (side[1].found[i].share - side[0].found[i].share) / distance;
+    rate.force = rate.force + share * force_rate + grown * force;
+    rate.moment = rate.moment + share * (moment_rate + cross(middle, force_rate) + cross(moved, force)) +
+                  grown * (moment + cross(middle, force));
+    rate.vertical -= share * (own[i].force + settled[i] * yield[i].force)[2] + grown * p.force()[2];
+  }
+}
+
+// Tables: differences of solves, with frames that keep their shapes.
+void WheelRail::differentiate_by_solves(const Inputs& in, std::size_t entry, double step, Totals& rate) {
+  Totals at[2];
+  for (std::size_t s = 0; s < 2; ++s) {
+    in_ = in;
+    entry_of(entry < 6 ? in_.position : in_.velocity, entry % 6) += s == 0 ? -step : step;
+    for (const auto& slot : slot_) slot->contact.hold_shape(true);
+    solve_at(in_.position.z);
+    at[s] = totals({0, in_.position.y, in_.position.z - radius_});
+  }
+  const double inverse = 0.5 / step;
+  rate = {inverse * (at[1].force - at[0].force), inverse * (at[1].moment - at[0].moment),
+          inverse * (at[1].vertical - at[0].vertical)};
+}
+
+WheelRail::Derivative WheelRail::derivative(std::int32_t i) {
+  require_solved();
+  if (i < 0 || i >= static_cast<std::int32_t>(entries))
+    fail(Status::err_argument, "entry is %d; allowed: 0 to 5 of the position, 6 to 11 of the velocity", i);
+  if (solved_->status == Status::not_converged || solved_->status == Status::cancelled)
+    fail(Status::err_state, "the last solve did not converge: only a converged solution has derivatives");
+  if (derived_) return derivative_[static_cast<std::size_t>(i)];
+  const Inputs in = solved_inputs();
+  const bool by_table =
+      std::any_of(active_.begin(), active_.end(), [](const Slot* slot) { return slot->contact.by_table(); });
+  std::array<Totals, entries> rate{};
+  const std::shared_ptr<Kept> here = by_table ? keep_here() : nullptr;
+  const double speed = std::abs(in.velocity.x);
+  // Gaps and slip are smooth to rounding; tables' pressures are solved to less.
+  const double small = by_table ? 2e-6 : 1e-7;
+  for (std::size_t k = 0; k < entries && !active_.empty(); ++k) {
+    const std::size_t of = k % 6;
+    if (k == 0 || k == 5) continue;  // rails are straight, wheels round
+    const double unit = of < 3 ? radius_ : 1;
+    const double step = k < 6 ? small * unit : 1e-5 * speed * (of < 3 ? 1 : 1 / radius_);
+    if (!by_table) {
+      differentiate(in, k, step, rate[k]);
+      continue;
+    }
+    try {
+      differentiate_by_solves(in, k, step, rate[k]);
+    } catch (...) {
+      return_to(*here);
+      throw;
+    }
+  }
+  if (by_table) return_to(*here);
+  constexpr std::size_t z = 2;
+  for (std::size_t k = 0; k < entries; ++k) {
+    Totals r = rate[k];
+    double height = k == z ? 1 : 0;
+    if (solved_->by_force) {
+      height = k == z || rate[z].vertical == 0 ? 0 : -r.vertical / rate[z].vertical;
+      if (k == z) r = {};
+      r.force = r.force + height * rate[z].force;
+      r.moment = r.moment + height * rate[z].moment;
+    }
+    // y, roll and yaw are turned round in the mirror.
+    const double own = k % 6 == 1 || k % 6 == 3 || k % 6 == 4 ? side_ : 1;
+    derivative_[k] = {{own * r.force[0], own * side_ * r.force[1], own * r.force[2]},
+                      {own * side_ * r.moment[0], own * r.moment[1], own * side_ * r.moment[2]},
+                      own * height};
+  }
+  derived_ = true;
+  return derivative_[static_cast<std::size_t>(i)];
+}
+
+}  // namespace rollcon
