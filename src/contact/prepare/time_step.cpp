@@ -37,20 +37,16 @@ void note_frame(PastStep& past, const Prepared& on, const Scene& scene) {
   past.on->frame = on.frame;
 }
 
-bool meshed(const Prepared& on) {
-  return on.pair.body[0]->meshed() || on.pair.body[1]->meshed();
-}
-
 // On its own frame: nodes that a body carried along are the same still.
 bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
   if (past.lambda[0].size() != on.frame.x.size()) return false;
   if (past.on && same_places(past.on->frame, on.frame)) return true;
-  return past.mesh == scene.revision.mesh && (meshed(on) || !past.on);
+  return past.mesh == scene.revision.mesh && (on.pair.meshed() || !past.on);
 }
 
 // Half-spaces answer tractions on any frame exactly.
 void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
-  if (meshed(on))
+  if (on.pair.meshed())
     fail(
         Status::err_state,
         "the frame is not that of the step before, and a body has a mesh: its displacements cannot be carried from one "
