@@ -9,6 +9,6 @@ struct SolverState;
 double power_at_nodes(SolverState& state);
 
 /// What forces, spin moment and the slope of the gap put in, force times speed. Needs no slip.
-double power_put_in(const SolverState& state);
+double power_put_in(SolverState& state);
 
 }  // namespace rollcon
