@@ -1167,12 +1167,14 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_frame_strips(rollcon_con
 
 /*
  * Leaves the frame to the library, as in a new contact: solves then find the contact from the gap
- * (rollcon_contact_set_gap_quadratic, rollcon_contact_set_gap_grid) and from load or approach,
- * fit two frames of strips to the edge of each patch, one twice as fine as the other, extrapolate
- * their results, and take finer pairs until the option frame_accuracy is met or
- * ROLLCON_INACCURATE says that it was not. Forces, moment, approach, creepages, their
- * sensitivities and the statistics contact_area and error_estimate are the extrapolated ones;
- * nodes and fields those of the finer frame, which the next solve may replace.
+ * (of the bodies' meshes and profiles, rollcon_contact_set_gap_quadratic,
+ * rollcon_contact_set_gap_grid) and from load or approach, fit two frames of strips to the edge
+ * of each patch, one twice as fine as the other, extrapolate their results, and take finer pairs
+ * until the option frame_accuracy is met or ROLLCON_INACCURATE says that it was not. Forces,
+ * moment, approach, creepages, their sensitivities and the statistics contact_area and
+ * error_estimate are the extrapolated ones; nodes and fields those of the finer frame, which the
+ * next solve may replace. The error is that of the frame: what a body's own mesh adds is not
+ * counted.
  * Also returns: ROLLCON_ERR_STATE.
  * Source: docs/theory.md, section 4.
  */
@@ -1594,10 +1596,13 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  * warm along chains of neighbours (unless the option "warm_start" is 0). A case that fails has
  * its negative status and NaN for results and leaves the others alone; texts go to the log as
  * warnings. The status returned is the first that fits of CANCELLED (some cases were not solved),
- * NOT_CONVERGED (or failed), COARSE, RIM_CONTACT, NO_CONTACT, OK. A negative one means that no
- * case was solved. All results are in local axes. The scene stays as it is, and so does the last
- * solution unless something was set since. The progress callback hears of the iterations of the
- * calling thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use one thread.
+ * NOT_CONVERGED (or failed), COARSE, RIM_CONTACT, INACCURATE, NO_CONTACT, OK. A negative one
+ * means that no case was solved. All results are in local axes. The scene stays as it is, and so
+ * does the last solution unless something was set since. Where no frame was given each case is
+ * solved on frames of its own (rollcon_contact_frame_automatic), steadily: then tractions are no
+ * column, and friction is a parameter of Coulomb's law alone. The progress callback hears of the
+ * iterations of the calling thread, and of ROLLCON_PHASE_CASES. The procedures of the paper use
+ * one thread.
  *   parameters  columns of values, separated by blanks, each once, of: longitudinal, lateral,
  *               normal, spin, friction; NULL: none
  *   n_cases     >= 0
@@ -1618,9 +1623,9 @@ ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve(rollcon_contact *c
  *   n_results   out, may be NULL; numbers for each case; set after ROLLCON_ERR_CAPACITY too
  *   status      [n_cases], out, may be NULL; as rollcon_contact_solve would return
  * Also returns: ROLLCON_NOT_CONVERGED, ROLLCON_NO_CONTACT, ROLLCON_CANCELLED,
- *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_ERR_NONFINITE, ROLLCON_ERR_MESH,
- *   ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY, ROLLCON_ERR_SINGULAR,
- *   ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
+ *   ROLLCON_RIM_CONTACT, ROLLCON_COARSE, ROLLCON_INACCURATE, ROLLCON_ERR_NONFINITE,
+ *   ROLLCON_ERR_MESH, ROLLCON_ERR_STATE, ROLLCON_ERR_OPTION, ROLLCON_ERR_CAPACITY,
+ *   ROLLCON_ERR_SINGULAR, ROLLCON_ERR_MEMORY, ROLLCON_ERR_UNSUPPORTED.
  */
 ROLLCON_API rollcon_status ROLLCON_CALL rollcon_contact_solve_many(rollcon_contact *contact,
     const char *parameters, int64_t n_cases, const double *values, const char *columns,

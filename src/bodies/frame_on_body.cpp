@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bodies/missed_nodes.hpp"
+#include "mesh/topology.hpp"
 #include "mesh/turned_over.hpp"
 #include "support/error.hpp"
 #include "support/index.hpp"
@@ -10,11 +11,12 @@
 namespace rollcon {
 namespace {
 
-std::vector<SurfacePoint> project(const Frame& frame, const Body& body, const Pose& pose, int which) {
+std::vector<SurfacePoint> project(const Frame& frame, const std::vector<std::uint8_t>& belongs, const Body& body,
+                                  const Pose& pose, int which) {
   std::vector<SurfacePoint> on_body(at(frame.nodes()));
   MissedNodes missed(frame, body, pose, which);
   for (std::size_t k = 0; k < on_body.size(); ++k) {
-    if (!frame.used[k]) continue;
+    if (!belongs[k]) continue;
     const auto hit = meet_contact_faces(frame, k, frame.axes.n, body, pose, which);
     if (hit)
       on_body[k] = *hit;
@@ -115,13 +117,15 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
          "body %d has no face that may come into contact: all are held or loaded; "
          "rollcon_body_set_contact_faces names those that may all the same",
          which + 1);
-  const std::vector<SurfacePoint> point = project(frame, body, pose, which);
+  const std::vector<std::uint8_t> belongs = nodes_of_elements(frame.mesh);
+  const std::vector<SurfacePoint> point = project(frame, belongs, body, pose, which);
   refuse_held_faces(body.mesh(), point, which);
   FrameOnBody result;
   result.node.assign(at(frame.nodes()), -1);
   bool all = true;
   const Vec3 direction = pose.turn_back(frame.axes.n);
   for (std::int64_t k = 0; k < frame.nodes(); ++k) {
+    all = all && frame.used[at(k)] == belongs[at(k)];
     if (!frame.used[at(k)]) continue;
     result.node[at(k)] = node_at(mesh, point[at(k)], pose.to_body(frame.mesh.node[at(k)]), direction);
     all = all && result.node[at(k)] >= 0;
@@ -131,7 +135,7 @@ FrameOnBody lay_on_body(const Frame& frame, const Body& body, const Pose& pose, 
   result.layer = frame.mesh;
   if (which == 1) turn_over(result.layer);  // the frame looks out of body 1
   for (std::int64_t k = 0; k < frame.nodes(); ++k)
-    result.layer.node[at(k)] = frame.used[at(k)] ? point[at(k)].x : Vec3{0, 0, 0};
+    result.layer.node[at(k)] = belongs[at(k)] ? point[at(k)].x : Vec3{0, 0, 0};
   result.row = nodes_around(mesh, candidates, point);
   return result;
 }

@@ -56,4 +56,16 @@ double contact_modulus(const PairOfBodies& pair) {
   return 1 / (std::numbers::pi * cn);
 }
 
+double dundurs_beta(const PairOfBodies& pair) {
+  double cn = 0, ck = 0;
+  for (int which = 0; which < 2; ++which) {
+    const Body& body = *pair.body[at(which)];
+    if (body.rigid()) continue;
+    const HalfspaceConstants own = halfspace_constants(body.young(), body.poisson(), which == 0 ? 1 : -1);
+    cn += own.cn;
+    ck += own.ck;
+  }
+  return ck / cn;
+}
+
 }  // namespace rollcon

@@ -18,5 +18,7 @@ std::unique_ptr<Compliance> make_body_compliance(const Frame& frame, const PairO
                                                  double accuracy, int threads);
 /// E* of the pair as if both were half-spaces: scale of stiffness for first guesses.
 double contact_modulus(const PairOfBodies& pair);
+/// Dundurs' beta of the pair likewise: 0 for equal bodies, at most 1/2.
+double dundurs_beta(const PairOfBodies& pair);
 
 }  // namespace rollcon

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <string>
 
+#include "contact/cases/case_solver.hpp"
 #include "contact/cases/solve_many.hpp"
+#include "contact/contact_cases.hpp"
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
 #include "contact/prepare/lattice_scene.hpp"
@@ -284,7 +286,22 @@ void Contact::end_step(Status status) {
 std::unique_ptr<Contact> Contact::make_follower() const {
   auto follower = std::make_unique<Contact>(context_, body1_, body2_, state_->make_published);
   follower->cancel_ = cancel_;
+  follower->quiet_ = quiet_;
   return follower;
+}
+
+std::unique_ptr<Contact> Contact::make_twin() const {
+  const auto silent = std::make_shared<Context>();
+  silent->set_threads(1);
+  auto twin = std::make_unique<Contact>(silent, body1_, body2_, state_->make_published, make_frames_);
+  twin->cancel_ = cancel_;
+  twin->quiet_ = true;
+  twin->scene.follow(scene);
+  return twin;
+}
+
+std::size_t Contact::bytes() const {
+  return state_->prepared ? state_->bytes() : 0;
 }
 
 std::unique_ptr<Contact> Contact::make_half_space(double modulus) const {
@@ -306,6 +323,10 @@ void Contact::follow(const Contact& lead) {
 Status Contact::solve() {
   // A request belongs to the solve during which it was made.
   cancel_->store(false);
+  return solve_unless_cancelled();
+}
+
+Status Contact::solve_unless_cancelled() {
   coarser_ = nullptr;
   if (scene.frame_given() || !make_frames_) {
     const Status status = solve_on_frame();
@@ -339,9 +360,14 @@ double Contact::modulus() {
   return contact_modulus({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
 }
 
+double Contact::dundurs_beta() {
+  prepare_bodies(*state_, *body1_, *body2_);
+  return rollcon::dundurs_beta({{body1_.get(), body2_.get()}, {scene.pose(0), scene.pose(1)}});
+}
+
 bool Contact::knows_gap_between_nodes() const {
-  if (scene.has_gap()) return scene.gap_grid() != nullptr;
-  return !meshed() && (body1_->has_surface() || body2_->has_surface());
+  if (scene.has_gap()) return scene.gap_grid() || (scene.quadratic_gap() && meshed());
+  return body1_->has_surface() || body2_->has_surface();
 }
 
 std::unique_ptr<KnownGap> Contact::gap_between_nodes() {
@@ -353,11 +379,17 @@ bool Contact::meshed() const {
   return body1_->meshed() || body2_->meshed();
 }
 
+bool Contact::surfaces_deform() const {
+  const auto deforms = [](const Body& body) { return !body.has_surface() || (body.meshed() && !body.rigid()); };
+  return deforms(*body1_) && deforms(*body2_);
+}
+
 double Contact::error_estimate() const {
   return find_error_estimate(*state_).worst();
 }
 
 void Contact::caveat(Status status, const char* text) const {
+  if (quiet_) return;
   context_->caveat(status, "%s", text);
 }
 
@@ -456,10 +488,6 @@ Status Contact::solve_scene() {
 
 Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   SolverState& s = *state_;
-  if (!scene.frame_given() && make_frames_)
-    fail(Status::err_state,
-         "no frame was given, and the cases of a list share one: call rollcon_contact_frame_ellipse or another maker "
-         "of frames; frames made for each load alone are those of rollcon_contact_solve");
   // What was set since the last solve makes its results those of another scene.
   if (scene.revision != s.revision_solved || scene.options.revision != s.options_solved) {
     s.solved = s.derived = s.laws_checked = false;
@@ -468,6 +496,8 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
   }
   cancel_->store(false);
   const CaseHost host{*context_, progress_, progress_user_, *cancel_};
+  const bool own_frames = !scene.frame_given() && make_frames_;
+  if (own_frames) return solve_on_own_frames(cases, results, host);
   try {
     s.settled = false;
     const BlasThreads blas(context_->threads());
@@ -482,7 +512,26 @@ Status Contact::solve_many(const CaseList& cases, const CaseResults& results) {
     clear_state();
     throw;
   }
-  return cases.cases == 0 ? Status::ok : solve_cases(s, scene.options, cases, results, host);
+  if (cases.cases == 0) return Status::ok;
+  std::size_t bytes = 0;
+  const Status status = solve_cases([&] { return std::make_unique<SharedFrameSolver>(s, scene.options); },
+                                    can_share(s) ? context_->threads() : 1, cases, results, host, bytes);
+  s.peak_bytes = std::max(s.peak_bytes, s.bytes() + bytes);
+  return status;
+}
+
+Status Contact::solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host) {
+  for (const CaseColumn& column : results.column)
+    if (column.kind == CaseColumn::Kind::tractions)
+      fail(Status::err_state,
+           "no frame was given, and those of the cases have different nodes: columns may not have 'tractions'; "
+           "rollcon_contact_frame_ellipse or another maker gives a frame that all share");
+  const OwnFramesSolver check(*this, cases.parameter);
+  prepare_bodies(*state_, *body1_, *body2_);
+  if (cases.cases == 0) return Status::ok;
+  std::size_t bytes = 0;
+  return solve_cases([&] { return std::make_unique<OwnFramesSolver>(*this, cases.parameter); }, context_->threads(),
+                     cases, results, host, bytes);
 }
 
 }  // namespace rollcon

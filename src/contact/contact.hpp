@@ -18,6 +18,7 @@
 
 namespace rollcon {
 
+struct CaseHost;       // contact/cases/solve_many.hpp
 struct CaseList;       // contact/cases/solve_many.hpp
 struct KeptSolution;   // contact/kept_solution.hpp
 struct CaseResults;    // contact/cases/solve_many.hpp
@@ -65,6 +66,8 @@ class Contact {
 
   /// Returns ok or a status > 0; throws Error for the rest. Warm start from the last solution.
   Status solve();
+  /// The same, but requests to stop that came before count.
+  Status solve_unless_cancelled();
   /// The same on the scene's frame, whoever made it; for frame makers.
   Status solve_on_frame();
   /// After a solve, whose status is given: what a time step starts from moves on if it was one and succeeded. solve()
@@ -79,6 +82,8 @@ class Contact {
   void restore_past(std::int64_t n, const double* past);
   /// Of the same bodies, for solve_on_frame() as part of a solve of this contact, which outlives it.
   std::unique_ptr<Contact> make_follower() const;
+  /// Of the same bodies and scene, without a frame, on one thread and silent; for another thread. This outlives it.
+  std::unique_ptr<Contact> make_twin() const;
   /// Likewise, of an elastic half-space with this E* and a rigid body; it logs no warning.
   std::unique_ptr<Contact> make_half_space(double modulus) const;
   /// Takes over everything but the frame from the scene of the lead.
@@ -92,13 +97,16 @@ class Contact {
   void scale_tangential_loads(double factor) { load_factor_ = factor; }
   /// err_load, with what friction cannot carry.
   [[noreturn]] void refuse_loads(const FrictionShare& share) const;
-  /// E* of the pair; prepares the bodies.
+  /// E* and Dundurs' beta of the pair; prepare the bodies.
   double modulus();
+  double dundurs_beta();
   bool knows_gap_between_nodes() const;
   /// As known_gap(); prepares the bodies.
   std::unique_ptr<KnownGap> gap_between_nodes();
   /// Whether one of the bodies has a mesh.
   bool meshed() const;
+  /// Whether what ends over the contact deforms there: all surfaces are meshes of elastic bodies.
+  bool surfaces_deform() const;
   /// As the statistic error_estimate of the last solve.
   double error_estimate() const;
   /// Somebody asked this solve to stop.
@@ -151,6 +159,9 @@ class Contact {
   /// The Hertzian contact that stands for this one.
   EquivalentEllipse equivalent_ellipse() const;
   double stat(const char* name) const;  ///< err_option: unknown name
+  /// A statistic of the last solve.
+  double number(double (*statistic)(SolverState&)) const { return statistic(*state_); }
+  std::size_t bytes() const;
   static std::int64_t stat_count();
   static const char* stat_name(std::int64_t i);
   /// Rows of 8: phase, iteration, normal residual, tangential residual, step length, nodes in contact, nodes in slip,
@@ -163,6 +174,7 @@ class Contact {
 
  private:
   Status solve_scene();
+  Status solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host);
   const Rates& rates(Parameter parameter) const;
   void clear_state();
 

@@ -228,19 +228,36 @@ double Outline::reach(const Side& side, double angle) const {
   return std::max(0.0, line ? (wxx * wy - wx * wxy) / determinant : wy / w);
 }
 
-std::vector<Strip> Outline::strips(std::int64_t across, double stretch) const {
+double Outline::height_of(double angle, AtBodyEnds at_ends) const {
+  // cos of the mirror image is the same to the last digit.
+  const auto cosine = [](double a) { return a > 0.5 * pi ? -std::cos(pi - a) : std::cos(a); };
+  const bool even = at_ends == AtBodyEnds::even, lower = even && end_[0].ends_body, upper = even && end_[1].ends_body;
+  if (lower && upper) return 1 - 2 * angle / pi;
+  if (upper) return 1 - 2 * std::sin(0.5 * angle);
+  if (lower) return 2 * std::cos(0.5 * angle) - 1;
+  return cosine(angle);
+}
+
+std::vector<Strip> Outline::strips(std::int64_t across, double stretch, AtBodyEnds at_ends) const {
   std::vector<Strip> strip;
   const double more = passed_.empty() ? 1 : passed_.back();
   const auto last = 2 * std::llround(0.5 * more * static_cast<double>(across));
+  // Of the height. Beyond it lattices, whose hats are cut in half at the end, show too short a contact; strips that are
+  // too long there cost little.
+  constexpr double near_end = 0.8;
   for (std::int64_t j = last; j >= 0; --j) {
-    const double angle = angle_of(static_cast<double>(j) / static_cast<double>(last));
-    // cos of the mirror image is the same to the last digit.
-    const double height = angle > 0.5 * pi ? -std::cos(pi - angle) : std::cos(angle);
+    const double height = height_of(angle_of(static_cast<double>(j) / static_cast<double>(last)), at_ends);
+    const double angle = std::acos(std::clamp(height, -1.0, 1.0));
     const End& end = end_[height < 0 ? 0 : 1];
     const double y = y_middle_ + half_height_ * height * (end.ends_body ? 1 : stretch);
     const double factor = end.line || (j > 0 && j < last) ? shape(height, end_[0].line, end_[1].line) : 0;
     const double x = middle(y);
-    strip.push_back({y, x - stretch * factor * reach(side_[0], angle), x + stretch * factor * reach(side_[1], angle)});
+    const auto long_enough = [&](const Side& side) {
+      const double there = reach(side, angle);
+      if (at_ends == AtBodyEnds::closer || !end.ends_body || std::abs(height) < near_end) return there;
+      return std::max(there, reach(side, std::acos(std::copysign(near_end, height))));
+    };
+    strip.push_back({y, x - stretch * factor * long_enough(side_[0]), x + stretch * factor * long_enough(side_[1])});
   }
   return strip;
 }

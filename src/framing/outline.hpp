@@ -21,6 +21,10 @@ struct LoadAt {
   double y = 0, load = 0;
 };
 
+/// Pressures have no bound where a rigid body ends or a half-space is cut off: strips lie closer there. Elastic bodies
+/// that end deform.
+enum class AtBodyEnds { closer, even };
+
 class Outline {
  public:
   /// Of one patch, from points all around it, in any order, each off by up to a few parts in a hundred of the patch's
@@ -33,7 +37,7 @@ class Outline {
 
   /// across + 1 strips from side to side of an ellipse, more of other shapes, closer to each other near the sides;
   /// twice as many of them halve their distances. stretch: of the outline, about its middle, except where a body ends.
-  std::vector<Strip> strips(std::int64_t across, double stretch) const;
+  std::vector<Strip> strips(std::int64_t across, double stretch, AtBodyEnds at_ends = AtBodyEnds::closer) const;
   Rectangle box() const;
   /// How much shorter a strip is than the straight lines between the ends of two others are there, over the longest
   /// strip: 0 where the outline is convex and the strips' middles lie on a line.
@@ -52,6 +56,8 @@ class Outline {
   void find_density(std::span<const LoadAt> load, double cell);
   /// Angle of a strip whose number is this part of all.
   double angle_of(double part) const;
+  /// y over the half height, from the middle, of a strip of an ellipse at that angle.
+  double height_of(double angle, AtBodyEnds at_ends) const;
 
   double x_middle_ = 0, y_middle_ = 0, half_height_ = 0, slant_ = 0;
   std::array<Side, 2> side_;  ///< against and along the rolling direction

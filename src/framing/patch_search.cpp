@@ -61,6 +61,30 @@ SearchGrid around(const std::vector<EdgePoint>& point, double angle, double marg
   return lattice;
 }
 
+// So far that it lies over the bodies, if its sides are parallel to the axes.
+void clip(SearchGrid& lattice, const Rectangle& bounds) {
+  if (lattice.angle != 0) return;
+  constexpr double rounding = 1e-6;
+  const auto cut = [](double& middle, double& half, double least, double greatest) {
+    const double inset = rounding * (greatest - least);
+    const double low = std::max(middle - half, least + inset), high = std::min(middle + half, greatest - inset);
+    middle = 0.5 * (low + high);
+    half = 0.5 * (high - low);
+  };
+  cut(lattice.x, lattice.half_length, bounds.x_least, bounds.x_greatest);
+  cut(lattice.y, lattice.half_width, bounds.y_least, bounds.y_greatest);
+}
+
+// Whether the contact goes on beyond the lattice.
+bool at_rim(const SearchGrid& lattice, const std::vector<EdgePoint>& point) {
+  const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
+  return std::any_of(point.begin(), point.end(), [&](const EdgePoint& p) {
+    const double x = p.x - lattice.x, y = p.y - lattice.y;
+    return !p.ends_body &&
+           (std::abs(c * x + s * y) > lattice.half_length || std::abs(c * y - s * x) > lattice.half_width);
+  });
+}
+
 }  // namespace
 
 // The gaps at the lattice's nodes; where there are none, more than any approach.
@@ -93,14 +117,61 @@ void PatchSearch::press(const PatchScene& scene) {
   on.set_gap(static_cast<std::int64_t>(gap.size()), gap.data());
   on.prescribe(static_cast<std::int32_t>(Direction::normal),
                static_cast<std::int32_t>(scene.by_force ? How::by_force : How::by_motion), scene.value);
-  const Status status = contact_->solve_on_frame();
+  solve(*contact_);
+}
+
+void PatchSearch::solve(Contact& contact) {
+  const Status status = contact.solve_on_frame();
   if (status == Status::cancelled) throw Cancelled();
-  const auto n = static_cast<std::int64_t>(gap.size());
-  pressure_.resize(gap.size());
-  deformed_.resize(gap.size());
-  contact_->field(Field::pressure, InAxes::local, n, pressure_.data());
-  contact_->field(Field::gap, InAxes::local, n, deformed_.data());
-  contact_->motion(&depth_, nullptr);
+  const auto n = static_cast<std::int64_t>(gap_.size());
+  pressure_.resize(gap_.size());
+  deformed_.resize(gap_.size());
+  contact.field(Field::pressure, InAxes::local, n, pressure_.data());
+  contact.field(Field::gap, InAxes::local, n, deformed_.data());
+  contact.motion(&depth_, nullptr);
+}
+
+// Thin bodies touch elsewhere than half-spaces. A lattice about what those touch, on the bodies themselves; it grows
+// while it cuts the contact off, and closes in on it. False: it does not fit on them.
+bool PatchSearch::press_bodies(Contact& lead, const PatchScene& scene, std::vector<PatchEdge>& edge) {
+  constexpr std::int64_t intervals = 16;
+  constexpr double larger = 1.25, filled = 0.6;
+  constexpr int most_rounds = 8;
+  SearchGrid lattice = lattice_;
+  lattice.half_length *= larger;
+  lattice.half_width *= larger;
+  lattice.intervals = intervals;
+  const std::unique_ptr<Contact> bodies = lead.make_follower();
+  bodies->follow(lead);
+  const double none = 0;
+  bodies->scene.set_friction("coulomb", 1, &none);
+  for (const Direction d : {Direction::longitudinal, Direction::lateral, Direction::spin})
+    bodies->scene.prescribe(static_cast<std::int32_t>(d), static_cast<std::int32_t>(How::by_motion), 0);
+  for (int round = 0; round < most_rounds; ++round) {
+    if (lead.cancelled()) throw Cancelled();
+    clip(lattice, scene.bounds);
+    lay(lattice, scene);
+    if (!std::all_of(gap_.begin(), gap_.end(), [](double g) { return std::isfinite(g); })) return false;
+    const Axes& axes = bodies->scene.axes();
+    const double c = std::cos(lattice.angle), s = std::sin(lattice.angle);
+    const Axes turned{axes.origin + lattice.x * axes.t1 + lattice.y * axes.t2, c * axes.t1 + s * axes.t2,
+                      c * axes.t2 - s * axes.t1, axes.n};
+    bodies->scene.set_made_frame(
+        rectangle_mesh(turned, ElementType::quad4, intervals, intervals,
+                       {-lattice.half_length, lattice.half_length, -lattice.half_width, lattice.half_width}),
+        false, true);
+    solve(*bodies);
+    edge = contact_edges(lattice_, pressure_, deformed_, scene.modulus, scene.gap);
+    std::vector<EdgePoint> all;
+    for (const PatchEdge& e : edge) all.insert(all.end(), e.point.begin(), e.point.end());
+    if (all.empty()) return false;
+    SearchGrid next = around(all, lattice.angle, 2 * lattice.spacing_along(), 2 * lattice.spacing_across(), intervals);
+    clip(next, scene.bounds);
+    const double along = next.half_length / lattice.half_length, across = next.half_width / lattice.half_width;
+    if (along > filled && across > filled && !at_rim(lattice, all)) return true;
+    lattice = next;
+  }
+  return true;
 }
 
 // The contact lies where the gap is less than the approach. Lattices that are much wider than that close in on it.
@@ -195,6 +266,14 @@ Patches PatchSearch::find(Contact& lead, const PatchScene& scene) {
     }
     lattice = next;
     lay(lattice, scene);
+  }
+  if (lead.meshed() && !edge.empty()) {
+    const std::vector<PatchEdge> of_half_spaces = edge;
+    const SearchGrid before = lattice_;
+    if (!press_bodies(lead, scene, edge)) {
+      edge = of_half_spaces;
+      lattice_ = before;
+    }
   }
   const EdgePoint cell = lattice_.cell();
   for (const PatchEdge& e : edge)

@@ -32,6 +32,8 @@ class PatchSearch {
  private:
   void lay(const SearchGrid& lattice, const PatchScene& scene);
   void press(const PatchScene& scene);
+  bool press_bodies(Contact& lead, const PatchScene& scene, std::vector<PatchEdge>& edge);
+  void solve(Contact& contact);
   SearchGrid close_in(Contact& lead, const PatchScene& scene);
 
   std::unique_ptr<Contact> contact_;  ///< of half-spaces, on the lattice

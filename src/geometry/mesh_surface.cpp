@@ -39,6 +39,15 @@ double MeshSurface::height_over_facet(const SurfacePoint& p, const Vec3& along) 
   return sum;
 }
 
+std::array<double, 2> MeshSurface::extent(const Vec3& direction) const {
+  std::array<double, 2> range{INFINITY, -INFINITY};
+  for (const Vec3& x : mesh_.node) {
+    const double along = dot(x, direction);
+    range = {std::min(range[0], along), std::max(range[1], along)};
+  }
+  return range;
+}
+
 std::optional<double> MeshSurface::distance(const Vec3& from, const Vec3& direction, const Vec3& facing) const {
   const auto hit = search_.along(from, direction, facing);
   if (!hit) return std::nullopt;

@@ -20,6 +20,7 @@ class MeshSurface final : public Surface {
   /// Mean normals of the fans at the element's nodes, interpolated; at a sharp edge the mean of the faces that meet
   /// there.
   std::optional<Vec3> normal(const Vec3& from, const Vec3& direction, const Vec3& facing) const override;
+  std::array<double, 2> extent(const Vec3& direction) const override;
   Vec3 nearest(const Vec3& point) const override { return search_.nearest(point).x; }
 
  private:

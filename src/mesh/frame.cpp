@@ -75,8 +75,7 @@ Frame build_frame(SurfaceMesh mesh, const Axes& axes) {
   const std::vector<Side> side = sorted_sides(cells);
   check_cells(frame.mesh, cells, side, frame.x, frame.y);
   frame.rim = rim_nodes(frame.mesh.nodes(), side);
-  frame.used.assign(n, 0);
-  for (std::int32_t k : frame.mesh.connectivity) frame.used[static_cast<std::size_t>(k)] = 1;
+  frame.used = nodes_of_elements(frame.mesh);
   frame.cell_area = build_dual_cells(cells, frame.x, frame.y).area;
   integrate_weights(frame);
   return frame;

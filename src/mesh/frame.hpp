@@ -37,7 +37,7 @@ struct Frame {
   std::vector<double> weight;
   std::vector<double> cell_area;   ///< median-dual cell area (curved: on the surface), > 0
   std::vector<std::uint8_t> rim;   ///< 1 for nodes on the frame's boundary
-  std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element
+  std::vector<std::uint8_t> used;  ///< 1 for nodes that belong to an element and may carry tractions
   double area = 0;                 ///< of the projected frame, of a curved one of the surface
   /// Local triads of a curved frame; empty: flat, the axes' triad everywhere.
   std::vector<Vec3> t1, t2, n;

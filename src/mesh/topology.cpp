@@ -66,6 +66,12 @@ std::vector<Side> sorted_sides(const LinearCells& cells) {
   return side;
 }
 
+std::vector<std::uint8_t> nodes_of_elements(const SurfaceMesh& mesh) {
+  std::vector<std::uint8_t> belongs(static_cast<std::size_t>(mesh.nodes()), 0);
+  for (const std::int32_t k : mesh.connectivity) belongs[static_cast<std::size_t>(k)] = 1;
+  return belongs;
+}
+
 std::vector<std::uint8_t> rim_nodes(std::int64_t nodes, std::span<const Side> side) {
   std::vector<std::uint8_t> rim(static_cast<std::size_t>(nodes), 0);
   for_each_edge(side, [&](const Side& s, std::size_t count) {

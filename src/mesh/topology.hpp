@@ -51,6 +51,8 @@ void for_each_edge(std::span<const Side> side, F f) {
   }
 }
 
+/// 1 for nodes that belong to an element.
+std::vector<std::uint8_t> nodes_of_elements(const SurfaceMesh& mesh);
 /// 1 for nodes on an edge that belongs to one cell only.
 std::vector<std::uint8_t> rim_nodes(std::int64_t nodes, std::span<const Side> side);
 

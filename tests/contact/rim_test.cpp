@@ -70,7 +70,7 @@ TEST_F(RimAtEdges, one_that_ends_within_the_body_keeps_its_other_rims) {
     return Vec3{x[0], x[1], height};
   }));
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
-  EXPECT_EQ(pair.stat("nodes_rim"), 4);  // its last line less the ends, which are on edges
+  EXPECT_EQ(pair.stat("nodes_rim"), 6);  // its last line, at whose ends the contact is cut off as well
 }
 
 // The edge of a rigid surface that moves along: the frame is not made anew.
@@ -82,7 +82,7 @@ TEST_F(RimAtEdges, follows_a_rigid_body_that_moves) {
   const std::array<Vec3, 3> same{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   pair.pose(2, same, {0.1, 0, height});
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
-  EXPECT_EQ(pair.stat("nodes_rim"), 14);  // the plate ends over the first line of six
+  EXPECT_EQ(pair.stat("nodes_rim"), 16);  // the plate ends over the first line of six, but for its corners
   pair.pose(2, same, {0, 0, height});
   EXPECT_EQ(press(pair, height), ROLLCON_RIM_CONTACT);
   EXPECT_EQ(pair.stat("nodes_rim"), 20);

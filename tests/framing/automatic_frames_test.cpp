@@ -185,27 +185,94 @@ TEST(automatic_frames, what_is_missing_is_told) {
             ROLLCON_ERR_STATE);
 }
 
-// Their contact is not that of half-spaces.
-TEST(automatic_frames, bodies_with_a_mesh_need_a_frame) {
-  const auto lines = frames::uniform_lines(-5, 5, 4);
-  scenes::MeshedBody rigid;
-  rigid.mesh = frames::rectangle(ElementType::quad4, lines, lines);
-  RollingPair pair(scenes::HalfspaceBody{steel}, rigid, 1);
-  pair.gap_quadratic(1e-3, 1e-3).load(100).friction(0.3);
-  EXPECT_EQ(rollcon_contact_solve(pair.handle()), ROLLCON_ERR_STATE);
-  EXPECT_NE(std::string(rollcon_last_error()).find("has a mesh"), std::string::npos) << rollcon_last_error();
+// Each on frames of its own: as solved one by one, on any number of threads.
+TEST(automatic_frames, lists_of_cases) {
+  RollingPair pair(steel, steel);
+  hertzian(pair, steady_rolling::hertz, 0.3).creep(0, 0, 2e-4).option("frame_accuracy", 0.01);
+  ASSERT_EQ(pair.solve(), ROLLCON_OK);
+  const Solution before = pair.solution();
+  const double full = steady_rolling::hertz.load;
+  std::vector<std::array<double, 3>> given;  // load, creepage, factor on friction
+  for (const double load : {0.3, 1.0, 2.5})
+    for (const double creep : {-4e-4, 1e-4, 6e-4})
+      for (const double factor : {0.5, 1.0}) given.push_back({load * full, creep, factor});
+  const auto solve = [&](int threads) {
+    EXPECT_EQ(rollcon_context_set_threads(pair.context(), threads), ROLLCON_OK);
+    std::vector<double> row(given.size() * 38);
+    std::vector<std::int32_t> status(given.size(), -1);
+    EXPECT_EQ(rollcon_contact_solve_many(pair.handle(), "normal longitudinal friction",
+                                         static_cast<std::int64_t>(given.size()), given[0].data(),
+                                         "force moment approach derivatives contact_area", 38, row.data(), nullptr,
+                                         status.data()),
+              ROLLCON_OK)
+        << rollcon_last_error();
+    for (const std::int32_t s : status) EXPECT_EQ(s, ROLLCON_OK);
+    return row;
+  };
+  const std::vector<double> one = solve(1), two = solve(2);
+  EXPECT_EQ(one, two) << "threads";
+  EXPECT_EQ(pair.solution().force, before.force) << "the last solution stays";
+  double worst = 0;  // all are on pairs of one size
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const auto& [load, creep, factor] = given[i];
+    RollingPair single(steel, steel);
+    hertzian(single, steady_rolling::hertz, 0.3 * factor).load(load).creep(creep, 0, 2e-4);
+    single.option("frame_accuracy", 0.01);
+    ASSERT_EQ(single.solve(), ROLLCON_OK);
+    const Solution s = single.solution();
+    const double* row = one.data() + 38 * i;
+    const double bound = 0.3 * factor * load;
+    double by_creepage[3], by_friction[3];
+    ASSERT_EQ(
+        rollcon_contact_get_sensitivity(single.handle(), ROLLCON_LONGITUDINAL, by_creepage, nullptr, nullptr, nullptr),
+        ROLLCON_OK);
+    // Of relative changes of all coefficients, there.
+    ASSERT_EQ(
+        rollcon_contact_get_sensitivity(single.handle(), ROLLCON_FRICTION, by_friction, nullptr, nullptr, nullptr),
+        ROLLCON_OK);
+    for (const double error :
+         {(row[0] - s.force[0]) / bound, (row[1] - s.force[1]) / bound, row[2] / s.force[2] - 1,
+          (row[5] - s.moment[2]) / bound, row[6] / s.approach - 1, row[37] / single.stat("contact_area") - 1,
+          (row[17] - by_creepage[0]) * 1e-4 / bound, (row[27] * factor - by_friction[0]) / bound})
+      worst = std::max(worst, std::abs(error));
+  }
+  expect_error("18 cases beside each by itself: forces, moment, approach, area, derivatives", worst, 1e-9);
 }
 
-TEST(automatic_frames, lists_of_cases_need_a_frame) {
+TEST(automatic_frames, refusals_of_lists) {
   RollingPair pair(steel, steel);
   hertzian(pair, steady_rolling::hertz, 0.3);
+  const double value[2] = {10, 20};
+  double row[6];
+  std::int32_t status[2];
+  const auto expect = [&](const char* parameters, const char* columns, std::int32_t refusal, const char* words) {
+    EXPECT_EQ(rollcon_contact_solve_many(pair.handle(), parameters, 2, value, columns, 3, row, nullptr, status),
+              refusal);
+    EXPECT_NE(std::string(rollcon_last_error()).find(words), std::string::npos) << rollcon_last_error();
+  };
   ASSERT_EQ(pair.solve(), ROLLCON_OK);
-  const double load = 10;
-  double force[3];
-  EXPECT_EQ(rollcon_contact_solve_many(pair.handle(), "normal", 1, &load, "force", 3, force, nullptr, nullptr),
-            ROLLCON_ERR_STATE);
+  std::vector<double> tractions(6 * static_cast<std::size_t>(pair.solution().nodes()));
+  EXPECT_EQ(
+      rollcon_contact_solve_many(pair.handle(), "normal", 2, value, "tractions",
+                                 static_cast<std::int64_t>(tractions.size() / 2), tractions.data(), nullptr, status),
+      ROLLCON_ERR_STATE);
   EXPECT_NE(std::string(rollcon_last_error()).find("rollcon_contact_frame_ellipse"), std::string::npos);
-  EXPECT_EQ(pair.solve(), ROLLCON_OK);
+  const double falling[4] = {0.3, 0.2, 0.1, 1};
+  ASSERT_EQ(rollcon_contact_set_rolling(pair.handle(), 1), ROLLCON_OK);
+  if (rollcon_contact_set_friction(pair.handle(), "exponential", 3, falling) == ROLLCON_OK)
+    expect("friction", "force", ROLLCON_ERR_UNSUPPORTED, "Coulomb");
+  pair.friction(0.3);
+  ASSERT_EQ(rollcon_contact_set_step(pair.handle(), ROLLCON_ROLLING_STEP, 0.1), ROLLCON_OK);
+  expect("normal", "force", ROLLCON_ERR_STATE, "time steps");
+  ASSERT_EQ(rollcon_contact_set_step(pair.handle(), ROLLCON_STEADY, 0), ROLLCON_OK);
+  // A case that fails leaves the others alone.
+  pair.tangential_force(ROLLCON_LONGITUDINAL, 4);
+  EXPECT_EQ(rollcon_contact_solve_many(pair.handle(), "normal", 2, value, "force", 3, row, nullptr, status),
+            ROLLCON_NOT_CONVERGED);
+  EXPECT_EQ(status[0], ROLLCON_ERR_LOAD);
+  EXPECT_TRUE(std::isnan(row[0]));
+  EXPECT_EQ(status[1], ROLLCON_OK);
+  EXPECT_NEAR(row[3], 4, 1e-6);
 }
 
 TEST(automatic_frames, callers_frames_come_and_go) {

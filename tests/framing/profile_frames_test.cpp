@@ -98,8 +98,8 @@ TEST(profile_frames, a_straight_roller_is_pressed_to_its_ends) {
   RollingPair lattice(steel, steel);
   lay_straight_roller(lattice);
   double half = 0;
-  for (const double x : s.x) half = std::max(half, 1.1 * std::abs(x));
-  lattice.rectangle(ElementType::quad4, 64, 256, half, 5 * (1 - 1e-9));
+  for (const double x : s.x) half = std::max(half, 1.3 * std::abs(x));
+  lattice.rectangle(ElementType::quad4, 112, 256, half, 5 * (1 - 1e-9));
   ASSERT_EQ(lattice.solve(), ROLLCON_OK);
   expect_same("straight roller beside a lattice", pair, lattice, 2e-2, 1e-2);
   pair.option("frame_accuracy", 0.005);

@@ -34,18 +34,18 @@ std::unique_ptr<SolverState> share(const SolverState& from) {
 
 }  // namespace
 
-CaseSolver::CaseSolver(const SolverState& scene, const Options& options)
+SharedFrameSolver::SharedFrameSolver(const SolverState& scene, const Options& options)
     : options_(options), state_(share(scene)), frictionless_(scene.frictionless) {}
 
-CaseSolver::~CaseSolver() = default;
+SharedFrameSolver::~SharedFrameSolver() = default;
 
-void CaseSolver::begin_chain() {
+void SharedFrameSolver::begin_chain() {
   state_->newton = Newton{};
   state_->published.reset();
   warm_ = false;
 }
 
-void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* value) {
+void SharedFrameSolver::prescribe(std::span<const Parameter> parameter, const double* value) {
   SolverState& s = *state_;
   for (std::size_t j = 0; j < parameter.size(); ++j) {
     const double v = value[j] + 0.0;  // no negative zero
@@ -65,7 +65,7 @@ void CaseSolver::prescribe(std::span<const Parameter> parameter, const double* v
   s.frictionless = frictionless;
 }
 
-Status CaseSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
+Status SharedFrameSolver::solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) {
   SolverState& s = *state_;
   s.derived = s.laws_checked = s.images_known = false;
   s.sensitivities.forget();
@@ -84,8 +84,8 @@ Status CaseSolver::solve(std::span<const Parameter> parameter, const double* val
   return status_of(s);
 }
 
-void CaseSolver::write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
-                       double* to) {
+void SharedFrameSolver::write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
+                              double* to) {
   SolverState& s = *state_;
   const Prepared& on = *s.prepared;
   const auto& motion = s.iterate.motion;
@@ -121,7 +121,7 @@ void CaseSolver::write(const CaseColumn& column, std::span<const Parameter> para
   }
 }
 
-void CaseSolver::derivatives(std::span<const Parameter> parameter, const double* value, double* d) {
+void SharedFrameSolver::derivatives(std::span<const Parameter> parameter, const double* value, double* d) {
   SolverState& s = *state_;
   std::fill_n(d, 10 * parameter.size(), none);
   if (s.outcome != Outcome::converged && s.outcome != Outcome::no_contact) return;
@@ -145,7 +145,7 @@ void CaseSolver::derivatives(std::span<const Parameter> parameter, const double*
   }
 }
 
-std::size_t CaseSolver::bytes() const {
+std::size_t SharedFrameSolver::bytes() const {
   const SolverState& s = *state_;
   return s.newton.bytes() + static_cast<std::size_t>(s.prepared->problem.nodes) * sizeof(double) * 30;
 }

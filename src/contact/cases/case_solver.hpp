@@ -1,6 +1,6 @@
 #pragma once
-/// Load cases of one prepared scene, solved by several threads side by side. Each has a solver state of its own, but
-/// operators, compliance and bodies are the scene's, read only.
+/// What solves the load cases of a list, one object for each thread: on the frame of the scene, which they share with
+/// its operators, compliance and bodies, read only; or each on frames of its own.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,21 +22,32 @@ bool can_share(const SolverState& state);
 
 class CaseSolver {
  public:
-  /// `scene` must be prepared, and outlive this object unchanged.
-  CaseSolver(const SolverState& scene, const Options& options);
-  ~CaseSolver();
+  virtual ~CaseSolver() = default;
 
   /// The next case starts cold, whatever was solved before.
-  void begin_chain();
+  virtual void begin_chain() = 0;
   /// Solves one case, starting from the last one of the chain if that converged. parameter: what value[i] is of.
   /// Returns its status >= 0; throws Error.
-  Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor);
+  virtual Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) = 0;
 
   /// What a column says of the last case; derivatives by each parameter's value, NaN where there are none.
-  void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value, double* to);
+  virtual void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value,
+                     double* to) = 0;
 
   /// What this solver holds beyond what it shares.
-  std::size_t bytes() const;
+  virtual std::size_t bytes() const = 0;
+};
+
+class SharedFrameSolver final : public CaseSolver {
+ public:
+  /// `scene` must be prepared, and outlive this object unchanged.
+  SharedFrameSolver(const SolverState& scene, const Options& options);
+  ~SharedFrameSolver() override;
+
+  void begin_chain() override;
+  Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) override;
+  void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value, double* to) override;
+  std::size_t bytes() const override;
 
  private:
   void derivatives(std::span<const Parameter> parameter, const double* value, double* d);

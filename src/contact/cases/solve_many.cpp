@@ -77,7 +77,7 @@ class ManyCases {
   }
 
   /// Solves the chains. Rethrows what a progress callback threw.
-  void run(SolverState& scene, const Options& options, int threads);
+  void run(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads);
   /// Copies to the repeated cases, and says what the call returns.
   Status finish();
   std::vector<Failure>& failures() { return failures_; }
@@ -214,10 +214,10 @@ void ManyCases::work(CaseSolver& solver, bool calling) {
   }
 }
 
-void ManyCases::run(SolverState& scene, const Options& options, int threads) {
-  const auto wanted = can_share(scene) ? std::clamp<std::int64_t>(threads, 1, order_.chains()) : 1;
+void ManyCases::run(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads) {
+  const auto wanted = std::clamp<std::int64_t>(threads, 1, order_.chains());
   std::vector<std::unique_ptr<CaseSolver>> solver;
-  for (std::int64_t t = 0; t < wanted; ++t) solver.push_back(std::make_unique<CaseSolver>(scene, options));
+  for (std::int64_t t = 0; t < wanted; ++t) solver.push_back(make());
   std::vector<std::thread> helper;
   helper.reserve(solver.size() - 1);
   for (std::size_t t = 1; t < solver.size(); ++t) {
@@ -251,7 +251,7 @@ void ManyCases::run(SolverState& scene, const Options& options, int threads) {
 }
 
 Status ManyCases::finish() {
-  bool stopped = false, missed = false, coarse = false, rim = false, open = false;
+  bool stopped = false, missed = false, coarse = false, rim = false, inaccurate = false, open = false;
   for (std::int64_t i = 0; i < list_.cases; ++i) {
     const std::int64_t from = order_.solved_as[static_cast<std::size_t>(i)];
     const Status status = status_[static_cast<std::size_t>(from)];
@@ -261,26 +261,28 @@ Status ManyCases::finish() {
     missed = missed || status == Status::not_converged || static_cast<std::int32_t>(status) < 0;
     coarse = coarse || status == Status::coarse;
     rim = rim || status == Status::rim_contact;
+    inaccurate = inaccurate || status == Status::inaccurate;
     open = open || status == Status::no_contact;
   }
   std::sort(failures_.begin(), failures_.end(), [](const Failure& a, const Failure& b) { return a.number < b.number; });
   if (stopped) return Status::cancelled;
   if (missed) return Status::not_converged;
   if (coarse) return Status::coarse;
-  return rim ? Status::rim_contact : open ? Status::no_contact : Status::ok;
+  if (rim) return Status::rim_contact;
+  return inaccurate ? Status::inaccurate : open ? Status::no_contact : Status::ok;
 }
 
 }  // namespace
 
-Status solve_cases(SolverState& s, const Options& options, const CaseList& cases, const CaseResults& results,
-                   const CaseHost& host) {
+Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads, const CaseList& cases,
+                   const CaseResults& results, const CaseHost& host, std::size_t& bytes) {
   const double start = now_seconds();
   ManyCases many(cases, results, host.cancel, host.progress, host.user);
   {
     const BlasThreads blas(1);
-    many.run(s, options, host.context.threads());
+    many.run(make, threads);
   }
-  s.peak_bytes = std::max(s.peak_bytes, s.bytes() + many.bytes());
+  bytes = many.bytes();
   const Status status = many.finish();
   for (const Failure& f : many.failures())
     host.context.log(LogLevel::warning, "case %lld (counting from 0): %s", static_cast<long long>(f.number),

@@ -2,7 +2,10 @@
 /// Lists of load cases and what becomes of them (Contact::solve_many).
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <span>
 
 #include "contact/scene/enumerators.hpp"
@@ -11,8 +14,8 @@
 
 namespace rollcon {
 
+class CaseSolver;  // contact/cases/case_solver.hpp
 struct SolverState;
-struct Options;
 
 /// Neighbouring numbers in the row of a case, in the axes.
 struct CaseColumn {
@@ -48,9 +51,10 @@ struct CaseHost {
   std::atomic<bool>& cancel;
 };
 
-/// Solves the cases of the prepared scene over threads; the status is that of Contact::solve_many.
-Status solve_cases(SolverState& state, const Options& options, const CaseList& cases, const CaseResults& results,
-                   const CaseHost& host);
+/// Solves the cases over so many threads, each with a solver that make() gives; the status is that of
+/// Contact::solve_many. bytes: what all solvers held.
+Status solve_cases(const std::function<std::unique_ptr<CaseSolver>()>& make, int threads, const CaseList& cases,
+                   const CaseResults& results, const CaseHost& host, std::size_t& bytes);
 /// What a list has whose preparation was cancelled.
 void cancel_cases(const CaseList& cases, const CaseResults& results, const CaseHost& host);
 

@@ -84,9 +84,13 @@ void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
 }
 
+bool has_mesh(const PairOfBodies& pair) {
+  return pair.body[0]->meshed() || pair.body[1]->meshed();
+}
+
 // Whether a frame may be placed anew without being made again: a flat one above bodies that respond alike everywhere.
 bool follows_its_place(const PairOfBodies& pair) {
-  return !pair.body[0]->meshed() && !pair.body[1]->meshed();
+  return !has_mesh(pair);
 }
 
 void put_in_place(SolverState& state, const Scene& scene) {
@@ -307,7 +311,9 @@ void read_gap(SolverState& state, const Scene& scene) {
     return;
   ++state.work.gaps;
   Problem& p = on.problem;
-  const std::unique_ptr<KnownGap> known = scene.frame_given() ? nullptr : known_gap(scene, on.pair);
+  // Gaps of meshes count along their local normals.
+  const bool between_planes = !scene.frame_given() && !(measured && has_mesh(on.pair));
+  const std::unique_ptr<KnownGap> known = between_planes ? known_gap(scene, on.pair) : nullptr;
   if (known) {
     p.gap = gap_of_made_frame(on.frame, *known);
   } else if (measured) {

@@ -5,6 +5,7 @@
 
 #include "bodies/missed_nodes.hpp"
 #include "geometry/surface.hpp"
+#include "mesh/topology.hpp"
 
 namespace rollcon {
 namespace {
@@ -57,8 +58,9 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
   std::vector<Vec3> normal(static_cast<std::size_t>(frame.nodes()), frame.axes.n);
   MissedNodes missed(frame, body, pose, which);
   const Vec3 direction = pose.turn_back(frame.axes.n);
+  const std::vector<std::uint8_t> belongs = nodes_of_elements(frame.mesh);
   for (std::size_t k = 0; k < normal.size(); ++k) {
-    if (!frame.used[k]) continue;
+    if (!belongs[k]) continue;
     const auto n = look_aside(
         pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),
         [&](const Vec3& from) { return body.surface()->normal(from, direction, outward(which, direction)); });
@@ -74,6 +76,7 @@ std::vector<Vec3> surface_normals(const Frame& frame, const FrameSource& source,
 std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source, const PairOfBodies& pair) {
   std::vector<double> gap(static_cast<std::size_t>(frame.nodes()), 0);
   const Plane plane(frame.axes.origin, frame.axes.n);
+  const std::vector<std::uint8_t> belongs = nodes_of_elements(frame.mesh);
   for (int b = 0; b < 2; ++b) {
     if (source.body == b) continue;  // the nodes are on it
     const Body& body = *pair.body[static_cast<std::size_t>(b)];
@@ -82,7 +85,7 @@ std::vector<double> undeformed_gap(const Frame& frame, const FrameSource& source
     const double sign = b == 0 ? -1 : 1;
     MissedNodes missed(frame, body, pose, b);
     for (std::size_t k = 0; k < gap.size(); ++k) {
-      if (!frame.used[k]) continue;
+      if (!belongs[k]) continue;
       const Vec3 n = frame.triad(k).n, direction = pose.turn_back(n);
       const auto met =
           look_aside(pose.to_body(frame.mesh.node[k]), direction, element_size(frame, k),

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "geometry/surface.hpp"
@@ -38,10 +39,11 @@ struct Between {
   double at(const std::array<double, 2>& p) const { return along[0] * p[0] + along[1] * p[1]; }
 };
 
-/// Of two bodies without a mesh, one of which has a profile at least.
+/// Of two bodies, one of which has a surface at least: measured, or where both are there the one that is given.
 class GapOfSurfaces final : public KnownGap {
  public:
-  GapOfSurfaces(const Axes& axes, const PairOfBodies& pair) : axes_(axes), pair_(pair) {}
+  GapOfSurfaces(const Axes& axes, const PairOfBodies& pair, const std::optional<std::array<double, 3>>& given)
+      : axes_(axes), pair_(pair), given_(given) {}
 
   double operator()(double x, double y) const override {
     const Vec3 point = plane_point(axes_, x, y);
@@ -56,7 +58,7 @@ class GapOfSurfaces final : public KnownGap {
       if (!met) return INFINITY;
       gap += b == 0 ? -*met : *met;
     }
-    return gap;
+    return given_ ? (*given_)[0] * x * x + (*given_)[1] * y * y + (*given_)[2] * x * y : gap;
   }
 
   // An edge, whatever its direction, is passed by one of the diagonals.
@@ -133,21 +135,22 @@ class GapOfSurfaces final : public KnownGap {
 
   const Axes& axes_;
   PairOfBodies pair_;
-  mutable std::array<SurfaceHint, 2> met_;  ///< by the point before
+  std::optional<std::array<double, 3>> given_;  ///< coefficients of x^2, y^2, xy
+  mutable std::array<SurfaceHint, 2> met_;      ///< by the point before
 };
 
 }  // namespace
 
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair) {
   if (scene.gap_grid()) return true;
-  if (scene.has_gap() || pair.body[0]->meshed() || pair.body[1]->meshed()) return false;
+  if (scene.has_gap()) return scene.quadratic_gap() && (pair.body[0]->meshed() || pair.body[1]->meshed());
   return pair.body[0]->surface() || pair.body[1]->surface();
 }
 
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair) {
   if (!is_gap_known(scene, pair)) return nullptr;
   if (const HeightGrid* const grid = scene.gap_grid()) return std::make_unique<GapOnGrid>(*grid);
-  return std::make_unique<GapOfSurfaces>(scene.axes(), pair);
+  return std::make_unique<GapOfSurfaces>(scene.axes(), pair, scene.quadratic_gap());
 }
 
 }  // namespace rollcon

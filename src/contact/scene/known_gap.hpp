@@ -1,6 +1,6 @@
 #pragma once
 /// The undeformed gap over the plane of the axes, where it is known between the nodes of a frame, too: given on a grid,
-/// or between profiles.
+/// or between surfaces.
 
 #include <memory>
 
@@ -24,7 +24,7 @@ class KnownGap {
   virtual const char* beyond_bounds() const = 0;
 };
 
-/// False: the gap is known at nodes alone, is that of two planes, a quadratic one, or that of a body with a mesh.
+/// False: the gap is known at nodes alone, is that of two planes, or a quadratic one between bodies without a mesh.
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair);
 /// Null where it is not. It refers to scene and bodies.
 std::unique_ptr<KnownGap> known_gap(const Scene& scene, const PairOfBodies& pair);

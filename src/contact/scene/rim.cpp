@@ -107,21 +107,30 @@ class BodyEdges {
 
 }  // namespace
 
+// Where the contact itself ends beside the end of a body, it does so at the corner, too: nodes are within the frame's
+// rim only where all that bounds it there is a body's end.
 void find_rim(Frame& frame, const PairOfBodies& pair, const KnownGap* gap) {
-  frame.rim = rim_nodes(frame.nodes(), sorted_sides(split_elements(frame.mesh)));
-  for (std::size_t k = 0; gap && k < frame.rim.size(); ++k)
-    if (frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k], element_size(frame, k))) frame.rim[k] = 0;
+  const std::vector<Side> sides = sorted_sides(split_elements(frame.mesh));
+  frame.rim = rim_nodes(frame.nodes(), sides);
+  std::vector<std::uint8_t> ends(frame.rim.size(), 0);
+  for (std::size_t k = 0; gap && k < ends.size(); ++k)
+    ends[k] = frame.rim[k] && gap->ends_at(frame.x[k], frame.y[k], element_size(frame, k));
   for (int b = 0; b < 2; ++b) {
     const Body& body = *pair.body[at(b)];
     const Pose& pose = pair.pose[at(b)];
     if (!body.meshed()) continue;
     const BodyEdges edges(frame, body, pose, b);
-    for (std::size_t k = 0; k < frame.rim.size(); ++k) {
-      if (!frame.rim[k]) continue;
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      if (!frame.rim[k] || ends[k]) continue;
       const auto found = meet_contact_faces(frame, k, frame.axes.n, body, pose, b);
-      if (found && edges.hold(in_axes(frame.axes, pose.place(found->x)))) frame.rim[k] = 0;
+      ends[k] = found && edges.hold(in_axes(frame.axes, pose.place(found->x)));
     }
   }
+  frame.rim.assign(ends.size(), 0);
+  for_each_edge(std::span<const Side>(sides), [&](const Side& side, std::size_t count) {
+    if (count > 1 || (ends[at(side.from)] && ends[at(side.to)])) return;
+    frame.rim[at(side.from)] = frame.rim[at(side.to)] = 1;
+  });
 }
 
 }  // namespace rollcon

@@ -190,6 +190,15 @@ void Scene::set_friction(const char* law, std::int32_t n, const double* paramete
   ++revision.friction;
 }
 
+void Scene::scale_friction(const Scene& of, double factor) {
+  friction_ = factor * of.friction_;
+  law_parameters_ = of.law_parameters_;
+  for (double& p : law_parameters_) p *= factor;
+  across_mu_ = of.across_mu_;
+  for (double& mu : across_mu_) mu *= factor;
+  ++revision.friction;
+}
+
 // What does not fit is refused before a solve.
 void Scene::choose_law() {
   law_in_use_ = memory_.length > 0 && law_ && law_->falls() ? with_memory(law_, memory_) : law_;

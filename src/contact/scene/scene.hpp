@@ -109,6 +109,8 @@ class Scene {
   void set_creep_field(std::int64_t n, const double* slip);
   void prescribe(std::int32_t direction, std::int32_t how, double value);
   void set_friction(const char* law, std::int32_t n, const double* parameters);
+  /// The coefficients of `of` times a factor, of Coulomb's law without a field.
+  void scale_friction(const Scene& of, double factor);
   void set_friction_field(std::int64_t n, const double* mu);
   /// Of laws that fall, whichever is set; a length of 0: none.
   void set_friction_memory(double length, double least_speed);

@@ -1,0 +1,28 @@
+#pragma once
+/// Load cases of a scene that has no frame: each is solved on frames that the library makes for it.
+
+#include <memory>
+
+#include "contact/cases/case_solver.hpp"
+#include "contact/contact.hpp"
+
+namespace rollcon {
+
+class OwnFramesSolver final : public CaseSolver {
+ public:
+  /// lead has no frame, and outlives this object unchanged. err_state: time steps; err_unsupported: a factor on
+  /// friction under another law than Coulomb's.
+  OwnFramesSolver(const Contact& lead, std::span<const Parameter> parameter);
+
+  void begin_chain() override;
+  Status solve(std::span<const Parameter> parameter, const double* value, Monitor& monitor) override;
+  void write(const CaseColumn& column, std::span<const Parameter> parameter, const double* value, double* to) override;
+  std::size_t bytes() const override;
+
+ private:
+  const Contact& lead_;
+  std::unique_ptr<Contact> contact_;  ///< of a chain
+  Status status_ = Status::ok;
+};
+
+}  // namespace rollcon
