@@ -4,6 +4,10 @@
 
 namespace rollcon {
 
+bool PairOfBodies::meshed() const {
+  return body[0]->meshed() || body[1]->meshed();
+}
+
 Vec3 plane_point(const Axes& axes, double x, double y) {
   return axes.origin + x * axes.t1 + y * axes.t2;
 }

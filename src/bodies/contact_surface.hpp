@@ -11,7 +11,8 @@ namespace rollcon {
 struct PairOfBodies {
   std::array<const Body*, 2> body{};  ///< prepared
   std::array<Pose, 2> pose{};
-  double layer = 0;  ///< between them: tangential displacement per traction
+  double layer = 0;     ///< between them: tangential displacement per traction
+  bool meshed() const;  ///< one of them at least
 };
 
 /// Local normals (outward from body 1) over the plane of the axes: those of body 1 if it has a mesh,

@@ -9,13 +9,12 @@
 #include "contact/contact_cases.hpp"
 #include "contact/estimate/error_estimate.hpp"
 #include "contact/estimate/few_nodes.hpp"
-#include "contact/prepare/lattice_scene.hpp"
 #include "contact/prepare/time_step.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/outcome_text.hpp"
 #include "contact/scene/host_interrupt.hpp"
 #include "contact/scene/known_gap.hpp"
-#include "contact/settle/settle_friction.hpp"
+#include "contact/settle/watch.hpp"
 #include "contact/solution.hpp"
 #include "linalg/blas_threads.hpp"
 #include "mesh/corner_elements.hpp"
@@ -37,85 +36,6 @@ bool has_tri6(const SurfaceMesh& surface, std::int32_t tag) {
   return false;
 }
 
-// Records history and passes every iteration to the caller's callback.
-class Watch final : public Monitor {
- public:
-  Watch(SolverState& state, const Context& context, ProgressFunction function, void* user, std::atomic<bool>& cancel,
-        double start)
-      : state_(state), context_(context), function_(function), user_(user), cancel_(cancel), start_(start) {}
-
-  bool step(const StepRecord& r) override {
-    const double seconds = prepared_ > 0 ? prepared_ : now_seconds() - start_;
-    prepared_ = 0;
-    for (const double v :
-         {static_cast<double>(r.part), static_cast<double>(r.iteration), r.residual_normal, r.residual_tangential,
-          r.step, static_cast<double>(r.contact), static_cast<double>(r.sliding), seconds})
-      state_.history.push_back(v);
-    state_.merit.push_back(r.merit);
-    context_.log(LogLevel::debug,
-                 "%s iteration %lld: residual normal %.2e, tangential %.2e; step %.3g; %lld nodes "
-                 "in contact, %lld sliding",
-                 name(r.part), static_cast<long long>(r.iteration), r.residual_normal, r.residual_tangential, r.step,
-                 static_cast<long long>(r.contact), static_cast<long long>(r.sliding));
-    return tell(static_cast<Phase>(r.part), r.iteration, std::max(r.residual_normal, r.residual_tangential), seconds);
-  }
-
-  bool cancelled() const override { return cancel_.load(); }
-
-  /// Seconds until now: the first iteration is told of with them, its clock need not be read.
-  void prepared(double seconds) { prepared_ = seconds; }
-
-  bool tell(Phase phase, std::int64_t iteration, double residual, double seconds) {
-    if (cancel_.load()) return true;
-    if (!function_) return false;
-    Event event;
-    event.phase = static_cast<std::int32_t>(phase);
-    event.iteration = iteration;
-    event.residual = residual;
-    event.seconds = seconds;
-    if (function_(event, user_) != 0) cancel_.store(true);
-    return cancel_.load();
-  }
-
- private:
-  static const char* name(Part part) {
-    return part == Part::normal ? "normal" : part == Part::tangential ? "tangential" : "full";
-  }
-  SolverState& state_;
-  const Context& context_;
-  ProgressFunction function_;
-  void* user_;
-  std::atomic<bool>& cancel_;
-  double start_, prepared_ = 0;
-};
-
-void run_standard(SolverState& s, const Options& options, Monitor& monitor) {
-  LinearSolver& linear = s.newton.linear();
-  s.newton.use(s.procedure);
-  s.newton.predict = options.warm_start == 2;
-  linear.unknowns = 0;  // where nothing needs a system
-  s.linear_iterations = -linear.iterations;
-  s.right_sides = -linear.right_sides;
-  s.factorizations = -linear.factorizations;
-  s.timings.linear = -linear.seconds;
-  start_on_lattice(s, monitor);
-  const auto solve = [&](double tolerance) {
-    s.report = s.newton.solve(s.prepared->problem, s.given, s.iterate, s.frictionless, tolerance,
-                              options.max_iterations, monitor);
-    s.images_known = false;
-  };
-  if (s.frictionless || !s.prepared->problem.law->of_field())
-    solve(options.tolerance);
-  else
-    settle_friction(s, options.tolerance, solve);
-  s.system_unknowns = linear.unknowns;
-  s.system_nonzeros = linear.unknowns * linear.unknowns;
-  s.linear_iterations += linear.iterations;
-  s.right_sides += linear.right_sides;
-  s.factorizations += linear.factorizations;
-  s.timings.linear += linear.seconds;
-}
-
 // What the caller of a solve that is not plain success should know.
 void tell_caveats(const SolverState& s, Status status, const Context& context) {
   if (status == Status::coarse) {
@@ -127,89 +47,6 @@ void tell_caveats(const SolverState& s, Status status, const Context& context) {
 }
 
 }  // namespace
-
-void solve_prepared(SolverState& s, const Options& options, Monitor& monitor) {
-  if (s.procedure.standard()) {
-    run_standard(s, options, monitor);
-  } else {
-    if (!s.published) s.published = s.make_published();
-    s.published->run(s, options, monitor);
-  }
-  // What nodes_at_rim() looks at.
-  const Problem& p = s.prepared->problem;
-  if (s.prepared->ends_at_edge && !s.prepared->placed && p.op->normal)
-    for (std::size_t k = 0; k < p.used.size(); ++k)
-      if (!p.used[k]) s.iterate.update_gap(p, static_cast<std::int64_t>(k));
-}
-
-// Of a frame of strips that ends at the contact's edge: pressures fall there to a half or less over the last two cells
-// of a strip. Where the frame cuts a contact off they rise, or the bodies overlap beside it.
-static std::int64_t nodes_cut_off(const SolverState& s) {
-  // The ellipse of Hertz is where the contact ends; friction of unlike bodies moves that a little.
-  if (s.prepared->placed) return 0;
-  // Frames that fit overlap by up to 0.07 on 6 x 4 strips, 0.014 on 12 x 8: hats are 0 on the outline.
-  constexpr double overlap = 0.1;  // of the approach
-  constexpr double rise = 0.9, least = 0.25;
-  const Problem& p = s.prepared->problem;
-  const std::vector<double>& normal = s.iterate.lambda[2];
-  // Beyond first touch: gaps count from the least of them.
-  const double depth = s.iterate.motion[approach];
-  const double largest = -*std::min_element(normal.begin(), normal.end());
-  const auto n = static_cast<std::ptrdiff_t>(p.used.size());
-  std::int64_t count = 0;
-  for (std::ptrdiff_t k = 0; k < n; ++k) {
-    if (p.used[at(k)]) continue;
-    // Without rows nobody knows the gap there.
-    bool cut =
-        p.op->normal && p.rigid_gap(at(k), s.iterate.motion[approach]) - s.iterate.image[2][at(k)] < -overlap * depth;
-    // Nodes follow each other along a strip; the next strip starts after the last one.
-    const std::vector<double>&x = s.prepared->frame.x, &y = s.prepared->frame.y;
-    for (const std::ptrdiff_t step : {-1, 1}) {
-      const std::ptrdiff_t next = k + step, second = k + 2 * step;
-      if (second < 0 || second >= n || !p.used[at(next)] || !p.used[at(second)]) continue;
-      if (std::abs(y[at(next)] - y[at(k)]) > 1e-6 * std::abs(x[at(next)] - x[at(k)])) continue;
-      cut = cut || (-normal[at(next)] > least * largest && normal[at(next)] < rise * normal[at(second)]);
-    }
-    count += cut;
-  }
-  return count;
-}
-
-std::int64_t nodes_at_rim(const SolverState& s) {
-  const std::uint8_t* rim = s.prepared->frame.rim.data();
-  const double* normal = s.iterate.lambda[2].data();
-  std::int64_t count = 0;
-  if (s.prepared->ends_at_edge) return nodes_cut_off(s);
-  for (std::size_t k = 0; k < s.prepared->frame.rim.size(); ++k)
-    count += static_cast<std::int64_t>(rim[k] != 0) & static_cast<std::int64_t>(normal[k] < 0);
-  return count;
-}
-
-void refuse_tangential_loads(const Prescribed& given) {
-  for (const int m : {xi1, xi2, spin})
-    if (given.by_force[static_cast<std::size_t>(m)] && given.value[static_cast<std::size_t>(m)] != 0)
-      fail(Status::err_load,
-           "a tangential force or spin moment is prescribed but the friction coefficient is 0 "
-           "at every node: there is no steady solution");
-}
-
-Status status_of(const SolverState& s) {
-  switch (s.outcome) {
-    case Outcome::no_solution:
-      fail(Status::err_load, "%s: there is no %ssolution", describe_beyond_friction(s.report.share).c_str(),
-           s.prepared->step == StepKind::steady ? "steady " : "");
-    case Outcome::cancelled:
-      return Status::cancelled;
-    case Outcome::not_converged:
-      return Status::not_converged;
-    case Outcome::no_contact:
-      return Status::no_contact;
-    case Outcome::converged:
-      break;
-  }
-  if (too_few_nodes(s)) return Status::coarse;
-  return nodes_at_rim(s) == 0 ? Status::ok : Status::rim_contact;
-}
 
 Contact::Contact(std::shared_ptr<Context> context, std::shared_ptr<Body> body1, std::shared_ptr<Body> body2,
                  MakePublished published, MakeFrameMaker frames)

@@ -1,6 +1,6 @@
 /// Power of friction from the balance of work, beside the sum of traction times slip at nodes.
 
-#include "contact/scene_fixture.hpp"
+#include "contact/time_step_case.hpp"
 
 namespace rollcon {
 namespace {
@@ -75,7 +75,9 @@ TEST(power, does_not_depend_on_the_kind_of_element) {
   for (const ElementType type :
        {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     Pair pair(2e5, 0.3, 7e4, 0.4);
-    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, is_quadratic(type) ? 10 : 20);
+    // quad8 knows slip least (docs/theory.md): 0.23 off with 10 elements.
+    const int elements = type == ElementType::quad8 ? 16 : is_quadratic(type) ? 10 : 20;
+    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, elements);
     pair.frame(frames::perturb(frames::rectangle(type, lines, lines), 0.1, 5));
     pair.contact->scene.set_gap_quadratic(0.01, 0.013, 0);
     pair.friction(0.3);
@@ -83,8 +85,8 @@ TEST(power, does_not_depend_on_the_kind_of_element) {
     pair.contact->scene.set_creep(1e-3, 0, 0);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const double balance = pair.contact->stat("friction_power_balance") / limit - 1;
-    std::printf("%d: %+.3f (bound 0.25)\n", static_cast<int>(type), balance);
-    EXPECT_LT(std::abs(balance), 0.25);
+    std::printf("%d: %+.3f (bound 0.15)\n", static_cast<int>(type), balance);
+    EXPECT_LT(std::abs(balance), 0.15);
   }
 }
 
@@ -102,6 +104,72 @@ TEST(power, takes_no_slope_from_nodes_that_are_never_to_touch) {
   std::printf("whole %.4g, half of the surface gone %.4g\n", before, after);
   EXPECT_GT(after, 0.2 * before);
   EXPECT_LT(after, 2 * before);
+}
+
+// Work that forces put in around a closed loop of load is lost by friction.
+TEST(power, of_steps_adds_up_to_the_work_of_a_closed_loop) {
+  for (const bool rolling : {false, true}) {
+    double error[2] = {};
+    for (const int steps : {24, 48}) {
+      Spheres s(16);
+      s.scene().set_speed(0.05 * s.a);
+      s.scene().set_step(rolling ? rolling_step : shift_step, 24.0 / steps);
+      const double unit = s.mu * s.load, distance = rolling ? 0.05 * s.a * 24.0 / steps : 1;
+      double put_in = 0, balance = 0, nodal = 0, f = 0;
+      for (int k = 1; k <= 5 * steps / 4; ++k) {
+        const double q = 0.75 * std::sin(2 * std::numbers::pi * k / steps);
+        s.scene().prescribe(1, 2, -q * unit);
+        ASSERT_EQ(s.contact().solve(), Status::ok);
+        const double before = f;
+        f = -q * unit;
+        if (k <= steps / 4) continue;
+        put_in -= 0.5 * (f + before) * s.creep() * distance;
+        balance += s.contact().stat("friction_power_balance") * 24.0 / steps;
+        nodal += s.contact().stat("friction_power") * 24.0 / steps;
+      }
+      error[steps == 48] = balance / put_in - 1;
+      std::printf("%s, %d steps: put in %.5e, lost %.5e (%+.2f %%), at nodes %.5e\n", rolling ? "rolling" : "shift",
+                  steps, put_in, balance, 100 * error[steps == 48], nodal);
+    }
+    EXPECT_LT(std::abs(error[1]), rolling ? 0.08 : 0.01);
+    EXPECT_LT(std::abs(error[1]), 0.7 * std::abs(error[0])) << "of first order in the step";
+  }
+}
+
+TEST(power, of_steps_tends_to_that_of_steady_rolling) {
+  for (const Rolling& r : {scenes[1], scenes[3], scenes[4]}) {
+    const auto pair = solved(r, 20);
+    const double steady = pair->contact->stat("friction_power_balance");
+    pair->contact->scene.set_step(rolling_step, 0.6 * 2.6 / 20);
+    ASSERT_EQ(pair->contact->solve(), Status::ok);
+    const double first = pair->contact->stat("friction_power_balance") / steady - 1;
+    std::printf("a step from the steady state: %.1e (bound 1e-6)\n", first);
+    EXPECT_LT(std::abs(first), 1e-6);
+    pair->contact->reset();
+    double last = 0;
+    for (int k = 0; k < 60; ++k) {
+      ASSERT_EQ(pair->contact->solve(), Status::ok);
+      last = pair->contact->stat("friction_power_balance") / steady - 1;
+      if (k == 0) std::printf("first step from rest %+.3f, ", last);
+    }
+    std::printf("after 60 steps from rest: %.1e (bound 3e-3)\n", last);
+    EXPECT_LT(std::abs(last), 3e-3);
+  }
+}
+
+// Nothing slips: forces only load the bodies.
+TEST(power, of_steps_is_nothing_where_all_nodes_stick) {
+  Spheres s(20);
+  const double mu = 1e3;
+  s.scene().set_friction("coulomb", 1, &mu);
+  s.scene().set_step(shift_step, 1);
+  for (int k = 1; k <= 3; ++k) {
+    s.scene().prescribe(1, 2, -0.2 * k * s.load);
+    ASSERT_EQ(s.contact().solve(), Status::ok);
+    const double put_in = std::abs(0.2 * s.load * s.creep()), lost = s.contact().stat("friction_power_balance");
+    std::printf("lost %.1e of %.1e put in (bound 1e-9)\n", lost, put_in);
+    EXPECT_LT(std::abs(lost), 1e-9 * put_in);
+  }
 }
 
 }  // namespace

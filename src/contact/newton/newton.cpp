@@ -166,8 +166,9 @@ Outcome Newton::fall_back() {
     solve_.report.saved[static_cast<std::size_t>(rung)] += finished(outcome);
   };
   if (solve_.problem->law->falls()) {
-    next(Rung::fall_from_rest, fall_from_rest);
+    next(Rung::fall_from_rest, [](NewtonIteration& newton) { return fall_from_rest(newton, newton.solve().given); });
     next(Rung::bracket_creep, bracket_before_fall);
+    next(Rung::search_creep, follow_before_fall);
   }
   next(Rung::bracket_creep, bracket_creep);
   next(Rung::relax, relax);
@@ -196,8 +197,6 @@ bool Newton::beyond_sliding(double by) {
     return share.sliding >= 1 + by;
   }
   if (by > 0 && !(share_of_friction(p, s.given, iteration_.best_tractions()).together >= suspicious)) return false;
-  // Beyond what friction carries at great speed there may be solutions at a lesser one.
-  if (p.law->falls()) return false;
   if (!compared_) {
     compared_ = true;
     slides_ = slide_against_loads(iteration_);

@@ -88,5 +88,10 @@ void forget_operators(Preparation& preparation);
 /// The dense operators that the scene needs and that are not there yet.
 void assemble_missing(SolverState& state);
 void choose_scales(SolverState& state);
+/// What the bodies' own loads add to gaps and slip, where they have some.
+void find_offset(SolverState& state);
+void read_gap(SolverState& state, const Scene& scene);
+/// Revisions of the poses of bodies with a surface; -1 of others.
+Preparation::Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair);
 
 }  // namespace rollcon

@@ -19,14 +19,6 @@ namespace {
 using Poses = Preparation::Poses;
 
 // A pose matters to bodies with a surface only.
-Poses poses_of_surfaces(const Scene& scene, const PairOfBodies& pair) {
-  Poses poses{-1, -1};
-  for (std::size_t b = 0; b < 2; ++b)
-    if (pair.body[b]->has_surface()) poses[b] = scene.revision.pose[b];
-  return poses;
-}
-
-// Profiles change the gap alone.
 Poses poses_of_meshes(const Scene& scene, const PairOfBodies& pair) {
   Poses poses = poses_of_surfaces(scene, pair);
   for (std::size_t b = 0; b < 2; ++b)
@@ -84,13 +76,8 @@ void refuse_too_many_nodes(const SolverState& state, const SurfaceMesh& mesh) {
   op.require_memory_for({{false, false, false}, {false, false, false}, {false, false, true}});
 }
 
-bool has_mesh(const PairOfBodies& pair) {
-  return pair.body[0]->meshed() || pair.body[1]->meshed();
-}
-
-// Whether a frame may be placed anew without being made again: a flat one above bodies that respond alike everywhere.
 bool follows_its_place(const PairOfBodies& pair) {
-  return !has_mesh(pair);
+  return !pair.meshed();
 }
 
 void put_in_place(SolverState& state, const Scene& scene) {
@@ -248,86 +235,6 @@ void bind_law(SolverState& state, const Scene& scene) {
 }
 
 // What loads and given displacements of the bodies do to gap and slip, whatever the tractions.
-void find_offset(SolverState& state) {
-  Preparation& preparation = *state.preparation;
-  Prepared& on = *preparation.made;
-  if (!preparation.offset.enter(preparation.convection.version())) return;
-  if (!on.offset_depth.empty()) ++preparation.offset_change;
-  on.offset_depth.clear();
-  for (auto& v : on.offset_slip) v.clear();
-  const Frame& frame = on.frame;
-  const Convection& convection = on.problem.convection;
-  const std::size_t n = frame.x.size();
-  std::vector<double> u(3 * n), ahead;
-  if (!on.compliance->offset({frame.x, frame.y}, u.data())) return;
-  ++preparation.offset_change;
-  if (!convection.ahead.empty()) {
-    ahead.resize(3 * n);
-    std::vector<double> x = frame.x;
-    for (std::size_t k = 0; k < n; ++k) x[k] += convection.ahead[k];
-    on.compliance->offset({x, frame.y}, ahead.data());
-  }
-  if (on.scheme != Scheme::time_step) convect(convection, u.data(), ahead.data(), on.offset_slip);
-  on.offset_depth.resize(n);
-  for (std::size_t k = 0; k < n; ++k) on.offset_depth[k] = u[3 * k + 2];
-}
-
-// The new gaps count from no approach; warm starts from the datum before.
-void set_datum(SolverState& state) {
-  constexpr double steepest = 0.01;  // nodes as steep as that say little about the approach
-  Prepared& on = *state.preparation->made;
-  Problem& p = on.problem;
-  double least = INFINITY;
-  for (std::size_t k = 0; k < p.gap.size(); ++k)
-    if (on.frame.used[k] && p.closing(k) > steepest) least = std::min(least, p.gap[k] / p.closing(k));
-  const double datum = std::isfinite(least) ? least : 0;
-  for (std::size_t k = 0; k < p.gap.size(); ++k) p.gap[k] -= p.closing(k) * datum;
-  state.iterate.motion[approach] -= datum - p.datum;
-  state.newton.move_datum(datum - p.datum);
-  p.datum = datum;
-}
-
-// Frames made by the library cover holes of a body: nothing touches there.
-std::vector<double> gap_of_made_frame(const Frame& frame, const KnownGap& known) {
-  std::vector<double> gap(frame.x.size());
-  double greatest = 0;
-  for (std::size_t k = 0; k < gap.size(); ++k) {
-    gap[k] = known(frame.x[k], frame.y[k]);
-    if (std::isfinite(gap[k])) greatest = std::max(greatest, gap[k]);
-  }
-  const Rectangle all = known.bounds();
-  const double far = greatest + 100 * (all.x_greatest - all.x_least + all.y_greatest - all.y_least);
-  for (double& g : gap)
-    if (!std::isfinite(g)) g = far;
-  return gap;
-}
-
-void read_gap(SolverState& state, const Scene& scene) {
-  Preparation& preparation = *state.preparation;
-  Prepared& on = *preparation.made;
-  const bool measured = !scene.has_gap();
-  if (!preparation.gap.enter(preparation.frame.version(), preparation.place.version(), preparation.offset_change,
-                             scene.revision.gap, measured ? poses_of_surfaces(scene, on.pair) : Poses{-1, -1}))
-    return;
-  ++state.work.gaps;
-  Problem& p = on.problem;
-  // Gaps of meshes count along their local normals.
-  const bool between_planes = !scene.frame_given() && !(measured && has_mesh(on.pair));
-  const std::unique_ptr<KnownGap> known = between_planes ? known_gap(scene, on.pair) : nullptr;
-  if (known) {
-    p.gap = gap_of_made_frame(on.frame, *known);
-  } else if (measured) {
-    p.gap = undeformed_gap(on.frame, on.frame_source, on.pair);
-    refuse_deep_overlap(on.frame, p.gap, on.pair);
-  } else {
-    p.gap.resize(at(p.nodes));
-    for (std::size_t k = 0; k < p.gap.size(); ++k)
-      p.gap[k] = scene.gap(static_cast<std::int64_t>(k), on.frame.x[k], on.frame.y[k]);
-  }
-  for (std::size_t k = 0; k < on.offset_depth.size(); ++k) p.gap[k] -= on.offset_depth[k];
-  set_datum(state);
-}
-
 void read_prescribed(SolverState& state, const Scene& scene) {
   Prescribed& given = state.given;
   given = {};

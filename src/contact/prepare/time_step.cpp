@@ -37,50 +37,47 @@ void note_frame(PastStep& past, const Prepared& on, const Scene& scene) {
   past.on->frame = on.frame;
 }
 
-bool meshed(const Prepared& on) {
-  return on.pair.body[0]->meshed() || on.pair.body[1]->meshed();
-}
-
 // On its own frame: nodes that a body carried along are the same still.
 bool lies_on(const PastStep& past, const Prepared& on, const Scene& scene) {
   if (past.lambda[0].size() != on.frame.x.size()) return false;
   if (past.on && same_places(past.on->frame, on.frame)) return true;
-  return past.mesh == scene.revision.mesh && (meshed(on) || !past.on);
+  return past.mesh == scene.revision.mesh && (on.pair.meshed() || !past.on);
+}
+
+// Tangential ones at the nodes, or where their particles were a step before.
+enum class Where : std::int8_t { nodes, upstream };
+void tangential_displacements(const Compliance& compliance, const Prepared& on, Where where,
+                              const std::vector<double> (&lambda)[3], StepHistory& work, std::vector<double>* to) {
+  const std::size_t n = on.frame.x.size(), sources = lambda[0].size();
+  std::vector<double> x = on.frame.x;
+  if (where == Where::upstream)
+    for (std::size_t k = 0; k < n; ++k) x[k] += upstream(on, k);
+  work.traction.resize(3 * sources);
+  for (std::size_t k = 0; k < sources; ++k)
+    for (std::size_t c = 0; c < 3; ++c) work.traction[3 * k + c] = lambda[c][k];
+  work.displacement.resize(3 * n);
+  compliance.apply({x, on.frame.y}, work.traction.data(), work.displacement.data());
+  for (std::size_t c = 0; c < 2; ++c) {
+    to[c].resize(n);
+    for (std::size_t k = 0; k < n; ++k) to[c][k] = work.displacement[3 * k + c];
+  }
 }
 
 // Half-spaces answer tractions on any frame exactly.
 void carry_between_frames(StepHistory& h, const Prepared& on, int threads) {
-  if (meshed(on))
+  if (on.pair.meshed())
     fail(
         Status::err_state,
         "the frame is not that of the step before, and a body has a mesh: its displacements cannot be carried from one "
         "frame to another; keep the frame, or start from rest (rollcon_contact_reset)");
   FrameOfPast& past = *h.last.on;
   if (!past.compliance) past.compliance = make_pair_compliance(past.frame, on.pair, on.accuracy, threads);
-  const std::size_t n = on.frame.x.size(), sources = h.last.lambda[0].size();
-  std::vector<double> x(n);
-  for (std::size_t k = 0; k < n; ++k) x[k] = on.frame.x[k] + upstream(on, k);
-  h.traction.resize(3 * sources);
-  for (std::size_t k = 0; k < sources; ++k)
-    for (std::size_t c = 0; c < 3; ++c) h.traction[3 * k + c] = h.last.lambda[c][k];
-  h.displacement.resize(3 * n);
-  past.compliance->apply({x, on.frame.y}, h.traction.data(), h.displacement.data());
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t c = 0; c < 2; ++c) h.carried[c][k] = h.displacement[3 * k + c];
+  tangential_displacements(*past.compliance, on, Where::upstream, h.last.lambda, h, h.carried);
 }
 
 // Rows that are not formed: by integrals at every step.
 void carry_by_integrals(StepHistory& h, const Prepared& on) {
-  const std::size_t n = on.frame.x.size();
-  std::vector<double> x(n);
-  for (std::size_t k = 0; k < n; ++k) x[k] = on.frame.x[k] + upstream(on, k);
-  h.traction.resize(3 * n);
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t c = 0; c < 3; ++c) h.traction[3 * k + c] = h.last.lambda[c][k];
-  h.displacement.resize(3 * n);
-  on.compliance->apply({x, on.frame.y}, h.traction.data(), h.displacement.data());
-  for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t c = 0; c < 2; ++c) h.carried[c][k] = h.displacement[3 * k + c];
+  tangential_displacements(*on.compliance, on, Where::upstream, h.last.lambda, h, h.carried);
 }
 
 }  // namespace
@@ -161,6 +158,30 @@ void repeat_step(SolverState& s) {
          "rollcon_contact_restore_past or rollcon_contact_repeat_step");
   std::swap(h.last, h.before);
   h.can_repeat = h.iterate_is_last = false;
+}
+
+void find_changes_upstream(SolverState& s, std::vector<double> (&change)[2]) {
+  StepHistory& h = s.steps;
+  const Prepared& on = *s.prepared;
+  const Problem& p = on.problem;
+  const std::vector<double>(&lambda)[3] = s.iterate.lambda;
+  std::vector<double> here[3], ahead[3];
+  if (s.preparation && (p.op->tangential || p.op->all_at_once())) {
+    std::vector<std::int32_t> used;
+    for (std::size_t k = 0; k < p.used.size(); ++k)
+      if (p.used[k]) used.push_back(static_cast<std::int32_t>(k));
+    for (auto* field : {&here, &ahead})
+      for (auto& v : *field) v.resize(p.used.size());
+    p.op->images(slip_components, {}, used, lambda, here);
+    s.preparation->carried.apply(on, s.preparation->rows, lambda, ahead);
+  } else {
+    tangential_displacements(*on.compliance, on, Where::nodes, lambda, h, here);
+    tangential_displacements(*on.compliance, on, Where::upstream, lambda, h, ahead);
+  }
+  for (std::size_t c = 0; c < 2; ++c) {
+    change[c].resize(here[c].size());
+    for (std::size_t k = 0; k < here[c].size(); ++k) change[c][k] = ahead[c][k] - here[c][k];
+  }
 }
 
 void forget_past(SolverState& s) {

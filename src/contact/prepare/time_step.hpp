@@ -15,6 +15,8 @@ void start_step(SolverState& state);
 void end_step(SolverState& state, const Scene& scene);
 /// The next step starts from where the last one did. err_state: there is none, or that was done already.
 void repeat_step(SolverState& state);
+/// change[c], c = t1, t2: of the solved step's displacements, from the nodes to the points where their particles were.
+void find_changes_upstream(SolverState& state, std::vector<double> (&change)[2]);
 /// At rest.
 void forget_past(SolverState& state);
 

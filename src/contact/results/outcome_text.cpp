@@ -66,8 +66,11 @@ Line not_converged(const SolverState& s) {
 std::string describe_beyond_friction(const FrictionShare& share) {
   const std::string all = times(share.sliding);
   if (share.before_fall)
-    return std::string("the prescribed ") + (share.by_moment ? "spin moment" : "tangential force") + " is " + all +
-           " the greatest on the branch that begins with stick (friction falls with the slip speed)";
+    return std::string("the prescribed ") +
+           (share.by_moment && share.by_force ? "tangential force and spin moment together are "
+            : share.by_moment                 ? "spin moment is "
+                                              : "tangential force is ") +
+           all + " the greatest on the branch that begins with stick (friction falls with the slip speed)";
   if (!share.by_moment)
     return "the prescribed tangential force is " + all + " what friction can carry (|Ft| must be less than mu Fn)";
   if (!share.by_force)

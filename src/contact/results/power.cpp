@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "contact/prepare/time_step.hpp"
 #include "contact/solution.hpp"
 #include "mesh/quadrature.hpp"
 #include "mesh/shape.hpp"
@@ -62,37 +63,31 @@ double work_of_pressures(SolverState& s) {
   return sum;
 }
 
-}  // namespace
+// Of creepages and spin, per unit of speed: of node k.
+double work_of_motions(const Problem& p, const Iterate& it, std::size_t k) {
+  double work = 0;
+  for (const int m : {xi1, xi2, spin}) {
+    const auto row = p.load_row(m, k);
+    work += p.motion_scale * it.motion[at(m)] * (row[0] * it.lambda[0][k] + row[1] * it.lambda[1][k]);
+  }
+  return work;
+}
 
-// Carried along a surface that is the same everywhere, tractions change no elastic energy: what their tangential and
-// normal parts do on the elastic displacements adds up to nothing.
-double power_put_in(SolverState& s) {
-  if (s.frictionless) return 0;
-  if (s.prepared->step != StepKind::steady) return NAN;  // elastic energy comes and goes
+// Likewise, with fields of slip, of all nodes.
+double work_of_rigid_slip(const SolverState& s) {
   const Problem& p = s.prepared->problem;
   const Iterate& it = s.iterate;
-  double work = work_of_pressures(s);
+  double work = 0;
   for (std::size_t k = 0; k < it.lambda[2].size(); ++k) {
     if (!(it.lambda[2][k] < 0)) continue;
-    const double t1 = it.lambda[0][k], t2 = it.lambda[1][k];
-    for (const int m : {xi1, xi2, spin}) {
-      const auto row = p.load_row(m, k);
-      work += p.motion_scale * it.motion[at(m)] * (row[0] * t1 + row[1] * t2);
-    }
-    if (!p.slip1.empty()) work += p.weight[k] * (t1 * p.slip1[k] + t2 * p.slip2[k]);
+    work += work_of_motions(p, it, k);
+    if (!p.slip1.empty()) work += p.weight[k] * (it.lambda[0][k] * p.slip1[k] + it.lambda[1][k] * p.slip2[k]);
   }
-  return -s.prepared->speed * work;
+  return work;
 }
 
-bool power_is_balanced(const SolverState& s) {
-  const Prepared& on = *s.prepared;
-  for (const Body* body : on.pair.body)
-    if (body->kind() != BodyKind::halfspace && body->kind() != BodyKind::rigid) return false;
-  return !s.frictionless && on.step == StepKind::steady && nodes_at_rim(s) == 0;
-}
-
-double power_at_nodes(SolverState& s) {
-  if (s.frictionless) return 0;
+// Sum over the nodes in contact of tangential traction times slip velocity and a weight.
+double work_of_slip(SolverState& s, const std::vector<double>& weight) {
   const Problem& p = s.prepared->problem;
   Iterate& it = s.iterate;
   const bool known = p.op->tangential || s.images_known;
@@ -107,9 +102,52 @@ double power_at_nodes(SolverState& s) {
       slip = {s.prepared->speed * (p.rigid_slip1(i, it.motion) + it.image[0][k]),
               s.prepared->speed * (p.rigid_slip2(i, it.motion) + it.image[1][k])};
     }
-    sum -= p.cell_area[k] * (it.lambda[0][k] * slip[0] + it.lambda[1][k] * slip[1]);
+    sum += weight[k] * (it.lambda[0][k] * slip[0] + it.lambda[1][k] * slip[1]);
   }
   return sum;
+}
+
+// What slip takes in a step is a sum over nodes that misses a part on coarse grids; so does, likewise, what tractions
+// do on their own displacements carried along. What that must be is known.
+double power_in_step(SolverState& s) {
+  const Prepared& on = *s.prepared;
+  const Problem& p = on.problem;
+  double work = work_of_slip(s, p.weight);
+  if (on.distance == 0) return -work;
+  std::vector<double> change[2];
+  find_changes_upstream(s, change);
+  const Iterate& it = s.iterate;
+  double missed = on.distance * work_of_pressures(s);
+  for (std::size_t k = 0; k < p.gap.size(); ++k) {
+    if (!(it.lambda[2][k] < 0)) continue;
+    // Loads do their work without a sum over nodes.
+    missed += work_of_motions(p, it, k);
+    const auto i = static_cast<std::int64_t>(k);
+    for (std::size_t c = 0; c < 2; ++c)
+      missed += p.weight[k] * it.lambda[c][k] * (change[c][k] - p.motion_slip(c, i, it.motion));
+  }
+  return -work - on.speed * missed;
+}
+
+}  // namespace
+
+// Carried along a surface that is the same everywhere, tractions change no elastic energy: what their tangential and
+// normal parts do on the elastic displacements adds up to nothing.
+double power_put_in(SolverState& s) {
+  if (s.frictionless) return 0;
+  if (s.prepared->step != StepKind::steady) return power_in_step(s);
+  return -s.prepared->speed * (work_of_pressures(s) + work_of_rigid_slip(s));
+}
+
+bool power_is_balanced(const SolverState& s) {
+  const Prepared& on = *s.prepared;
+  for (const Body* body : on.pair.body)
+    if (body->kind() != BodyKind::halfspace && body->kind() != BodyKind::rigid) return false;
+  return !s.frictionless && on.step == StepKind::steady && nodes_at_rim(s) == 0;
+}
+
+double power_at_nodes(SolverState& s) {
+  return s.frictionless ? 0 : -work_of_slip(s, s.prepared->problem.cell_area);
 }
 
 }  // namespace rollcon

@@ -143,7 +143,7 @@ class GapOfSurfaces final : public KnownGap {
 
 bool is_gap_known(const Scene& scene, const PairOfBodies& pair) {
   if (scene.gap_grid()) return true;
-  if (scene.has_gap()) return scene.quadratic_gap() && (pair.body[0]->meshed() || pair.body[1]->meshed());
+  if (scene.has_gap()) return scene.quadratic_gap() && pair.meshed();
   return pair.body[0]->surface() || pair.body[1]->surface();
 }
 

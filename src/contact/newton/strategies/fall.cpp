@@ -24,19 +24,18 @@ Outcome run_as_at_rest(NewtonIteration& newton) {
       {.tolerance = std::max(s.tolerance, rough), .stick_first = s.given.tangential_load(), .rehearsal = true});
 }
 
-Outcome fall_from_rest(NewtonIteration& newton) {
+Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const RunSettings& last) {
   constexpr double least_step = 1e-3;
   const Solve& s = newton.solve();
   Iterate& it = *s.iterate;
-  start_cold(*s.problem, s.given, it);
-  guess_start(*s.problem, s.given, it);
+  start_cold(*s.problem, wanted, it);
+  guess_start(*s.problem, wanted, it);
   const double loose = std::max(s.tolerance, 1e-6);
-  Outcome outcome = newton.run(Part::normal, s.given, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
+  Outcome outcome = newton.run(Part::normal, wanted, {.tolerance = s.goal == Part::full ? loose : s.tolerance});
   if (s.goal == Part::tangential && outcome != Outcome::converged) return outcome;
-  Prescribed given = s.given;
+  Prescribed given = wanted;
   given.falling = 0;
-  outcome =
-      newton.run(s.goal, given, {.tolerance = loose, .stick_first = s.given.tangential_load(), .rehearsal = true});
+  outcome = newton.run(s.goal, given, {.tolerance = loose, .stick_first = wanted.tangential_load(), .rehearsal = true});
   std::vector<double> lambda[3];
   std::array<double, 4> motion{};
   // Where slip is small against the law's speeds a tenth is a small step, too.
@@ -45,7 +44,7 @@ Outcome fall_from_rest(NewtonIteration& newton) {
     for (int c = 0; c < 3; ++c) lambda[c] = it.lambda[c];
     motion = it.motion;
     given.falling = std::min(1.0, done + step);
-    outcome = given.falling == 1 ? newton.run(s.goal, s.given)
+    outcome = given.falling == 1 ? newton.run(s.goal, wanted, last)
                                  : newton.run(s.goal, given, {.tolerance = loose, .rehearsal = true});
     if (outcome == Outcome::converged) {
       done = given.falling;

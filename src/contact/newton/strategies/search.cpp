@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 #include "contact/newton/start.hpp"
+#include "contact/newton/strategies/few.hpp"
 #include "contact/newton/strategies/strategies.hpp"
 
 namespace rollcon {
@@ -24,30 +24,6 @@ using FewRows = std::array<Few, 3>;
 
 double size_of(const Few& v) {
   return std::hypot(v[0], v[1], v[2]);
-}
-
-// x of a x = b for the leading count unknowns, elimination with pivots; false: singular.
-bool solve_few(std::size_t count, FewRows a, Few b, Few& x) {
-  for (std::size_t i = 0; i < count; ++i) {
-    std::size_t pivot = i;
-    for (std::size_t r = i + 1; r < count; ++r)
-      if (std::abs(a[r][i]) > std::abs(a[pivot][i])) pivot = r;
-    if (!(std::abs(a[pivot][i]) > 0)) return false;
-    std::swap(a[i], a[pivot]);
-    std::swap(b[i], b[pivot]);
-    for (std::size_t r = i + 1; r < count; ++r) {
-      const double factor = a[r][i] / a[i][i];
-      for (std::size_t c = i; c < count; ++c) a[r][c] -= factor * a[i][c];
-      b[r] -= factor * b[i];
-    }
-  }
-  x = {};
-  for (std::size_t i = count; i-- > 0;) {
-    double sum = b[i];
-    for (std::size_t c = i + 1; c < count; ++c) sum -= a[i][c] * x[c];
-    x[i] = sum / a[i][i];
-  }
-  return std::isfinite(size_of(x));
 }
 
 // Broyden's update: the slope that also explains the step from x to next.

@@ -42,6 +42,7 @@ FrictionShare slide(NewtonIteration& newton) {
   Iterate& it = *s.iterate;
   Prescribed given = s.given;
   for (const int m : motions) given.by_force[at(m)] = false;
+  given.falling = 0;  // beyond what friction carries at great speed there may be solutions at a lesser one
   start_cold(p, given, it);
   guess_start(p, given, it);
   if (newton.run(Part::normal, given, rehearsal) != Outcome::converged) return {};

@@ -12,6 +12,9 @@ Outcome bracket_creep(NewtonIteration& newton);
 /// Likewise under friction that falls with the slip speed, from stick on; no_solution where the load is beyond the
 /// greatest on that branch.
 Outcome bracket_before_fall(NewtonIteration& newton);
+/// Several tangential loads likewise: all grow in proportion, and the branch is followed as far as it takes, past the
+/// greatest loads on it.
+Outcome follow_before_fall(NewtonIteration& newton);
 /// The prescribed normal load of the normal part likewise, from the first touch on.
 Outcome bracket_approach(NewtonIteration& newton, double tolerance);
 /// Several prescribed tangential loads, found from the outside likewise: few unknowns, so a Newton iteration with
@@ -33,7 +36,7 @@ Outcome continue_in_friction(NewtonIteration& newton, bool from_above);
 /// The problem with friction as at rest, roughly: where solutions under friction that falls with slip begin.
 Outcome run_as_at_rest(NewtonIteration& newton);
 /// From there on by degrees: the branch of solutions that begins with stick.
-Outcome fall_from_rest(NewtonIteration& newton);
+Outcome fall_from_rest(NewtonIteration& newton, const Prescribed& wanted, const RunSettings& last = {});
 
 /// Of pressures under sliding.
 inline constexpr double sliding_tolerance = 1e-6;
