@@ -21,7 +21,7 @@ class LoadCase final : public SurfaceResponse, public MayMissLoads {
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override {
     equal().solve_everywhere(load, state, threads);
   }
-  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState state, const OwnLoads& own) override {
+  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& state, const OwnLoads& own) override {
     return equal().surface_fields(std::move(state), own);
   }
   const BodyInterior* interior() const override { return equal().interior(); }

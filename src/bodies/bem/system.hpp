@@ -29,7 +29,7 @@ class System final : public ResponseCache, public MayMissLoads {
   std::shared_ptr<const BodyEquations> equations(int threads) override;
   std::int64_t solvable() const override;
   void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) override;
-  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState state, const OwnLoads& own) override;
+  std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& state, const OwnLoads& own) override;
   using SurfaceResponse::save;
   void save(SectionWriter& file, const OwnLoads& own) const override;
 

@@ -101,7 +101,7 @@ class SurfaceResponse {
   virtual void solve_everywhere(std::span<double> load, SurfaceState& state, int threads) = 0;
   /// Boundary elements: fields inside under this state and own loads; an empty one is those alone. Null: the body has
   /// elements inside.
-  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState /*state*/, const OwnLoads& /*own*/) {
+  virtual std::unique_ptr<const SurfaceFields> surface_fields(SurfaceState&& /*state*/, const OwnLoads& /*own*/) {
     return nullptr;
   }
   /// Null: the body has no elements inside.
