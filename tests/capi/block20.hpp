@@ -1,5 +1,5 @@
 #pragma once
-/// A block of serendipity hexahedra for tests of fields and loads.
+/// A block of serendipity hexahedra for tests of fields and loads, and a ball that rolls on it.
 
 #include <map>
 #include <set>
@@ -74,5 +74,26 @@ struct Surface8 {
   }
   std::int64_t nodes() const { return static_cast<std::int64_t>(x.size() / 3); }
 };
+
+/// A rigid ball that rolls on a body with a force ahead, on a frame of its own, or on the body's faces of a tag. The
+/// caller releases the contact.
+inline rollcon_contact* press_ball(rollcon_context* context, rollcon_body* body, rollcon_body* ball,
+                                   const SquareFrame& frame, double force = 40, std::int32_t on_faces = 0) {
+  rollcon_contact* c = nullptr;
+  const double mu = 0.4;
+  EXPECT_OK(rollcon_contact_create(context, body, ball, &c));
+  if (on_faces > 0) {
+    EXPECT_OK(rollcon_contact_frame_from_body(c, 1, on_faces));
+  } else {
+    give_frame(c, frame);
+  }
+  EXPECT_OK(rollcon_contact_set_gap_quadratic(c, 0.02, 0.02, 0));
+  EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
+  EXPECT_OK(rollcon_contact_set_rolling(c, 1));
+  EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, force));
+  EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.2 * force));
+  EXPECT_OK(solve_small(c));
+  return c;
+}
 
 }  // namespace capi_test

@@ -24,24 +24,6 @@ class body_fields : public ::testing::Test {
     rollcon_context_release(context);
   }
 
-  /// A rigid ball that rolls on the body with a force ahead, on a frame of its own.
-  rollcon_contact* press(rollcon_body* body, double force = 40, std::int32_t on_faces = 0) {
-    rollcon_contact* c = nullptr;
-    const double mu = 0.4;
-    EXPECT_OK(rollcon_contact_create(context, body, ball, &c));
-    if (on_faces > 0) {
-      EXPECT_OK(rollcon_contact_frame_from_body(c, 1, on_faces));
-    } else {
-      give_frame(c, frame);
-    }
-    EXPECT_OK(rollcon_contact_set_gap_quadratic(c, 0.02, 0.02, 0));
-    EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
-    EXPECT_OK(rollcon_contact_set_rolling(c, 1));
-    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, force));
-    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.2 * force));
-    EXPECT_OK(solve_small(c));
-    return c;
-  }
   void give_block(const Block20& mesh, const std::vector<double>& moved) {
     ASSERT_OK(rollcon_body_set_nodes(block, mesh.nodes(), mesh.x.data(), 3, 1));
     ASSERT_OK(rollcon_body_add_elements(block, ROLLCON_HEX20, static_cast<std::int64_t>(mesh.connectivity.size() / 20),
@@ -80,7 +62,7 @@ TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
   rollcon_body* halfspace = nullptr;
   ASSERT_OK(rollcon_body_create(context, ROLLCON_BODY_HALFSPACE, &halfspace));
   ASSERT_OK(rollcon_body_set_elastic(halfspace, 0, 1000, 0.3));
-  rollcon_contact* on_halfspace = press(halfspace);
+  rollcon_contact* on_halfspace = press_ball(context, halfspace, ball, frame);
   const Block20 mesh(14, 8, 4, 4);
   std::vector<double> edge, moved;
   for (const std::int32_t k : mesh.rim) edge.insert(edge.end(), mesh.x.begin() + 3 * k, mesh.x.begin() + 3 * k + 3);
@@ -88,7 +70,7 @@ TEST_F(body_fields_long, under_a_contact_are_those_of_a_half_space) {
   ASSERT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
                                             nullptr, moved.data()));
   give_block(mesh, moved);
-  contact = press(block);
+  contact = press_ball(context, block, ball, frame);
   const std::vector<double> u = displacements(contact);
 
   std::vector<double> x;
@@ -129,7 +111,7 @@ TEST_F(body_fields, of_further_solves_factorise_nothing) {
   ASSERT_OK(rollcon_body_tag_faces_of_nodes(block, static_cast<std::int64_t>(inner.size()), inner.data(), 0, 7));
   const std::int32_t tags[] = {6, 7};
   ASSERT_OK(rollcon_body_set_contact_faces(block, 2, tags));
-  contact = press(block, 20, 7);
+  contact = press_ball(context, block, ball, frame, 20, 7);
   const std::vector<double> first = displacements(contact);
   const double factorised = statistic("factorizations");
   ASSERT_OK(rollcon_contact_prescribe(contact, ROLLCON_NORMAL, ROLLCON_BY_FORCE, 25));
@@ -154,7 +136,7 @@ TEST_F(body_fields, of_further_solves_factorise_nothing) {
 TEST_F(body_fields, are_written_for_viewers) {
   const Block20 mesh(2, 2, 4, 4);
   give_block(mesh, {});
-  contact = press(block, 20);
+  contact = press_ball(context, block, ball, frame, 20);
   const std::vector<double> u = displacements(contact);
   const std::string path = ::testing::TempDir() + "rollcon_body_fields.vtu";
   const std::int32_t status = rollcon_body_write(block, path.c_str(), mesh.nodes(), u.data());
@@ -173,7 +155,7 @@ TEST_F(body_fields, refuse_what_they_cannot_give) {
   give_block(mesh, {});
   std::vector<double> s(static_cast<std::size_t>(6 * mesh.nodes())), u(static_cast<std::size_t>(3 * mesh.nodes()), 0.0);
   EXPECT_FAILS(rollcon_body_get_node_stresses(block, mesh.nodes(), nullptr, s.data()), STATE, "not prepared");
-  contact = press(block, 20);
+  contact = press_ball(context, block, ball, frame, 20);
   std::int64_t n = 0;
   EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 2, 0, nullptr, &n), UNSUPPORTED, "body 2 is a rigid");
   EXPECT_FAILS(rollcon_contact_get_body_displacements(contact, 3, 0, nullptr, &n), ARGUMENT, "body is 3");

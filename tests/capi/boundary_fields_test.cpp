@@ -26,30 +26,12 @@ class boundary_fields : public ::testing::Test {
     rollcon_context_release(context);
   }
 
-  /// A rigid ball that rolls on the body with a force ahead.
-  rollcon_contact* press(rollcon_body* body, bool on_faces = false) {
-    rollcon_contact* c = nullptr;
-    const double mu = 0.4, force = 40;
-    EXPECT_OK(rollcon_contact_create(context, body, ball, &c));
-    if (on_faces) {
-      EXPECT_OK(rollcon_contact_frame_from_body(c, 1, 6));
-    } else {
-      give_frame(c, frame);
-    }
-    EXPECT_OK(rollcon_contact_set_gap_quadratic(c, 0.02, 0.02, 0));
-    EXPECT_OK(rollcon_contact_set_friction(c, "coulomb", 1, &mu));
-    EXPECT_OK(rollcon_contact_set_rolling(c, 1));
-    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_NORMAL, ROLLCON_BY_FORCE, force));
-    EXPECT_OK(rollcon_contact_prescribe(c, ROLLCON_LONGITUDINAL, ROLLCON_BY_FORCE, 0.2 * force));
-    EXPECT_OK(solve_small(c));
-    return c;
-  }
   /// Its sides and its bottom are moved as the half-space moves there.
   void give_block(const Surface8& mesh) {
     std::vector<double> edge, moved;
     for (const std::int32_t k : mesh.rim) edge.insert(edge.end(), mesh.x.begin() + 3 * k, mesh.x.begin() + 3 * k + 3);
     moved.resize(edge.size());
-    on_halfspace = press(halfspace);
+    on_halfspace = press_ball(context, halfspace, ball, frame);
     ASSERT_OK(rollcon_contact_get_stresses_at(on_halfspace, 1, static_cast<std::int64_t>(mesh.rim.size()), edge.data(),
                                               nullptr, moved.data()));
     ASSERT_OK(rollcon_body_set_nodes(block, mesh.nodes(), mesh.x.data(), 3, 1));
@@ -98,7 +80,7 @@ using boundary_fields_long = boundary_fields;
 
 TEST_F(boundary_fields_long, under_a_contact_are_those_of_a_half_space) {
   give_block(Surface8(Block20(8, 5, 4, 4)));
-  contact = press(block);
+  contact = press_ball(context, block, ball, frame);
   for (const double depth : {1e-4, 0.05, 0.2, 0.5, 1.2, 2.0}) {
     const Error error = beside_halfspace({depth});
     std::printf("boundary elements beside a half-space, %g deep: stress %.1e of the pressure, displacement %.1e\n",
@@ -110,7 +92,7 @@ TEST_F(boundary_fields_long, under_a_contact_are_those_of_a_half_space) {
 
 TEST_F(boundary_fields, under_a_contact_are_near_those_of_a_half_space) {
   give_block(Surface8(Block20(4, 3, 4, 4)));
-  contact = press(block);
+  contact = press_ball(context, block, ball, frame);
   const Error error = beside_halfspace({1.2, 1.5, 2.0, 2.5});
   std::printf(
       "boundary elements beside a half-space: stress %.1e of the pressure, displacement %.1e (bounds .015, .03)\n",

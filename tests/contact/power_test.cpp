@@ -75,7 +75,9 @@ TEST(power, does_not_depend_on_the_kind_of_element) {
   for (const ElementType type :
        {ElementType::tri3, ElementType::tri6, ElementType::quad4, ElementType::quad8, ElementType::quad9}) {
     Pair pair(2e5, 0.3, 7e4, 0.4);
-    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, is_quadratic(type) ? 10 : 20);
+    // quad8 knows slip least (docs/theory.md): 0.23 off with 10 elements.
+    const int elements = type == ElementType::quad8 ? 16 : is_quadratic(type) ? 10 : 20;
+    const std::vector<double> lines = frames::uniform_lines(-1.3, 1.3, elements);
     pair.frame(frames::perturb(frames::rectangle(type, lines, lines), 0.1, 5));
     pair.contact->scene.set_gap_quadratic(0.01, 0.013, 0);
     pair.friction(0.3);
@@ -83,8 +85,8 @@ TEST(power, does_not_depend_on_the_kind_of_element) {
     pair.contact->scene.set_creep(1e-3, 0, 0);
     ASSERT_EQ(pair.contact->solve(), Status::ok);
     const double balance = pair.contact->stat("friction_power_balance") / limit - 1;
-    std::printf("%d: %+.3f (bound 0.25)\n", static_cast<int>(type), balance);
-    EXPECT_LT(std::abs(balance), 0.25);
+    std::printf("%d: %+.3f (bound 0.15)\n", static_cast<int>(type), balance);
+    EXPECT_LT(std::abs(balance), 0.15);
   }
 }
 
