@@ -132,9 +132,10 @@ TEST_F(allocation, solves_of_a_time_loop_allocate_nothing) {
 }
 
 // Loads, motions, friction and gap change from step to step.
-void expect_no_allocations(rollcon_context* context, rollcon_contact* contact, int steps) {
+void expect_no_allocations(rollcon_context* context, rollcon_contact* contact, std::initializer_list<const char*> of,
+                           int steps) {
   ASSERT_OK(rollcon_context_set_threads(context, 1));
-  for (const char* operators : {"table", "dense", "fft"}) {
+  for (const char* operators : of) {
     ASSERT_OK(rollcon_contact_set_str(contact, "operators", operators));
     for (const std::int32_t kind : {ROLLCON_ROLLING_STEP, ROLLCON_SHIFT_STEP}) {
       ASSERT_OK(rollcon_contact_reset(contact));
@@ -164,13 +165,13 @@ void expect_no_allocations(rollcon_context* context, rollcon_contact* contact, i
 
 TEST_F(allocation, steps_in_time_allocate_nothing) {
   set_frame();
-  expect_no_allocations(context, contact, 400);
+  expect_no_allocations(context, contact, {"table", "dense", "fft"}, 400);
 }
 
 class allocation_nightly : public allocation {};
 TEST_F(allocation_nightly, steps_in_time_allocate_nothing) {
   set_frame();
-  expect_no_allocations(context, contact, 100070);
+  expect_no_allocations(context, contact, {"table"}, 100070);
 }
 
 // A crowned roller on a plane: slip varies from node to node.
