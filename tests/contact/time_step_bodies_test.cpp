@@ -51,14 +51,15 @@ TEST(time_steps_of_bodies, shift_then_roll_to_the_steady_state) {
       double worst = worst_law(*steps);
       steps->creep(-0.01, 0.003, 0);  // over the distance that the steady scheme looks ahead
       ASSERT_EQ(rollcon_contact_set_step(c, ROLLCON_ROLLING_STEP, 0.12), ROLLCON_OK);
-      for (int k = 0; k < 60; ++k) {
+      // What is left of the start falls by a factor of 50 to 60 in 20 steps, down to 3e-12 after 140.
+      for (int k = 0; k < 80; ++k) {
         ASSERT_GE(steps->solve(), 0);
         worst = std::max(worst, worst_law(*steps));
       }
       expect_error(name + ": laws", worst, 1e-8);
       const auto a = steady->solution().force, b = steps->solution().force;
       expect_error(name + ": force against the steady one",
-                   std::hypot(a[0] - b[0], a[1] - b[1]) / std::hypot(a[0], a[1]), 1e-4);
+                   std::hypot(a[0] - b[0], a[1] - b[1]) / std::hypot(a[0], a[1]), 1e-6);
     }
 }
 

@@ -95,11 +95,19 @@ TEST(stability, random_bodies_in_time_steps) {
 }
 
 TEST(stability_long, random_bodies_in_time_steps) {
-  expect_right_steps(extremes::first_seed() + 8, 60, true, 0.02);
+  expect_right_steps(extremes::first_seed() + 8, 24, true, 0.02);
+}
+
+TEST(stability_nightly, random_bodies_in_time_steps) {
+  expect_right_steps(extremes::first_seed() + 32, 36, true, 0.02);
 }
 
 TEST(stability_long, random_scenes_in_time_steps) {
-  expect_right_steps(extremes::first_seed() + 10, 390, false, 0.02);
+  expect_right_steps(extremes::first_seed() + 10, 150, false, 0.02);
+}
+
+TEST(stability_nightly, random_scenes_in_time_steps) {
+  expect_right_steps(extremes::first_seed() + 160, 240, false, 0.02);
 }
 
 }  // namespace
