@@ -112,18 +112,6 @@ class Checker {
       largest_u_ = std::max({largest_u_, std::abs(u_[k]), std::abs(u2[k])});
       u_[k] -= u2[k];
     }
-    if (given_.layer > 0) add_layer(xy);
-  }
-
-  /// A layer gives way by the tractions at each point.
-  void add_layer(const std::vector<double>& xy) {
-    for (std::size_t i = 0; i < xy.size() / 2; ++i) {
-      const std::array<double, 2> t = tractions_at(given_.frame, at_, xy[2 * i], xy[2 * i + 1], result_.traction);
-      for (std::size_t c = 0; c < 2; ++c) {
-        u_[3 * i + c] += given_.layer * t[c];
-        largest_u_ = std::max(largest_u_, std::abs(u_[3 * i + c]));
-      }
-    }
   }
 
   /// Of slip: over V, or a shift.

@@ -38,7 +38,6 @@ struct Given {
   std::optional<TimeStep> in_time;
   double step = 0.6;     ///< of the characteristic scheme, over the spacing
   bool regular = false;  ///< a full grid of equal quad4 cells, 3 x 3 nodes or more
-  double layer = 0;      ///< flexibility of an elastic layer between the bodies; not in steps of time
   double rounding = 64;  ///< in eps, allowed of the terms that gaps and slips are differences of
   /// Of curved frames: local (t1, t2, n) of each node in the axes, as rows (surface_triads). Neither gap nor quadratic:
   /// the bodies have meshes, and the undeformed gap is concluded from the field GAP (no check of its own then).

@@ -38,9 +38,4 @@ std::vector<double> steps(const SurfaceMesh& mesh, const Plane& at, double part_
 /// Integrals of every shape function N over the flat frame, of N x and of N y.
 std::vector<std::array<double, 3>> shape_integrals(const SurfaceMesh& mesh, const Plane& at);
 
-/// Tangential tractions at a point of a flat frame, by the shape functions of the element there; 0 beside the frame.
-/// traction: three for each node.
-std::array<double, 2> tractions_at(const SurfaceMesh& mesh, const Plane& at, double x, double y,
-                                   const std::vector<double>& traction);
-
 }  // namespace rollcon::laws
