@@ -93,8 +93,8 @@ TEST_F(derivatives, by_table_are_those_of_differences) {
   ASSERT_EQ(w->solve(), Status::ok);
   const double z = w->stat("z");
   w->prescribe_vertical(1, 0);
-  // Over other steps than the library's own (0.02). Coefficients of tables are in single precision, which is 1e-4 of the
-  // smallest of these derivatives; truncation is as much.
+  // Over other steps than the library's own (0.02). Coefficients of tables are in single precision, which is 1e-4 of
+  // the smallest of these derivatives; truncation is as much.
   expect_error("velocity", worst(*w, 1, 2, z, 6, 0.05), 5e-4);
   expect_error("position", worst(*w, 1, 2, z, 0, 1e-3), 5e-3);
 }
