@@ -89,7 +89,8 @@ static rollcon_wheelrail* wheel_on_rail(rollcon_context* context, rollcon_body* 
 static void wheels(rollcon_context* context) {
   const double position[6] = {0, 3, 0, 0, 0, 0}, velocity[6] = {30000, 0, 0, 0, 0, -65.2};
   const double lower[3] = {0, 0.5, 0}, still[3] = {0, 0, 0}, shift[2] = {0, 3}, amplitude[2] = {2, 4};
-  double force[3], moment[3], force_rate[3], moment_rate[3], z_rate, pressure, totals[9], points[26], conicity[2], wavelength[2];
+  double force[3], moment[3], force_rate[3], moment_rate[3], z_rate, pressure, totals[9], points[26], conicity[2],
+      wavelength[2];
   const double by_angle[4] = {-1, 0.1, -0.2, 0.3};
   const char* law = "archard";
   const double i = 1e-9; /* mm^2/N */
