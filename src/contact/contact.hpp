@@ -186,6 +186,7 @@ class Contact {
   void write(const char* path) const;  ///< VTU; err_io
 
  private:
+  void require_solution() const;
   SurfaceState surface_state(std::int32_t body) const;
   Status solve_scene();
   Status solve_on_own_frames(const CaseList& cases, const CaseResults& results, const CaseHost& host);

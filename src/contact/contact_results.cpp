@@ -4,13 +4,10 @@
 #include <cmath>
 #include <cstring>
 
-#include "bodies/body_results.hpp"
 #include "contact/contact.hpp"
-#include "contact/prepare/lattice_scene.hpp"
 #include "contact/results/extrapolation.hpp"
 #include "contact/results/sensitivity.hpp"
 #include "contact/results/statistics.hpp"
-#include "contact/results/stresses.hpp"
 #include "contact/results/wear.hpp"
 #include "contact/settle/settle_friction.hpp"
 #include "contact/solution.hpp"
@@ -19,13 +16,6 @@
 
 namespace rollcon {
 namespace {
-
-void require_solution(const SolverState& s, const Scene& scene) {
-  if (!s.solved || s.revision_solved.mesh != scene.revision.mesh)
-    fail(Status::err_state,
-         "there is no solution: call rollcon_contact_solve first (inputs that "
-         "change the frame, or a failed solve, discard the last one)");
-}
 
 // Vector from local directions to global coordinates.
 Vec3 to_global(const Triad& a, double v1, double v2, double vn) {
@@ -118,27 +108,17 @@ void write_value(const SolverState& s, Field field, InAxes axes, std::size_t k, 
   }
 }
 
-/// Of body 1 or 2 alone; made when it is first asked for.
-const Compliance& compliance_of(SolverState& s, std::int32_t body, int threads) {
-  auto& compliance = s.body_compliance[body - 1];
-  if (!compliance)
-    compliance = make_body_compliance(s.prepared->frame, s.prepared->pair, body - 1, s.prepared->accuracy, threads);
-  compliance->set_threads(threads);
-  return *compliance;
-}
-
-/// t[3 * node + component], local.
-std::vector<double> tractions_by_node(const SolverState& s) {
-  std::vector<double> t(3 * static_cast<std::size_t>(s.prepared->problem.nodes));
-  for (std::size_t k = 0; k < t.size() / 3; ++k)
-    for (std::size_t c = 0; c < 3; ++c) t[3 * k + c] = s.iterate.lambda[c][k];
-  return t;
-}
-
 }  // namespace
 
+void Contact::require_solution() const {
+  if (!state_->solved || state_->revision_solved.mesh != scene.revision.mesh)
+    fail(Status::err_state,
+         "there is no solution: call rollcon_contact_solve first (inputs that "
+         "change the frame, or a failed solve, discard the last one)");
+}
+
 void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
-  require_solution(*state_, scene);
+  require_solution();
   const Iterate& it = state_->iterate;
   require_capacity(capacity, state_->prepared->problem.nodes, "nodes");
   for (std::size_t k = 0; k < it.lambda[0].size(); ++k)
@@ -148,7 +128,7 @@ void Contact::tractions(InAxes axes, std::int64_t capacity, double* t) const {
 
 std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, double* v) const {
   SolverState& s = *state_;
-  require_solution(s, scene);
+  require_solution();
   const Frame& frame = s.prepared->frame;
   const auto n = static_cast<std::size_t>(s.prepared->problem.nodes);
   const std::int64_t components = components_of(field, axes);
@@ -177,14 +157,14 @@ std::int64_t Contact::field(Field field, InAxes axes, std::int64_t capacity, dou
 }
 
 void Contact::node_status(std::int64_t capacity, std::int32_t* status) const {
-  require_solution(*state_, scene);
+  require_solution();
   require_capacity(capacity, state_->prepared->problem.nodes, "nodes");
   derive_fields(*state_);
   std::copy(state_->status.begin(), state_->status.end(), status);
 }
 
 void Contact::resultant(InAxes axes, double* force, double* moment) const {
-  require_solution(*state_, scene);
+  require_solution();
   Vec3 f, m;
   if (state_->extrapolated)
     f = state_->extrapolated->force, m = state_->extrapolated->moment;
@@ -196,7 +176,7 @@ void Contact::resultant(InAxes axes, double* force, double* moment) const {
 }
 
 void Contact::motion(double* depth, double* creep) const {
-  require_solution(*state_, scene);
+  require_solution();
   auto m = state_->iterate.motion;
   m[approach] = state_->given.approach_of(m, state_->prepared->problem.datum);
   if (state_->extrapolated) m = state_->extrapolated->motion;
@@ -220,7 +200,7 @@ const Rates& Contact::rates(Parameter parameter) const {
 
 void Contact::sensitivity(Parameter parameter, double* force, double* moment, double* depth, double* creep) const {
   SolverState& s = *state_;
-  require_solution(s, scene);
+  require_solution();
   require_converged(s);
   const BlasThreads blas(context_->threads());
   require_operators(s);
@@ -251,7 +231,7 @@ void Contact::read_givens(NodeGivens& now) {
 
 void Contact::rates_by_givens(const NodeGivens& rate, double* force, double* moment) const {
   SolverState& s = *state_;
-  require_solution(s, scene);
+  require_solution();
   require_converged(s);
   const BlasThreads blas(context_->threads());
   require_operators(s);
@@ -260,86 +240,18 @@ void Contact::rates_by_givens(const NodeGivens& rate, double* force, double* mom
   std::copy(r.moment.begin(), r.moment.end(), moment);
 }
 
-void Contact::displacements_at(std::int32_t body, std::int64_t n, const double* xy, double* u) const {
-  SolverState& s = *state_;
-  require_solution(s, scene);
-  const Body& which = body == 1 ? *body1_ : *body2_;
-  const auto points = static_cast<std::size_t>(n);
-  std::fill(u, u + 3 * points, 0.0);
-  if (which.rigid()) return;
-  const Compliance* compliance = &compliance_of(s, body, context_->threads());
-  std::vector<double> x(points), y(points);
-  for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
-  const std::vector<double> t = tractions_by_node(s);
-  ++s.work.displacements;
-  ++s.work.applications;
-  const bool at_nodes = s.prepared->problem.op->influence() && x == s.prepared->frame.x && y == s.prepared->frame.y;
-  if (!at_nodes || !displacements_on_lattice(s, *compliance, u)) compliance->apply({x, y}, t.data(), u);
-  std::vector<double> own(3 * points);
-  if (compliance->offset({x, y}, own.data()))
-    for (std::size_t k = 0; k < own.size(); ++k) u[k] += own[k];
-  // A lambda is u1 - u2: the second body's part carries the opposite sign.
-  if (body == 2)
-    for (std::size_t k = 0; k < 3 * points; ++k) u[k] = -u[k];
-}
-
-namespace {
-
-void require_elements(const Body& body, std::int32_t number) {
-  if (body.kind() == BodyKind::fem || body.kind() == BodyKind::bem) return;
-  fail(Status::err_unsupported,
-       "body %d is a %s body: displacements of all nodes and fields inside are those of finite and boundary elements "
-       "(of half-spaces: rollcon_contact_get_stresses_at)",
-       number, body.traits().name);
-}
-
-}  // namespace
-
-SurfaceState Contact::surface_state(std::int32_t body) const {
-  SolverState& s = *state_;
-  require_solution(s, scene);
-  const Body& which = body == 1 ? *body1_ : *body2_;
-  require_elements(which, body);
-  SurfaceState state;
-  compliance_of(s, body, context_->threads()).everywhere(tractions_by_node(s).data(), state);
-  return state;
-}
-
-std::int64_t Contact::body_displacements(std::int32_t body, double* u) const {
-  require_solution(*state_, scene);
-  const Body& which = body == 1 ? *body1_ : *body2_;
-  require_elements(which, body);
-  if (!u) return 3 * which.mesh().surface.nodes();
-  const std::vector<double> moved = rollcon::body_displacements(which, surface_state(body));
-  std::copy(moved.begin(), moved.end(), u);
-  return std::ssize(moved);
-}
-
-void Contact::body_fields_at(std::int32_t body, std::int64_t n, const double* xyz, double* u, double* stress) const {
-  rollcon::body_fields_at(body == 1 ? *body1_ : *body2_, surface_state(body), n, xyz, u, stress);
-}
-
-void Contact::write_body(std::int32_t body, const char* path) const {
-  rollcon::write_body(body == 1 ? *body1_ : *body2_, surface_state(body), path);
-}
-
-void Contact::stresses_at(std::int32_t body, std::int64_t n, const double* xyz, double* stress, double* u) const {
-  require_solution(*state_, scene);
-  find_stresses(*state_, body, {n, xyz}, scene.options.stress_accuracy, context_->threads(), stress, u);
-}
-
 double Contact::wear(const WearLaw& law, std::span<const double> y, double share, double* volume) const {
-  require_solution(*state_, scene);
+  require_solution();
   return add_wear(*state_, law, y, share, volume);
 }
 
 std::array<double, 2> Contact::contact_across() const {
-  require_solution(*state_, scene);
+  require_solution();
   return rollcon::contact_across(*state_);
 }
 
 void Contact::temperatures_at(std::int64_t n, const double* xy, double* temperature) const {
-  require_solution(*state_, scene);
+  require_solution();
   const auto points = static_cast<std::size_t>(n);
   std::vector<double> x(points), y(points);
   for (std::size_t k = 0; k < points; ++k) x[k] = xy[2 * k], y[k] = xy[2 * k + 1];
@@ -354,7 +266,7 @@ double Contact::fatigue_index(double shear_yield) const {
 }
 
 EquivalentEllipse Contact::equivalent_ellipse() const {
-  require_solution(*state_, scene);
+  require_solution();
   return rollcon::equivalent_ellipse(*state_, stat("contact_area"));
 }
 
@@ -367,12 +279,12 @@ std::span<const double> Contact::history() const {
 }
 
 std::string Contact::plan() const {
-  require_solution(*state_, scene);
+  require_solution();
   return describe_plan(*state_, scene, *body1_, *body2_);
 }
 
 void Contact::write(const char* path) const {
-  require_solution(*state_, scene);
+  require_solution();
   const auto n = static_cast<std::size_t>(state_->prepared->problem.nodes);
   struct Column {
     const char* name;
