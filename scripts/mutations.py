@@ -139,16 +139,17 @@ def notices(work, program, names, limit):
     return {"by": program, "status": status, "test": failed} if status != 0 else None
 
 
-def baseline(work):
-    """{program: [(seconds, test)]} of the unchanged library, kept in DIR/baseline.json."""
-    kept = work / "baseline.json"
+def baseline(work, tests):
+    """{program: [(seconds, test)]} of the unchanged library, kept in DIR; nightly suites with tests "all" alone."""
+    kept = work / f"baseline_{tests}.json"
+    wanted = ["*"] if tests == "all" else ["-*_nightly.*", "*_nightly/*"]
     if kept.exists():
         return json.loads(kept.read_text())
     times = {}
     for program in sorted({p for programs in PROGRAMS.values() for p in programs}):
         report = work / "report.json"
         report.unlink(missing_ok=True)
-        if run_tests(work, program, ["*"], 3000, report)[0] != 0:
+        if run_tests(work, program, wanted, 3000, report)[0] != 0:
             print(f"test_{program} fails without any change; its failing tests are left out")
         times[program] = [(float(test["time"].rstrip("s")), f"{suite['name']}.{test['name']}")
                           for suite in json.loads(report.read_text())["testsuites"]
@@ -171,12 +172,6 @@ def nearness(source, test):
     """How much the names of a source and a test file have in common; rooms alone do not count."""
     words = lambda path: set(re.split(r"[/_.]", str(path.with_suffix(""))))
     return len((words(source) & words(test)) - {source.parts[0], "test"})
-
-
-def for_every_change(times):
-    """Without the suites that run at night alone (tests/CMakeLists.txt)."""
-    return {program: [(t, name) for t, name in tests if "_nightly." not in name and "_nightly/" not in name]
-            for program, tests in times.items()}
 
 
 def stages_of(file, times, suites, noticing):
@@ -256,9 +251,7 @@ def run(options):
         mutants = {group: {file: ms for file, ms in files.items() if file.startswith(f"src/{options.room}/")}
                    for group, files in mutants.items()}
     prepare(work, options.jobs)
-    times, suites = baseline(work), suites_of(work / "tree")
-    if options.tests != "all":
-        times = for_every_change(times)
+    times, suites = baseline(work, options.tests), suites_of(work / "tree")
     if options.prepare:
         return
     known = {m.id: (group, m) for group, files in mutants.items() for ms in files.values() for m in ms}
